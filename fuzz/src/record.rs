@@ -1,13 +1,19 @@
 //! What every record file is held to: read or refused, never a panic; what is read is finite and can be used.
 
-use pounding_motion::{AccelerationUnit, Declared, Direction, components, read_declared};
+use pounding_motion::{
+    AccelerationUnit, Declared, Direction, NamedFile, components, contents, read_declared,
+};
 
 /// Reads some bytes with more and more of what a caller may declare.
 pub(crate) fn check(bytes: &[u8]) {
     for name in components(bytes).unwrap_or_default() {
         let _ = Direction::of_component(&name);
     }
-    let _ = Direction::of_file_name(&String::from_utf8_lossy(bytes));
+    if let Ok(found) = contents(bytes) {
+        assert!(!found.channels.is_empty(), "no channel");
+    }
+    let name = String::from_utf8_lossy(bytes);
+    let _ = NamedFile::of_all(&[&*name, "A-ELC180.AT2", "A-ELC-UP.AT2"]);
     read(bytes, &Declared::default());
     let first = Declared {
         component: Some("1".to_owned()),
@@ -35,6 +41,13 @@ pub(crate) fn check(bytes: &[u8]) {
         ..counts
     };
     read(bytes, &turned);
+    let in_rows = Declared {
+        in_rows: true,
+        per_count: None,
+        time_step: Some(0.01),
+        ..turned
+    };
+    read(bytes, &in_rows);
 }
 
 fn read(bytes: &[u8], declared: &Declared) {

@@ -11,9 +11,19 @@ const HANG: u32 = 30;
 /// Memory of a run \[MB\].
 const MEMORY: u32 = 1024;
 
-/// Runs every target for so many seconds; what is found stays in fuzz/artifacts.
-pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
-    for target in targets(root)? {
+/// Runs every target, or the one that is asked for, for so many seconds; what is found stays in fuzz/artifacts.
+pub(crate) fn run(root: &Path, seconds: u32, only: Option<&str>) -> Result<(), String> {
+    let mut all = targets(root)?;
+    if let Some(only) = only {
+        if !all.iter().any(|target| target == only) {
+            return Err(format!(
+                "--target: found {only}, allowed are {}",
+                all.join(", ")
+            ));
+        }
+        all.retain(|target| target == only);
+    }
+    for target in all {
         println!("── {target}: {seconds} s");
         let dictionary = format!("fuzz/{target}.dict");
         let dictionary = root

@@ -121,8 +121,11 @@ enum Task {
     /// Kill, race, damage and cut off sweeps, and hold them to docs/exit-code-0.md; some minutes, no part of `check`, whose tests hold a
     /// part of it. As root on Linux with ext4, strace and Python it leaves nothing out.
     Torture(torture::Rounds),
-    /// Feed random bytes to every reader, to scene and to sweep files; needs cargo-fuzz, no part of `check`.
+    /// Feed random bytes to every reader, to folders of records, to scene and to sweep files; needs cargo-fuzz, no part of `check`.
     Fuzz {
+        /// The one target that runs, such as record; all without it.
+        #[arg(long)]
+        target: Option<String>,
         /// How long each target runs, in seconds.
         #[arg(long, default_value_t = 60)]
         seconds: u32,
@@ -150,7 +153,7 @@ fn main() -> ExitCode {
         Task::Hyperqueue => schedulers::hyperqueue(&root()),
         Task::Slurm => schedulers::slurm(&root()),
         Task::Torture(rounds) => torture::run(&root(), &rounds),
-        Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
+        Task::Fuzz { target, seconds } => fuzz::run(&root(), seconds, target.as_deref()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -8,7 +8,7 @@ use crate::step::step;
 
 /// The package, from the top folder.
 const PACKAGE: &str = "crates/python";
-/// What its tests need beside it. `OpenSees` has no wheel for every machine: without it one notebook is left out.
+/// What its tests need beside it.
 const TESTS: [&str; 12] = [
     "maturin>=1.9.4,<2",
     "numpy",
@@ -23,7 +23,11 @@ const TESTS: [&str; 12] = [
     "nbformat",
     "ipykernel",
 ];
-const OPENSEES: &str = "openseespy";
+/// Second routes that have no wheel for every machine, and what is left out without them.
+const SECOND_ROUTES: [(&str, &str); 2] = [
+    ("openseespy", "the notebook beside OpenSees"),
+    ("obspy", "miniSEED and SAC as ObsPy writes them"),
+];
 /// Its types, as they stand in the package and as they are made anew.
 const STUBS: &str = "python/pounding/_pounding.pyi";
 
@@ -57,12 +61,11 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     let python = environment(root, "python")?;
     let mut install = pip(&python, &["install", "--quiet"]);
     step(install.args(TESTS), root)?;
-    let opensees = step(
-        pip(&python, &["install", "--quiet", OPENSEES]).arg("--only-binary=:all:"),
-        root,
-    );
-    if opensees.is_err() {
-        println!("   left out: the notebook beside OpenSees, which has no wheel for this machine");
+    for (package, test) in SECOND_ROUTES {
+        let install = &mut pip(&python, &["install", "--quiet", package]);
+        if step(install.arg("--only-binary=:all:"), root).is_err() {
+            println!("   left out: {test}, for {package} has no wheel for this machine");
+        }
     }
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let build = &mut Command::new(cargo);

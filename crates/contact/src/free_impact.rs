@@ -21,6 +21,8 @@ pub struct FreeImpact {
     pub impulse: f64,
     /// Time from the first touch to the parting \[s\], δ = 0 at both; a clamped force may have ended earlier.
     pub duration: f64,
+    /// Time from the first touch until the force ends \[s\]: what runs call the duration of a collision.
+    pub force_duration: f64,
 }
 
 /// Steps after which an impact is given up: damping so strong that hardly anything comes back.
@@ -61,12 +63,16 @@ impl FreeImpact {
             peak = search::maximum(0.0, step, force).max(peak);
         })?;
         let end = orbit.returning(form.action).part(middle)?;
+        // A clamped pair flies the rest.
+        let flight = deformation(end.root.max(0.0)) / -end.rate;
+        let seconds = |time: f64| time * orbit.length / orbit.speed;
         Some(Self {
             restitution: -end.rate,
             max_deformation: orbit.length * deformation(middle.root),
             peak_force: peak * orbit.force,
             impulse: pair.impulse(-end.rate),
-            duration: end.time * orbit.length / orbit.speed,
+            duration: seconds(end.time + flight),
+            force_duration: seconds(end.time),
         })
     }
 }
@@ -141,7 +147,7 @@ impl Orbit {
         }
     }
 
-    /// From the largest deformation to the parting.
+    /// From the largest deformation to the end of the force.
     fn part(&self, mut state: State) -> Option<State> {
         let (mut step, mut n_steps) = (LONGEST, 0);
         loop {
@@ -152,13 +158,7 @@ impl Orbit {
                     let end = self.advance(state, part).0;
                     if over(end) { 1.0 } else { -1.0 }
                 };
-                let end = self.advance(state, search::root(0.0, length, parted)).0;
-                // A clamped pair flies the rest.
-                let rest = deformation(end.root.max(0.0)) / -end.rate;
-                return Some(State {
-                    time: end.time + rest,
-                    ..end
-                });
+                return Some(self.advance(state, search::root(0.0, length, parted)).0);
             }
             state = end;
         }

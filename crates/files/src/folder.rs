@@ -43,7 +43,7 @@ pub struct ResultFolder {
     /// Hidden names beside it: what is being written, and what it replaces.
     new: PathBuf,
     old: PathBuf,
-    _lock: Lock,
+    lock: Lock,
 }
 
 impl ResultFolder {
@@ -60,7 +60,7 @@ impl ResultFolder {
             names,
             new: new?,
             old: old?,
-            _lock: lock,
+            lock,
         };
         folder.restore().map_err(|error| folder.refused(&error))?;
         match (names.found_in(path)?, others) {
@@ -71,6 +71,11 @@ impl ResultFolder {
             )),
             (Found::Nothing | Found::Results | Found::Other(_), _) => Ok(folder),
         }
+    }
+
+    /// Whether other processes are kept off; if not, the disk knows no locks.
+    pub fn is_locked(&self) -> bool {
+        self.lock.is_kept()
     }
 
     /// Where it is.

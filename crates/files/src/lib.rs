@@ -28,11 +28,12 @@ mod same;
 
 pub use folder::{Others, ResultFolder, ResultNames};
 pub use lock::{Lock, LockError, Users};
-pub use new_file::{Existing, NewFile, hidden, leftovers, sync, sync_folder, write};
-pub use read::{Length, read, read_stream};
+pub use new_file::{Existing, NewFile, sync, sync_folder, tidy, write};
+pub use read::{Length, holds, read, read_stream};
 pub use same::input_at;
 
-use std::path::Path;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 
 /// The folder that a path lies in; `.` for a bare name.
 pub fn folder_of(path: &Path) -> &Path {
@@ -40,4 +41,13 @@ pub fn folder_of(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
+}
+
+/// A hidden name beside a file.
+pub fn hidden(path: &Path, end: &str) -> PathBuf {
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(".");
+    name.push(end);
+    path.with_file_name(name)
 }

@@ -5,8 +5,7 @@ use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use same_file::Handle;
-
+use crate::same::is_at;
 use crate::{folder_of, hidden};
 
 /// How many processes may work on an output at a time.
@@ -36,6 +35,18 @@ pub enum LockError {
         output: PathBuf,
         /// Who has it.
         holder: String,
+    },
+    /// The system refuses the lock, for another reason than that the disk has none.
+    #[error(
+        "{}: found no lock ({source}), allowed is a lock that keeps other processes off; let whoever runs this disk mend it, or name \
+         an output on another disk",
+        path.display()
+    )]
+    Refused {
+        /// The file of the lock.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
     },
     /// The system refuses the file of the lock.
     #[error("{}: {source}", path.display())]
@@ -100,7 +111,12 @@ impl Lock {
                         holder: holder(file),
                     });
                 }
-                Err(TryLockError::Error(_)) => return Ok(Self { path, file: None }),
+                Err(TryLockError::Error(source)) if source.kind() == io::ErrorKind::Unsupported => {
+                    return Ok(Self { path, file: None });
+                }
+                Err(TryLockError::Error(source)) => {
+                    return Err(LockError::Refused { path, source });
+                }
             }
             // The last one may have deleted the file between the opening and the lock.
             if is_at(&file, &path).map_err(fault)? {
@@ -127,14 +143,6 @@ impl Drop for Lock {
         if is_last && is_at(file, &self.path).unwrap_or(false) {
             let _ = fs::remove_file(&self.path);
         }
-    }
-}
-
-fn is_at(file: &File, path: &Path) -> io::Result<bool> {
-    match Handle::from_path(path) {
-        Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
-        Err(error) => Err(error),
     }
 }
 
@@ -205,6 +213,22 @@ mod tests {
         assert!(!one.is_kept());
         drop(one);
         assert!(Lock::of(&output, Users::One).unwrap().is_kept());
+    }
+
+    /// A disk whose locks fail counted as one without locks: two processes could write one table, and nobody said so.
+    #[test]
+    fn issue_a_lock_that_fails_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("table.csv");
+        // ENOLCK and EACCES of Linux, and one that no system names.
+        for number in [37, 13, 9999] {
+            let refused = |_: &File| {
+                let error = io::Error::from_raw_os_error(number);
+                Err(TryLockError::Error(error))
+            };
+            let said = Lock::by(&output, refused).unwrap_err().to_string();
+            assert!(said.contains("found no lock"), "{said}");
+        }
     }
 
     /// The file comes and goes, and still there is one at a time.

@@ -1,12 +1,14 @@
 //! Files written under a hidden name beside their own, synced, renamed, and the folder synced.
 
-use std::fs::{self, File, OpenOptions};
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-use crate::folder_of;
+use crate::same::is_at;
+use crate::{folder_of, hidden};
 
 /// What becomes of a file that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,11 +19,12 @@ pub enum Existing {
     Replaced,
 }
 
-/// Writes a file of these bytes, which is on disk when this returns.
+/// Writes a file of these bytes, which is on disk when this returns. What a process that was ended here left beside it goes.
 ///
 /// # Errors
 /// What the system refuses; then whatever was there is there still.
 pub fn write(path: &Path, bytes: &[u8], existing: Existing) -> io::Result<()> {
+    tidy(path);
     let mut file = NewFile::beside(path)?;
     file.write_all(bytes)?;
     file.put(existing)
@@ -29,8 +32,11 @@ pub fn write(path: &Path, bytes: &[u8], existing: Existing) -> io::Result<()> {
 
 /// End of the hidden name of a file that is not whole.
 const NEW: &str = ".new";
+/// Letters and digits before it, drawn at random.
+const DRAWN: usize = 6;
 
-/// A file that is being written under a hidden name. Dropped, it is deleted.
+/// A file that is being written under a hidden name. Dropped, it is deleted. A process that is ended by a signal drops nothing: then the
+/// file stays until [`tidy`].
 #[derive(Debug)]
 pub struct NewFile {
     hidden: NamedTempFile,
@@ -45,16 +51,23 @@ impl NewFile {
     pub fn beside(path: &Path) -> io::Result<Self> {
         let place = place_of(path)?;
         let name = place.file_name().ok_or(ErrorKind::InvalidInput)?;
-        let begin = format!(".{}.", name.to_string_lossy());
+        let begin = [".".as_ref(), name, ".".as_ref()];
+        let begin: OsString = begin.into_iter().collect();
         let mut builder = Builder::new();
-        builder.prefix(&begin).suffix(NEW);
+        builder.prefix(&begin).suffix(NEW).rand_bytes(DRAWN);
         // Else only its owner may read it.
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt as _;
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
-        let hidden = builder.tempfile_in(folder_of(&place))?;
+        let hidden = loop {
+            let hidden = builder.tempfile_in(folder_of(&place))?;
+            // Whoever tidies up may have found it before it was held.
+            if is_held(hidden.as_file()) && is_at(hidden.as_file(), hidden.path())? {
+                break hidden;
+            }
+        };
         if let Ok(old) = fs::metadata(&place) {
             hidden.as_file().set_permissions(old.permissions())?;
         }
@@ -150,23 +163,41 @@ pub fn sync_folder(folder: &Path) -> io::Result<()> {
     }
 }
 
-/// A hidden name beside a file.
-pub fn hidden(path: &Path, end: &str) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{end}"))
+/// Deletes what was begun beside a file and is not being written: a process that was ended by a signal leaves it. Where it cannot be
+/// deleted it stays; a disk without locks cannot tell whether somebody writes it.
+pub fn tidy(path: &Path) {
+    let Ok(place) = place_of(path) else { return };
+    for left in leftovers(&place) {
+        let is_left = || {
+            let file = OpenOptions::new().write(true).open(&left)?;
+            let is_left = cfg!(unix) && file.try_lock().is_ok() && is_at(&file, &left)?;
+            if is_left {
+                fs::remove_file(&left)?;
+            }
+            Ok::<_, io::Error>(())
+        };
+        // Nobody asked for its end, and the next one tries again.
+        let _ = is_left();
+    }
 }
 
-/// Files that were begun beside one and not ended: what kills leave. Delete them only under a [`Lock`](crate::Lock), as another
-/// process may be writing one.
-pub fn leftovers(path: &Path) -> Vec<PathBuf> {
+/// Keeps a file from those who tidy up, as far as the disk has locks; false while one of them holds it.
+fn is_held(file: &File) -> bool {
+    // A lock of Windows would keep this process's other threads off, too.
+    !cfg!(unix) || !matches!(file.try_lock(), Err(TryLockError::WouldBlock))
+}
+
+/// Files that were begun beside one and not ended.
+fn leftovers(path: &Path) -> Vec<PathBuf> {
     let begin = hidden(path, "");
-    let begin = begin.file_name().unwrap_or_default().to_string_lossy();
+    let begin = begin.file_name().unwrap_or_default().as_encoded_bytes();
     let begun = |entry: &fs::DirEntry| {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let own = name.strip_prefix(&*begin);
-        // With a dot it is of a file with a longer name.
-        own.and_then(|rest| rest.strip_suffix(NEW))
-            .is_some_and(|own| !own.contains('.'))
+        let name = entry.file_name();
+        let own = name.as_encoded_bytes().strip_prefix(begin);
+        let drawn = own.and_then(|rest| rest.strip_suffix(NEW.as_bytes()));
+        let is_ours =
+            |drawn: &[u8]| drawn.len() == DRAWN && drawn.iter().all(u8::is_ascii_alphanumeric);
+        drawn.is_some_and(is_ours) && entry.file_type().is_ok_and(|kind| kind.is_file())
     };
     let entries = fs::read_dir(folder_of(path))
         .into_iter()
@@ -189,7 +220,7 @@ mod tests {
         assert_eq!(leftovers(&path), [begun.path()]);
         assert!(
             leftovers(&folder.path().join("a")).is_empty(),
-            "of a longer name"
+            "that of a longer name"
         );
         drop(begun);
         assert!(leftovers(&path).is_empty(), "what was begun goes");
@@ -199,6 +230,50 @@ mod tests {
         assert_eq!(fs::read(&path).unwrap(), b"one");
         write(&path, b"two", Existing::Replaced).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    /// A `convert` or `export` that was ended while it wrote left its file for ever.
+    #[cfg(unix)]
+    #[test]
+    fn issue_what_a_kill_leaves_goes_with_the_next_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let others = [
+            "a.csv",
+            ".a.csv.new",
+            ".a.csv.aB3x_z.new",
+            ".b.a.csv.aB3xyz.new",
+        ];
+        for name in [".a.csv.aB3xyz.new", ".a.csv.000000.new"]
+            .iter()
+            .chain(&others)
+        {
+            fs::write(folder.path().join(name), b"half").unwrap();
+        }
+        let begun = NewFile::beside(&path).unwrap();
+        write(&path, b"whole", Existing::Replaced).unwrap();
+        assert!(begun.path().exists(), "somebody writes it");
+        assert_eq!(leftovers(&path), [begun.path()]);
+        drop(begun);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), others.len());
+    }
+
+    /// One writes while others tidy up: each file is there, and nothing else.
+    #[test]
+    fn extreme_many_write_and_tidy_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    for _ in 0..50 {
+                        write(&path, b"whole", Existing::Replaced).unwrap();
+                        assert_eq!(fs::read(&path).unwrap(), b"whole");
+                    }
+                });
+            }
+        });
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

@@ -32,7 +32,7 @@ fn refused(message: String) -> io::Error {
     io::Error::new(ErrorKind::InvalidInput, message)
 }
 
-/// Reads a regular file to its end.
+/// Reads a regular file to its end. A file that says it has no length is empty, whatever it would give.
 ///
 /// # Errors
 /// What the system says; a pipe, a device and a file that is too long are refused before memory is taken.
@@ -42,9 +42,23 @@ pub fn read(path: &Path, length: Length) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
     let about = file.metadata()?;
     check(&about, length)?;
+    // Files of /proc say so, too: `/proc/kmsg` lets its reader wait for a message of the kernel.
+    if about.is_file() && about.len() == 0 {
+        return Ok(Vec::new());
+    }
     let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or_default());
     file.take(length.most + 1).read_to_end(&mut bytes)?;
     within(bytes, length)
+}
+
+/// Whether a regular file of these bytes is there; nothing else is opened.
+///
+/// # Errors
+/// What the system says, also [`ErrorKind::NotFound`].
+pub fn holds(path: &Path, bytes: &[u8]) -> io::Result<bool> {
+    let about = fs::metadata(path)?;
+    let may = about.is_file() && about.len() == bytes.len() as u64;
+    Ok(may && fs::read(path)? == bytes)
 }
 
 /// Reads what a stream, such as standard input, gives to its end.
@@ -104,6 +118,27 @@ mod tests {
         );
     }
 
+    /// A pipe in the place of a file that is compared was waited for.
+    #[cfg(unix)]
+    #[test]
+    fn issue_what_is_no_file_holds_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, pipe] = ["file", "pipe"].map(|name| folder.path().join(name));
+        assert_eq!(holds(&file, b"a").unwrap_err().kind(), ErrorKind::NotFound);
+        fs::write(&file, b"a").unwrap();
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.unwrap().success());
+        let held = |path: &Path, bytes: &[u8]| holds(path, bytes).unwrap();
+        assert!(held(&file, b"a") && !held(&file, b"b") && !held(&file, b"aa"));
+        for other in [&pipe, folder.path(), Path::new("/dev/zero")] {
+            assert!(
+                !held(other, b"") && !held(other, b"a"),
+                "{}",
+                other.display()
+            );
+        }
+    }
+
     /// It was read until memory ended.
     #[cfg(unix)]
     #[test]
@@ -112,5 +147,14 @@ mod tests {
             let said = read(Path::new(device), MOST).unwrap_err().to_string();
             assert!(said.starts_with("it is a pipe or a device"), "{said}");
         }
+    }
+
+    /// A file of /proc is regular, and reading `/proc/kmsg` had no end.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn issue_a_file_without_length_is_empty() {
+        let about_this_process = Path::new("/proc/self/status");
+        assert!(!fs::read(about_this_process).unwrap().is_empty());
+        assert_eq!(read(about_this_process, MOST).unwrap(), b"");
     }
 }

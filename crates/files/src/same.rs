@@ -1,5 +1,7 @@
 //! Whether two names are of one file.
 
+use std::fs::File;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use same_file::Handle;
@@ -15,6 +17,15 @@ pub fn input_at<'a>(output: &Path, inputs: &'a [PathBuf]) -> Option<&'a Path> {
     let read = |input: &Path| input.is_file().then(|| Handle::from_path(input).ok());
     let mut inputs = inputs.iter().map(PathBuf::as_path);
     inputs.find(|input| read(input).flatten().is_some_and(|input| input == written))
+}
+
+/// Whether a file is still what lies at a path.
+pub(crate) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+    match Handle::from_path(path) {
+        Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
 }
 
 #[cfg(test)]

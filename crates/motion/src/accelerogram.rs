@@ -15,6 +15,7 @@ pub struct Accelerogram {
     pub(crate) provenance: String,
     pub(crate) readings: Vec<Reading>,
     pub(crate) unusual: Vec<Unusual>,
+    pub(crate) states_acceleration: bool,
 }
 
 impl Accelerogram {
@@ -59,6 +60,11 @@ impl Accelerogram {
     /// Returns how the component lies; `None` if its name does not tell.
     pub fn direction(&self) -> Option<Direction> {
         Direction::of_component(self.component()?)
+    }
+
+    /// Returns whether the file itself says that its values are accelerations, by a unit or in words.
+    pub fn states_acceleration(&self) -> bool {
+        self.states_acceleration
     }
 
     /// Returns what looks wrong and can yet be right: an unusual time step, a large peak, a seismometer's channel.

@@ -18,7 +18,9 @@ pub struct Declared {
     pub component: Option<String>,
     /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
     pub per_count: Option<f64>,
-    /// Whether the values are accelerations although the file speaks for velocities: by the code of a seismometer's
-    /// channel, or by a header with `cm/s`.
+    /// Whether the values are accelerations although the file suggests otherwise: a seismometer's channel or a header with
+    /// `cm/s` suggests velocities, values that never change sign suggest a spectrum.
     pub acceleration: bool,
+    /// Whether several numbers to a line without names are consecutive values of one component.
+    pub in_rows: bool,
 }

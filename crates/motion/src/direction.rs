@@ -52,14 +52,6 @@ const LEVEL: [&str; 33] = [
     "HORIZONTAL",
 ];
 
-/// Words at the end of a file name for up and down, in capitals: `U` may stand for uncorrected there.
-const UPRIGHT_IN_FILES: [&str; 11] = [
-    "UP", "UD", "V", "VER", "VRT", "VERT", "VERTICAL", "Z", "DOWN", "DWN", "DN",
-];
-
-/// Words at the end of a file name for directions along the ground, in capitals.
-const LEVEL_IN_FILES: [&str; 8] = ["NS", "EW", "NS1", "EW1", "NS2", "EW2", "H1", "H2"];
-
 /// Words before the number of a channel, which is no azimuth.
 const CHANNEL: [&str; 7] = ["CHAN", "CHN", "CHA", "CHANNEL", "CANAL", "COLUMN", "COL"];
 
@@ -90,43 +82,6 @@ impl Direction {
         told.reduce(|before, last| match before {
             Self::Vertical => before,
             Self::Horizontal => last,
-        })
-    }
-
-    /// Returns how a component lies by the end of its file's name, and that end: vertical by `UP` of `RSN6_ELC-UP.AT2`, `UD` of
-    /// `ABC001.UD` and of `NIGH11UD.AT2`, `BHZ` of `CCM.BHZ.00.AT2`; horizontal by `EW` of `ABC001.EW`.
-    ///
-    /// That is weaker than what a file says itself: a name may end so by chance.
-    pub fn of_file_name(file_name: &str) -> Option<(Self, &str)> {
-        let (stem, ending) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
-        let mut pieces = stem.rsplit(['-', '_', '.', ' ']);
-        let last = pieces.next().unwrap_or_default();
-        // Behind a channel code may stand that of a location.
-        let is_location = last.len() == 2 && last.bytes().all(|byte| byte.is_ascii_digit());
-        let end = match pieces.next() {
-            Some(code) if is_location && end_of_code(&code.to_ascii_uppercase()).is_some() => code,
-            // A name of one word is not the end of one.
-            _ if last == stem => "",
-            _ => last,
-        };
-        let of_word = |word: &'_ str| {
-            let capitals = word.to_ascii_uppercase();
-            if is_upright_end(&capitals) {
-                Some(Self::Vertical)
-            } else {
-                is_level_end(&capitals).then_some(Self::Horizontal)
-            }
-        };
-        let told = [ending, end]
-            .into_iter()
-            .find_map(|word| Some((of_word(word)?, word)));
-        told.or_else(|| {
-            let word = behind_number(stem)?;
-            match word.to_ascii_uppercase().as_str() {
-                "UD" => Some((Self::Vertical, word)),
-                "NS" | "EW" => Some((Self::Horizontal, word)),
-                _ => None,
-            }
         })
     }
 
@@ -179,27 +134,8 @@ fn is_azimuth(word: &str) -> bool {
     digits && degrees.parse().is_ok_and(|degrees: u32| degrees <= most)
 }
 
-/// The direction behind the code of a station that ends in a number, `UD` of `NIGH11UD`.
-fn behind_number(stem: &str) -> Option<&str> {
-    let code = stem.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
-    let letters = code.trim_end_matches(|letter: char| letter.is_ascii_digit());
-    let is_code = letters.len() < code.len()
-        && letters.ends_with(|letter: char| letter.is_ascii_alphabetic());
-    is_code.then(|| &stem[code.len()..])
-}
-
-fn is_upright_end(word: &str) -> bool {
-    // KiK-net ends its files in UD1 and UD2, below and above.
-    let is_pair = matches!(word, "UD1" | "UD2");
-    UPRIGHT_IN_FILES.contains(&word) || is_pair || is_channel_end(word, "Z")
-}
-
-fn is_level_end(word: &str) -> bool {
-    LEVEL_IN_FILES.contains(&word) || is_channel_end(word, "NE12")
-}
-
 /// Whether a word is the channel code of an instrument that measures in one of these directions.
-fn is_channel_end(word: &str, ends: &str) -> bool {
+pub(crate) fn is_channel_end(word: &str, ends: &str) -> bool {
     let instrument = word.chars().nth(1);
     instrument.is_some_and(|letter| "NLGH".contains(letter))
         && end_of_code(word).is_some_and(|end| ends.contains(end))
@@ -276,52 +212,6 @@ mod tests {
             let horizontal = name == "S 100";
             let expected = horizontal.then_some(Direction::Horizontal);
             assert_eq!(Direction::of_component(name), expected, "{name}");
-        }
-    }
-
-    #[test]
-    fn reference_ends_of_file_names() {
-        for (name, end) in [
-            ("RSN6_IMPVALL.I_I-ELC-UP.AT2", "UP"),
-            ("RSN1244_CHICHI_CHY101-V.AT2", "V"),
-            ("quake_z.txt", "z"),
-            ("A-ELC-DWN.AT2", "DWN"),
-            ("I-VERT.AT2", "VERT"),
-            ("ABC0010102030405.UD", "UD"),
-            ("ABCH010102030405.UD2", "UD2"),
-            ("RSN4228_NIIGATA_NIGH11UD.AT2", "UD"),
-            ("20190706.CJ.T001230.HNZ.sac", "HNZ"),
-            ("RSN10590_ComalTX_IU.CCM.BHZ.00.AT2", "BHZ"),
-            ("3528839_LPCC_HN_20.ver", "ver"),
-        ] {
-            let found = Direction::of_file_name(name);
-            assert_eq!(found, Some((Direction::Vertical, end)), "{name}");
-        }
-        for (name, end) in [
-            ("20190706.CJ.T001230.HNE.sac", "HNE"),
-            ("ABC0010102030405.EW", "EW"),
-            ("RSN4228_NIIGATA_NIGH11NS.AT2", "NS"),
-        ] {
-            let found = Direction::of_file_name(name);
-            assert_eq!(found, Some((Direction::Horizontal, end)), "{name}");
-        }
-        for name in [
-            "RSN6_IMPVALL.I_I-ELC180.AT2",
-            "up.csv",
-            "Z",
-            "group.txt",
-            "cloud.txt",
-            "v2.txt",
-            "quake_u.txt",
-            "A-UP-filtered.AT2",
-            "a-biz.txt",
-            "a-20.txt",
-            // A number at the end counts files as often as it is an azimuth.
-            "ACAC8903.101",
-            "",
-            ".",
-        ] {
-            assert_eq!(Direction::of_file_name(name), None, "{name}");
         }
     }
 }

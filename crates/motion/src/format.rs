@@ -5,6 +5,7 @@ mod at2;
 mod bbp;
 mod bhrc;
 mod columns;
+mod commas;
 mod component;
 mod cosmos;
 mod csmip_v1;
@@ -21,13 +22,18 @@ mod eqsig;
 mod esm;
 mod foreign;
 mod geonet;
+mod identity;
 mod knet;
 mod miniseed;
+mod numbers;
 mod plain;
 mod renadic;
 mod sac;
+mod said;
+mod simcenter;
 mod smc;
 mod spacing;
+mod stamp;
 mod table;
 mod time_column;
 mod title;
@@ -37,15 +43,22 @@ mod usgs_text;
 mod values;
 
 use crate::line::{Line, lines};
-use crate::{Accelerogram, Declared, Format, ReadError};
+use crate::{
+    Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, ReadError, Site,
+};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
 use spacing::Spacing;
+
+/// Ctrl-Z, which old programs put behind a text.
+const END_OF_TEXT: u8 = 0x1a;
 
 /// The bytes of a file and, should it be a text, its lines.
 struct File<'t> {
     bytes: &'t [u8],
     lines: Vec<Line<'t>>,
+    /// Whether the caller says that values follow one another in rows.
+    in_rows: bool,
 }
 
 /// How one format is read; each of its files has one of these.
@@ -57,12 +70,14 @@ struct Reader {
     components: fn(&File<'_>) -> Result<Vec<Component>, ReadError>,
     /// The component of that index, 0 where none has a name.
     read: fn(&File<'_>, usize) -> Result<Draft, ReadError>,
+    /// What it says of where and when its motion was recorded.
+    identity: fn(&File<'_>) -> Identity,
 }
 
 /// The readers; the first that recognises a file reads it.
 ///
 /// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
-const READERS: [Reader; 25] = [
+const READERS: [Reader; 26] = [
     csv::READER,
     sac::READER,
     miniseed::READER,
@@ -87,6 +102,7 @@ const READERS: [Reader; 25] = [
     at2::READER,
     emod3d::READER,
     eqsig::READER,
+    simcenter::READER,
     plain::READER,
 ];
 
@@ -109,13 +125,23 @@ pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
 /// Says where, what was found there, what is allowed and what to do; see [`ReadError`]. Refuses what
 /// neither the file nor the caller says, and what both say differently.
 pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, ReadError> {
-    let file = File::new(bytes)?;
+    let (text, commas) = commas::with_points(bytes);
+    let file = File {
+        in_rows: declared.in_rows,
+        ..File::new(&text)?
+    };
     let reader = reader(&file)?;
     let components = (reader.components)(&file)?;
     let index = chosen(&components, declared.component.as_deref())?;
-    let draft = (reader.read)(&file, index);
-    let settled =
-        draft.and_then(|draft| draft.settle(reader.format, components.get(index), declared));
+    let draft = (reader.read)(&file, index).map(|mut draft| {
+        let remark = |line| reading("decimal commas", Some(Place::Line(line)), "read as points");
+        draft.remarks.extend(commas.map(remark));
+        draft
+    });
+    let settled = draft.and_then(|draft| {
+        let ends = !damage::goes_on(&file, draft.end);
+        draft.settle(reader.format, components.get(index), declared, ends)
+    });
     settled.map_err(|error| damage::located(error, &file))
 }
 
@@ -123,7 +149,8 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
 ///
 /// A file of a known format may still be refused when it is read.
 pub fn recognised(bytes: &[u8]) -> Option<Format> {
-    let file = File::new(bytes).ok()?;
+    let (text, _) = commas::with_points(bytes);
+    let file = File::new(&text).ok()?;
     reader(&file).ok().map(|reader| reader.format)
 }
 
@@ -133,9 +160,40 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// # Errors
 /// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
-    let file = File::new(bytes)?;
+    let (text, _) = commas::with_points(bytes);
+    let file = File::new(&text)?;
     let components = (reader(&file)?.components)(&file)?;
     Ok(names(components))
+}
+
+/// Returns what a file holds, before a component is chosen: its components, how they lie and where their sensors are, and
+/// where and when they were recorded.
+///
+/// # Errors
+/// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
+pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
+    let (text, _) = commas::with_points(bytes);
+    let file = File::new(&text)?;
+    let reader = reader(&file)?;
+    let channel = |component: Component| Channel {
+        direction: Direction::of_component(&component.name),
+        name: Some(component.name),
+        site: component.site,
+    };
+    let components = (reader.components)(&file)?;
+    let mut channels: Vec<Channel> = components.into_iter().map(channel).collect();
+    if channels.is_empty() {
+        channels.push(Channel {
+            name: None,
+            direction: None,
+            site: Site::Ground,
+        });
+    }
+    Ok(Contents {
+        format: reader.format,
+        channels,
+        identity: (reader.identity)(&file),
+    })
 }
 
 fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
@@ -161,6 +219,11 @@ fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(Vec::new())
 }
 
+/// For the formats whose files do not say where and when.
+fn no_identity(_: &File<'_>) -> Identity {
+    Identity::default()
+}
+
 fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
     let known = READERS.iter().find(|reader| (reader.recognises)(file));
     match known {
@@ -181,9 +244,40 @@ fn unknown(file: &File<'_>) -> ReadError {
 }
 
 impl<'t> File<'t> {
+    /// Blank lines above the first and rows of nothing but commas below the last say nothing, nor does the mark of DOS for the
+    /// end of a text.
     fn new(bytes: &'t [u8]) -> Result<Self, ReadError> {
-        let lines = lines(bytes)?;
-        Ok(Self { bytes, lines })
+        let end = bytes.trim_ascii_end();
+        let marks = end.iter().rev().take_while(|byte| **byte == END_OF_TEXT);
+        let text = match marks.count() {
+            0 => bytes,
+            n_marks => &end[..end.len() - n_marks],
+        };
+        let mut lines = lines(text)?;
+        let n_blank = lines.iter().take_while(|line| line.is_blank()).count();
+        lines.drain(..n_blank);
+        let is_empty = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b',' | b';');
+        while let Some(last) = lines.last()
+            && last.bytes.iter().all(is_empty)
+        {
+            lines.pop();
+        }
+        Ok(Self {
+            bytes,
+            lines,
+            in_rows: false,
+        })
+    }
+
+    /// The lines through this one.
+    fn through(&self, line: Line<'_>) -> &[Line<'t>] {
+        let first = self.lines.first().map_or(0, |first| first.number);
+        &self.lines[..=line.number - first]
+    }
+
+    /// The lines behind this one.
+    fn behind(&self, line: Line<'_>) -> &[Line<'t>] {
+        &self.lines[self.through(line).len()..]
     }
 
     /// The first line that is neither blank nor a comment.

@@ -51,6 +51,8 @@ pub enum Format {
     UsgsText,
     /// A title, a line with number and step, then values.
     Eqsig,
+    /// JSON of the `SimCenter`.
+    SimCenter,
     /// Numbers in columns or line after line.
     Plain,
 }
@@ -81,6 +83,7 @@ impl Format {
         Self::Sac,
         Self::MiniSeed,
         Self::Eqsig,
+        Self::SimCenter,
         Self::Plain,
     ];
 
@@ -110,6 +113,7 @@ impl Format {
             Self::Emod3d => "EMOD3D",
             Self::UsgsText => "USGS text",
             Self::Eqsig => "eqsig",
+            Self::SimCenter => "SimCenter JSON",
             Self::Plain => "plain text",
         }
     }

@@ -28,6 +28,7 @@
 //!
 //! - [`Record`]: a motion in m/s²; its methods scale, resample, filter, integrate and measure it.
 //! - [`read`], [`Format`] and [`Declared`]: formats of files, and what a caller says of them.
+//! - [`contents`] and [`NamedFile`]: components of a file, places of sensors, and which files belong to one record.
 //! - A format is one file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
@@ -35,6 +36,7 @@ mod at_rest;
 mod band_pass;
 mod baseline;
 mod butterworth;
+mod contents;
 mod declared;
 mod detrend;
 mod direction;
@@ -48,10 +50,13 @@ mod layout;
 mod line;
 mod mean_period;
 mod measures;
+mod named_file;
 mod pulses;
 mod read_error;
 mod reading;
 mod record;
+mod shape;
+mod site;
 mod stochastic;
 mod unit;
 mod unusual;
@@ -59,21 +64,24 @@ mod unusual;
 pub use accelerogram::Accelerogram;
 pub use band_pass::{BandPass, Passes};
 pub use baseline::Drift;
+pub use contents::{Channel, Contents, Identity};
 pub use declared::Declared;
 pub use detrend::Trend;
 pub use direction::Direction;
 pub use envelope::Envelope;
 pub use error::RecordError;
-pub use format::{components, read, read_declared, recognised};
+pub use format::{components, contents, read, read_declared, recognised};
 pub use ground::GroundFilter;
 pub use harmonic::Harmonic;
 pub use integration::Integrated;
 pub use layout::Format;
 pub use measures::{Interval, Measures};
+pub use named_file::{NamedFile, Quantity};
 pub use pulses::{HalfSinePulse, RickerPulse};
-pub use read_error::ReadError;
+pub use read_error::{ReadError, RowError};
 pub use reading::{Place, Reading};
 pub use record::Record;
+pub use site::Site;
 pub use stochastic::StochasticMotion;
 pub use unit::AccelerationUnit;
 pub use unusual::Unusual;

@@ -2,10 +2,13 @@
 
 use std::borrow::Cow;
 
-use crate::ReadError;
+use crate::{ReadError, RowError};
 
 /// Longest piece of a text that a message repeats, in characters.
 const EXCERPT: usize = 60;
+
+/// Most bytes of a line that are read as words; a line of values may be as long as the file.
+const WORDS: usize = 4096;
 
 /// One line of a text, without its end, and its number from 1.
 ///
@@ -26,9 +29,14 @@ impl<'a> Line<'a> {
         self.bytes.starts_with(b"#")
     }
 
-    /// The line as text; bytes that are not UTF-8 become replacement characters.
+    /// The first part of the line, of as many bytes as words of a header take.
+    pub(crate) fn head(self) -> &'a [u8] {
+        &self.bytes[..self.bytes.len().min(WORDS)]
+    }
+
+    /// The [head](Self::head) as text; bytes that are not UTF-8 become replacement characters.
     pub(crate) fn text(self) -> Cow<'a, str> {
-        String::from_utf8_lossy(self.bytes)
+        String::from_utf8_lossy(self.head())
     }
 
     /// The start of the line, for a message.
@@ -37,19 +45,19 @@ impl<'a> Line<'a> {
     }
 
     /// The pieces between blanks.
-    pub(crate) fn pieces(self) -> impl Iterator<Item = &'a [u8]> {
-        self.bytes
-            .split(u8::is_ascii_whitespace)
-            .filter(|piece| !piece.is_empty())
+    pub(crate) fn pieces(self) -> Fields<'a> {
+        Fields {
+            rest: self.bytes,
+            is_over: false,
+            commas: false,
+        }
     }
 
     /// The fields between commas, or else between blanks.
-    pub(crate) fn fields(self) -> Vec<&'a [u8]> {
-        if self.bytes.contains(&b',') {
-            let fields = self.bytes.split(|byte| *byte == b',');
-            fields.map(<[u8]>::trim_ascii).collect()
-        } else {
-            self.pieces().collect()
+    pub(crate) fn fields(self) -> Fields<'a> {
+        Fields {
+            commas: memchr::memchr(b',', self.bytes).is_some(),
+            ..self.pieces()
         }
     }
 
@@ -57,18 +65,52 @@ impl<'a> Line<'a> {
     pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
         let line = self.number;
         match number(bytes) {
-            None => Err(ReadError::NotANumber {
+            None => Err(RowError::NotANumber {
                 line,
                 field,
                 found: excerpt(bytes),
-            }),
-            Some(value) if !value.is_finite() => Err(ReadError::NotFinite {
+            }
+            .into()),
+            Some(value) if !value.is_finite() => Err(RowError::NotFinite {
                 line,
                 field,
                 found: excerpt(bytes),
-            }),
+            }
+            .into()),
             Some(value) => Ok(value),
         }
+    }
+}
+
+/// The fields of a line, cut one after the other: a line of values may hold all of a file.
+#[derive(Clone, Debug)]
+pub(crate) struct Fields<'a> {
+    rest: &'a [u8],
+    is_over: bool,
+    commas: bool,
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        if self.is_over {
+            return None;
+        }
+        if !self.commas {
+            self.rest = self.rest.trim_ascii_start();
+        }
+        let is_end = |byte: &u8| byte.is_ascii_whitespace();
+        let end = if self.commas {
+            memchr::memchr(b',', self.rest)
+        } else {
+            self.rest.iter().position(is_end)
+        };
+        let (field, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
+        self.rest = rest.get(1..).unwrap_or_default();
+        self.is_over = end.is_none();
+        // What commas part may be empty, what blanks part is not.
+        (self.commas || !field.is_empty()).then(|| field.trim_ascii())
     }
 }
 
@@ -115,16 +157,25 @@ pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
     Ok(lines)
 }
 
+/// Most bytes of a number.
+const NUMBER: usize = 400;
+
 /// A number as C or Fortran writes it, `1.5D-3` included; blanks around it are skipped.
 pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
-    let text = std::str::from_utf8(bytes.trim_ascii()).ok()?;
+    let bytes = bytes.trim_ascii();
+    if bytes.len() > NUMBER {
+        return None;
+    }
+    let text = std::str::from_utf8(bytes).ok()?;
     text.parse()
         .ok()
         .or_else(|| text.replace(['D', 'd'], "E").parse().ok())
 }
 
 pub(crate) fn excerpt(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes.trim_ascii());
+    let bytes = bytes.trim_ascii();
+    // A letter takes four bytes at most.
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * EXCERPT + 4)]);
     match text.char_indices().nth(EXCERPT) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into_owned(),

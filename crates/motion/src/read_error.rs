@@ -1,11 +1,14 @@
 //! What can go wrong with a file, one variant for each thing the user can put right.
 
+mod row;
 mod words;
 
 use pounding_text::plain;
 
+pub use row::RowError;
+
 use crate::{AccelerationUnit, Format, Place};
-use words::{before, choice, columns, listed, numbered, of_number};
+use words::{before, choice, listed, numbered, several};
 
 /// A `ReadError` says why a text was not read as a ground motion.
 ///
@@ -48,11 +51,9 @@ pub enum ReadError {
     },
     /// The record has more samples than can be used.
     #[error(
-        "found {found} samples, allowed are {allowed}; cut the record to the shaking that matters, or resample it"
+        "found more samples than the {allowed} allowed; cut the record to the shaking that matters, or resample it"
     )]
     TooManySamples {
-        /// Its samples.
-        found: usize,
         /// Most that are read.
         allowed: usize,
     },
@@ -77,43 +78,9 @@ pub enum ReadError {
         /// What stands there.
         found: String,
     },
-    /// A line of a CSV does not have one time and one acceleration.
-    #[error(
-        "line {line} has {found} field(s), allowed are 2, the time and the acceleration; \
-         write one sample to a line, with a comma between"
-    )]
-    FieldCount {
-        /// Line of the sample.
-        line: usize,
-        /// Fields in that line.
-        found: usize,
-    },
-    /// A field is not a number.
-    #[error(
-        "line {line}, field {field}: {found:?} is not a number; {}",
-        of_number(found)
-    )]
-    NotANumber {
-        /// Line of the field.
-        line: usize,
-        /// Which field of the line.
-        field: usize,
-        /// What the field holds.
-        found: String,
-    },
-    /// A field is NaN or infinite, or a number too large for 64 bits.
-    #[error(
-        "line {line}, field {field}: {found:?} is not finite, and every number must be; \
-         put a measured value there or cut the record before it"
-    )]
-    NotFinite {
-        /// Line of the field.
-        line: usize,
-        /// Which field of the line.
-        field: usize,
-        /// What the field holds.
-        found: String,
-    },
+    /// A row of numbers is not what it should be.
+    #[error(transparent)]
+    Row(#[from] RowError),
     /// A CSV has too few samples to tell its time step.
     #[error(
         "{found} sample(s) found, but the time step is taken from the time column and needs at least 2"
@@ -205,6 +172,45 @@ pub enum ReadError {
         /// Time step found \[s\].
         found: f64,
     },
+    /// Times rise by whole numbers in no named unit: seconds would be a long step, milliseconds may be meant.
+    #[error(
+        "{place}: the times rise by {found}, and nothing states their unit; name the column `time_s` or `time_ms`, or declare \
+         `time_step` as {found} or {} s",
+        found / 1000.0
+    )]
+    TimeUnit {
+        /// Place of the first time.
+        place: Place,
+        /// Step of the times, in their unit.
+        found: f64,
+    },
+    /// A file says several things of its values that differ.
+    #[error(
+        "the file gives more than one {what}: {}; declare the right one as `{field}`, or correct the file",
+        several(said)
+    )]
+    Several {
+        /// What it is.
+        what: &'static str,
+        /// How a caller declares it.
+        field: &'static str,
+        /// What is said in which places.
+        said: Vec<(Place, String)>,
+    },
+    /// Values never change their sign, or only rise, and nothing says that they are accelerations.
+    #[error(
+        "the {found} values that end at {place} {}, like a spectrum and unlike shaking, and the file does not call them \
+         accelerations; take the record itself, or declare `acceleration` if they are accelerations",
+        if *rises { "only rise" } else { "never change sign" }
+    )]
+    OneSigned {
+        /// Place of the last value.
+        place: Place,
+        /// Number of values.
+        found: usize,
+        /// Whether none is below the one before.
+        rises: bool,
+    },
     /// No line of an AT2 header gives the number of samples and the time step.
     #[error(
         "no line among the first {searched} gives the number of samples and the time step; \
@@ -268,52 +274,6 @@ pub enum ReadError {
         found: f64,
         /// Unit of the values.
         unit: AccelerationUnit,
-    },
-    /// A line of plain text has more or fewer columns than can be read.
-    #[error(
-        "line {line} has {found} column(s), allowed are {}",
-        columns(*allowed)
-    )]
-    PlainColumns {
-        /// Line of the numbers.
-        line: usize,
-        /// Columns in that line.
-        found: usize,
-        /// Columns of the first line of numbers, where it can be read.
-        allowed: Option<usize>,
-    },
-    /// A row of a table has more or fewer fields than the format has.
-    #[error("line {line} has {found} field(s), allowed are {allowed}; fetch the file again")]
-    RowFields {
-        /// Line of the row.
-        line: usize,
-        /// Fields in that line.
-        found: usize,
-        /// Fields of the format.
-        allowed: usize,
-    },
-    /// A number of values stands above them like one of them.
-    #[error(
-        "line {line} reads {found:?}, which is how many values follow; \
-         put # before it, or it would be taken for the first"
-    )]
-    CountAsValue {
-        /// Line of the number.
-        line: usize,
-        /// What it reads.
-        found: String,
-    },
-    /// A value is the mark that the format keeps for one that is missing.
-    #[error(
-        "line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another"
-    )]
-    Missing {
-        /// Line of the field.
-        line: usize,
-        /// Which field of the line.
-        field: usize,
-        /// What the field holds.
-        found: String,
     },
     /// A part of a header is not what the format asks for.
     #[error("{place} reads {found:?}, but {allowed} should stand there; fetch the file again")]

@@ -57,7 +57,7 @@ impl AccelerationUnit {
     /// Turns a value in this unit into m/s², with one g worth `gravity` \[m/s²\].
     ///
     /// Powers of ten divide: 12.3 cm/s² become the f64 that is written 0.123.
-    pub(crate) fn to_si(self, value: f64, gravity: f64) -> f64 {
+    pub fn to_si(self, value: f64, gravity: f64) -> f64 {
         match self {
             Self::StandardGravity => value * gravity,
             Self::MetrePerSecondSquared => value,

@@ -3,11 +3,19 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-/// Usual time steps of strong motion \[s\].
-pub(crate) const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
+use pounding_text::{short, two_digits};
 
-/// Largest usual peak \[g\]: the largest on record are near 4 g.
-pub(crate) const USUAL_PEAK: f64 = 5.0;
+/// Usual time steps of strong motion \[s\].
+const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
+
+/// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
+const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
+
+/// Part of the peak that resampling may take without a word.
+const USUAL_LOSS: f64 = 1e-3;
+
+/// Part by which a peak may differ from that of the header without a word.
+const USUAL_DIFFERENCE: f64 = 0.05;
 
 /// An `Unusual` is something that looks wrong in a file and can yet be right.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,9 +25,45 @@ pub enum Unusual {
         /// The time step \[s\].
         found: f64,
     },
-    /// A peak above 5 g.
+    /// A peak below 0.02 g or above 3 g.
     Peak {
         /// Largest magnitude, in multiples of 9.80665 m/s² \[g\].
+        found: f64,
+    },
+    /// Values that are all zero.
+    Zero {
+        /// Number of values.
+        found: usize,
+    },
+    /// Values that never change sign, or only rise.
+    OneSigned {
+        /// Number of values.
+        found: usize,
+        /// Whether none is below the one before.
+        rises: bool,
+    },
+    /// A first value that is the peak, several times the second largest.
+    FirstSample {
+        /// The first value, in the unit of the file.
+        found: f64,
+        /// The largest of the others.
+        second: f64,
+    },
+    /// One of the first two values of a bare list that is the declared time step.
+    StepAsSample {
+        /// Number of the value, from 1.
+        sample: usize,
+        /// The value, in the unit of the file.
+        found: f64,
+    },
+    /// A peak that resampling has lowered by more than 0.1 %.
+    Resampled {
+        /// What it took, as a part of the peak.
+        lost: f64,
+    },
+    /// A peak that differs by more than 5 % from that in the header.
+    HeaderPeak {
+        /// The difference, as a part of the peak in the header.
         found: f64,
     },
     /// Values that are declared to be accelerations, where the file speaks for velocities.
@@ -30,11 +74,59 @@ pub enum Unusual {
 }
 
 impl Unusual {
+    /// What looks wrong of the time step \[s\] and the peak \[g\] of a record; that it is zero is told elsewhere.
+    pub(crate) fn of_record(time_step: f64, peak: f64) -> impl Iterator<Item = Self> {
+        let step =
+            (!USUAL_STEPS.contains(&time_step)).then_some(Self::TimeStep { found: time_step });
+        let is_usual = USUAL_PEAKS.contains(&peak) || peak <= 0.0;
+        let peak = (!is_usual).then_some(Self::Peak { found: peak });
+        step.into_iter().chain(peak)
+    }
+
+    /// What resampling took off the peak, if that is much.
+    pub(crate) fn of_resampling(lost: f64) -> Option<Self> {
+        (lost > USUAL_LOSS).then_some(Self::Resampled { lost })
+    }
+
+    /// The difference from the peak of the header, if that is much.
+    pub(crate) fn of_difference(found: f64) -> Option<Self> {
+        (found > USUAL_DIFFERENCE).then_some(Self::HeaderPeak { found })
+    }
+
     /// Returns what was found, in words.
     pub fn found(&self) -> String {
         match self {
             Self::TimeStep { found } => format!("a time step of {found} s in the file"),
+            Self::Peak { found } if *found < 1.0 => {
+                format!("a peak of {} g in the file", two_digits(*found))
+            }
             Self::Peak { found } => format!("a peak of {found:.1} g in the file"),
+            Self::Zero { found } => format!("{found} values in the file that are all zero"),
+            Self::OneSigned {
+                found,
+                rises: false,
+            } => {
+                format!("{found} values in the file that never change sign")
+            }
+            Self::OneSigned { found, rises: true } => {
+                format!("{found} values in the file that only rise")
+            }
+            Self::FirstSample { found, second } => format!(
+                "a first value of {} in the file, where no other is above {}",
+                short(*found),
+                short(*second)
+            ),
+            Self::StepAsSample { sample, found } => {
+                format!("value {sample} of the file, {found}, equal to its time step")
+            }
+            Self::Resampled { lost } => format!(
+                "a peak that is {:.1} % lower after resampling",
+                100.0 * lost
+            ),
+            Self::HeaderPeak { found } => format!(
+                "a peak that is {:.0} % off that in the header of the file",
+                100.0 * found
+            ),
             Self::Velocity { found } => {
                 format!(
                     "{found:?} in the file, which speaks for velocities, declared to be accelerations"
@@ -47,7 +139,17 @@ impl Unusual {
     pub fn usual(&self) -> &'static str {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",
-            Self::Peak { .. } => "up to 5 g; its unit decides it",
+            Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
+            Self::Zero { .. } => "shaking",
+            Self::OneSigned { .. } => {
+                "shaking both ways; a spectrum, a column of times or an offset has one sign"
+            }
+            Self::FirstSample { .. } => {
+                "a motion that begins near zero; the first may be a number of the header"
+            }
+            Self::StepAsSample { .. } => "a step that stands above the values, not among them",
+            Self::Resampled { .. } => "up to 0.1 %; a shorter step keeps more",
+            Self::HeaderPeak { .. } => "up to 5 %; the file may be cut, damaged or corrected",
             Self::Velocity { .. } => "the record of an accelerometer, such as channel HNE",
         }
     }

@@ -24,7 +24,9 @@ impl Out {
             Others::Refused("--overwrite")
         };
         let folder = ResultFolder::open(path, RESULT_NAMES, others);
-        folder.map(Self).map_err(|reason| of_option(&reason))
+        let folder = folder.map_err(|reason| of_option(&reason))?;
+        new_file::say_if_unlocked(folder.is_locked());
+        Ok(Self(folder))
     }
 
     /// Where it is.

@@ -13,9 +13,10 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use commands::Program;
-use pounding::text::visible;
+use pounding::text::{message, visible};
 
 fn main() -> ExitCode {
+    let_files_be_too_long();
     let (printed, refused) = match Program::parse().run() {
         Ok(text) => (text, None),
         Err(failure) => (failure.printed, Some(failure.message)),
@@ -26,16 +27,32 @@ fn main() -> ExitCode {
     };
     // Of the whole line, as every command that has the option means the same by it.
     let is_json = std::env::args_os().any(|word| word == "--json");
-    say(&if is_json {
-        pounding::text::refusal_json(&refused)
+    if is_json {
+        tell(&pounding::text::refusal_json(&message(&refused)));
     } else {
-        format!("error: {refused}")
-    });
+        say(&format!("error: {refused}"));
+    }
     ExitCode::FAILURE
 }
 
-/// Says something on standard error. Nobody can be told if that is full or closed, and the work goes on.
+/// Lets the system refuse to write past a limit on the size of files (`ulimit -f`), which is an error like any other. It would end the
+/// program without a word.
+fn let_files_be_too_long() {
+    #[cfg(unix)]
+    {
+        use signal_hook::{consts::SIGXFSZ, flag};
+        // Nobody looks at the flag; without a handler the program ends as before.
+        let _ = flag::register(SIGXFSZ, std::sync::Arc::default());
+    }
+}
+
+/// Says something on standard error; a line that nobody reads to its end is shortened.
 pub(crate) fn say(line: &str) {
+    tell(&message(line));
+}
+
+/// Writes to standard error. Nobody can be told if that is full or closed, and the work goes on.
+fn tell(line: &str) {
     let _ = writeln!(stderr(), "{}", visible(line));
 }
 

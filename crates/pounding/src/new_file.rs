@@ -45,6 +45,13 @@ pub(crate) fn there_already(path: &Path) -> String {
     )
 }
 
+/// Says so where nothing keeps other processes off.
+pub(crate) fn say_if_unlocked(is_locked: bool) {
+    if !is_locked {
+        crate::say("this disk knows no locks: let no other process write the same place");
+    }
+}
+
 /// Writes a file; one that is there already is refused unless `overwrite` is set.
 pub(crate) fn write(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), String> {
     pounding::files::write(path, bytes, existing(overwrite)).map_err(|error| {

@@ -12,22 +12,28 @@ use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::text::digits;
 
 use crate::record;
-use crate::text::{paragraph, percent, short};
+use crate::text::{self, paragraph, percent, short};
 
-/// What matters of a run: a screen of it.
-pub(crate) fn brief(prepared: &Simulation, review: &Review) -> String {
+/// What looks wrong in a scene, which stands before its answer.
+pub(crate) fn unusual(prepared: &Simulation) -> Option<String> {
+    let doubts = prepared.doubts();
+    text::unusual(&Implausible::gathered(doubts.iter().map(|one| ("", one))))
+}
+
+/// What matters of a run: a screen of it. `notices` is what to know before believing it.
+pub(crate) fn brief(prepared: &Simulation, review: &Review, notices: &[String]) -> String {
     joined([
         brief::scene(prepared, review),
         brief::pairs(prepared, &review.outcome),
         tables::leaning(prepared.floors(), &review.outcome),
         brief::buildings(prepared, &review.outcome),
-        warnings(&of_run(prepared, review)),
+        warnings(&with_advice(review, notices), prepared),
         brief::more(),
     ])
 }
 
 /// Everything that is printed of a run.
-pub(crate) fn details(prepared: &Simulation, review: &Review) -> String {
+pub(crate) fn details(prepared: &Simulation, review: &Review, notices: &[String]) -> String {
     let scene = prepared.scene();
     let Review {
         outcome, errors, ..
@@ -42,7 +48,7 @@ pub(crate) fn details(prepared: &Simulation, review: &Review) -> String {
         tables::storeys(prepared.floors(), outcome, measured),
         tables::pairs(prepared, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
-        warnings(&of_run(prepared, review)),
+        warnings(&with_advice(review, notices), prepared),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ])
 }
@@ -53,31 +59,30 @@ fn joined<const PARTS: usize>(parts: [String; PARTS]) -> String {
     parts.collect::<Vec<_>>().join("\n")
 }
 
-/// What a user should know before believing the numbers.
-pub(crate) fn warnings(found: &[String]) -> String {
-    if found.is_empty() {
-        paragraph("Warnings", "none")
+/// What a user should know before believing the numbers; what is unusual was said before them.
+fn warnings(found: &[String], prepared: &Simulation) -> String {
+    let text = if !found.is_empty() {
+        found.join("\n")
+    } else if prepared.doubts().is_empty() {
+        "none".into()
     } else {
-        paragraph("Warnings", &found.join("\n"))
-    }
+        "none besides what is unusual".into()
+    };
+    paragraph("Warnings", &text)
 }
 
-/// What to know before using a run, the most harmful first: what its response says of the model, what looks wrong in the scene, and what
-/// its numbers are worth; and what helps.
-fn of_run(prepared: &Simulation, review: &Review) -> Vec<String> {
-    let unusual = Implausible::lines(&prepared.doubts());
+/// What to know before using a run, and what helps.
+fn with_advice(review: &Review, notices: &[String]) -> Vec<String> {
     let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
     let advice = review.warnings.iter().any(is_error);
     let advice =
         advice.then(|| "`pounding advise SCENE --error 3%` finds a method and time step".into());
-    let excesses = review.excesses.iter().map(ToString::to_string);
-    let warnings = review.warnings.iter().map(ToString::to_string);
-    excesses
-        .chain(unusual)
-        .chain(warnings)
-        .chain(advice)
-        .collect()
+    notices.iter().cloned().chain(advice).collect()
 }
+
+/// What is said of a method that was looked for.
+const SEARCHED: &str =
+    "looking for it took the exact run and many others, so that for one run it saves nothing";
 
 /// The method, its settings and how it was chosen.
 pub(crate) fn method_lines(prepared: &Simulation) -> String {
@@ -91,10 +96,10 @@ pub(crate) fn method_lines(prepared: &Simulation) -> String {
         let goal = percent(advice.goal.error);
         let best = advice.best();
         if best.method == advice.exact.method {
-            format!("\nchosen: nothing cheaper keeps all errors below {goal}")
+            format!("\nchosen: nothing cheaper keeps all errors below {goal}; {SEARCHED}")
         } else {
             format!(
-                "\nchosen: the cheapest that keeps all errors below {goal}; its largest is {} ({})",
+                "\nchosen: the cheapest that keeps all errors below {goal}; its largest is {} ({}); {SEARCHED}",
                 percent(best.error),
                 best.worst
             )

@@ -1,5 +1,8 @@
-//! Plain text of at most 80 columns, but for a long path: numbers, paragraphs, tables, and tables side by side.
+//! Plain text of at most 80 columns, but for a long path: numbers, paragraphs, tables, and tables side by side. It steers no terminal, also
+//! where it goes to a file.
 
+use pounding::scene::Implausible;
+use pounding::text::visible;
 pub(crate) use pounding::text::{milliseconds, percent, short};
 
 /// Columns of a terminal.
@@ -11,12 +14,18 @@ pub(crate) const NONE: &str = "–";
 
 /// Lines with a word before the first; long lines are broken between words.
 pub(crate) fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = text
+    let broken: Vec<String> = visible(text)
         .lines()
         .flat_map(|line| broken(line, WIDTH - LABEL))
         .collect();
     let indent = " ".repeat(LABEL);
     format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
+}
+
+/// What looks wrong, which stands before every answer; `None` if nothing does.
+pub(crate) fn unusual(found: &[Implausible]) -> Option<String> {
+    let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
+    (!lines.is_empty()).then(|| paragraph("Unusual", &lines.join("\n")))
 }
 
 /// A line in pieces of so many letters; a longer word stays whole.
@@ -50,7 +59,8 @@ fn pieces(text: &str, width: usize) -> Vec<String> {
 pub(crate) fn table<const LINES: usize>(header: &[[&str; LINES]], rows: &[Vec<String>]) -> String {
     let line = |line: usize| header.iter().map(|name| name[line].to_string()).collect();
     let names: Vec<Vec<String>> = (0..LINES).map(line).collect();
-    let lines: Vec<&Vec<String>> = names.iter().chain(rows).collect();
+    let rows = shown(rows);
+    let lines: Vec<&Vec<String>> = names.iter().chain(&rows).collect();
     let width = |column: usize| {
         let widths = lines.iter().map(|line| line[column].chars().count());
         widths.max().unwrap_or(0)
@@ -83,12 +93,19 @@ pub(crate) fn table<const LINES: usize>(header: &[[&str; LINES]], rows: &[Vec<St
     lines.into_iter().map(print).collect()
 }
 
+/// Rows whose cells steer no terminal.
+fn shown(rows: &[Vec<String>]) -> Vec<Vec<String>> {
+    let row = |row: &Vec<String>| row.iter().map(|cell| visible(cell).into_owned()).collect();
+    rows.iter().map(row).collect()
+}
+
 /// Columns of a cell of a table side by side.
 const CELL: usize = 14;
 
 /// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, in as many lines as
 /// they need. What does not fit beside the names stands below, with the names again.
 pub(crate) fn table_in_blocks(rows: &[Vec<String>]) -> String {
+    let rows = shown(rows);
     let names = rows.iter().filter_map(|row| row.first());
     let names = names.map(|name| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);

@@ -18,6 +18,32 @@ use crate::refused::{OrRefused, said};
 use crate::run::Given;
 use crate::waiting::wait;
 
+/// Text for people: letters that steer a terminal, or the direction of writing, are spelt.
+#[pyfunction]
+pub(crate) fn visible(text: &str) -> String {
+    pounding_text::visible(text).into_owned()
+}
+
+/// The text of a JSON or TOML file, read within the bounds of the program.
+#[pyfunction]
+pub(crate) fn read_words(py: Python<'_>, path: PathBuf) -> PyResult<String> {
+    let read = || -> Result<Vec<u8>, Error> {
+        pounding_scene::bytes(&path).map_err(|source| Error::Unreadable {
+            path: path.clone(),
+            source,
+        })
+    };
+    let bytes = py.detach(read).or_refused(py)?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        format!(
+            "{}: found byte {at} that is no UTF-8, allowed is text in UTF-8; save the file as such",
+            path.display()
+        )
+    });
+    text.or_refused(py)
+}
+
 /// The words of a JSON or TOML file as JSON, whatever they say.
 #[pyfunction]
 pub(crate) fn words_of(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {

@@ -1,10 +1,12 @@
 //! A row under a folder of records.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use pounding_report::{AssessmentReport, ScalingAsked, remarks};
-use pounding_scene::lines::{Line, Watched, lines_of};
-use pounding_scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Separation};
+use pounding_report::{AssessmentReport, ScalingAsked};
+use pounding_scene::lines::{Line, Watched, failed, lines_of};
+use pounding_scene::{
+    DesignSpectrum, Error, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
+};
 use pounding_text::json_text;
 use pyo3::prelude::*;
 
@@ -50,15 +52,16 @@ pub(crate) fn assess(
             method: Method::EXACT,
             ..given.scene().map_err(|error| said(&error))?
         };
+        let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(
-            &folder,
+            &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |motion| scaling.applied(&scene, motion),
             |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
         )?;
         let report =
-            AssessmentReport::of_lines(scene, &lines.lines).map_err(|error| said(&error))?;
+            AssessmentReport::of_lines(scene, &suite, &lines.lines).map_err(|error| said(&error))?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),
@@ -67,6 +70,11 @@ pub(crate) fn assess(
         Ok(Assessment { report })
     })?;
     found.or_refused(py)
+}
+
+/// The records of a folder, of which a scene declares what they do not say.
+fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, String> {
+    Suite::in_folder(folder, &scene.record.declared()).map_err(|error| said(&error))
 }
 
 fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
@@ -101,6 +109,12 @@ impl Assessment {
         self.report.to_csv()
     }
 
+    /// What looks wrong in the scene and in its records.
+    fn unusual(&self) -> Vec<String> {
+        let unusual = self.report.unusual();
+        unusual.iter().map(ToString::to_string).collect()
+    }
+
     /// Whether the gaps are enough, in sentences.
     fn answers(&self) -> Vec<String> {
         self.report.answers()
@@ -132,8 +146,8 @@ impl Assessment {
     }
 }
 
-/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what is said of
-/// records that are left out, or whose direction nothing tells.
+/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
+/// and what is said of records that are left out, or whose direction nothing tells.
 #[pyfunction]
 #[pyo3(signature = (text, path, folder, progress=None))]
 pub(crate) fn required_gap(
@@ -147,26 +161,47 @@ pub(crate) fn required_gap(
     let found = wait(py, progress, |watch| -> Result<_, String> {
         let scene = given.scene().map_err(|error| said(&error))?;
         let apart = scene.apart();
+        let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(
-            &folder,
+            &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
-            |prepared, ()| prepared.separations(),
+            |prepared, ()| Ok((prepared.separations()?, prepared.doubts())),
         )?;
-        Ok((scene, lines.lines))
+        let said = [
+            vec![suite.counts()],
+            failed(&lines.lines),
+            suite.remarks(true),
+        ];
+        Ok((scene, lines.lines, said.concat()))
     })?;
-    let (scene, lines) = found.or_refused(py)?;
-    Ok((gaps(&scene, &lines), remarks(&lines)))
+    let (scene, lines, said) = found.or_refused(py)?;
+    let said = [unusual(&lines), said].concat();
+    Ok((gaps(&scene, &lines), said))
+}
+
+/// The widths under a motion in one direction, and what looks wrong.
+type Widths = Line<(Vec<Separation>, Vec<Implausible>)>;
+
+/// What looks wrong, a sentence for each kind; gaps are not those of the scene.
+fn unusual(lines: &[Widths]) -> Vec<String> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    Implausible::lines(found.flat_map(|(line, (_, doubts))| {
+        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    }))
 }
 
 /// The widths as columns.
-fn gaps(scene: &Scene, lines: &[Line<Vec<Separation>>]) -> Table {
+fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
     let rows = || {
         let found = lines
             .iter()
             .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-        found.flat_map(|(line, gaps)| gaps.iter().map(move |gap| (line, gap)))
+        found.flat_map(|(line, (gaps, _))| gaps.iter().map(move |gap| (line, gap)))
     };
     let name = |side: usize| {
         let names = rows().map(|(_, gap)| scene.structures[gap.left + side].name().to_owned());

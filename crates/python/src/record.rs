@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pounding_motion::Record as Samples;
 use pounding_scene::{
-    Error, GroundMotion, RecordUse, SharedMotion, Source, record_bytes, response_spectrum_watched,
+    Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, record_bytes, response_spectra,
 };
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -234,20 +234,20 @@ impl Record {
     ) -> PyResult<Table> {
         let of = (periods.len() * damping_ratios.len()) as u64;
         let spectra = wait(py, None, |watch| {
-            let spectrum = |ratio: &f64| {
-                let done = || watch.step(1, of);
-                response_spectrum_watched(self.samples(), &periods, *ratio, &done)
-                    .map_err(|error| error.to_string())
-            };
-            damping_ratios
-                .iter()
-                .map(spectrum)
-                .collect::<Result<Vec<_>, _>>()
+            let (stop, done) = (Some(watch.stop), || watch.step(1, of));
+            response_spectra(self.samples(), &periods, &damping_ratios, stop, &done)
+                .map_err(|error| error.to_string())
         })?
         .or_refused(py)?;
         let rows = || {
-            let all = damping_ratios.iter().zip(&spectra);
-            all.flat_map(|(ratio, values)| values.iter().map(move |one| (*ratio, *one)))
+            let of_ratio = |one: &Spectrum| {
+                let ratio = one.damping_ratio;
+                one.values
+                    .clone()
+                    .into_iter()
+                    .map(move |values| (ratio, values))
+            };
+            spectra.iter().flat_map(of_ratio)
         };
         let column = |value: fn(&pounding_scene::SpectralValues) -> f64| {
             Column::numbers(rows().map(|(_, one)| Some(value(&one))))

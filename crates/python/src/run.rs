@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pounding_report::{
-    HistoryQuantity, Report, Sketch, Summary, direction_sentences, history_of, other_direction,
+    BothDirections, HistoryQuantity, Report, Sketch, Summary, history_of, other_direction,
     run_sentence,
 };
-use pounding_scene::{Error, Options, Review, Scene, Simulation};
+use pounding_scene::{Error, Implausible, Options, Review, Scene, Simulation};
 use pounding_solver::Collision;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -338,13 +338,19 @@ impl Run {
         run_sentence(&self.simulation, &self.review.outcome)
     }
 
-    /// The same of both directions of shaking, the worse one first; the other direction runs now.
-    fn directions(&self, py: Python<'_>) -> PyResult<[String; 2]> {
+    /// What looks wrong in the scene and in its record, a sentence for each kind.
+    fn unusual(&self) -> Vec<String> {
+        Implausible::lines(self.simulation.doubts().iter().map(|one| ("", one)))
+    }
+
+    /// The same of both directions of shaking, the worse one first, and what to know of both; the other direction runs now.
+    fn directions(&self, py: Python<'_>) -> PyResult<([String; 2], Vec<String>)> {
         wait(py, None, |watch| {
             let mut simulation = self.simulation.clone();
             simulation.set_stop(Some(watch.stop));
             let other = other_direction(&simulation);
-            direction_sentences(&self.simulation, &self.review.outcome, &other)
+            let both = BothDirections::of(&self.simulation, &self.review, other);
+            (both.sentences, both.notices)
         })
     }
 
@@ -379,8 +385,7 @@ impl Run {
             let mut simulation = self.simulation.clone();
             simulation.set_stop(Some(watch.stop));
             let other = other_direction(&simulation);
-            let sentences = direction_sentences(&self.simulation, &self.review.outcome, &other);
-            report.with_directions(sentences, other.ok()).files()
+            report.with_other_direction(other).files()
         })
     }
 }

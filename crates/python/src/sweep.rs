@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use pounding_scene::lines::said_of_untold;
 use pounding_sweep::{Sweep, SweepColumn, SweepFile};
 use pyo3::prelude::*;
 
@@ -13,7 +12,7 @@ use crate::waiting::wait;
 /// Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 ///
 /// `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-/// reasons, and what is said of those whose direction nothing tells.
+/// reasons, what is said of those whose direction nothing tells, and what looks wrong.
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
 pub(crate) fn sweep(
@@ -21,7 +20,7 @@ pub(crate) fn sweep(
     text: &str,
     path: PathBuf,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Table, Vec<String>, Option<String>)> {
+) -> PyResult<(Table, Vec<String>)> {
     let ran = wait(py, progress, |watch| -> Result<_, String> {
         let words = |error: pounding_scene::Error| crate::refused::said(&error);
         let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
@@ -30,13 +29,11 @@ pub(crate) fn sweep(
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
-        let told = (
-            sweep.left_out().to_vec(),
-            said_of_untold(sweep.untold()).map(|said| format!("direction {said}")),
-        );
-        Ok((columns, told))
+        let unusual = sweep.unusual().iter().map(ToString::to_string).collect();
+        let remarks = sweep.suite().map(|suite| suite.said(true));
+        Ok((columns, [unusual, remarks.unwrap_or_default()].concat()))
     })?;
-    let (columns, (left_out, untold)) = ran.or_refused(py)?;
+    let (columns, remarks) = ran.or_refused(py)?;
     let columns = columns.into_iter().map(|(name, column)| {
         let column = match column {
             SweepColumn::Counts(counts) => Column::Counts(counts.into()),
@@ -46,5 +43,5 @@ pub(crate) fn sweep(
         };
         (name, column)
     });
-    Ok((Table::new(columns), left_out, untold))
+    Ok((Table::new(columns), remarks))
 }

@@ -1,6 +1,9 @@
 """Wrong inputs are refused in the program's words, with their parts."""
 
+import os
+import pathlib
 import pickle
+import warnings
 
 import numpy as np
 import pounding
@@ -68,6 +71,129 @@ def test_extreme_what_is_no_number_is_refused() -> None:
         pounding.record(np.array([0.0, np.nan]), 0.01)
     with pytest.raises(TypeError):
         pounding.row(sdof(), sdof(), gap=object())
+
+
+TWO = [[0.0, 0.0], [0.02, 1.0], [0.04, 0.0]]
+
+
+@pytest.mark.parametrize(
+    ("samples", "found"),
+    [
+        (np.array(TWO), "the shape (3, 2)"),
+        (np.zeros((3, 1)), "the shape (3, 1)"),
+        (1.0, "the shape ()"),
+        ([[0.0], [1.0, 2.0]], "lists of different lengths"),
+        (np.ma.masked_greater([0.0, 1.0, 2.0], 1.5), "1 masked values"),
+        (np.array([0.0, 1.0j]), "complex128"),
+        (np.array([0.0, None]), "object"),
+        (np.array([True, False]), "bool"),
+        (["0.1", "0.2"], "<U3"),
+        (np.array(["2020-01-01"], dtype="datetime64[s]"), "datetime64"),
+        (np.array([0, 12, -7]), "whole numbers (int64)"),
+    ],
+    ids=lambda one: one if isinstance(one, str) else "",
+)
+def test_issue_what_is_no_row_of_numbers_is_no_record(samples, found) -> None:
+    """Two columns became one of twice the length, a mask was lost, and so was an imaginary part."""
+    with pytest.raises(pounding.Refused, match="acceleration: found") as caught:
+        pounding.record(samples, 0.02)
+    assert found in str(caught.value.found)
+
+
+def test_issue_what_is_no_row_of_numbers_is_no_list_of_periods(pulse) -> None:
+    assert len(pulse.spectrum_table([1, 2], 0.05)) == 2
+    for wrong in [np.ones((2, 2)), np.ma.masked_equal([1.0, 2.0], 2.0), np.array([1.0j])]:
+        with pytest.raises(pounding.Refused, match="periods: found"):
+            pulse.spectrum_table(wrong)
+        with pytest.raises(pounding.Refused, match="damping: found"):
+            pulse.spectrum_table([1.0], wrong)
+
+
+def test_issue_no_name_steers_a_terminal(pulse, tmp_path) -> None:
+    """What is printed of a scene, and warned of, held the letters of its names."""
+    escape = "\x1b[31m\u202e"
+    towers = [pounding.sdof(mass=1e5, period=one, name=f"{escape}{one}") for one in (0.5, 1.0)]
+    row = pounding.row(*towers, gap=0.01, restitution=0.6, name=escape, duration=3.0)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        run = row.replace(structures=[*towers, pounding.sdof(mass=1.0, period=1.0, name=escape)], contacts=None).run(pulse)
+        told = [repr(row), repr(run), *(str(one.message) for one in caught), row._repr_html_()]
+    with pytest.raises(pounding.Refused) as refused:
+        row.replace(**{escape: 1})
+    for text in [*told, repr(pounding.record([0.0, 1.0], 0.1, name=escape)), str(refused.value)]:
+        assert "\x1b" not in text and "\u202e" not in text, repr(text)
+    assert any("\\u001b[31m\\u202e" in text for text in told)
+
+
+def test_limit_a_mask_that_hides_nothing_is_none() -> None:
+    samples = np.ma.masked_greater([0.0, 1.0, 0.5], 1.5)
+    assert pounding.record(samples, 0.02).acceleration.tolist() == [0.0, 1.0, 0.5]
+    assert pounding.record(np.float32([0.0, 0.5]), 0.02).acceleration.tolist() == [0.0, 0.5]
+    assert pounding.record(samples[::-1], 0.02).acceleration.tolist() == [0.5, 1.0, 0.0]
+
+
+@pytest.mark.skipif(not pathlib.Path("/dev/zero").exists(), reason="devices of Unix")
+def test_issue_what_is_no_regular_file_is_not_read(tmp_path) -> None:
+    """A device was read until memory ended, and a pipe was waited for."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    long = tmp_path / "long.toml"
+    with open(long, "wb") as file:
+        file.truncate(65 << 20)
+    binary = tmp_path / "binary.toml"
+    binary.write_bytes(b"name = '\xff'")
+    for path, found in [("/dev/zero", "a device"), (pipe, "a pipe"), (long, "longer than 64 MB"), (binary, "no UTF-8")]:
+        with pytest.raises(pounding.Refused, match=found):
+            pounding.scene(path)
+    for path in ["/dev/zero", pipe]:
+        with pytest.raises(pounding.Refused, match="a pipe or a device"):
+            pounding.read(path)
+
+
+def test_issue_a_file_that_is_missing_is_an_error_of_the_system(tmp_path) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text('name = "x"\nrecord.file = "none.csv"\nstructures = [{ wall = {} }]\n')
+    for missing in [
+        lambda: pounding.scene(tmp_path / "none.toml"),
+        lambda: pounding.read(tmp_path / "none.AT2"),
+        lambda: pounding.scene(scene).run(),
+    ]:
+        with pytest.raises(FileNotFoundError, match="cannot be read") as caught:
+            missing()
+        assert isinstance(caught.value, pounding.Refused)
+        assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def deep(levels: int) -> dict:
+    found: dict = {}
+    for _ in range(levels):
+        found = {"name": found}
+    return found
+
+
+def test_issue_no_dict_ends_in_an_internal_error(towers, pulse) -> None:
+    cyclic: dict = {"name": "x"}
+    cyclic["structures"] = [cyclic]
+    weak = sdof()
+    for wrong, words in [
+        (lambda: towers.sweep_table(gap=[0.01], record=pulse, summary=5), "summary: found int"),
+        (lambda: towers.sweep_table(gap=[0.01], record=pulse, summary={"by": 5}), "summary.by"),
+        (lambda: towers.sweep_table(gap=[0.01], record=pulse, summary={"by": [5]}), "summary.by"),
+        (lambda: towers.sweep_table(5, record=pulse), "vary: found int"),
+        (lambda: pounding.scene(cyclic), "within itself"),
+        (lambda: towers.replace(name=cyclic), "within itself"),
+        (lambda: pounding.scene(deep(100_000)), "too deep"),
+        (lambda: pounding.scene(deep(500)), "found a table"),
+        (lambda: pounding.row({}), r"structures\[0\]: found a dict of 0 entries"),
+        (lambda: pounding.row({"sdof": 5}), r"structures\[0\].sdof: found int"),
+        (lambda: pounding.building([5]), r"storeys\[0\]: found int"),
+        (lambda: pounding.row(weak, weak, gap=0.01, law={"hertz": 5}, restitution=0.5), "law.hertz: found int"),
+        (lambda: pounding.row(weak, weak, gap=0.01, law=5, restitution=0.5), "law: found int"),
+        (lambda: pounding.scene({("a", 1): 2}), "keys must be"),
+        (lambda: pounding.scene({"name": "\udcff"}), "is Unicode"),
+    ]:
+        with pytest.raises((pounding.Refused, TypeError), match=words):
+            wrong()
 
 
 def test_extreme_an_unstable_step_is_refused_or_warned_of(towers, pulse) -> None:

@@ -1,10 +1,26 @@
 //! Both directions of shaking in the first lines of a run: nobody knows from which side an earthquake comes.
 
-use pounding_scene::{Error, PairOutcome, RunResult, Simulation};
+use std::mem::discriminant;
+
+use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, Review, RunResult, Simulation};
 
 use pounding_text::short;
 
 use super::Blow;
+
+/// What both directions of shaking do.
+#[derive(Debug)]
+pub struct BothDirections {
+    /// A sentence for each, the one that is worse for the buildings first.
+    pub sentences: [String; 2],
+    /// What to know of both before believing them, the most harmful first.
+    pub notices: Vec<String>,
+    /// The run in the other direction than the scene's; `None` if it failed.
+    pub other: Option<RunResult>,
+}
+
+/// Drifts of two runs that differ by less are the same \[–\].
+const SAME: f64 = 1e-9;
 
 /// Runs the scene under the reversed record, by its own method.
 ///
@@ -22,38 +38,112 @@ pub fn other_direction_exact(prepared: &Simulation) -> Result<RunResult, Error> 
     other_direction(&prepared.exact()?)
 }
 
-/// What each direction does, the worse one first.
-pub fn direction_sentences(
-    prepared: &Simulation,
-    given: &RunResult,
-    other: &Result<RunResult, Error>,
-) -> [String; 2] {
-    let reversed = prepared.scene().record.reversed;
-    let names = if reversed {
-        ["reversed, as in the scene", "as recorded"]
-    } else {
-        ["as recorded", "reversed"]
+impl BothDirections {
+    /// Of a run, and the run in the other direction.
+    pub fn of(prepared: &Simulation, review: &Review, other: Result<RunResult, Error>) -> Self {
+        let reversed = prepared.scene().record.reversed;
+        let names = if reversed {
+            ["reversed, as in the scene", "as recorded"]
+        } else {
+            ["as recorded", "reversed"]
+        };
+        let given = &review.outcome;
+        match other {
+            Ok(other) => Self {
+                sentences: sentences(prepared, [(names[0], given), (names[1], &other)]),
+                notices: notices(prepared, review, &other, names),
+                other: Some(other),
+            },
+            Err(error) => Self {
+                sentences: [
+                    format!("{}: {}", names[0], run_sentence(prepared, given)),
+                    format!("{}: this run fails: {}", names[1], error.reason()),
+                ],
+                notices: review.notices(),
+                other: None,
+            },
+        }
+    }
+}
+
+/// A sentence for each direction, the one that strains the buildings more first; where both strain them alike, the one that hits harder.
+fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [String; 2] {
+    let strain = |result: &RunResult| {
+        let strain = prepared.strain(result);
+        strain.map_or((0.0, String::new()), |(share, worst)| {
+            let said = format!("{}: {}", worst.name, worst.kind.brief(worst.found));
+            (share, said)
+        })
     };
-    let other = match other {
-        Ok(other) => other,
-        Err(error) => {
-            return [
-                format!("{}: {}", names[0], run_sentence(prepared, given)),
-                format!("{}: this run fails: {}", names[1], error.reason()),
-            ];
+    let harm = |result: &RunResult| {
+        let blow = Blow::all(result).into_iter().next();
+        (touching(prepared, result), blow)
+    };
+    let mut strains = both.map(|(_, result)| strain(result));
+    let [one, other] = [strains[0].0, strains[1].0];
+    let differ = (one - other).abs() > SAME * one.max(other);
+    let is_other = if differ {
+        other > one
+    } else {
+        harm(both[1].1) > harm(both[0].1)
+    };
+    if is_other {
+        both.reverse();
+        strains.reverse();
+    }
+    let said = |side: usize| {
+        let ((name, result), (_, worst)) = (both[side], &strains[side]);
+        let worse = match (differ, side) {
+            (true, 0) => format!(", worse for the buildings ({worst})"),
+            (true, _) => format!(" ({worst})"),
+            (false, _) => String::new(),
+        };
+        format!("{name}{worse}: {}", run_sentence(prepared, result))
+    };
+    [said(0), said(1)]
+}
+
+/// What to know of both directions: responses beyond the model of either, at its worst, and warnings.
+fn notices(
+    prepared: &Simulation,
+    review: &Review,
+    other: &RunResult,
+    names: [&str; 2],
+) -> Vec<String> {
+    let both = [review.excesses.clone(), prepared.excesses(other)];
+    let mut kinds: Vec<ExcessKind> = both.iter().flatten().map(|one| one.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let of = |side: usize, kind| both[side].iter().find(|one| one.kind == kind);
+    let excess = |kind: ExcessKind| {
+        let said = |side: usize, one: &Excess| format!("{}: {one}", names[side]);
+        match (of(0, kind), of(1, kind)) {
+            (Some(one), Some(other)) if (one.found - other.found).abs() <= SAME * one.found => {
+                Some(format!("both directions: {one}"))
+            }
+            (Some(one), Some(other)) => {
+                let (side, worse) = if other.found > one.found {
+                    (1, other)
+                } else {
+                    (0, one)
+                };
+                Some(format!("both directions, worse {}", said(side, worse)))
+            }
+            (Some(one), None) => Some(said(0, one)),
+            (None, Some(other)) => Some(said(1, other)),
+            (None, None) => None,
         }
     };
-    let mut both = [(names[0], given), (names[1], other)];
-    let harm = |result: &RunResult| {
-        (
-            touching(prepared, result),
-            Blow::all(result).into_iter().next(),
-        )
+    let excesses = kinds.into_iter().filter_map(excess);
+    let warnings = review.warnings.iter().map(ToString::to_string);
+    let of_other = prepared.warnings_before(other);
+    let is_new = |one: &&pounding_scene::Warning| {
+        let mut known = review.warnings.iter();
+        known.all(|known| discriminant(known) != discriminant(*one))
     };
-    if harm(other) > harm(given) {
-        both.reverse();
-    }
-    both.map(|(name, result)| format!("{name}: {}", run_sentence(prepared, result)))
+    let of_other = of_other.iter().filter(is_new);
+    let of_other = of_other.map(|one| format!("{}: {one}", names[1]));
+    excesses.chain(warnings).chain(of_other).collect()
 }
 
 /// Number of pairs that touch.
@@ -68,8 +158,16 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();
+    if let Some(said) = prepared.floors().says_no_contact() {
+        return said.into();
+    }
+    let excesses = prepared.excesses(result);
+    let at_column = excesses.iter().find(|one| one.kind == ExcessKind::AtColumn);
+    let at_column = at_column.map_or_else(String::new, |one| {
+        format!("; {} may hit a column, which is not modelled", one.name)
+    });
     let Some(hardest) = Blow::all(result).into_iter().next() else {
-        return "nothing touches".into();
+        return format!("no floors touch{at_column}");
     };
     let [left, right] = prepared.floors().names(hardest.pair);
     let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
@@ -106,5 +204,5 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     } else {
         String::new()
     };
-    format!("they touch {times}{at}, {how}{place}")
+    format!("they touch {times}{at}, {how}{place}{at_column}")
 }

@@ -50,9 +50,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use animation::Animation;
-pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked, remarks};
+pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
-pub use direction::{direction_sentences, other_direction, other_direction_exact, run_sentence};
+pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
 use figures::Known;
 use history::Motion;
 pub use history::{HistoryQuantity, history_of};
@@ -74,16 +74,7 @@ pub struct Report<'a> {
     review: Arc<Review>,
     sampling: Sampling,
     effects: Option<Effects>,
-    directions: Option<Directions>,
-}
-
-/// What both directions of shaking do.
-#[derive(Debug)]
-struct Directions {
-    /// A sentence for each, the worse one first.
-    sentences: [String; 2],
-    /// The run in the other direction than the scene's; `None` if it failed.
-    other: Option<RunResult>,
+    directions: Option<BothDirections>,
 }
 
 impl<'a> Report<'a> {
@@ -119,14 +110,25 @@ impl<'a> Report<'a> {
         Self { effects, ..self }
     }
 
-    /// The same with both directions of shaking on the first page: a sentence for each, the worse one first, and the run in the other
-    /// direction than the scene's, unless it failed.
+    /// The same with both directions of shaking on the first page; `other` is the run in the other direction than the scene's.
     #[must_use]
-    pub fn with_directions(self, sentences: [String; 2], other: Option<RunResult>) -> Self {
+    pub fn with_other_direction(self, other: Result<RunResult, Error>) -> Self {
+        let directions = BothDirections::of(self.prepared, &self.review, other);
         Self {
-            directions: Some(Directions { sentences, other }),
+            directions: Some(directions),
             ..self
         }
+    }
+
+    /// What both directions of shaking do, if the other one ran.
+    pub fn directions(&self) -> Option<&BothDirections> {
+        self.directions.as_ref()
+    }
+
+    /// What to know before believing the run, or the runs in both directions, the most harmful first.
+    pub fn notices(&self) -> Vec<String> {
+        let of_both = self.directions.as_ref().map(|both| both.notices.clone());
+        of_both.unwrap_or_else(|| self.review.notices())
     }
 
     /// The run in the other direction than the scene's, where it is known.

@@ -6,7 +6,10 @@ use std::sync::Arc;
 
 use crate::file::{FileUse, Generated, ScaleTo, check};
 use crate::{Error, MotionError, RecordUse, SceneError, Source, record_bytes};
-use pounding_motion::{Accelerogram, Declared, ReadError, Record, RecordError, read_declared};
+use pounding_motion::{
+    Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, RowError,
+    read_declared,
+};
 use sha2::{Digest, Sha256};
 
 /// A ground motion as a scene uses it, and where it came from.
@@ -17,7 +20,7 @@ pub struct GroundMotion {
     /// What its source was multiplied by, all scales together \[–\]; without the sign of a reversal.
     pub scale: f64,
     /// The file; nothing for a motion from a formula.
-    pub origin: Option<Origin>,
+    pub origin: Option<Arc<Origin>>,
 }
 
 /// A file that a ground motion came from.
@@ -44,8 +47,8 @@ impl GroundMotion {
         };
         match &record.source {
             Source::File(file) => {
-                let origin = Origin::read(file, base)?;
-                Self::of_file(record, origin).map_err(in_scene)
+                let origin = Origin::read(&base.join(&file.file), file)?;
+                Self::of_file(record, Arc::new(origin)).map_err(in_scene)
             }
             Source::Generated(generated) => Self::of_formula(record, generated).map_err(in_scene),
         }
@@ -55,7 +58,7 @@ impl GroundMotion {
     ///
     /// # Errors
     /// [`SceneError`] of a field of `record`.
-    pub fn of_file(record: &RecordUse, origin: Origin) -> Result<Self, SceneError> {
+    pub fn of_file(record: &RecordUse, origin: Arc<Origin>) -> Result<Self, SceneError> {
         check::record::check(record)?;
         let file = origin.file.clone();
         let read = file
@@ -110,11 +113,11 @@ impl GroundMotion {
         scene: &str,
     ) -> Result<Self, Error> {
         let declared = match &record.source {
-            Source::File(file) => file.declared(),
-            Source::Generated(_) => Declared::default(),
+            Source::File(file) => file,
+            Source::Generated(_) => &FileUse::default(),
         };
-        let origin = Origin::of(path.to_path_buf(), bytes, &declared)?;
-        Self::of_file(record, origin).map_err(|source| Error::Scene {
+        let origin = Origin::of(path, bytes, declared)?;
+        Self::of_file(record, Arc::new(origin)).map_err(|source| Error::Scene {
             scene: scene.into(),
             source,
         })
@@ -160,31 +163,108 @@ impl From<GroundMotion> for SharedMotion {
         Self {
             record: Arc::new(motion.record),
             scale: motion.scale,
-            origin: motion.origin.map(Arc::new),
+            origin: motion.origin,
         }
     }
 }
 
 impl Origin {
-    fn read(file: &FileUse, base: &Path) -> Result<Self, Error> {
-        let path = base.join(&file.file);
-        let bytes = match record_bytes(&path) {
-            Ok(bytes) => bytes,
-            Err(source) => return Err(Error::NoRecord { path, source }),
-        };
-        Self::of(path, &bytes, &file.declared())
+    /// Reads a file of which this is declared.
+    ///
+    /// # Errors
+    /// [`Error::NoRecord`], and those of [`Self::of`].
+    pub fn read(path: &Path, declared: &FileUse) -> Result<Self, Error> {
+        Self::of(path, &opened(path)?, declared)
     }
 
-    fn of(path: PathBuf, bytes: &[u8], declared: &Declared) -> Result<Self, Error> {
-        match read_declared(bytes, declared) {
-            Ok(file) => Ok(Self {
-                path,
+    /// Reads the bytes of the file `path`, of which this is declared.
+    ///
+    /// # Errors
+    /// [`Error::Record`]; [`Error::NameSaysOtherwise`] if the name of the file alone says what its values are, and that is no
+    /// acceleration.
+    pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
+        let file = read_declared(bytes, &declared.declared()).map_err(|source| Error::Record {
+            path: path.to_path_buf(),
+            source,
+        })?;
+        let name = shown_name(path);
+        let quantity = NamedFile::of(&name).quantity;
+        match quantity.filter(|_| !file.states_acceleration() && !declared.acceleration) {
+            Some(quantity @ (Quantity::Velocity | Quantity::Displacement | Quantity::Spectrum)) => {
+                Err(Error::NameSaysOtherwise { name, quantity })
+            }
+            Some(Quantity::Acceleration) | None => Ok(Self {
+                path: path.to_path_buf(),
                 sha256: sha256(bytes),
                 file,
             }),
-            Err(source) => Err(Error::Record { path, source }),
         }
     }
+
+    /// Reads the bytes of one of several files: of what is declared, only what this file does not say. Returns that as well.
+    ///
+    /// # Errors
+    /// Those of [`Self::of`].
+    pub fn of_silent(
+        path: &Path,
+        bytes: &[u8],
+        declared: &FileUse,
+    ) -> Result<(Self, FileUse), Error> {
+        let mut taken = FileUse {
+            unit: None,
+            time_step_s: None,
+            per_count: None,
+            acceleration: false,
+            in_rows: false,
+            ..declared.clone()
+        };
+        loop {
+            let tried = Self::of(path, bytes, &taken);
+            let before = taken.clone();
+            if let Err(Error::Record { source, .. }) = &tried {
+                if matches!(source, ReadError::TimeStepNotStated) {
+                    taken.time_step_s = declared.time_step_s;
+                } else if matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. }) {
+                    (taken.unit, taken.per_count) = (declared.unit, declared.per_count);
+                } else if matches!(
+                    source,
+                    ReadError::Velocity { .. } | ReadError::OneSigned { .. }
+                ) {
+                    taken.acceleration = declared.acceleration;
+                } else if matches!(source, ReadError::Row(RowError::Rows { .. })) {
+                    taken.in_rows = declared.in_rows;
+                }
+            } else if matches!(&tried, Err(Error::NameSaysOtherwise { .. })) {
+                taken.acceleration = declared.acceleration;
+            }
+            if taken == before {
+                return tried.map(|origin| (origin, taken));
+            }
+        }
+    }
+}
+
+/// Returns the bytes of a record file.
+///
+/// # Errors
+/// [`Error::NoRecord`].
+pub fn opened(path: &Path) -> Result<Vec<u8>, Error> {
+    record_bytes(path).map_err(|source| Error::NoRecord {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+/// The name of a file; bytes that are not UTF-8 are spelt as `\xff`, so that no two names look alike.
+pub(crate) fn shown_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+    name.utf8_chunks().fold(String::new(), |mut shown, chunk| {
+        shown.push_str(chunk.valid());
+        for byte in chunk.invalid() {
+            write!(shown, "\\x{byte:02x}").expect("a string takes all");
+        }
+        shown
+    })
 }
 
 impl FileUse {
@@ -196,40 +276,8 @@ impl FileUse {
             component: self.component.clone(),
             per_count: self.per_count,
             acceleration: self.acceleration,
+            in_rows: self.in_rows,
         }
-    }
-
-    /// Tries a file as it is, and declares of it only what it is refused for not saying.
-    ///
-    /// # Errors
-    /// Those of the attempt.
-    pub fn where_unsaid<T>(
-        &self,
-        mut attempt: impl FnMut(&Self) -> Result<T, Error>,
-    ) -> Result<T, Error> {
-        let mut file = Self {
-            unit: None,
-            time_step_s: None,
-            per_count: None,
-            ..self.clone()
-        };
-        // The time step, then the unit.
-        for _ in 0..2 {
-            let tried = attempt(&file);
-            let Err(Error::Record { source, .. }) = &tried else {
-                return tried;
-            };
-            let no_step = matches!(source, ReadError::TimeStepNotStated);
-            let no_unit = matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. });
-            if no_step && file.time_step_s.is_none() && self.time_step_s.is_some() {
-                file.time_step_s = self.time_step_s;
-            } else if no_unit && file.unit.is_none() && self.unit.is_some() {
-                (file.unit, file.per_count) = (self.unit, self.per_count);
-            } else {
-                return tried;
-            }
-        }
-        attempt(&file)
     }
 }
 

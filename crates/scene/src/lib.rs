@@ -57,8 +57,8 @@ pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
 pub use assess::FloorPeaks;
 pub use assess::alone::Alone;
 pub use assess::assessment::{
-    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment,
-    RunOfEvent, StiffnessEffect, WORSE,
+    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RequiredGap,
+    RuleAssessment, RunOfCase, StiffnessEffect, WORSE,
 };
 pub use assess::bumper::{Bumper, BumperPair, BumperRun, COMPRESSION, THICKNESS};
 pub use assess::bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
@@ -71,7 +71,7 @@ pub use assess::run::{
 pub use assess::scaling::{MotionSpectrum, Scaling};
 pub use assess::separation::{Rule, Separation};
 pub use assess::target_fit::{LEAST_SHARE, TargetFit};
-pub use file::error::{Error, Vertical};
+pub use file::error::Error;
 pub use file::fault::Fault;
 pub use file::motion_error::MotionError;
 pub use file::reading::{bytes, bytes_of, is_json, parse, position_in, read_file, record_bytes};
@@ -83,7 +83,7 @@ pub use file::{
     Scene, Sdof, SdofFile, SdofFileError, SetNumber, Source, Start, Stochastic, Storey, Structure,
     Unit, UnknownNeighbour, set_number,
 };
-pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
+pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
 pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};
 pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json, usual_stiffness};
 pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
@@ -95,16 +95,15 @@ pub use judge::response::{
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
-pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties};
+pub use simulation::floors::{Floor, FloorAtColumn, FloorPair, Floors, StoreyProperties};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, PairOutcome, Recorders, RunResult,
     Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
 };
 pub use spectrum::{
-    SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
-    response_spectrum_watched, scaled_to_sa,
+    SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum,
+    scaled_to_sa,
 };
 pub use statistics::wilson;
-pub use suite::events::events;
 pub use suite::lines;
-pub use suite::{Motion, Orientation, files_in};
+pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in, whether_it_shakes};

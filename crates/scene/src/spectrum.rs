@@ -3,13 +3,17 @@
 //! The recurrence of Nigam and Jennings takes a hundredth of the time, but finds peaks at samples only; tests compare with it.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{
-    Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, ModelError, Node, Peaks,
-    Recorder, Row, RunError, Span, State,
+    Budget, Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, ModelError, Node,
+    Peaks, Recorder, Row, RunError, Span, State,
 };
 use rayon::prelude::*;
+
+/// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
+const MOST_VALUES: usize = 1_000_000;
 
 /// Halvings of a span that find a peak in it to rounding.
 const HALVINGS: u32 = 53;
@@ -55,6 +59,17 @@ pub enum SpectrumError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// More values than anybody waits for.
+    #[error(
+        "spectra: found {periods} periods times {ratios} damping ratios, allowed are up to {MOST_VALUES} values; ask for fewer periods \
+         or ratios"
+    )]
+    TooMany {
+        /// Number of periods.
+        periods: usize,
+        /// Number of damping ratios.
+        ratios: usize,
+    },
     /// A record that the solver refuses.
     #[error("record: {0}")]
     Model(#[from] ModelError),
@@ -85,19 +100,44 @@ pub fn response_spectrum(
     periods: &[f64],
     damping_ratio: f64,
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
-    response_spectrum_watched(record, periods, damping_ratio, &|| ())
+    spectrum(record, periods, damping_ratio, (None, &|| ()))
 }
 
-/// The same; `done` is called after each period.
+/// Response spectra for several damping ratios; `done` is called after each period, and whoever sets `stop` ends them.
 ///
 /// # Errors
-/// Those of [`response_spectrum`].
-pub fn response_spectrum_watched(
+/// Those of [`response_spectrum`], and [`SpectrumError::TooMany`] of more than a million values.
+pub fn response_spectra(
+    record: &Record,
+    periods: &[f64],
+    damping_ratios: &[f64],
+    stop: Option<&'static AtomicBool>,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<Spectrum>, SpectrumError> {
+    let (n, ratios) = (periods.len(), damping_ratios.len());
+    if n.saturating_mul(ratios) > MOST_VALUES {
+        return Err(SpectrumError::TooMany { periods: n, ratios });
+    }
+    let of_ratio = |&damping_ratio: &f64| {
+        Ok(Spectrum {
+            damping_ratio,
+            values: spectrum(record, periods, damping_ratio, (stop, done))?,
+        })
+    };
+    damping_ratios.iter().map(of_ratio).collect()
+}
+
+/// Response spectrum for one damping ratio.
+fn spectrum(
     record: &Record,
     periods: &[f64],
     damping_ratio: f64,
-    done: &(dyn Fn() + Sync),
+    (stop, done): (Option<&'static AtomicBool>, &(dyn Fn() + Sync)),
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
+    let budget = Budget {
+        stop,
+        ..Budget::default()
+    };
     let excitation = Excitation::new(record.time_step(), record.samples())?;
     check(
         "damping_ratio",
@@ -119,7 +159,7 @@ pub fn response_spectrum_watched(
             Ok(of_the_ground(record))
         } else {
             let end = record.duration() + period;
-            values(excitation, end, period, damping_ratio)
+            values(excitation, end, (period, damping_ratio), budget)
                 .map_err(|source| SpectrumError::Run { period, source })
         };
         done();
@@ -186,8 +226,8 @@ fn of_the_ground(record: &Record) -> SpectralValues {
 fn values(
     excitation: Excitation<'_>,
     end: f64,
-    period: f64,
-    damping_ratio: f64,
+    (period, damping_ratio): (f64, f64),
+    budget: Budget,
 ) -> Result<SpectralValues, RunError> {
     let frequency = TAU / period;
     let stiffness = frequency * frequency;
@@ -206,7 +246,12 @@ fn values(
             peak: 0.0,
         },
     );
-    Integrator::Exact(Exact::default()).run(&row, excitation, clock, &mut recorders)?;
+    Integrator::Exact(Exact::default()).run(
+        &row,
+        excitation,
+        clock.within(budget),
+        &mut recorders,
+    )?;
     let displacement = recorders.0.of(0).displacement.value.abs();
     Ok(SpectralValues {
         period,

@@ -1,222 +1,313 @@
-//! A folder of records, each of which shakes the same row.
+//! A folder of records: which of its motions shake a row, which are of one event, and what is left out.
 
-pub(crate) mod events;
+mod copies;
+mod entries;
+mod events;
+mod left_out;
 pub mod lines;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use pounding_motion::{Direction, components};
+use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
+use rayon::prelude::*;
 
-use crate::{
-    Error, FileUse, GroundMotion, Options, RecordUse, Scene, Simulation, Source, Vertical,
-    record_bytes,
-};
+use crate::ground_motion::{opened, shown_name};
+use crate::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source};
+pub use entries::files_in;
+use entries::{Entry, entries_of};
+pub use left_out::{LeftOut, Reason, ReasonKind};
 
-/// One ground motion of a folder: a file, or one component of a file that holds several.
+/// One ground motion of a folder: a file, or one component of a file that holds several. It was read and shakes rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
+    /// Name for tables: that of the file, and the component if the file holds several.
+    pub name: String,
     /// The file.
     pub path: PathBuf,
-    /// Its component, where it holds several.
-    pub component: Option<String>,
-    /// How it lies, as far as that is told.
-    pub orientation: Orientation,
-}
-
-/// How a motion lies, as far as the name of its component or that of its file tells.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Orientation {
-    /// Along the ground.
-    Horizontal,
-    /// Up and down: it shakes no row.
-    Vertical(Vertical),
-    /// Nothing tells: it shakes rows, and that is said.
-    Untold,
+    /// How it lies; `None` if neither the file nor its name tells.
+    pub direction: Option<Direction>,
+    /// Number of its event among those of the folder, from 0. Components of one record are of one event.
+    pub event: usize,
+    /// What was declared of its file because the file does not say it, and its component.
+    taken: FileUse,
+    origin: Arc<Origin>,
+    identity: Identity,
+    named: NamedFile,
 }
 
 impl Motion {
-    /// Every ground motion of a folder, in the order of the files' names; files whose names begin with a dot, and folders, are
-    /// left out.
+    /// Prepares the scene under this motion, reversed or not; processed and scaled as the scene says.
     ///
-    /// A file that cannot be read is one of them, and so is a vertical component: they say so when they are to shake something.
-    /// A component is vertical by a word of its [name](Direction::of_component); one whose name does not tell, of a file
-    /// of one component, by the [end of the file's name](Direction::of_file_name).
+    /// It runs to the end of the record and two periods beyond, whatever duration the scene has for its own record. Whoever sets
+    /// `stop` ends its runs, and those that find its method.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] when the folder cannot be read.
-    pub fn in_folder(folder: &Path) -> Result<Vec<Self>, Error> {
-        Ok(files_in(folder)?
-            .into_iter()
-            .flat_map(|path| of_file(&path))
-            .collect())
-    }
-
-    /// Every ground motion of a file: one, or one of each component.
-    pub fn in_file(path: &Path) -> Vec<Self> {
-        of_file(path)
-    }
-
-    /// The scene under this motion, reversed or not; processed and scaled as the scene says.
-    ///
-    /// It runs to the end of the record and two periods beyond, whatever duration the scene has for its own record. What the scene
-    /// declares of its own file holds for a file that does not say it itself.
-    ///
-    /// # Errors
-    /// Those of [`Simulation::new`]; [`Error::Vertical`].
-    pub fn shake(&self, scene: &Scene, reversed: bool) -> Result<Simulation, Error> {
-        self.shake_until(scene, reversed, None)
-    }
-
-    /// The same; whoever sets `stop` ends its runs, and those that find its method.
-    ///
-    /// # Errors
-    /// Those of [`Self::shake`]; [`Error::is_stopped`] tells one that was ended.
-    pub fn shake_until(
+    /// Those of [`Simulation::new`]; [`Error::is_stopped`] tells one that was ended.
+    pub fn shake(
         &self,
         scene: &Scene,
         reversed: bool,
         stop: Option<&'static AtomicBool>,
     ) -> Result<Simulation, Error> {
-        if let Orientation::Vertical(vertical) = &self.orientation {
-            return Err(Error::Vertical(vertical.clone()));
-        }
         let mut scene = scene.clone();
         scene.duration_s = None;
         scene.record.reversed = reversed;
-        self.where_unsaid(&scene.record.clone(), |source| {
-            scene.record.source = source;
-            Simulation::new(
-                &scene,
-                Options {
-                    stop,
-                    ..Options::default()
-                },
-            )
-        })
+        let (record, motion) = self.used_as(&scene.record, &scene.name)?;
+        scene.record = record;
+        let options = Options {
+            motion: Some(motion.into()),
+            stop,
+            ..Options::default()
+        };
+        Simulation::new(&scene, options)
     }
 
-    /// The motion used as `record` says, but for its source; and that use with this motion as its source.
+    /// Returns the use `record` with this motion as its source, and the motion used so.
     ///
     /// # Errors
-    /// Those of [`GroundMotion::of`].
+    /// What cannot be done to it in `scene`.
     pub fn used_as(
         &self,
         record: &RecordUse,
         scene: &str,
     ) -> Result<(RecordUse, GroundMotion), Error> {
-        let mut record = record.clone();
-        let motion = self.where_unsaid(&record.clone(), |source| {
-            record.source = source;
-            GroundMotion::of(&record, Path::new(""), scene)
+        let record = RecordUse {
+            source: Source::File(self.taken.clone()),
+            ..record.clone()
+        };
+        let motion = GroundMotion::of_file(&record, Arc::clone(&self.origin));
+        let motion = motion.map_err(|source| Error::Scene {
+            scene: scene.into(),
+            source,
         })?;
         Ok((record, motion))
     }
 
-    /// Tries this motion as a source, with as much of what `record` declares of its own file as this one does not say.
-    fn where_unsaid<T>(
-        &self,
-        record: &RecordUse,
-        mut attempt: impl FnMut(Source) -> Result<T, Error>,
-    ) -> Result<T, Error> {
-        let of_scene = match &record.source {
-            Source::File(file) => file.clone(),
-            Source::Generated(_) => FileUse::default(),
-        };
-        let file = FileUse {
-            file: self.path.to_string_lossy().into_owned(),
-            component: self.component.clone(),
-            ..of_scene
-        };
-        file.where_unsaid(|file| attempt(Source::File(file.clone())))
-    }
-
-    /// Name for tables: that of the file, and the component.
-    pub fn name(&self) -> String {
-        let file = self.file_name();
-        match &self.component {
-            Some(component) => format!("{file} {component}"),
-            None => file,
-        }
-    }
-
-    fn file_name(&self) -> String {
-        let name = self.path.file_name().unwrap_or_default();
-        name.to_string_lossy().into_owned()
+    /// Returns the file as it was read.
+    pub fn origin(&self) -> &Origin {
+        &self.origin
     }
 }
 
-/// The files of a folder, in the order of their names, but for those whose names begin with a dot or end with
-/// `.provenance.json`: such a file tells where the record beside it comes from.
+/// The ground motions of a folder.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suite {
+    /// Those that shake a row, in the order of the files' names.
+    pub motions: Vec<Motion>,
+    /// What shakes nothing, with the reason.
+    pub left_out: Vec<LeftOut>,
+    /// Number of events that the motions are of.
+    pub n_events: usize,
+    /// The files that were looked at.
+    pub files: Vec<PathBuf>,
+    /// Number of entries of the folders, files included.
+    pub n_entries: usize,
+    /// Pairs of motions that are the same but for a factor, by their names, with the factor.
+    pub alike: Vec<(String, String, f64)>,
+}
+
+impl Suite {
+    /// Reads the records of a folder, or of one file. `declared` is what is said of files that do not say it themselves.
+    ///
+    /// A file whose name begins with a dot is passed over, and so is one that ends with `.provenance.json`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if the folder cannot be read, [`Error::NoMotion`] if nothing in it shakes a row.
+    pub fn in_folder(folder: &Path, declared: &FileUse) -> Result<Self, Error> {
+        std::fs::metadata(folder).map_err(|source| Error::Unreadable {
+            path: folder.to_path_buf(),
+            source,
+        })?;
+        let suite = Self::of(&[folder.to_path_buf()], declared)?;
+        if suite.motions.is_empty() {
+            return Err(Error::NoMotion {
+                folder: folder.to_path_buf(),
+                n_files: suite.n_entries,
+                left_out: suite.said_of_left_out(false),
+            });
+        }
+        Ok(suite)
+    }
+
+    /// Reads the records of some folders and files.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if a folder cannot be read, and those of reading a file that is named itself.
+    pub fn of(paths: &[PathBuf], declared: &FileUse) -> Result<Self, Error> {
+        let mut left_out = Vec::new();
+        let mut files = Vec::new();
+        for entry in entries_of(paths)? {
+            match entry {
+                Entry::File(file) => files.push(file),
+                Entry::Other(other) => left_out.push(other),
+            }
+        }
+        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+        let named = NamedFile::of_all(&names);
+        let read: Vec<_> = (files.par_iter().zip(named))
+            .map(|(file, named)| of_file(file, named, declared))
+            .collect();
+        let mut motions = Vec::new();
+        let n_entries = files.len() + left_out.len();
+        for (file, read) in files.iter().zip(read) {
+            for found in read {
+                match found {
+                    Ok(motion) => motions.push(motion),
+                    Err(Refused::Error(error)) if file.named => return Err(error),
+                    Err(refused) => left_out.push(refused.left_out(&file.path)),
+                }
+            }
+        }
+        let mut suite = Self {
+            n_events: 0,
+            motions,
+            left_out,
+            files: files.into_iter().map(|file| file.path).collect(),
+            n_entries,
+            alike: Vec::new(),
+        };
+        copies::leave_out(&mut suite);
+        events::number(&mut suite);
+        Ok(suite)
+    }
+}
+
+/// A file that is to be read.
+struct File {
+    path: PathBuf,
+    /// Whether its user named it, and not only its folder.
+    named: bool,
+}
+
+/// Why a component of a file shakes nothing.
+enum Refused {
+    /// What it is, by its name.
+    Component(String, Reason),
+    /// What reading it says.
+    Error(Error),
+}
+
+impl Refused {
+    fn left_out(self, path: &Path) -> LeftOut {
+        match self {
+            Self::Component(name, reason) => LeftOut { name, reason },
+            Self::Error(error) => LeftOut {
+                name: shown_name(path),
+                reason: Reason::of(&error),
+            },
+        }
+    }
+}
+
+/// Returns how a component lies, `None` if neither its file nor the file's name tells; the name counts only if the file holds
+/// nothing else.
 ///
 /// # Errors
-/// [`Error::Unreadable`] when the folder cannot be read.
-pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let unreadable = |source| Error::Unreadable {
-        path: folder.to_path_buf(),
-        source,
-    };
-    let mut paths = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
-        let hidden = path.file_name().is_none_or(|name| {
-            let name = name.to_string_lossy();
-            name.starts_with('.') || name.ends_with(".provenance.json")
-        });
-        if path.is_file() && !hidden {
-            paths.push(path);
-        }
+/// Says why it shakes no row: it is vertical, of a borehole or of a structure.
+pub fn whether_it_shakes(
+    channel: &Channel,
+    named: &NamedFile,
+    several: bool,
+) -> Result<Option<Direction>, Reason> {
+    match &channel.site {
+        Site::Ground => {}
+        Site::Borehole(place) => return Err(ReasonKind::Borehole.saying(place)),
+        Site::Structure(place) => return Err(ReasonKind::Structure.saying(place)),
     }
-    paths.sort();
-    Ok(paths)
-}
-
-/// The motions of a file: one, or one per component.
-fn of_file(path: &Path) -> Vec<Motion> {
-    let names = record_bytes(path)
-        .ok()
-        .and_then(|bytes| components(&bytes).ok())
-        .unwrap_or_default();
-    let motion = |component: Option<String>, orientation| Motion {
-        path: path.to_path_buf(),
-        component,
-        orientation,
-    };
-    match &names[..] {
-        [] => vec![motion(None, Orientation::of(None, Some(path)))],
-        [name] => vec![motion(None, Orientation::of(Some(name), Some(path)))],
-        several => several
-            .iter()
-            .map(|name| motion(Some(name.clone()), Orientation::of(Some(name), None)))
-            .collect(),
+    match (channel.direction, named.direction.filter(|_| !several)) {
+        (Some(Direction::Vertical), _) => {
+            let word = channel.name.clone().unwrap_or_default();
+            Err(ReasonKind::Vertical.saying(word))
+        }
+        (None, Some(Direction::Vertical)) => Err(ReasonKind::VerticalByName.saying("")),
+        (told, by_name) => Ok(told.or(by_name)),
     }
 }
 
-impl Orientation {
-    /// Tells how a component lies by its name, and where that does not tell by the file, if it is the only one there.
-    pub fn of(component: Option<&str>, only_of: Option<&Path>) -> Self {
-        let direction = component.and_then(|name| Some((Direction::of_component(name)?, name)));
-        match direction {
-            Some((Direction::Horizontal, _)) => return Self::Horizontal,
-            Some((Direction::Vertical, name)) => {
-                return Self::Vertical(Vertical::Component(name.into()));
-            }
-            None => {}
+/// The motions of a file: one, or one for each component.
+fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Motion, Refused>> {
+    let path = &file.path;
+    let bytes = match opened(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return vec![Err(Refused::Error(error))],
+    };
+    let found = match contents(&bytes) {
+        Ok(found) => found,
+        Err(source) => {
+            let path = path.clone();
+            return vec![Err(Refused::Error(Error::Record { path, source }))];
         }
-        let name = only_of.and_then(Path::file_name).unwrap_or_default();
-        match Direction::of_file_name(&name.to_string_lossy()) {
-            Some((Direction::Horizontal, _)) => Self::Horizontal,
-            Some((Direction::Vertical, end)) => Self::Vertical(Vertical::FileName(end.into())),
-            None => Self::Untold,
+    };
+    let of = OfFile {
+        path,
+        bytes: &bytes,
+        named,
+        found: &found,
+        declared,
+    };
+    (0..found.channels.len())
+        .map(|index| of.channel(index))
+        .collect()
+}
+
+/// A file that was opened.
+struct OfFile<'a> {
+    path: &'a Path,
+    bytes: &'a [u8],
+    named: NamedFile,
+    found: &'a Contents,
+    declared: &'a FileUse,
+}
+
+impl OfFile<'_> {
+    fn channel(&self, index: usize) -> Result<Motion, Refused> {
+        let file = shown_name(self.path);
+        let several = self.found.channels.len() > 1;
+        let name = match &self.found.channels[index].name {
+            Some(component) if several => format!("{file} {component}"),
+            _ => file.clone(),
+        };
+        let refused = |reason| Refused::Component(name.clone(), reason);
+        let direction = whether_it_shakes(&self.found.channels[index], &self.named, several)
+            .map_err(refused)?;
+        let declared = FileUse {
+            file: self.path.to_string_lossy().into_owned(),
+            component: several.then(|| self.chosen(index)),
+            ..self.declared.clone()
+        };
+        let (origin, taken) =
+            Origin::of_silent(self.path, self.bytes, &declared).map_err(|error| {
+                if several {
+                    Refused::Component(name.clone(), Reason::of(&error))
+                } else {
+                    Refused::Error(error)
+                }
+            })?;
+        if origin.file.values().iter().all(|value| *value == 0.0) {
+            return Err(refused(ReasonKind::Zeros.saying("")));
         }
+        Ok(Motion {
+            name,
+            path: self.path.to_path_buf(),
+            direction,
+            event: 0,
+            taken,
+            origin: Arc::new(origin),
+            identity: self.found.identity.clone(),
+            named: self.named.clone(),
+        })
     }
 
-    /// Returns the word for tables: `horizontal` or `vertical`; `None` if nothing tells.
-    pub fn word(&self) -> Option<&'static str> {
-        match self {
-            Self::Horizontal => Some("horizontal"),
-            Self::Vertical(_) => Some("vertical"),
-            Self::Untold => None,
+    /// By which word its component is chosen: its name, or its number if another has that name.
+    fn chosen(&self, index: usize) -> String {
+        let channels = &self.found.channels;
+        let own = &channels[index].name;
+        let same = channels.iter().filter(|one| one.name == *own).count();
+        match own {
+            Some(name) if same == 1 => name.clone(),
+            _ => (index + 1).to_string(),
         }
     }
 }

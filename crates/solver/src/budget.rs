@@ -106,18 +106,23 @@ impl Guard {
 
     /// Ends a run after so many pieces, where it is over its budget.
     pub(crate) fn look(&self, time: f64, pieces: u64) -> Result<(), RunError> {
-        let Budget {
-            pieces: allowed,
-            seconds,
-            ..
-        } = self.budget;
+        let allowed = self.budget.pieces;
         if self.budget.is_stopped() {
             return Err(RunError::Stopped { time });
         }
         if pieces as f64 > allowed {
             return Err(RunError::TooManyPieces { time, allowed });
         }
-        match (self.until, seconds) {
+        self.wait(time)
+    }
+
+    /// Ends a run that somebody stops, or that takes too long, in the middle of what happens at an instant: in a long row that is much.
+    #[inline]
+    pub(crate) fn wait(&self, time: f64) -> Result<(), RunError> {
+        if self.budget.is_stopped() {
+            return Err(RunError::Stopped { time });
+        }
+        match (self.until, self.budget.seconds) {
             (Some(until), Some(seconds)) if Instant::now() > until => {
                 Err(RunError::TooLong { time, seconds })
             }

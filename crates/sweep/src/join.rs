@@ -11,8 +11,7 @@ use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::SweepError;
-use super::error::MANIFEST;
-use super::manifest::{Manifest, path_of};
+use super::manifest::{Manifest, joined_beside, path_of};
 use super::part::{self, Part, length_of_line};
 use super::summary::{SummaryTable, Tally};
 
@@ -27,6 +26,8 @@ pub struct Joined {
     pub summary: Option<SummaryTable>,
     /// Whether the table has a row for each run.
     pub has_rows: bool,
+    /// Whether other processes were kept off; if not, the disk knows no locks.
+    pub is_locked: bool,
 }
 
 /// Whether a table of this name is compressed (Zstandard): one that ends in `.zst`.
@@ -56,8 +57,8 @@ pub fn summary_beside(out: &Path) -> PathBuf {
 /// [`SweepError::NoParts`], [`SweepError::OtherSweep`] and [`SweepError::DamagedManifest`] of a folder, [`SweepError::Missing`],
 /// [`SweepError::Damaged`], [`SweepError::Lock`], and what the system refuses.
 pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, SweepError> {
-    let _lock = Lock::of(out, Users::One)?;
-    put(out, &Sources::of(folders)?, existing)
+    let lock = Lock::of(out, Users::One)?;
+    put(out, &Sources::of(folders)?, existing, &lock)
 }
 
 /// What a table is made of: all of its parts, in order.
@@ -72,7 +73,7 @@ impl Sources {
         let mut manifest: Option<Manifest> = None;
         let mut there = BTreeMap::new();
         for folder in folders {
-            let own = Manifest::read(folder, MANIFEST)?;
+            let own = Manifest::of_folder(folder)?;
             let own = own.ok_or_else(|| SweepError::NoParts(folder.clone()))?;
             if manifest.as_ref().is_some_and(|first| *first != own) {
                 return Err(SweepError::OtherSweep(folder.clone()));
@@ -99,11 +100,28 @@ impl Sources {
     }
 }
 
-/// Makes the table, and puts it on disk. Call it under a lock.
-pub(super) fn put(out: &Path, sources: &Sources, existing: Existing) -> Result<Joined, SweepError> {
+/// Makes the table, and puts it on disk.
+pub(super) fn put(
+    out: &Path,
+    sources: &Sources,
+    existing: Existing,
+    lock: &Lock,
+) -> Result<Joined, SweepError> {
     let (file, joined) = made(out, sources)?;
+    let joined = Joined {
+        is_locked: lock.is_kept(),
+        ..joined
+    };
     if let Some(summary) = joined.summary.as_ref().filter(|_| joined.has_rows) {
         put_beside(&summary_beside(out), &summary.csv(), existing)?;
+    }
+    // That of an earlier table would speak for this one.
+    let earlier = joined_beside(out);
+    match fs::remove_file(&earlier) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            return Err(SweepError::file(&earlier)(error));
+        }
+        _ => {}
     }
     file.put(existing).map_err(SweepError::file(out))?;
     Ok(joined)
@@ -111,7 +129,7 @@ pub(super) fn put(out: &Path, sources: &Sources, existing: Existing) -> Result<J
 
 /// Puts a file beside a table that goes to its place next; one of the same text may be of a process that was ended in between.
 fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), SweepError> {
-    if fs::read(path).is_ok_and(|found| found == text.as_bytes()) {
+    if pounding_files::holds(path, text.as_bytes()).unwrap_or(false) {
         return Ok(());
     }
     pounding_files::write(path, text.as_bytes(), existing).map_err(|error| {
@@ -146,9 +164,7 @@ pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, SweepEr
 
 /// The table under a hidden name.
 fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> {
-    for left in pounding_files::leftovers(out) {
-        fs::remove_file(&left).map_err(SweepError::file(&left))?;
-    }
+    pounding_files::tidy(out);
     let file = NewFile::beside(out).map_err(SweepError::file(out))?;
     let summary = summed_up(sources)?;
     let (has_rows, manifest) = (sources.manifest.without_rows().is_none(), &sources.manifest);
@@ -171,6 +187,7 @@ fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> 
         failed,
         summary,
         has_rows,
+        is_locked: false,
     };
     Ok((file, joined))
 }

@@ -90,7 +90,9 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
 
-use pounding_scene::{Error, Method, PairQuantity, Quantity, Scene};
+use pounding_scene::{
+    Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite,
+};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -226,14 +228,34 @@ impl Sweep {
         self.summary.is_some() && self.without_rows().is_none()
     }
 
-    /// Records that are left out, each with the reason.
-    pub fn left_out(&self) -> &[String] {
-        &self.motions.left_out
+    /// What looks wrong in the motions, and in the row with the first values of grids and lists and the medians of what is sampled.
+    pub fn unusual(&self) -> Vec<Implausible> {
+        let of_row = self.first_row().map_or_else(Vec::new, |row| row.doubts());
+        let of_row = of_row.iter().filter(|one| one.is_of_row());
+        let of_motions = self.motions.unusual.iter();
+        let of_motions = of_motions.map(|(name, one)| (name.as_str(), one));
+        Implausible::gathered(of_motions.chain(of_row.map(|one| ("", one))))
     }
 
-    /// Returns the names of records whose direction nothing tells; they count as horizontal.
-    pub fn untold(&self) -> &[String] {
-        &self.motions.untold
+    /// The row with typical values under the first motion; `None` if it cannot be prepared.
+    fn first_row(&self) -> Option<Simulation> {
+        let mut value = self.scene.clone();
+        for (axis, setting) in self.plan.axes().iter().zip(self.plan.typical()) {
+            axis.put(setting, &mut value);
+        }
+        let scene = trial::scene_of(&value).ok()?;
+        let (scene, motion) = self.motions.shake(0, scene).ok()?;
+        Simulation::shaken(&scene, motion).ok()
+    }
+
+    /// What is said of pounding if the scene has no contact; `None` if it has one.
+    pub fn says_no_contact(&self) -> Option<&'static str> {
+        self.first_row()?.floors().says_no_contact()
+    }
+
+    /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.
+    pub fn suite(&self) -> Option<&Suite> {
+        self.motions.suite.as_ref()
     }
 
     /// Returns the files that were read: sweep, scene, records.

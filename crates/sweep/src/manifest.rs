@@ -11,8 +11,11 @@ use super::error::MANIFEST;
 use super::summary::Form;
 use super::{Sweep, SweepError};
 
-/// Name of the file when the table is on disk, and what is left of the parts is to be deleted.
-pub(super) const JOINED: &str = "joined.json";
+/// Where the manifest stands once more while the parts of a table that is on disk are deleted. It is deleted last: as long as it is
+/// there, whoever comes next ends the clean-up.
+pub(super) fn joined_beside(out: &Path) -> PathBuf {
+    pounding_files::hidden(out, "joined.json")
+}
 
 /// Version of the form of parts and manifests. Raise it with every change of either.
 const SCHEMA_VERSION: u32 = 2;
@@ -193,9 +196,13 @@ impl Manifest {
         pounding_scene::hexadecimal(&Sha256::digest(text))
     }
 
-    /// That of a folder, by this name; nothing where it has none.
-    pub(super) fn read(folder: &Path, name: &str) -> Result<Option<Self>, SweepError> {
-        let path = folder.join(name);
+    /// That of a folder; nothing where it has none.
+    pub(super) fn of_folder(folder: &Path) -> Result<Option<Self>, SweepError> {
+        Self::read(folder.join(MANIFEST))
+    }
+
+    /// That of a file; nothing where it is not there.
+    pub(super) fn read(path: PathBuf) -> Result<Option<Self>, SweepError> {
         let bytes = match pounding_files::read(&path, LONGEST) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
             read => read.map_err(SweepError::file(&path))?,
@@ -217,11 +224,14 @@ impl Manifest {
 
     /// Writes it into a folder that has none.
     pub(super) fn write(&self, folder: &Path) -> Result<(), SweepError> {
-        let path = folder.join(MANIFEST);
+        self.put(&folder.join(MANIFEST), Existing::Kept)
+    }
+
+    /// Writes it as a file.
+    pub(super) fn put(&self, path: &Path, existing: Existing) -> Result<(), SweepError> {
         let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
         text.push('\n');
-        pounding_files::write(&path, text.as_bytes(), Existing::Kept)
-            .map_err(SweepError::file(&path))
+        pounding_files::write(path, text.as_bytes(), existing).map_err(SweepError::file(path))
     }
 
     pub(super) fn n_parts(&self) -> u64 {
@@ -260,7 +270,7 @@ pub(super) fn is_own(name: &str) -> bool {
         Some(begun) => begun.rsplitn(3, '.').nth(2).unwrap_or_default(),
         None => name,
     };
-    part(shown) || [MANIFEST, JOINED].contains(&shown)
+    part(shown) || shown == MANIFEST
 }
 
 #[cfg(test)]
@@ -289,7 +299,6 @@ mod tests {
         for own in [
             "part-000000012.csv",
             "manifest.json",
-            "joined.json",
             ".part-000000001.csv.aB3x.new",
         ] {
             assert!(is_own(own), "{own}");

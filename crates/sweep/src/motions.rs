@@ -1,13 +1,13 @@
 //! The ground motions of a sweep: each is read once, and processed once where no run asks for another processing.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
 use pounding_scene::{
-    Error, GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, SharedMotion,
-    Source,
+    Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite,
 };
 
 /// One ground motion in one direction.
@@ -54,10 +54,10 @@ impl Differs {
 #[derive(Debug, Clone)]
 pub(super) struct Motions {
     pub(super) all: Vec<Shaking>,
-    /// Records that are left out, with the reason.
-    pub(super) left_out: Vec<String>,
-    /// Names of those whose direction nothing tells.
-    pub(super) untold: Vec<String>,
+    /// What looks wrong in each, by its name.
+    pub(super) unusual: Vec<(String, Implausible)>,
+    /// The records of folders, with what is left out; `None` for a scene's own.
+    pub(super) suite: Option<Suite>,
     /// Files that were read, those left out included.
     pub(super) files: Vec<PathBuf>,
     /// Whether they stand in place of the scene's own record, whose duration then does not count.
@@ -85,8 +85,8 @@ impl Motions {
         let directions = file.directions.map_or(&own[..], |all| all.reversed());
         let mut motions = Self {
             all: Vec::new(),
-            left_out: Vec::new(),
-            untold: Vec::new(),
+            unusual: Vec::new(),
+            suite: None,
             files: Vec::new(),
             replace: file.records.is_some(),
             duration_varies: axes
@@ -96,35 +96,44 @@ impl Motions {
             differs,
         };
         let Some(records) = &file.records else {
-            let name = own_name(&record.source);
             if let Source::File(file) = &record.source {
                 motions.files.push(of_scene.join(&file.file));
             }
-            let use_of = |reversed| RecordUse {
-                reversed,
-                ..record.clone()
-            };
-            for record in directions.iter().map(|reversed| use_of(*reversed)) {
+            for record in in_directions(&record, directions) {
                 let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
-                motions.add(&name, record, motion);
+                motions.add(&own_name(&record.source), record, motion);
             }
             return Ok(motions);
         };
+        let mut paths = Vec::new();
         for path in records.paths() {
-            if !base.join(path).exists() {
-                return Err(SweepError::NoSuchRecord(path.clone()));
+            let path = base.join(path);
+            if !path.exists() {
+                return Err(SweepError::NoSuchRecord(path.display().to_string()));
             }
-            motions.read_path(&base.join(path), &record, &scene.name, directions)?;
+            paths.push(path);
+        }
+        let suite = Suite::of(&paths, &record.declared())?;
+        for motion in &suite.motions {
+            for record in in_directions(&record, directions) {
+                let (record, used) = motion.used_as(&record, &scene.name)?;
+                motions.add(&motion.name, record, used);
+            }
         }
         if motions.all.is_empty() {
-            let first = motions.left_out.first();
-            let first = first.map_or_else(String::new, |first| format!("; the first, {first}"));
-            return Err(SweepError::NoRecord(records.paths().join(", ") + &first));
+            let left_out = suite.said_of_left_out(false);
+            let said = [vec![records.paths().join(", ")], left_out].concat();
+            return Err(SweepError::NoRecord(said.join("; ")));
         }
+        motions.files.clone_from(&suite.files);
+        motions.suite = Some(suite);
         Ok(motions)
     }
 
     fn add(&mut self, name: &str, record: RecordUse, motion: GroundMotion) {
+        let doubts = motion.doubts(&record, self.differs == Differs::Nothing);
+        let named = doubts.into_iter().map(|doubt| (name.to_owned(), doubt));
+        self.unusual.extend(named);
         let origin = motion.origin.as_ref();
         let sha256 = origin.map(|origin| origin.sha256.clone());
         let mut motion = SharedMotion::from(motion);
@@ -137,54 +146,6 @@ impl Motions {
             sha256: sha256.unwrap_or_default(),
             motion,
         });
-    }
-
-    /// The motions of a folder or a file. Vertical ones are left out, and files of a folder that are refused.
-    fn read_path(
-        &mut self,
-        path: &Path,
-        record: &RecordUse,
-        scene: &str,
-        directions: &[bool],
-    ) -> Result<(), SweepError> {
-        let is_folder = path.is_dir();
-        let found = if is_folder {
-            Motion::in_folder(path)?
-        } else {
-            Motion::in_file(path)
-        };
-        for motion in found {
-            let name = motion.name();
-            self.files.push(motion.path.clone());
-            if let Orientation::Vertical(vertical) = &motion.orientation {
-                self.left_out.push(format!("{name}: {vertical}"));
-                continue;
-            }
-            let uses = directions.iter().map(|reversed| {
-                let record = RecordUse {
-                    reversed: *reversed,
-                    ..record.clone()
-                };
-                motion.used_as(&record, scene)
-            });
-            match uses.collect::<Result<Vec<_>, Error>>() {
-                Ok(uses) => {
-                    for (record, motion) in uses {
-                        self.add(&name, record, motion);
-                    }
-                }
-                // As `gap` and `run` do: a folder may hold other files than records.
-                Err(refused @ Error::Record { .. }) if is_folder => {
-                    self.left_out.push(format!("{name}: {}", refused.reason()));
-                    continue;
-                }
-                Err(refused) => return Err(refused.into()),
-            }
-            if motion.orientation == Orientation::Untold {
-                self.untold.push(name);
-            }
-        }
-        Ok(())
     }
 
     /// The scene of a run as this motion shakes it, and the motion as the scene uses it.
@@ -246,26 +207,31 @@ impl Shaking {
     fn used_anew(&self, record: &RecordUse) -> Result<SharedMotion, SceneError> {
         let motion = match (&record.source, &self.motion.origin) {
             (Source::Generated(generated), _) => GroundMotion::of_formula(record, generated),
-            (Source::File(_), Some(origin)) => GroundMotion::of_file(record, Origin::clone(origin)),
+            (Source::File(_), Some(origin)) => GroundMotion::of_file(record, Arc::clone(origin)),
             (Source::File(_), None) => unreachable!("what was read of a file has an origin"),
         };
         motion.map(SharedMotion::from)
     }
 }
 
+/// The use of a record in some directions: whether it is reversed.
+fn in_directions(record: &RecordUse, directions: &[bool]) -> Vec<RecordUse> {
+    let use_of = |reversed: &bool| RecordUse {
+        reversed: *reversed,
+        ..record.clone()
+    };
+    directions.iter().map(use_of).collect()
+}
+
 /// Name of a scene's own motion.
 fn own_name(source: &Source) -> String {
-    match source {
-        Source::Generated(_) => source.to_string(),
-        Source::File(file) => {
-            let path = Path::new(&file.file);
-            let name = path.file_name().unwrap_or_default();
-            Motion {
-                path: name.into(),
-                component: file.component.clone(),
-                orientation: Orientation::Untold,
-            }
-            .name()
-        }
+    let Source::File(file) = source else {
+        return source.to_string();
+    };
+    let name = Path::new(&file.file).file_name().unwrap_or_default();
+    let name = name.to_string_lossy();
+    match &file.component {
+        Some(component) => format!("{name} {component}"),
+        None => name.into_owned(),
     }
 }

@@ -1,7 +1,7 @@
 //! The parts of a table in their folder, and the sweep that goes on with them.
 
 use std::fs;
-use std::io::Write as _;
+use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::error::MANIFEST;
 use super::join::{self, Joined, Sources};
-use super::manifest::{JOINED, Manifest, is_own, path_of};
+use super::manifest::{Manifest, is_own, joined_beside, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
 
@@ -36,22 +36,24 @@ pub struct Parts {
 impl Parts {
     /// The folder of the parts of a table that goes to `out`: `out` with `.parts` behind its name.
     pub fn folder_of(out: &Path) -> PathBuf {
-        let name = out.file_name().unwrap_or_default().to_string_lossy();
-        out.with_file_name(format!("{name}.parts"))
+        let mut name = out.file_name().unwrap_or_default().to_os_string();
+        name.push(".parts");
+        out.with_file_name(name)
     }
 
-    /// Whether there is anything in the folder of parts of a table.
+    /// Whether there is anything in the folder of parts of a table, or the table is there and their clean-up is not over.
     pub fn are_begun(out: &Path) -> bool {
-        fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
+        joined_beside(out).exists()
+            || fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
     }
 
     /// Goes on with the parts beside `out`, or begins with them. The whole keeps other processes off `out`, shards work side by side.
-    /// Parts of another sweep go where they may be `overwritten`, which no shard does. Returns `None` if an earlier process of this sweep
-    /// has put its table on disk, and was ended while it deleted the parts: then they are gone now.
+    /// A table goes where it may be `overwritten`, and so do parts of another sweep, unless this is a shard. Returns `None` if an earlier
+    /// process of this sweep has put its table on disk, and was ended while it deleted the parts: then they are gone now.
     ///
     /// # Errors
-    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the
-    /// system refuses.
+    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::ThereAlready`] of a table without parts,
+    /// [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the system refuses.
     pub fn open(
         sweep: &Sweep,
         out: &Path,
@@ -85,7 +87,7 @@ impl Parts {
         if parts.ends_earlier_one()? {
             return Ok(None);
         }
-        parts.claim(overwritten && shard.is_whole())?;
+        parts.claim(overwritten)?;
         parts.look()?;
         Ok(Some(parts))
     }
@@ -95,7 +97,8 @@ impl Parts {
         if !self.shard.is_whole() {
             return Ok(false);
         }
-        let joined = match Manifest::read(&self.folder, JOINED) {
+        let beside = joined_beside(&self.out);
+        let joined = match Manifest::read(beside.clone()) {
             Ok(joined) => joined,
             // Whatever it is, it is not of this sweep.
             Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) => None,
@@ -109,19 +112,19 @@ impl Parts {
             return Ok(true);
         }
         // Somebody took the table away: what is left of its parts is good.
-        let name = |name| self.folder.join(name);
-        fs::rename(name(JOINED), name(MANIFEST)).map_err(SweepError::file(&self.folder))?;
+        fs::remove_file(&beside).map_err(SweepError::file(&beside))?;
         Ok(false)
     }
 
     /// Makes the folder this sweep's, unless it is another's.
-    fn claim(&self, overwritten: bool) -> Result<(), SweepError> {
+    fn claim(&self, replaced: bool) -> Result<(), SweepError> {
+        let overwritten = replaced && self.shard.is_whole();
         let other = || SweepError::OtherSweep(self.folder.clone());
         // What a kill has left of a file is nobody's.
         let is_shown = |name: &String| !name.starts_with('.');
         // First the names: a shard that begins at the same moment writes its manifest before its first part.
         let names = self.names()?;
-        let found = match Manifest::read(&self.folder, MANIFEST) {
+        let found = match Manifest::of_folder(&self.folder) {
             Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => {
                 None
             }
@@ -134,6 +137,10 @@ impl Parts {
             None if !overwritten && names.iter().any(is_shown) && !self.has_whole_part(&names) => {
                 return Err(other());
             }
+            // Another process ended it while this one waited: nothing is written beside it.
+            None if !replaced && self.out.exists() && !names.iter().any(is_shown) => {
+                return Err(SweepError::ThereAlready(self.out.clone()));
+            }
             Some(_) | None => {}
         }
         if overwritten {
@@ -144,7 +151,7 @@ impl Parts {
         pounding_files::sync_folder(above).map_err(SweepError::file(above))?;
         let written = self.manifest.write(&self.folder);
         // Another shard was first.
-        match Manifest::read(&self.folder, MANIFEST)? {
+        match Manifest::of_folder(&self.folder)? {
             Some(found) if found == self.manifest => Ok(()),
             Some(_) => Err(other()),
             None => written,
@@ -154,7 +161,7 @@ impl Parts {
     /// Names in the folder that are not hidden, or are ours.
     fn names(&self) -> Result<Vec<String>, SweepError> {
         let entries = match fs::read_dir(&self.folder) {
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
             entries => entries.map_err(SweepError::file(&self.folder))?,
         };
         let names = entries
@@ -174,9 +181,9 @@ impl Parts {
             && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
     }
 
-    /// Deletes what a sweep wrote of these, manifests last: cut short, they still tell whose the rest is.
+    /// Deletes what a sweep wrote of these, the manifest last: cut short, it still tells whose the rest is.
     fn delete(&self, names: &[String]) -> Result<(), SweepError> {
-        let is_manifest = |name: &&String| [MANIFEST, JOINED].contains(&name.as_str());
+        let is_manifest = |name: &&String| name.as_str() == MANIFEST;
         let (manifests, parts): (Vec<_>, Vec<_>) = names
             .iter()
             .filter(|name| is_own(name))
@@ -337,7 +344,7 @@ impl Parts {
     /// # Errors
     /// Those of [`merge`](crate::merge).
     pub fn join(self, existing: Existing) -> Result<Joined, SweepError> {
-        let joined = join::put(&self.out, &self.sources()?, existing)?;
+        let joined = join::put(&self.out, &self.sources()?, existing, &self.lock)?;
         self.clean_up()?;
         Ok(joined)
     }
@@ -347,18 +354,19 @@ impl Parts {
     /// # Errors
     /// What the system refuses.
     pub fn clean_up(&self) -> Result<(), SweepError> {
-        let name = |name| self.folder.join(name);
-        let fault = SweepError::file(&self.folder);
-        if name(MANIFEST).exists() {
-            // From here on the parts are not all there, and the table is.
-            fs::rename(name(MANIFEST), name(JOINED)).map_err(&fault)?;
-            pounding_files::sync_folder(&self.folder).map_err(&fault)?;
-        }
+        // From here on the parts are not all there, and the table is.
+        let beside = joined_beside(&self.out);
+        self.manifest.put(&beside, Existing::Replaced)?;
         self.delete(&self.names()?)?;
         match fs::remove_dir(&self.folder) {
-            // Somebody put files of theirs into it.
-            Err(error) if error.kind() == std::io::ErrorKind::DirectoryNotEmpty => Ok(()),
-            removed => removed.map_err(fault),
+            // Somebody put files of theirs into it, or an earlier process was ended behind this.
+            Err(error)
+                if matches!(
+                    error.kind(),
+                    ErrorKind::DirectoryNotEmpty | ErrorKind::NotFound
+                ) => {}
+            removed => removed.map_err(SweepError::file(&self.folder))?,
         }
+        fs::remove_file(&beside).map_err(SweepError::file(&beside))
     }
 }

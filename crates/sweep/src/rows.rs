@@ -17,7 +17,7 @@ impl Rows {
             self.0.extend_from_slice(field.as_bytes());
         } else if !field.is_empty() {
             let line = field.replace(['\n', '\r'], " ");
-            self.0.extend(quoted(&pounding_text::no_formula(&line)));
+            self.0.extend(quoted(&pounding_text::harmless(&line)));
         }
         self.0.push(b',');
     }

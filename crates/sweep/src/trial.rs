@@ -103,6 +103,7 @@ fn is_of_values(error: &RefusedScene) -> bool {
             source: SceneError::Unstable { .. }
                 | SceneError::OverlapsAtStart { .. }
                 | SceneError::TooLong { .. }
+                | SceneError::PreparedTooLong { .. }
                 | SceneError::TooManySteps { .. },
             ..
         }

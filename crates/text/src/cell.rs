@@ -7,6 +7,8 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
+use crate::visible;
+
 /// A cell of a table: a text, or a number that is finite.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Cell(String);
@@ -44,13 +46,15 @@ impl Cell {
 /// Letters of a number that stands without an exponent.
 const LONGEST: usize = 24;
 
-/// A text that no spreadsheet takes for a formula: behind an apostrophe where it begins as one and is no number.
-pub fn no_formula(text: &str) -> Cow<'_, str> {
-    let begins = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
-    if begins && text.parse::<f64>().is_err() {
-        format!("'{text}").into()
+/// A text as tables hold it. No spreadsheet takes it for a formula: it stands behind an apostrophe where it begins as one and is no
+/// number. What steers a terminal is spelt, as by [`visible`].
+pub fn harmless(text: &str) -> Cow<'_, str> {
+    let shown = visible(text);
+    let begins = shown.starts_with(['=', '+', '-', '@', '\t']);
+    if begins && shown.parse::<f64>().is_err() {
+        format!("'{shown}").into()
     } else {
-        text.into()
+        shown
     }
 }
 
@@ -62,7 +66,7 @@ impl From<String> for Cell {
 
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
-        Self(no_formula(text).into_owned())
+        Self(harmless(text).into_owned())
     }
 }
 
@@ -89,7 +93,7 @@ pub fn csv_text<Name: AsRef<str>>(
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = header
         .iter()
-        .map(|name| no_formula(name.as_ref()).into_owned());
+        .map(|name| harmless(name.as_ref()).into_owned());
     writer.write_record(names).expect("memory takes all");
     for row in rows {
         let cells = row.into_iter().map(|cell| cell.0);
@@ -110,14 +114,18 @@ pub fn to_csv(header: &[String], rows: &[Vec<String>]) -> String {
     csv_text(header, rows.iter().map(cells).collect::<Vec<Vec<_>>>())
 }
 
-/// JSON as files and answers hold it, with a line break at its end; `null` of a number that is not finite.
+/// JSON as files and answers hold it, with a line break at its end; `null` of a number that is not finite. Letters that JSON takes and a
+/// terminal obeys are escaped, too.
 ///
 /// # Panics
 /// If a value has no JSON, such as a map whose keys are no texts.
 pub fn json_text<T: Serialize + ?Sized>(value: &T) -> String {
     let mut text = serde_json::to_string_pretty(value).expect("plain data is JSON");
     text.push('\n');
-    text
+    match visible(&text) {
+        Cow::Owned(escaped) => escaped,
+        Cow::Borrowed(_) => text,
+    }
 }
 
 #[cfg(test)]
@@ -162,6 +170,18 @@ mod tests {
             table,
             "'=x,'=x,'=x,'=x,'=x,'=x,'=x,'=x\n'=1+1,'+a,'-a,'@a,a=b,-0.5,+2e3,–\n"
         );
+    }
+
+    /// A name rang the bell of a terminal that showed the table, and its NUL ended the file for some readers.
+    #[test]
+    fn issue_a_name_steers_no_terminal() {
+        let name = "a\u{0}\u{1b}[31m\u{202e}";
+        let spelt = "a\\u0000\\u001b[31m\\u202e";
+        let table = csv_text(&[name], [[Cell::from(name)]]);
+        assert_eq!(table, format!("{spelt}\n{spelt}\n"));
+        assert_eq!(json_text(name), format!("\"{spelt}\"\n"));
+        let read: String = serde_json::from_str(&json_text("\u{9b}\u{7f}\u{202e}")).unwrap();
+        assert_eq!(read, "\u{9b}\u{7f}\u{202e}");
     }
 
     #[test]

@@ -26,15 +26,15 @@
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
 //! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
-//! - [`visible`]: what goes to a terminal, without what would steer it.
+//! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
 
 mod cell;
 mod refusal;
 mod visible;
 
-pub use cell::{Cell, csv_text, json_text, no_formula, to_csv};
+pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
 pub use refusal::{Refusal, refusal_json};
-pub use visible::visible;
+pub use visible::{message, steers, visible};
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
 /// 309 digits of 1.7e308.
@@ -70,6 +70,12 @@ pub fn two_digits(value: f64) -> String {
 /// A length \[m\] in millimetres to a tenth, without zeros at its end.
 pub fn millimetres(length: f64) -> String {
     digits((length * 1e4).round() / 10.0)
+}
+
+/// The same of a width that is needed: rounded up, so that as much is enough.
+pub fn millimetres_up(length: f64) -> String {
+    let up = rounded_up(length * 1e3, 1);
+    up.parse().map_or(up, digits)
 }
 
 /// An instant \[s\] to a tenth of a millisecond, without zeros at its end.

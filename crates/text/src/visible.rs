@@ -1,4 +1,4 @@
-//! Text for terminals.
+//! Text that steers nothing: neither the terminal that shows it nor the direction in which it is read.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
@@ -20,14 +20,51 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     shown.into()
 }
 
-fn steers(letter: char) -> bool {
-    let turns = matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+/// Whether [`visible`] spells a letter: control characters, marks of direction, and line ends that are none to most programs.
+pub fn steers(letter: char) -> bool {
+    let turns = matches!(
+        letter,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+    );
     turns || letter.is_control() && letter != '\n' && letter != '\t'
+}
+
+/// Letters of a line of a message that is shown whole: some paths, each as long as systems take.
+const LONGEST: usize = 10_000;
+/// What is shown of the beginning and of the end of a longer one.
+const SHOWN: [usize; 2] = [1500, 500];
+
+/// A message as it is said: [`visible`], and of a line that nobody reads to its end, beginning and end. A file can name a path of a megabyte.
+pub fn message(text: &str) -> Cow<'_, str> {
+    if text.len() <= LONGEST {
+        return visible(text);
+    }
+    let lines: Vec<Cow<'_, str>> = text.split('\n').map(excerpt).collect();
+    visible(&lines.join("\n")).into_owned().into()
+}
+
+fn excerpt(line: &str) -> Cow<'_, str> {
+    let letters = if line.len() <= LONGEST {
+        0
+    } else {
+        line.chars().count()
+    };
+    if letters <= LONGEST {
+        return line.into();
+    }
+    let [first, last] = SHOWN;
+    let begin: String = line.chars().take(first).collect();
+    let end: String = line.chars().skip(letters - last).collect();
+    format!(
+        "{begin} … ({} letters are left out) … {end}",
+        letters - first - last
+    )
+    .into()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::visible;
+    use super::{message, visible};
 
     #[test]
     fn extreme_letters_that_steer_a_terminal() {
@@ -37,5 +74,37 @@ mod tests {
         assert_eq!(shown, "\\u001b]0;x\\u0007\\u000d\\u009b2J\\u202e");
         let read: String = serde_json::from_str(&format!("\"{shown}\"")).unwrap();
         assert_eq!(read, text);
+    }
+
+    /// Marks of direction that open nothing, and line ends of Unicode, were printed.
+    #[test]
+    fn issue_marks_of_direction_are_spelt() {
+        let marks = "\u{61c}\u{200e}\u{200f}\u{2028}\u{2029}\u{2067}\u{0}";
+        assert_eq!(
+            visible(marks),
+            "\\u061c\\u200e\\u200f\\u2028\\u2029\\u2067\\u0000"
+        );
+    }
+
+    /// A path of a megabyte made a message of a megabyte.
+    #[test]
+    fn issue_a_message_has_an_end() {
+        let path = "ä/\u{1b}".repeat(400_000);
+        let said = message(&format!("one\n{path}: found nothing\nthree")).into_owned();
+        let lines: Vec<&str> = said.split('\n').collect();
+        assert_eq!(
+            [lines[0], lines[2], lines.get(3).unwrap_or(&"end")],
+            ["one", "three", "end"]
+        );
+        assert!(lines[1].chars().count() < 6000, "{}", lines[1].len());
+        let wanted = "(1198015 letters are left out)";
+        assert!(
+            lines[1].starts_with("ä/\\u001bä/") && lines[1].contains(wanted),
+            "{said}"
+        );
+        assert!(lines[1].ends_with(": found nothing"), "{said}");
+        let path = "p".repeat(4096);
+        let whole = format!("{path}: is the file that is read ({path})");
+        assert_eq!(message(&whole), whole);
     }
 }

@@ -37,7 +37,7 @@ impl Source {
                 syn::parse_file(&text).map_err(|error| format!("{}: {error}", path.display()))?;
             let module = module_of(path.strip_prefix(folder).unwrap_or(&path));
             let before_tests = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
-            found.n_lines += before_tests.lines().count();
+            found.n_lines += before_tests.lines().filter(|line| is_code(line)).count();
             found.named.insert(module.clone(), BTreeSet::new());
             parsed.push((module, file));
         }
@@ -54,7 +54,7 @@ impl Source {
         Ok(found)
     }
 
-    /// Lines of its files up to their tests.
+    /// Code lines of its files, up to their tests: neither blank nor comment.
     pub(super) fn n_lines(&self) -> usize {
         self.n_lines
     }
@@ -141,6 +141,12 @@ impl Source {
             _ => Some(module.to_vec()),
         }
     }
+}
+
+/// Whether a line has more than a comment on it.
+fn is_code(line: &str) -> bool {
+    let line = line.trim();
+    !line.is_empty() && !line.starts_with("//")
 }
 
 fn list(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {

@@ -1,4 +1,4 @@
-//! Every call of the system that changes the disk, refused once.
+//! Every call of the system that changes the disk, refused once, and the program killed at it.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -22,7 +22,7 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
         println!("Errors of writing are left out: strace is not installed.");
         return Ok(());
     }
-    let mut tried = 0;
+    let (mut tried, mut killed) = (0, 0);
     for (calls, error) in CALLS {
         let n = count(bench, calls)?;
         let step = n.div_ceil(MOST).max(1);
@@ -42,10 +42,27 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
                 .ends_well(&folder)
                 .map_err(|broken| format!("{inject}: {broken}"))?;
             tried += 1;
+            killed_at(bench, calls, at)?;
+            killed += 1;
         }
     }
     println!("{tried} refused calls of the system: exit code 1, or the right table.");
+    println!("{killed} kills at a call of the system: the same command ends.");
     Ok(())
+}
+
+/// Kills the program at a call of the system, before that is made; the same command ends what was begun.
+fn killed_at(bench: &Bench, calls: &str, at: usize) -> Result<(), String> {
+    let folder = bench.folder("writes")?;
+    let inject = format!("inject={calls}:signal=SIGKILL:when={at}");
+    let ended = traced(bench, &folder, &["-e", &inject]).output();
+    let ended = ended.map_err(|error| format!("strace: {error}"))?;
+    // One that has fewer calls this time ended by itself.
+    if ended.status.code().is_some_and(|code| code != 0) {
+        return Err(format!("{inject}: {}", said(&ended)));
+    }
+    let ends = bench.ends_well(&folder);
+    ends.map_err(|broken| format!("{inject}: {broken}"))
 }
 
 fn traced(bench: &Bench, folder: &Path, more: &[&str]) -> Command {

@@ -4,16 +4,19 @@
 //! No file was at hand: this follows programs that read the format. The peaks of the header are of
 //! the raw record, so they are not held against the values.
 
-use super::table::{Table, pieces};
+use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 /// Lines of titles; the 13th has the number of values, the 14th their step.
 const TITLES: usize = 18;
 const COUNT: usize = 12;
 const STEP: usize = 13;
+
+/// The columns.
+const NAMES: [&str; 3] = ["N-S", "E-W", "U-D"];
 
 pub(super) const READER: Reader = Reader {
     format: Format::Afad,
@@ -21,23 +24,32 @@ pub(super) const READER: Reader = Reader {
         let first = file.lines.first();
         first.is_some_and(|line| title::holds(*line, "STRONG GROUND MOTION RECORDS OF TURK"))
     },
-    components: |_| Ok(components()),
+    components: |file| Ok(components(file)),
     read,
+    identity: |file| {
+        let said = |word: &str| {
+            let line = title::line_with(&file.lines[..file.lines.len().min(TITLES)], word)?;
+            Some(behind_colon(line))
+        };
+        Identity {
+            station: said("STATION ID").as_deref().and_then(identity::text),
+            time: said("EARTHQUAKE DATE").as_deref().and_then(identity::time),
+            ..Identity::default()
+        }
+    },
 };
 
-fn components() -> Vec<Component> {
-    let names = ["N-S", "E-W", "U-D"];
-    let components = names.map(|name| Component {
-        name: name.to_owned(),
-        place: Place::Line(TITLES),
-    });
+fn components(file: &File<'_>) -> Vec<Component> {
+    let last = file.lines.get(TITLES - 1).or(file.lines.last());
+    let place = Place::Line(last.map_or(1, |line| line.number));
+    let components = NAMES.map(|name| Component::new(name, place));
     components.into()
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let split = file.lines.split_at_checked(TITLES);
     let (titles, lines) = needed(split, file.lines.last().copied(), "the values")?;
-    let table = Table::new(titles[TITLES - 1], lines, components().len(), pieces)?;
+    let table = Table::new(titles[TITLES - 1], lines, NAMES.len(), Line::pieces)?;
     let numbers = table.column(index)?;
     let step = number(behind_colon(titles[STEP]).as_bytes());
     Ok(Draft {
@@ -48,7 +60,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         time_step: Some(Spacing::Even(title::time_step(titles[STEP], step)?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(1),
+            place: Place::Line(titles[0].number),
             text: "as the format has it".to_owned(),
         }),
         peak: None,

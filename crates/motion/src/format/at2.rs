@@ -10,6 +10,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| header::is_at2(&file.lines),
     components: |file| Ok(header::component(&file.lines).into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| header::identity(&file.lines),
 };
 
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.

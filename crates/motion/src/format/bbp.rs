@@ -3,7 +3,8 @@
 //! The comments say `cm/s` of velocities and, in some files, of accelerations too: such files are taken for
 //! velocities unless the caller says otherwise, and leave the unit to the caller.
 
-use super::table::{Table, pieces};
+use super::said::Said;
+use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Stated};
 use crate::line::Line;
@@ -30,6 +31,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| columns(file).is_some(),
     components: |file| Ok(components(file)),
     read,
+    identity: |file| Said::new(comments(file), None).identity(),
 };
 
 /// One of the three components.
@@ -88,9 +90,8 @@ fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
 }
 
 fn components(file: &File<'_>) -> Vec<Component> {
-    let component = |column: Column<'_>| Component {
-        name: column.name.to_owned(),
-        place: Place::Line(column.line.number),
+    let component = |column: Column<'_>| {
+        Component::new(column.name.to_owned(), Place::Line(column.line.number))
     };
     let columns = columns(file).unwrap_or_default();
     columns.into_iter().map(component).collect()
@@ -100,7 +101,12 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let comments = comments(file);
     let columns = columns(file).unwrap_or_default();
     let column = needed(columns.get(index), None, "names of its columns")?;
-    let table = Table::new(column.line, &file.lines[comments.len()..], COLUMNS, pieces)?;
+    let table = Table::new(
+        column.line,
+        &file.lines[comments.len()..],
+        COLUMNS,
+        Line::fields,
+    )?;
     let numbers = table.column(index + 1)?;
     let mut values = numbers.values;
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;

@@ -5,9 +5,9 @@
 use super::csmip_v1::scale;
 use super::csmip_v2::component;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Spacing, values};
+use super::{Component, Draft, File, Format, Reader, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError};
 
 /// Lines of titles of a channel, of all of its header, and up to the one that begins with the rate.
 const TITLES: usize = 13;
@@ -19,6 +19,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| file.lines.first().is_some_and(|line| starts(*line)),
     components: |file| Ok(components(file)),
     read,
+    identity: |file| identity_of(&file.lines),
 };
 
 fn starts(line: Line<'_>) -> bool {
@@ -27,6 +28,18 @@ fn starts(line: Line<'_>) -> bool {
 
 fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
     super::blocks(&file.lines, |index| starts(file.lines[index]))
+}
+
+/// The time stands behind a key, the station on a line with its coordinates.
+fn identity_of(lines: &[Line<'_>]) -> Identity {
+    let titles = &lines[..lines.len().min(TITLES)];
+    let station = title::line_with(titles, "STATION").map(Line::text);
+    let time = identity::behind(titles, "Origin Time");
+    Identity {
+        station: station.and_then(|text| identity::text(title::before(&text, "STATION"))),
+        time: time.as_deref().and_then(identity::time),
+        ..Identity::default()
+    }
 }
 
 fn components(file: &File<'_>) -> Vec<Component> {

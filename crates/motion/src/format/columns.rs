@@ -4,8 +4,9 @@
 
 use std::fmt;
 
+use super::numbers::{Numbers, Values, is_mark};
 use crate::line::{Line, excerpt, number};
-use crate::{Place, ReadError};
+use crate::{ReadError, RowError};
 
 /// Most fields of a line and bytes of a field that a format may ask for.
 const WIDEST: usize = 1000;
@@ -19,16 +20,6 @@ pub(super) struct Columns {
     width: usize,
     /// Whether the numbers are whole and have no point.
     whole: bool,
-}
-
-/// The numbers of some lines.
-#[derive(Debug)]
-pub(super) struct Numbers {
-    pub(super) values: Vec<f64>,
-    /// Place of the last number.
-    pub(super) end: Place,
-    /// Unit of the last printed digit of the largest number.
-    pub(super) digit: f64,
 }
 
 impl fmt::Display for Columns {
@@ -114,8 +105,7 @@ impl Columns {
         lines: &[Line<'_>],
         missing: &[f64],
     ) -> Result<Numbers, ReadError> {
-        let mut values = Vec::new();
-        let mut largest = Largest::default();
+        let mut values = Values::default();
         for line in lines {
             for (index, field) in self.fields(*line).enumerate() {
                 let value = if self.whole {
@@ -124,15 +114,10 @@ impl Columns {
                     decimal(*line, index + 1, field)?
                 };
                 check_present(*line, index + 1, field, missing)?;
-                largest.see(value, field);
-                values.push(value);
+                values.push(*line, value, field)?;
             }
         }
-        Ok(Numbers {
-            values,
-            end: Place::Line(lines.last().map_or(header.number, |line| line.number)),
-            digit: largest.digit(),
-        })
+        Ok(values.finish(header))
     }
 
     /// Numbers of a header, whole or with a point; what is no number is left out.
@@ -149,11 +134,12 @@ pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64,
     if bytes.contains(&b'.') {
         return Ok(value);
     }
-    Err(ReadError::NotANumber {
+    Err(RowError::NotANumber {
         line: line.number,
         field,
         found: excerpt(bytes),
-    })
+    }
+    .into())
 }
 
 /// Refuses a mark that stands for a value that is missing.
@@ -165,53 +151,14 @@ fn check_present(
 ) -> Result<(), ReadError> {
     let value = number(bytes);
     if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
-        return Err(ReadError::Missing {
+        return Err(RowError::Missing {
             line: line.number,
             field,
             found: excerpt(bytes),
-        });
+        }
+        .into());
     }
     Ok(())
-}
-
-/// Whether a number is a mark, to the last bit: marks are written the same everywhere.
-pub(super) fn is_mark(value: f64, mark: f64) -> bool {
-    value.total_cmp(&mark).is_eq()
-}
-
-/// The largest of printed numbers, and how finely it is printed.
-#[derive(Default)]
-pub(super) struct Largest<'t> {
-    value: f64,
-    field: &'t [u8],
-}
-
-impl<'t> Largest<'t> {
-    pub(super) fn see(&mut self, value: f64, field: &'t [u8]) {
-        if value.abs() >= self.value {
-            self.value = value.abs();
-            self.field = field;
-        }
-    }
-
-    pub(super) fn digit(&self) -> f64 {
-        last_digit(self.field)
-    }
-}
-
-/// The unit of the last digit of a printed number: 0.01 for `-12.50`, 10 for `1.5E+2`.
-pub(super) fn last_digit(field: &[u8]) -> f64 {
-    let text = String::from_utf8_lossy(field.trim_ascii()).to_ascii_uppercase();
-    let (mantissa, exponent) = text.split_once(['E', 'D']).unwrap_or((&text, "0"));
-    let decimals = mantissa
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len());
-    let exponent: i64 = exponent.parse().unwrap_or(0);
-    let decimals = i64::try_from(decimals).unwrap_or(i64::MAX);
-    let exponent = exponent.saturating_sub(decimals).clamp(-400, 400);
-    format!("1e{exponent}")
-        .parse()
-        .expect("a number in exponent notation")
 }
 
 /// The lines from the first on that hold nothing but numbers.

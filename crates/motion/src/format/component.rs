@@ -1,11 +1,36 @@
 //! The components of a file, and which of them is meant.
 
-use crate::{Place, ReadError};
+use crate::{Place, ReadError, Site};
 
 /// One component of a file.
+#[derive(Debug)]
 pub(super) struct Component {
     pub(super) name: String,
     pub(super) place: Place,
+    /// Where its sensor is.
+    pub(super) site: Site,
+}
+
+impl Component {
+    /// A component whose file does not say where its sensor is.
+    pub(super) fn new(name: impl Into<String>, place: Place) -> Self {
+        Self {
+            name: name.into(),
+            place,
+            site: Site::Ground,
+        }
+    }
+
+    /// The same at a place.
+    pub(super) fn at(self, site: Site) -> Self {
+        Self { site, ..self }
+    }
+}
+
+/// Whether a name is that of no component: a sum of several, or their resultant.
+pub(super) fn is_sum(name: &str) -> bool {
+    let sums = ["SUM", "RES", "RESULTANT", "VECTOR SUM", "SRSS"];
+    sums.iter().any(|sum| name.trim().eq_ignore_ascii_case(sum))
 }
 
 /// Index of the component that is declared, or of the only one.
@@ -91,10 +116,7 @@ mod tests {
     use crate::{Place, ReadError};
 
     fn components(names: &[&str]) -> Vec<Component> {
-        let component = |name: &&str| Component {
-            name: (*name).to_owned(),
-            place: Place::Line(1),
-        };
+        let component = |name: &&str| Component::new(*name, Place::Line(1));
         names.iter().map(component).collect()
     }
 

@@ -6,17 +6,21 @@
 //! velocity and displacement as further channels; only those of acceleration are listed. Volume 1
 //! was at hand, volumes 0 and 2 were not.
 
-use super::columns::{Columns, is_mark, last_digit, leading_data};
+use super::columns::{Columns, leading_data};
+use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
+use super::{
+    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
+};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Direction, Identity, Place, ReadError, Site};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cosmos,
     recognises: |file| file.lines.first().is_some_and(|line| starts(*line)),
     components,
     read,
+    identity: identity_of,
 };
 
 fn starts(line: Line<'_>) -> bool {
@@ -43,7 +47,8 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(channels.into_iter().map(component).collect())
 }
 
-/// The channel as the titles name it: `Sta Cha:  1: 340 deg`, up to what is put in brackets.
+/// The channel as the titles name it: `Sta Cha:  1: 340 deg`, up to what is put in brackets. Where that tells no direction, by
+/// the code of the channel in the comments or at the end: `|<SCNL>BMR.BNZ.AK.--`, `End-of-data for ChanBNZ acceleration`.
 fn component(channel: &[Line<'_>]) -> Component {
     let titles = &channel[..channel.len().min(13)];
     let line = title::line_with(titles, "STA CHA");
@@ -51,10 +56,54 @@ fn component(channel: &[Line<'_>]) -> Component {
         .or_else(|| title::line_with(titles, "CHAN"))
         .unwrap_or(channel[0]);
     let text = line.text();
-    let name = text.split(['(', ',']).next().unwrap_or_default();
-    Component {
-        name: title::words(name),
-        place: Place::Line(line.number),
+    let name = title::words(text.split(['(', ',']).next().unwrap_or_default());
+    let location = title::after(&text, "LOCATION:").unwrap_or_default();
+    let site = Site::of_location(location);
+    if Direction::of_component(&name).is_none()
+        && let Some((line, code)) = code(channel)
+    {
+        return Component::new(code, Place::Line(line.number)).at(site);
+    }
+    Component::new(name, Place::Line(line.number)).at(site)
+}
+
+/// Lines in which the code of a channel is looked for.
+const CODES: usize = 100;
+
+/// The code of the channel, where it tells a direction.
+fn code<'t>(channel: &[Line<'t>]) -> Option<(Line<'t>, String)> {
+    let head = channel.iter().take(CODES);
+    let mut lines = head.chain(channel.iter().rev().take(3));
+    lines.find_map(|line| {
+        let text = line.text();
+        let words = |key| {
+            let behind = title::after(&text, key)?;
+            Some(behind.split(|letter: char| !letter.is_ascii_alphanumeric()))
+        };
+        // Station, channel, network and location; the same from the network on; the channel alone.
+        let code = words("<SCNL>")
+            .and_then(|mut words| words.nth(1))
+            .or_else(|| words("RCRDID:")?.rfind(|word| word.len() == 3))
+            .or_else(|| words("END-OF-DATA FOR CHAN")?.next())?;
+        let tells = code.len() == 3 && Direction::of_component(code).is_some();
+        tells.then(|| (*line, code.to_owned()))
+    })
+}
+
+/// Station, event and its time, of the titles of the first channel.
+fn identity_of(file: &File<'_>) -> Identity {
+    let titles = &file.lines[..file.lines.len().min(13)];
+    let behind = |key: &str| {
+        let line = title::line_with(titles, key)?;
+        Some(title::after(&line.text(), key)?.to_owned())
+    };
+    let station = behind("CODE:");
+    let event = titles.get(1).map(|line| line.text());
+    Identity {
+        station: station.and_then(|text| identity::text(text.split_whitespace().next()?)),
+        event: event.and_then(|event| identity::text(&event)),
+        time: behind("ORIGIN:").and_then(|text| identity::first_time(&text)),
+        ..Identity::default()
     }
 }
 

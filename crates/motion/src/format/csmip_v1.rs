@@ -5,8 +5,9 @@
 //! alone. Older ones have pairs of time and value, five to a line of 10F7 or, of USC, 1X,10F7, and most
 //! a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
 
-use super::columns::{Columns, Largest, decimal, leading_data};
-use super::csmip_v2::component;
+use super::columns::{Columns, decimal, leading_data};
+use super::csmip_v2::{component, identity_in};
+use super::numbers::Values;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
@@ -25,6 +26,7 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components,
     read,
+    identity: |file| identity_in(titles(file), 1),
 };
 
 pub(super) fn recognises(file: &File<'_>) -> bool {
@@ -99,8 +101,7 @@ fn evenly_spaced(
 #[derive(Default)]
 struct Pairs<'t> {
     times: TimeColumn,
-    values: Vec<f64>,
-    largest: Largest<'t>,
+    values: Values<'t>,
 }
 
 impl<'t> Pairs<'t> {
@@ -120,8 +121,7 @@ impl<'t> Pairs<'t> {
                 decimal(*line, 2 * index + 1, time)?;
                 pairs.times.push(*line, time)?;
                 let number = decimal(*line, 2 * index + 2, value)?;
-                pairs.largest.see(number, value);
-                pairs.values.push(number);
+                pairs.values.push(*line, number, value)?;
             }
         }
         Ok(pairs)
@@ -131,18 +131,13 @@ impl<'t> Pairs<'t> {
 fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
     let titles = &header[..TITLES];
     let data = leading_data(data);
-    let Pairs {
-        times,
-        mut values,
-        largest,
-    } = Pairs::new(data)?;
+    let Pairs { times, values } = Pairs::new(data)?;
+    let numbers = values.finish(header[HEADER - 1]);
+    let mut values = numbers.values;
     let count = n_pairs(header)?;
-    let end = data
-        .last()
-        .map_or(header[HEADER - 1].number, |line| line.number);
     if values.len() != count.value {
         return Err(ReadError::SampleCount {
-            place: Place::Line(end),
+            place: numbers.end,
             found: values.len(),
             allowed: count.value,
             next: None,
@@ -161,8 +156,8 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
     );
     Ok(Draft {
         values,
-        end: Place::Line(end),
-        digit: largest.digit(),
+        end: numbers.end,
+        digit: numbers.digit,
         count: Some(count),
         time_step: Some(time_step),
         scale: scale(titles)?,

@@ -6,9 +6,11 @@
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
+use super::{
+    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
+};
 use crate::line::{Line, number};
-use crate::{Direction, Place, ReadError};
+use crate::{Direction, Identity, Place, ReadError, Site};
 
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
@@ -21,6 +23,7 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components,
     read,
+    identity: |file| identity_in(titles(file), 2),
 };
 
 pub(super) fn recognises(file: &File<'_>) -> bool {
@@ -84,9 +87,19 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
         };
         words.truncate(kept);
     }
-    Component {
-        name: words.join(" "),
-        place: Place::Line(line.number),
+    let location = title::after(&text, "LOCATION:").unwrap_or_default();
+    Component::new(words.join(" "), Place::Line(line.number)).at(Site::of_location(location))
+}
+
+/// Station, event and its time: the event stands on the title of this index, from 0, and its time on the next.
+pub(super) fn identity_in(titles: &[Line<'_>], event: usize) -> Identity {
+    let line = |index: usize| titles.get(index).map(|line| line.text());
+    let time = line(event + 1).unwrap_or_default();
+    Identity {
+        station: identity::numbered(titles, "STATION"),
+        event: line(event).and_then(|event| identity::text(title::before(&event, "("))),
+        time: identity::time(title::before(&time, "(")),
+        ..Identity::default()
     }
 }
 

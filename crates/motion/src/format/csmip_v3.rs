@@ -1,6 +1,6 @@
 //! CSMIP volume 3: spectra and no history, refused with advice.
 
-use super::{File, Format, Reader, title};
+use super::{File, Format, Reader, no_identity, title};
 use crate::{Place, ReadError};
 
 pub(super) const READER: Reader = Reader {
@@ -13,6 +13,7 @@ pub(super) const READER: Reader = Reader {
     },
     components: refused,
     read: |file, _| refused(file),
+    identity: no_identity,
 };
 
 fn refused<T>(file: &File<'_>) -> Result<T, ReadError> {

@@ -1,9 +1,9 @@
 //! CSMNC of China: some fifteen lines of titles, then values in columns.
 
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError, Site};
 
 /// Lines in which titles are looked for.
 const TITLES: usize = 25;
@@ -19,6 +19,7 @@ pub(super) const READER: Reader = Reader {
     },
     components: |file| Ok(component(file).into_iter().collect()),
     read: |file, _| read(file),
+    identity: identity_of,
 };
 
 /// The titles, up to the line of the network below that of number and step.
@@ -40,11 +41,26 @@ fn number_first(line: Line<'_>) -> Option<f64> {
 
 /// The direction of a title such as `COMP. EW`.
 fn component(file: &File<'_>) -> Option<Component> {
-    let (line, name) = title::value_of(titles(file), "COMP.")?;
-    Some(Component {
-        name: title::words(&name),
-        place: Place::Line(line.number),
-    })
+    let titles = titles(file);
+    let (line, name) = title::value_of(titles, "COMP.")?;
+    let place = identity::behind(titles, "OBSERVING POINT:").unwrap_or_default();
+    let component = Component::new(title::words(&name), Place::Line(line.number));
+    Some(component.at(Site::of_location(&place)))
+}
+
+fn identity_of(file: &File<'_>) -> Identity {
+    let titles = titles(file);
+    let station = identity::behind(titles, "STATION:");
+    let event = title::line_with(titles, "EARTHQUAKE").map(Line::text);
+    let time = titles
+        .iter()
+        .find_map(|line| identity::first_time(&line.text()));
+    Identity {
+        station: station.and_then(|text| identity::text(text.split_whitespace().next()?)),
+        event: event.as_deref().and_then(identity::text),
+        time,
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

@@ -1,31 +1,53 @@
 //! Two-column CSV: a time and an acceleration to a line, comments after `#`.
 
+use super::numbers::Values;
+use super::plain::has_unit;
 use super::time_column::TimeColumn;
-use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
+use super::{Draft, File, Format, Reader, Scale, Stated, no_identity, one_component};
 use crate::line::Line;
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Place, ReadError, RowError};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Csv,
     recognises,
     components: one_component,
     read: |file, _| read(file),
+    identity: no_identity,
 };
+
+/// Names of the second column, and the units that they tell.
+const OURS: [(&str, AccelerationUnit); 2] = [
+    ("acceleration_g", AccelerationUnit::StandardGravity),
+    (
+        "acceleration_m_per_s2",
+        AccelerationUnit::MetrePerSecondSquared,
+    ),
+];
 
 /// Two words and a comma, the first of which begins like the header: what is wrong with the rest
 /// is told, and not taken for the titles of plain text.
 fn recognises(file: &File<'_>) -> bool {
-    let fields: Vec<&[u8]> = file
-        .first()
-        .map(|line| line.bytes.split(|byte| *byte == b',').collect())
-        .unwrap_or_default();
-    let is_header = |field: &&[u8]| {
-        let word = field.trim_ascii();
-        word.strip_prefix(b"\"")
-            .unwrap_or(word)
-            .starts_with(b"time_s")
-    };
-    fields.len() == 2 && fields.first().is_some_and(is_header)
+    file.first().is_some_and(|line| {
+        let mut fields = fields(line);
+        let is_time = fields
+            .next()
+            .is_some_and(|word| word.starts_with(b"time_s"));
+        let value = fields.next().map(String::from_utf8_lossy);
+        // The header of another program, in a unit that its name tells.
+        let is_other = value
+            .as_deref()
+            .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && has_unit(value));
+        is_time && value.is_some() && fields.next().is_none() && !is_other
+    })
+}
+
+/// The fields between commas, without quotes.
+fn fields(line: Line<'_>) -> impl Iterator<Item = &[u8]> {
+    line.fields().map(|field| {
+        let quoted = field.strip_prefix(b"\"");
+        let quoted = quoted.and_then(|field| field.strip_suffix(b"\""));
+        quoted.unwrap_or(field).trim_ascii()
+    })
 }
 
 /// Reads a two-column CSV: comment lines that begin with `#`, a header, then a time and a value to
@@ -41,32 +63,35 @@ fn recognises(file: &File<'_>) -> bool {
 /// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
 /// times that do not keep to the rules above.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
-    let lines = file.lines.iter().copied();
-    let (comments, rows): (Vec<Line<'_>>, Vec<Line<'_>>) = lines
-        .filter(|line| !line.is_blank())
-        .partition(|line| line.is_comment());
-    let mut records = split(&rows).into_iter();
-    let (header, columns) = records.next().ok_or(ReadError::Empty)?;
-    let unit = unit(header, &columns)?;
+    let mut rows = file
+        .lines
+        .iter()
+        .copied()
+        .filter(|line| !line.is_blank() && !line.is_comment());
+    let header = rows.next().ok_or(ReadError::Empty)?;
+    let unit = unit(header)?;
     let mut times = TimeColumn::default();
-    let mut values = Vec::new();
-    let mut end = header;
-    for (line, record) in records {
-        if record.len() != 2 {
-            return Err(ReadError::FieldCount {
+    let mut values = Values::default();
+    for line in rows {
+        let mut row = fields(line);
+        let (Some(time), Some(value), None) = (row.next(), row.next(), row.next()) else {
+            return Err(RowError::FieldCount {
                 line: line.number,
-                found: record.len(),
-            });
-        }
-        times.push(line, &record[0])?;
-        values.push(line.finite(2, &record[1])?);
-        end = line;
+                found: fields(line).count(),
+            }
+            .into());
+        };
+        times.push(line, time)?;
+        values.push(line, line.finite(2, value)?, value)?;
     }
-    let comments: Vec<String> = comments.iter().map(|line| comment(*line)).collect();
+    let comments = file.lines.iter().filter(|line| line.is_comment());
+    let comments: Vec<String> = comments.map(|line| comment(*line)).collect();
+    let numbers = values.finish(header);
+    let mut values = numbers.values;
     let (time_step, remark) = times.into_step(&mut values)?;
     Ok(Draft {
         values,
-        end: Place::Line(end.number),
+        end: numbers.end,
         digit: 0.0,
         count: None,
         time_step: Some(time_step),
@@ -81,43 +106,16 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     })
 }
 
-/// The fields of each line, together with the line where they begin.
-///
-/// The parser places a record at the comments and blank lines before it, so it is not shown them:
-/// then its line n is `rows[n - 1]`, whatever the ends of the lines.
-fn split<'t>(rows: &[Line<'t>]) -> Vec<(Line<'t>, csv::ByteRecord)> {
-    let body: String = rows
+fn unit(line: Line<'_>) -> Result<AccelerationUnit, ReadError> {
+    let name = fields(line).nth(1).map(String::from_utf8_lossy);
+    let ours = OURS
         .iter()
-        .map(|row| row.text().into_owned() + "\n")
-        .collect();
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(body.as_bytes());
-    let records = reader.byte_records().map(|record| {
-        let record =
-            record.expect("text in memory with any number of fields to a line cannot fail");
-        let place = record
-            .position()
-            .expect("the parser gives every record its position")
-            .line();
-        let index = usize::try_from(place).expect("lines of a text in memory fit a usize") - 1;
-        (rows[index], record)
-    });
-    records.collect()
-}
-
-fn unit(line: Line<'_>, columns: &csv::ByteRecord) -> Result<AccelerationUnit, ReadError> {
-    let columns: Vec<&[u8]> = columns.iter().collect();
-    match columns[..] {
-        [b"time_s", b"acceleration_g"] => Ok(AccelerationUnit::StandardGravity),
-        [b"time_s", b"acceleration_m_per_s2"] => Ok(AccelerationUnit::MetrePerSecondSquared),
-        _ => Err(ReadError::Columns {
+        .find(|(known, _)| name.as_deref() == Some(known));
+    ours.map(|(_, unit)| *unit)
+        .ok_or_else(|| ReadError::Columns {
             line: line.number,
             found: line.excerpt(),
-        }),
-    }
+        })
 }
 
 fn comment(line: Line<'_>) -> String {

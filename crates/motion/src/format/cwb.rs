@@ -1,4 +1,4 @@
-//! CWB (CWA) of Taiwan: keys behind `#`, then time, up, north and east in 4F10.3.
+//! CWB (CWA) of Taiwan: keys, behind `#` in most files, then time, up, north and east in 4F10.3, or in the order of a key.
 //!
 //! What the header calls the amplitudes may still have the offset of the instrument, so they are not
 //! held against the values.
@@ -6,59 +6,115 @@
 use super::columns::Columns;
 use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 const COLUMNS: Columns = Columns::new(4, 10);
+
+/// Keys of which a header has two, in capitals.
+const KEYS: [&str; 4] = [
+    "STATIONCODE:",
+    "AMPLITUDEUNIT:",
+    "DATASEQUENCE:",
+    "SAMPLERATE(HZ):",
+];
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cwb,
     recognises: |file| {
-        let first = file.lines.first();
-        first.is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION"))
+        let header = header(file);
+        let n_keys = KEYS.iter().filter(|key| said(header, key).is_some());
+        header
+            .first()
+            .is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION"))
+            || n_keys.count() > 1
     },
     components: |file| Ok(components(file)),
     read,
+    identity: |file| {
+        let said = |key: &str| said(header(file), key).map(|(_, value)| value);
+        let time = said("ORIGIN TIME(GMT+08):").or_else(|| said("STARTTIME:"));
+        Identity {
+            station: said("STATIONCODE:").as_deref().and_then(identity::text),
+            time: time.as_deref().and_then(identity::time),
+            ..Identity::default()
+        }
+    },
 };
+
+/// Most lines of a header.
+const HEADER: usize = 60;
 
 fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     // Some files have blank lines between the parts of the header.
-    let of_header = |line: &&Line<'_>| line.is_comment() || line.is_blank();
-    let n_lines = file.lines.iter().take_while(of_header);
-    &file.lines[..n_lines.count()]
+    let of_header = |line: &&Line<'_>| {
+        let text = line.bytes.trim_ascii_start();
+        text.first()
+            .is_none_or(|byte| *byte == b'#' || byte.is_ascii_alphabetic())
+    };
+    let lines = &file.lines[..file.lines.len().min(HEADER)];
+    &lines[..lines.iter().take_while(of_header).count()]
 }
 
+/// What stands behind a key, with its line.
+fn said<'t>(header: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
+    header.iter().find_map(|line| {
+        let text = line.text();
+        let text = text.trim_start_matches(['#', ' ']);
+        let start = text.get(..key.len())?;
+        let is_key = start.eq_ignore_ascii_case(key);
+        is_key.then(|| (*line, text[key.len()..].trim().to_owned()))
+    })
+}
+
+/// The components in the order of `DataSequence: Time U(+); N(+); E(+)`.
 fn components(file: &File<'_>) -> Vec<Component> {
-    let place = Place::Line(header(file).len());
-    let names = ["U", "N", "E"];
-    let components = names.map(|name| Component {
-        name: name.to_owned(),
-        place,
-    });
-    components.into()
+    let header = header(file);
+    let sequence = said(header, "DATASEQUENCE:");
+    let last = header.last().map_or(1, |line| line.number);
+    let place = Place::Line(sequence.as_ref().map_or(last, |(line, _)| line.number));
+    let stated = sequence.map(|(_, text)| text).unwrap_or_default();
+    let names = stated
+        .split([' ', ';', ','])
+        .map(|word| word.split('(').next().unwrap_or_default());
+    let names: Vec<&str> = names.filter(|name| name.len() == 1).collect();
+    let names = if names.len() == COLUMNS.per_line - 1 {
+        names
+    } else {
+        vec!["U", "N", "E"]
+    };
+    names
+        .into_iter()
+        .map(|name| Component::new(name, place))
+        .collect()
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let header = header(file);
     let last = *needed(header.last(), None, "its header")?;
-    let fields = |line| COLUMNS.fields(line).collect();
+    let fields = |line| COLUMNS.fields(line);
     let table = Table::new(last, &file.lines[header.len()..], COLUMNS.per_line, fields)?;
     let numbers = table.column(index + 1)?;
     let n_samples = numbers.values.len();
     let mut values = numbers.values;
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
-    let rate = key(header, "#SampleRate")?;
-    let length = key(header, "#RecordLength")?;
-    // The last step may be counted or not.
+    let rate = key(header, "SampleRate(Hz):")?;
+    let length = key(header, "RecordLength(sec):")?;
+    // The last step may be counted or not; a row that is missing is told.
     let count = (length.value * rate.value).round();
-    if (n_samples as f64 - count).abs() > 1.0 {
+    let off = n_samples as f64 - count;
+    if off.abs() > 1.0 {
         return Err(ReadError::Header {
             place: length.place,
             found: length.text,
             allowed: "the duration of the values that follow",
         });
     }
+    let missing = (off < 0.0).then(|| {
+        let found = format!("{n_samples}, one fewer than the header's duration and rate give");
+        reading("rows", Some(length.place), &found)
+    });
     if let Spacing::Even(step) = &spacing
         && (step.value * rate.value - 1.0).abs() > 1e-6
     {
@@ -68,11 +124,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
             allowed: "the rate of the times of the values",
         });
     }
-    let unit = match title::line_with(header, "#AMPLITUDEUNIT") {
-        Some(line) => title::stated_unit(line, &line.text())?,
+    let unit = match said(header, "AMPLITUDEUNIT:") {
+        Some((line, text)) => title::stated_unit(line, &text)?,
         None => Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(1),
+            place: Place::Line(header[0].number),
             text: "as the format has it".to_owned(),
         },
     };
@@ -85,14 +141,13 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         scale: Scale::Unit(unit),
         peak: None,
         provenance: title::provenance(header),
-        remarks: remark.into_iter().collect(),
+        remarks: remark.into_iter().chain(missing).collect(),
     })
 }
 
-/// The number behind a key such as `#SampleRate(Hz):`.
+/// The number behind a key such as `SampleRate(Hz):`.
 fn key(header: &[Line<'_>], key: &'static str) -> Result<Stated<f64>, ReadError> {
-    let (line, value) = title::value_of(header, key).ok_or(ReadError::NoKey { key })?;
-    let printed = value.split_once(':').map_or("", |(_, value)| value.trim());
+    let (line, printed) = said(header, key).ok_or(ReadError::NoKey { key })?;
     let place = Place::Line(line.number);
     let value = number(printed.as_bytes()).filter(|value| value.is_finite() && *value > 0.0);
     let value = value.ok_or_else(|| ReadError::Header {

@@ -2,7 +2,7 @@
 
 use super::File;
 use crate::line::{excerpt, number};
-use crate::{Place, ReadError};
+use crate::{Place, ReadError, RowError};
 
 /// The same error, or one that names the field where the values stopped.
 pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
@@ -22,15 +22,16 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     let Some(line) = behind.next().filter(|_| found < allowed) else {
         return error;
     };
-    let pieces: Vec<&[u8]> = line.pieces().collect();
     let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
-    let of_numbers = pieces.iter().all(|piece| is_like_a_number(piece));
-    match pieces.iter().position(is_bad) {
-        Some(index) if of_numbers => ReadError::NotANumber {
+    let of_numbers = line.pieces().all(is_like_a_number);
+    let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
+    match bad {
+        Some((index, piece)) if of_numbers => RowError::NotANumber {
             line: line.number,
             field: index + 1,
-            found: excerpt(pieces[index]),
-        },
+            found: excerpt(piece),
+        }
+        .into(),
         _ => ReadError::SampleCount {
             place: Place::Line(last),
             found,
@@ -38,6 +39,17 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
             next: Some((line.number, line.excerpt())),
         },
     }
+}
+
+/// Whether a line of numbers, sound or damaged, stands behind the last value.
+pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
+    let last = end.line().unwrap_or(usize::MAX);
+    let mut behind = file
+        .lines
+        .iter()
+        .filter(|line| line.number > last && !line.is_blank());
+    let next = behind.next();
+    next.is_some_and(|line| line.pieces().all(is_like_a_number))
 }
 
 /// A number, or what is left of one: digits with commas, the asterisks of Fortran, the words of programs for what is no number.

@@ -1,8 +1,8 @@
 //! DYNA of the Italian networks, as of 2009: lines of a key, a colon and a value, then values in columns.
 
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError};
 
 /// Lines in which the line above the values is looked for.
 const HEADER: usize = 40;
@@ -16,6 +16,11 @@ pub(super) const READER: Reader = Reader {
     },
     components: |file| Ok(component(file).into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| Identity {
+        station: said(file, "Station Code").and_then(|text| identity::text(&text)),
+        time: said(file, "Event Date").and_then(|text| identity::time(&text)),
+        ..Identity::default()
+    },
 };
 
 /// The lines up to the one above the values.
@@ -34,12 +39,14 @@ fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), R
     Ok((line, value.to_owned()))
 }
 
+/// What stands behind a key, without a refusal.
+fn said(file: &File<'_>, key: &'static str) -> Option<String> {
+    value(file, key).ok().map(|(_, value)| value)
+}
+
 fn component(file: &File<'_>) -> Option<Component> {
     let (line, name) = value(file, "Orientation").ok()?;
-    Some(Component {
-        name,
-        place: Place::Line(line.number),
-    })
+    Some(Component::new(name, Place::Line(line.number)))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

@@ -1,9 +1,9 @@
 //! EMOD3D, as processed and simulated records of New Zealand have it: station and component, then number of values, time step
 //! and six numbers more, then values in columns. The unit is not in the file.
 
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError};
 
 /// Numbers of the second line.
 const NUMBERS: usize = 8;
@@ -13,6 +13,14 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| header(file).is_some(),
     components: |file| Ok(component(file).into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| {
+        let station = header(file).and_then(|[names, _]| names.pieces().next());
+        let station = station.map(String::from_utf8_lossy);
+        Identity {
+            station: station.as_deref().and_then(identity::text),
+            ..Identity::default()
+        }
+    },
 };
 
 /// The line with station and component, and the line of numbers.
@@ -20,7 +28,7 @@ fn header<'t>(file: &File<'t>) -> Option<[Line<'t>; 2]> {
     let [names, numbers, first, ..] = file.lines[..] else {
         return None;
     };
-    let pieces: Vec<&[u8]> = numbers.pieces().collect();
+    let pieces: Vec<&[u8]> = numbers.pieces().take(NUMBERS + 1).collect();
     let is_count = pieces
         .first()
         .is_some_and(|count| count.iter().all(u8::is_ascii_digit));
@@ -38,10 +46,10 @@ fn header<'t>(file: &File<'t>) -> Option<[Line<'t>; 2]> {
 fn component(file: &File<'_>) -> Option<Component> {
     let [names, _] = header(file)?;
     let name = names.pieces().nth(1)?;
-    Some(Component {
-        name: String::from_utf8_lossy(name).into_owned(),
-        place: Place::Line(names.number),
-    })
+    Some(Component::new(
+        String::from_utf8_lossy(name).into_owned(),
+        Place::Line(names.number),
+    ))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

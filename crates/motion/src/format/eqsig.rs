@@ -1,15 +1,17 @@
 //! eqsig: a title, a line with the number of values and the time step, then a value to a line.
 
-use super::columns::Largest;
-use super::{Draft, File, Format, Reader, Scale, Spacing, one_component, title};
+use super::numbers::Values;
+use super::said::Said;
+use super::{Draft, File, Format, Reader, Spacing, title};
+use crate::ReadError;
 use crate::line::number;
-use crate::{Place, ReadError};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Eqsig,
     recognises,
-    components: one_component,
+    components: |file| Ok(said(file).component.into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| said(file).identity(),
 };
 
 /// `4684 0.0100` on line 2, and one number on line 3.
@@ -17,15 +19,22 @@ fn recognises(file: &File<'_>) -> bool {
     let [title, line, value, ..] = file.lines[..] else {
         return false;
     };
-    let fields: Vec<&[u8]> = line.pieces().collect();
-    let values: Vec<&[u8]> = value.pieces().collect();
+    let mut fields = line.pieces();
+    let mut values = value.pieces();
     let is_title = title.bytes.iter().any(u8::is_ascii_alphabetic) && !title.is_comment();
+    let is_count = |field: &[u8]| field.iter().all(u8::is_ascii_digit);
+    let is_number = |field: &[u8]| number(field).is_some();
     is_title
-        && fields.len() == 2
-        && fields[0].iter().all(u8::is_ascii_digit)
-        && number(fields[1]).is_some()
-        && values.len() == 1
-        && number(values[0]).is_some()
+        && fields.next().is_some_and(is_count)
+        && fields.next().is_some_and(is_number)
+        && fields.next().is_none()
+        && values.next().is_some_and(is_number)
+        && values.next().is_none()
+}
+
+/// What the title says.
+fn said(file: &File<'_>) -> Said {
+    Said::new(&file.lines[..1], None)
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
@@ -34,22 +43,18 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let mut fields = text.split_whitespace();
     let count = title::count(line, fields.next().unwrap_or_default())?;
     let step = fields.next().and_then(|step| number(step.as_bytes()));
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    let mut end = line;
-    for line in file.lines[2..].iter().filter(|line| !line.is_blank()) {
-        let value = line.finite(1, line.bytes)?;
-        largest.see(value, line.bytes);
-        values.push(value);
-        end = *line;
+    let mut values = Values::default();
+    for value in file.lines[2..].iter().filter(|line| !line.is_blank()) {
+        values.push(*value, value.finite(1, value.bytes)?, value.bytes)?;
     }
+    let numbers = values.finish(line);
     Ok(Draft {
-        values,
-        end: Place::Line(end.number),
-        digit: largest.digit(),
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
         count: Some(count),
         time_step: Some(Spacing::Even(title::time_step(line, step)?)),
-        scale: Scale::Unknown,
+        scale: said(file).scale(),
         peak: None,
         provenance: title::provenance(&file.lines[..1]),
         remarks: Vec::new(),

@@ -1,12 +1,16 @@
 //! ESM and ITACA ASC: 64 lines of a key and a value, then a value to a line.
 
-use super::columns::{Largest, decimal, leading_data};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title};
+use super::columns::{decimal, leading_data};
+use super::numbers::Values;
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError, Site};
 
 /// Lines in which keys are looked for; their number is 64 in all files seen.
 const HEADER: usize = 100;
+
+/// Depth from which on a sensor is not at the ground \[m\].
+const DEEP: f64 = 3.0;
 
 pub(super) const READER: Reader = Reader {
     format: Format::Esm,
@@ -15,6 +19,7 @@ pub(super) const READER: Reader = Reader {
     },
     components,
     read: |file, _| read(file),
+    identity: identity_of,
 };
 
 fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
@@ -30,10 +35,33 @@ fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), R
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let (line, name) = value(file, "STREAM:")?;
-    Ok(vec![Component {
-        name,
-        place: Place::Line(line.number),
-    }])
+    let depth = value(file, "SENSOR_DEPTH_M:").ok();
+    let depth = depth.map_or_else(String::new, |(_, depth)| depth);
+    let is_deep = number(depth.as_bytes()).is_some_and(|depth| depth >= DEEP);
+    let site = if is_deep {
+        Site::Borehole(format!("SENSOR_DEPTH_M: {depth}"))
+    } else {
+        Site::Ground
+    };
+    Ok(vec![
+        Component::new(name, Place::Line(line.number)).at(site),
+    ])
+}
+
+fn identity_of(file: &File<'_>) -> Identity {
+    let value = |key| value(file, key).map(|(_, value)| value).unwrap_or_default();
+    let station = format!("{}.{}", value("NETWORK:"), value("STATION_CODE:"));
+    let time = format!(
+        "{}_{}",
+        value("EVENT_DATE_YYYYMMDD:"),
+        value("EVENT_TIME_HHMMSS:")
+    );
+    Identity {
+        station: identity::text(station.trim_matches('.')),
+        event: identity::text(&value("EVENT_ID:")),
+        time: identity::time(time.trim_matches('_')),
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
@@ -51,19 +79,15 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let (step_line, step) = value(file, "SAMPLING_INTERVAL_S:")?;
     let (unit_line, unit) = value(file, "UNITS:")?;
     let peak = header.iter().find(|line| line.bytes.starts_with(b"PGA_"));
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    let mut end = last;
+    let mut values = Values::default();
     for line in leading_data(&file.lines[header.len()..]) {
-        let value = decimal(*line, 1, line.bytes)?;
-        largest.see(value, line.bytes);
-        values.push(value);
-        end = *line;
+        values.push(*line, decimal(*line, 1, line.bytes)?, line.bytes)?;
     }
+    let numbers = values.finish(last);
     Ok(Draft {
-        values,
-        end: Place::Line(end.number),
-        digit: largest.digit(),
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
         count: Some(title::count(count_line, &count)?),
         time_step: Some(Spacing::Even(title::time_step(
             step_line,

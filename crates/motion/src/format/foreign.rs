@@ -1,7 +1,8 @@
 //! Files that hold no text and no record that is read: packed ones, other encodings, pictures, web pages.
 
-use super::File;
+use super::{File, title};
 use crate::ReadError;
+use crate::line::Line;
 
 /// Bytes at the start of a file that tell what it is, and what to do with it.
 const SIGNATURES: [(&[u8], &str, &str); 11] = {
@@ -58,13 +59,25 @@ pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
     if let Some(&(_, what, advice)) = known {
         return Some(ReadError::Foreign { what, advice });
     }
+    if is_full_seed(bytes) {
+        return Some(ReadError::Foreign {
+            what: "a full SEED volume, whose headers are not read",
+            advice: "save its waveforms as miniSEED",
+        });
+    }
+    if is_table_of_records(file) {
+        return Some(ReadError::Foreign {
+            what: "PEER's table of selected records",
+            advice: "take the .AT2 files that it lists",
+        });
+    }
     if is_utf16(bytes) {
         return Some(ReadError::Foreign {
             what: "text in UTF-16",
             advice: "save it again as UTF-8 (an editor's \"Save as\", or `iconv -f UTF-16 -t UTF-8`)",
         });
     }
-    let begin = file.first()?.bytes.trim_ascii().to_ascii_lowercase();
+    let begin = file.first()?.head().trim_ascii().to_ascii_lowercase();
     let is_page = [&b"<!doctype html"[..], b"<html"]
         .iter()
         .any(|tag| begin.starts_with(tag));
@@ -83,6 +96,26 @@ pub(super) fn binary(bytes: &[u8]) -> Option<ReadError> {
         byte: at + 1,
         found: bytes[at],
     })
+}
+
+/// A sequence number and the mark of a volume.
+fn is_full_seed(bytes: &[u8]) -> bool {
+    let begin = bytes.get(..8).unwrap_or(b"        ");
+    begin[..6].iter().all(u8::is_ascii_digit) && &begin[6..] == b"V "
+}
+
+/// Lines in which the headings of PEER's table are looked for.
+const HEADINGS: usize = 200;
+
+/// The file that PEER's search tool puts beside the records.
+fn is_table_of_records(file: &File<'_>) -> bool {
+    let lines = file.lines.iter().take(HEADINGS);
+    let is_heading = |line: &Line<'_>| {
+        title::holds(*line, "-- SUMMARY OF")
+            && (title::holds(*line, "SEARCH CRITERIA")
+                || title::holds(*line, "OF SELECTED RECORDS"))
+    };
+    lines.filter(|line| !line.is_comment()).any(is_heading)
 }
 
 /// Two bytes a letter, by their mark, or because of the first ones every other is zero.

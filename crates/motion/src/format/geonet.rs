@@ -6,9 +6,9 @@
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Place, ReadError};
+use crate::{AccelerationUnit, Direction, Identity, Place, ReadError};
 
 /// Lines of titles, of whole numbers, and of all of the header.
 const TITLES: usize = 16;
@@ -22,6 +22,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| file.lines.first().is_some_and(|line| starts(*line)),
     components: |file| Ok(components(file)),
     read,
+    identity: identity_of,
 };
 
 fn starts(line: Line<'_>) -> bool {
@@ -46,12 +47,25 @@ fn components(file: &File<'_>) -> Vec<Component> {
             _ => 1,
         };
         let name = words[..n_words.min(words.len())].join(" ");
-        Component {
-            name,
-            place: Place::Line(line.number),
-        }
+        Component::new(name, Place::Line(line.number))
     };
     channels(file).into_iter().map(component).collect()
+}
+
+/// The accelerogram's name, which has time and station, and the site.
+fn identity_of(file: &File<'_>) -> Identity {
+    let titles = &file.lines[..file.lines.len().min(TITLES)];
+    let word = |key: &str| {
+        identity::behind(titles, key)?
+            .split_whitespace()
+            .next()
+            .and_then(identity::text)
+    };
+    Identity {
+        station: word("Site"),
+        event: word("Accelerogram"),
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {

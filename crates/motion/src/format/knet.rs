@@ -7,9 +7,12 @@
 //! The network does not let its files be passed on, and none was at hand: this follows its
 //! description and programs that read it.
 
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, title};
+use super::numbers::Values;
+use super::{
+    Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title,
+};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
 
 /// Lines in which keys are looked for.
 const HEADER: usize = 40;
@@ -23,14 +26,26 @@ pub(super) const READER: Reader = Reader {
     },
     components,
     read: |file, _| read(file),
+    identity: identity_of,
 };
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let (line, stated) = value(file, "Dir.")?;
-    Ok(vec![Component {
-        name: direction(stated),
-        place: Place::Line(line.number),
-    }])
+    let site = match stated.as_str() {
+        "1" | "2" | "3" => Site::Borehole(format!("Dir. {stated}, of KiK-net's borehole")),
+        _ => Site::Ground,
+    };
+    let component = Component::new(direction(stated), Place::Line(line.number));
+    Ok(vec![component.at(site)])
+}
+
+fn identity_of(file: &File<'_>) -> Identity {
+    let value = |key| value(file, key).ok().map(|(_, value)| value);
+    Identity {
+        station: value("Station Code").as_deref().and_then(identity::text),
+        time: value("Origin Time").as_deref().and_then(identity::time),
+        ..Identity::default()
+    }
 }
 
 /// The direction as stated, and in words where it is a number of KiK-net: `6: UP`.
@@ -58,14 +73,14 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let (gal, counts) = scale_factor(scale_line, &scale)?;
     let (peak_line, peak) = value(file, "Max. Acc. (gal)")?;
     let (memo, _) = value(file, "Memo")?;
-    let mut values = Vec::new();
-    let mut end = memo;
-    for line in &file.lines[memo.number..] {
+    let mut values = Values::default();
+    for line in file.behind(memo) {
         for (index, field) in line.pieces().enumerate() {
-            values.push(line.finite(index + 1, field)?);
-            end = *line;
+            values.push(*line, line.finite(index + 1, field)?, field)?;
         }
     }
+    let numbers = values.finish(memo);
+    let mut values = numbers.values;
     let n_samples = duration
         .zip(rate)
         .map(|(duration, rate)| (duration * rate).round().to_string());
@@ -79,7 +94,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     );
     Ok(Draft {
         values,
-        end: Place::Line(end.number),
+        end: numbers.end,
         digit: gal / counts,
         count: Some(title::count(duration_line, &n_samples.unwrap_or_default())?),
         time_step: Some(Spacing::Even(time_step)),
@@ -89,7 +104,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
             text: scale_line.excerpt(),
         }),
         peak: title::peak(peak_line, &peak),
-        provenance: title::provenance(&file.lines[..memo.number]),
+        provenance: title::provenance(file.through(memo)),
         remarks: vec![
             reading("scale factor", Some(Place::Line(scale_line.number)), &scale),
             reading("mean removed", None, &remark),

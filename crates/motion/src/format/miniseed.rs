@@ -12,8 +12,9 @@ mod samples;
 
 use std::collections::BTreeMap;
 
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
-use crate::{Place, ReadError};
+use super::component::is_sum;
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
+use crate::{Identity, Place, ReadError};
 use record::Record;
 
 pub(super) const READER: Reader = Reader {
@@ -21,6 +22,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| record::begins(file.bytes),
     components,
     read,
+    identity: identity_of,
 };
 
 fn records<'t>(file: &File<'t>) -> Result<Vec<Record<'t>>, ReadError> {
@@ -36,10 +38,27 @@ fn records<'t>(file: &File<'t>) -> Result<Vec<Record<'t>>, ReadError> {
 
 /// Names of the streams and the first byte of each, in the order of the file.
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
-    Ok(streams(&records(file)?))
+    streams(&records(file)?)
 }
 
-fn streams(records: &[Record<'_>]) -> Vec<Component> {
+/// Network, station and location of the first stream, and the time of its first sample.
+fn identity_of(file: &File<'_>) -> Identity {
+    let Ok(record) = Record::new(file.bytes, 0) else {
+        return Identity::default();
+    };
+    let station = record
+        .stream
+        .rsplit_once('.')
+        .map_or("", |(station, _)| station);
+    Identity {
+        station: identity::text(station),
+        time: Some(record.time.to_string()),
+        ..Identity::default()
+    }
+}
+
+/// The streams, but for sums of components.
+fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
     let mut seen = BTreeMap::new();
     for record in records {
         let number = seen.len();
@@ -48,16 +67,25 @@ fn streams(records: &[Record<'_>]) -> Vec<Component> {
     }
     let mut streams: Vec<(String, (usize, usize))> = seen.into_iter().collect();
     streams.sort_by_key(|(_, (number, _))| *number);
-    let streams = streams.into_iter().map(|(name, (_, at))| Component {
-        name,
-        place: Place::Byte(at + 1),
-    });
-    streams.collect()
+    let is_component = |(name, _): &(String, _)| !name.rsplit('.').next().is_some_and(is_sum);
+    let of_none = streams.first().filter(|one| !is_component(one)).cloned();
+    streams.retain(is_component);
+    match of_none.filter(|_| streams.is_empty()) {
+        Some((found, (_, at))) => Err(ReadError::NotAcceleration {
+            place: Place::Byte(at + 1),
+            found,
+            instead: "a stream of one component, this one sums several",
+        }),
+        None => Ok(streams
+            .into_iter()
+            .map(|(name, (_, at))| Component::new(name, Place::Byte(at + 1)))
+            .collect()),
+    }
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let records = records(file)?;
-    let streams = streams(&records);
+    let streams = streams(&records)?;
     let stream = streams.get(index).ok_or(ReadError::Empty)?;
     let mut records = records.iter().filter(|record| record.stream == stream.name);
     let first = records.next().ok_or(ReadError::Empty)?;

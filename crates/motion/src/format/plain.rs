@@ -2,267 +2,289 @@
 //!
 //! Numbers are separated by blanks or commas. Lines that begin with `#` are comments wherever they
 //! stand; other text may stand above the numbers only. Two columns are time and acceleration. More are components, where a
-//! title names the columns or the first of them rises like a time; or values line after line, where the last line is short or
-//! a number of values stands above them. The unit must be declared unless a column's name has it, and without times the time
-//! step.
+//! title names the columns or the first of them rises like a time; or values line after line, where the last line is short, a
+//! number of values stands above them, or the caller says so. The unit must be declared unless a column's name or a title has
+//! it, and without times the time step.
 
+mod above;
+mod clock;
 mod layout;
 mod names;
+mod rows;
 
-use super::columns::{Largest, is_mark};
+use super::numbers::{Values, is_mark};
+use super::said::{Other, Said};
 use super::spacing::Spacing;
-use super::time_column::TimeColumn;
-use super::{Component, Draft, Format, Reader, Scale, Stated, reading, title};
-use crate::line::{Line, number};
-use crate::{Place, ReadError, Reading};
-use layout::{Kind, Layout, first_row};
+use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
+use crate::line::Line;
+use crate::{Place, ReadError, Reading, RowError};
+use clock::Clock;
+use layout::{Kind, Layout};
 use names::Name;
+use rows::first_row;
 
 pub(super) const READER: Reader = Reader {
     format: Format::Plain,
     recognises: |file| first_row(&file.lines).is_some(),
-    components: |file| Ok(components(&Layout::new(&file.lines)?)),
-    read: |file, index| read(&Layout::new(&file.lines)?, index),
+    components: |file| Ok(components(Layout::new(file)?)),
+    read: |file, index| read(&Layout::new(file)?, index),
+    identity: |file| {
+        let titles = first_row(&file.lines).unwrap_or_default();
+        Said::new(&file.lines[..titles], None).identity()
+    },
 };
 
-/// A line with the number of values or rows below it and their time step, such as `11800  0.005`.
-struct Count<'t> {
-    line: Line<'t>,
-    n: usize,
-    /// Above zero \[s\].
-    step: f64,
+/// Whether the name of a column tells the unit of an acceleration.
+pub(super) fn has_unit(name: &str) -> bool {
+    names::unit_at_end(name).is_some()
 }
 
-impl<'t> Count<'t> {
-    /// The first of these rows, where it is one: as many rows follow, or values in them.
-    fn above(rows: &[Line<'t>]) -> Option<Self> {
-        let (line, rows) = rows.split_first()?;
-        let fields = line.fields();
-        let &[count, step] = &fields[..] else {
-            return None;
+/// The columns of values where there are several; else the one that a title or a name tells.
+fn components(layout: Layout<'_, '_>) -> Vec<Component> {
+    let of_titles = layout.said.component;
+    let Kind::Table { columns, names, .. } = &layout.kind else {
+        return of_titles.into_iter().collect();
+    };
+    let first = layout.rows.first().number;
+    let component = |column: &usize| match names {
+        Some(names) => Component::new(
+            &*names[*column].text,
+            Place::Line(names[*column].line.number),
+        ),
+        None => Component::new(format!("column {}", column + 1), Place::Line(first)),
+    };
+    if let [only] = columns[..] {
+        let tells = names
+            .as_ref()
+            .is_some_and(|names| names[only].tells_direction());
+        return if tells {
+            vec![component(&only)]
+        } else {
+            of_titles.into_iter().collect()
         };
-        let count: usize = std::str::from_utf8(count).ok()?.parse().ok()?;
-        let step = number(step).filter(|step| step.is_finite() && *step > 0.0)?;
-        let first = rows.first()?.fields();
-        let n_numbers: usize = rows.iter().map(|row| row.fields().len()).sum();
-        // Were it the first row of times and values, the next time would be above the number.
-        let is_time_above = first.len() == 2 && number(first[0])? > count as f64;
-        let counts = count == n_numbers || (count == rows.len() && first.len() == 2);
-        (counts && !is_time_above).then_some(Self {
-            line: *line,
-            n: count,
-            step,
-        })
     }
-
-    fn stated<T>(&self, value: T) -> Stated<T> {
-        Stated {
-            value,
-            place: Place::Line(self.line.number),
-            text: self.line.excerpt(),
-        }
-    }
-}
-
-/// The columns of values, where there are several.
-fn components(layout: &Layout<'_, '_>) -> Vec<Component> {
-    let Kind::Table { has_time, names } = &layout.kind else {
-        return Vec::new();
-    };
-    let columns = usize::from(*has_time)..layout.n_columns();
-    if columns.len() < 2 {
-        return Vec::new();
-    }
-    let component = |column: usize| match names {
-        Some(names) => Component {
-            name: names[column].text.clone(),
-            place: Place::Line(names[column].line.number),
-        },
-        None => Component {
-            name: format!("column {}", column + 1),
-            place: Place::Line(layout.rows[0].number),
-        },
-    };
-    columns.map(component).collect()
+    columns.iter().map(component).collect()
 }
 
 /// What the rows hold.
 struct Held {
     values: Vec<f64>,
     digit: f64,
+    end: Place,
+    /// Values or rows that were read, without a state of rest.
+    n_read: usize,
     spacing: Option<Spacing>,
     remarks: Vec<Reading>,
     scale: Scale,
 }
 
 fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, ReadError> {
-    let Held {
-        values,
-        digit,
-        spacing,
-        remarks,
-        scale,
-    } = match &layout.kind {
-        Kind::Values => one_after_the_other(layout)?,
-        Kind::Table { has_time, names } => {
-            let column = usize::from(*has_time) + index;
+    let held = match &layout.kind {
+        Kind::Values(name) => one_after_the_other(layout, name.as_ref())?,
+        Kind::Table {
+            clock,
+            columns,
+            names,
+        } => {
+            let column = columns[index.min(columns.len() - 1)];
             let name = names.as_ref().and_then(|names| names.get(column));
-            table(layout, *has_time, column, name)?
+            table(layout, clock.as_ref(), column, name)?
         }
-        Kind::Unknown => return Err(uneven_rows(layout)),
+        Kind::Unknown(reason) => return Err(unknown(layout, reason)),
     };
     let comments = layout.titles.iter().map(|line| line.text());
     let comments: Vec<String> = comments
         .map(|line| line.trim_start_matches('#').trim().to_owned())
         .filter(|line| !line.is_empty())
         .collect();
-    let end = layout.rows[layout.rows.len() - 1];
+    let said = layout.said.steps.clone();
+    let above = layout.above.as_ref();
+    let steps = above.map(|above| above.stated(above.step)).into_iter();
     Ok(Draft {
-        count: layout
-            .count
-            .as_ref()
-            .map(|count| count.stated(values.len())),
-        values,
-        end: Place::Line(end.number),
-        digit,
-        time_step: spacing,
-        scale,
+        count: count(layout, &held),
+        values: held.values,
+        end: held.end,
+        digit: held.digit,
+        time_step: Spacing::of(held.spacing, steps.chain(said).collect()),
+        scale: held.scale,
         peak: None,
         provenance: comments.join("\n"),
-        remarks,
+        remarks: held.remarks,
     })
 }
 
-/// Which row has another number of columns than the first, or that there are too many.
-fn uneven_rows(layout: &Layout<'_, '_>) -> ReadError {
-    let n_columns = layout.n_columns();
-    let mut rows = layout.rows.iter();
-    let other = rows.find(|row| row.fields().len() != n_columns);
-    let line = other.unwrap_or(&layout.rows[0]);
-    ReadError::PlainColumns {
-        line: line.number,
-        found: line.fields().len(),
-        allowed: other.map(|_| n_columns),
+/// The number of values that is stated: the one that they have, if it is among several. A state of rest is counted in.
+fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
+    let above = layout.above.as_ref();
+    let above = above.and_then(|above| Some(above.stated(above.count?)));
+    let stated = above.into_iter().chain(layout.said.counts.iter().cloned());
+    let mut stated: Vec<Stated<usize>> = stated.collect();
+    stated.sort_by_key(|count| count.value.abs_diff(held.n_read));
+    let count = stated.into_iter().next()?;
+    Some(Stated {
+        value: count.value + held.values.len() - held.n_read,
+        ..count
+    })
+}
+
+/// Why numbers stand in no way that is known.
+fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> ReadError {
+    let rows = &layout.rows;
+    match rows.other {
+        Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => {
+            RowError::PlainColumns {
+                line: other.number,
+                found: other.fields().count(),
+                allowed: Some(rows.n_columns),
+            }
+            .into()
+        }
+        _ => RowError::Rows {
+            line: rows.first().number,
+            found: rows.n_columns,
+            reason,
+        }
+        .into(),
     }
 }
 
-fn one_after_the_other(layout: &Layout<'_, '_>) -> Result<Held, ReadError> {
-    let n_columns = layout.n_columns();
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    for line in &layout.rows {
-        let fields = line.fields();
-        if n_columns == 1 && fields.len() != 1 {
-            return Err(uneven_rows(layout));
+fn one_after_the_other(
+    layout: &Layout<'_, '_>,
+    name: Option<&Name<'_>>,
+) -> Result<Held, ReadError> {
+    let rows = &layout.rows;
+    let first = rows.first();
+    let numbers = if rows.iter().any(|row| row.bytes.contains(&b',')) {
+        let mut values = Values::default();
+        for row in rows.iter() {
+            for (index, field) in row.fields().enumerate() {
+                values.push(row, row.finite(index + 1, field)?, field)?;
+            }
         }
-        for (index, field) in fields.iter().copied().enumerate() {
-            let value = line.finite(index + 1, field)?;
-            largest.see(value, field);
-            values.push(value);
-        }
+        values.finish(first)
+    } else {
+        values::of_lines(first, || rows.iter())?
+    };
+    let n_read = numbers.values.len();
+    if rows.n_columns == 1 && layout.above.is_none() {
+        check_first(first, &numbers.values)?;
     }
-    if n_columns == 1 && layout.count.is_none() {
-        check_first(layout.rows[0], &values)?;
-    }
-    let found = match n_columns {
+    let found = match rows.n_columns {
         1 => "1".to_owned(),
         several => format!("{several}, values line after line"),
     };
-    let place = Place::Line(layout.rows[0].number);
     Ok(Held {
-        values,
-        digit: largest.digit(),
-        spacing: layout
-            .count
-            .as_ref()
-            .map(|count| count.stated(count.step).into()),
-        remarks: vec![reading("columns", Some(place), &found)],
-        scale: Scale::Unknown,
+        values: numbers.values,
+        digit: numbers.digit,
+        end: numbers.end,
+        n_read,
+        spacing: None,
+        remarks: vec![reading("columns", Some(Place::Line(first.number)), &found)],
+        scale: scale(name, &layout.said),
     })
 }
 
 fn table(
     layout: &Layout<'_, '_>,
-    has_time: bool,
+    clock: Option<&Clock>,
     column: usize,
     name: Option<&Name<'_>>,
 ) -> Result<Held, ReadError> {
-    let n_columns = layout.n_columns();
-    let mut times = TimeColumn::default();
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    for line in &layout.rows {
-        let fields = line.fields();
-        if fields.len() != n_columns {
-            return Err(uneven_rows(layout));
-        }
-        if has_time {
-            times.push(*line, fields[0])?;
-        }
-        let value = line.finite(column + 1, fields[column])?;
-        largest.see(value, fields[column]);
-        values.push(value);
+    let rows = &layout.rows;
+    let mut values = Values::default();
+    for row in rows.iter() {
+        let field = row.fields().nth(column).unwrap_or_default();
+        values.push(row, row.finite(column + 1, field)?, field)?;
     }
-    let found = match (has_time, n_columns) {
-        (true, 2) => "2, time and acceleration".to_owned(),
-        (true, several) => format!("{several}, time and components"),
-        (false, several) => format!("{several} components"),
+    let numbers = values.finish(rows.first());
+    let found = match (clock, rows.n_columns) {
+        (Some(_), 2) => "2, time and acceleration".to_owned(),
+        (Some(_), several) => format!("{several}, time and components"),
+        (None, several) => format!("{several} components"),
     };
-    let place = Place::Line(layout.rows[0].number);
-    let mut remarks = vec![reading("columns", Some(place), &found)];
-    let mut spacing = layout
-        .count
-        .as_ref()
-        .map(|count| count.stated(count.step).into());
-    if has_time {
-        let (found, rest) = times.into_step_from_anywhere(&mut values)?;
-        if let (Some(count), Spacing::Even(step)) = (&layout.count, &found)
-            && (count.step - step.value).abs() > 1e-6 * step.value
-        {
-            return Err(ReadError::Header {
-                place: Place::Line(count.line.number),
-                found: count.line.excerpt(),
-                allowed: "the time step of the times below",
-            });
-        }
-        remarks.extend(rest);
-        spacing = Some(found);
-    }
-    Ok(Held {
-        values,
-        digit: largest.digit(),
-        spacing,
-        remarks,
-        scale: name.map_or(Scale::Unknown, scale),
-    })
-}
-
-/// What the name of a column tells of its values.
-fn scale(name: &Name<'_>) -> Scale {
-    let place = Place::Line(name.line.number);
-    let text = format!("{} ({})", name.text, name.unit);
-    if let Some((value, _)) = title::unit_in(&name.unit) {
-        return Scale::Unit(Stated { value, place, text });
-    }
-    let word = name.text.to_ascii_uppercase();
-    let is_velocity = word.starts_with("VEL") || word.starts_with("DIS");
-    if is_velocity || ["cm/s", "m/s", "cm", "m", "mm"].contains(&name.unit.as_str()) {
-        return Scale::Velocity(Stated {
-            value: (),
-            place,
-            text,
+    let place = Place::Line(rows.first().number);
+    let mut held = Held {
+        n_read: numbers.values.len(),
+        values: numbers.values,
+        digit: numbers.digit,
+        end: numbers.end,
+        spacing: None,
+        remarks: vec![reading("columns", Some(place), &found)],
+        scale: scale(name, &layout.said),
+    };
+    if let Some(clock) = clock {
+        let found = clock.read(rows)?.into_step_from_anywhere(&mut held.values);
+        let (spacing, rest) = found.map_err(|error| header_above(layout).unwrap_or(error))?;
+        held.remarks.extend(rest);
+        held.spacing = Some(if clock.labelled {
+            spacing
+        } else {
+            spacing.unlabelled()
         });
     }
-    Scale::Unknown
+    Ok(held)
+}
+
+/// The numbers of a header that stand above rows of times and values like one of them.
+fn header_above(layout: &Layout<'_, '_>) -> Option<ReadError> {
+    let rows = &layout.rows;
+    let n_rows = (1..=2).find(|n_rows| {
+        rows.behind(*n_rows)
+            .is_some_and(|rows| rows.len > 2 && rows.is_time())
+    })?;
+    let head: Vec<Line<'_>> = rows.iter().take(n_rows).collect();
+    let found: Vec<String> = head.iter().map(|line| line.excerpt()).collect();
+    Some(
+        RowError::HeaderNumbers {
+            lines: [head[0].number, head[n_rows - 1].number],
+            found: found.join("; "),
+            what: "no pairs of time and value",
+        }
+        .into(),
+    )
+}
+
+/// What the values are, by the name of their column and by titles.
+fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
+    let of_name = name.map(|name| {
+        let place = Place::Line(name.line.number);
+        let text = if name.unit.is_empty() {
+            name.text.clone()
+        } else {
+            format!("{} ({})", name.text, name.unit)
+        };
+        (name, place, text)
+    });
+    let mut units = Vec::new();
+    if let Some((name, place, text)) = of_name {
+        let stated = Stated {
+            value: (),
+            place,
+            text: text.clone(),
+        };
+        match (name.acceleration_unit(), name.other()) {
+            (Some(value), _) => units.push(Stated { value, place, text }),
+            (None, Some(Other::Displacement)) => return Scale::Displacement(stated),
+            (None, Some(Other::Velocity)) => return Scale::Velocity(stated),
+            _ => {}
+        }
+    }
+    let scale = said.scale_with(units);
+    if matches!(scale, Scale::Unknown) && name.is_some_and(Name::says_acceleration) {
+        Scale::Acceleration
+    } else {
+        scale
+    }
 }
 
 /// Refuses a number of values that stands above them like one of them.
 fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), ReadError> {
     if values.len() > 2 && is_mark(values[0], (values.len() - 1) as f64) {
-        return Err(ReadError::CountAsValue {
+        return Err(RowError::CountAsValue {
             line: line.number,
             found: line.excerpt(),
-        });
+        }
+        .into());
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 //! No file was at hand: this follows descriptions of the format.
 
 use super::csmip_v1::{components, read, recognises, titles};
+use super::csmip_v2::identity_in;
 use super::{Format, Reader, title};
 
 pub(super) const READER: Reader = Reader {
@@ -10,4 +11,5 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| recognises(file) && title::line_with(titles(file), "RENADIC").is_some(),
     components,
     read,
+    identity: |file| identity_in(titles(file), 1),
 };

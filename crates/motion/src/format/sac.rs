@@ -4,9 +4,12 @@
 //! the values are accelerations, but not their unit. A step in single precision is taken as the
 //! shortest decimal that it stands for, 0.02 and not 0.01999999955.
 
-use super::columns::is_mark;
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
-use crate::{Direction, Place, ReadError};
+use super::numbers::{at_most, is_mark};
+use super::stamp::Stamp;
+use super::{
+    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
+};
+use crate::{Direction, Identity, Place, ReadError, Site};
 
 /// Bytes of the header, and of what version 7 adds behind the values.
 const HEADER: usize = 632;
@@ -23,7 +26,11 @@ const COUNT: usize = 316;
 const KIND: usize = 340;
 const QUANTITY: usize = 344;
 const EVEN: usize = 420;
+/// Depth of burial \[m\], word 34, and the reference time, from word 70.
+const DEPTH: usize = 136;
+const TIME: usize = 280;
 const STATION: usize = 440;
+const EVENT: usize = 448;
 const CHANNEL: usize = 600;
 const NETWORK: usize = 608;
 
@@ -35,6 +42,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| Sac::new(file.bytes).is_some(),
     components,
     read: |file, _| read(file),
+    identity: |file| Sac::new(file.bytes).map_or_else(Identity::default, |sac| identity_of(&sac)),
 };
 
 /// The bytes of a file and their order.
@@ -77,7 +85,13 @@ impl<'t> Sac<'t> {
 
     /// A name of eight letters, unless it is not set.
     fn name(&self, at: usize) -> Option<String> {
-        let name = self.bytes[at..at + 8].split(|byte| *byte == 0).next()?;
+        self.name_of(at, 8)
+    }
+
+    fn name_of(&self, at: usize, length: usize) -> Option<String> {
+        let name = self.bytes[at..at + length]
+            .split(|byte| *byte == 0)
+            .next()?;
         let name = String::from_utf8_lossy(name.trim_ascii()).into_owned();
         (!name.is_empty() && name != "-12345").then_some(name)
     }
@@ -115,8 +129,29 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     } else {
         channel.map(|channel| (channel, byte(CHANNEL)))
     };
-    let component = name.map(|(name, place)| Component { name, place });
+    let depth = f64::from(sac.single(DEPTH));
+    let site = if depth >= DEEP {
+        Site::Borehole(format!("STDP {depth} m"))
+    } else {
+        Site::Ground
+    };
+    let component = name.map(|(name, place)| Component::new(name, place).at(site));
     Ok(component.into_iter().collect())
+}
+
+/// Depth of burial from which on a sensor is not at the ground \[m\].
+const DEEP: f64 = 3.0;
+
+/// Station, event, and the reference time of the header: year, day of the year, hour, minute and second.
+fn identity_of(sac: &Sac<'_>) -> Identity {
+    let [year, day, hour, minute, second] = [0, 4, 8, 12, 16].map(|at| sac.whole(TIME + at));
+    let is_set = year > 0 && (1..=366).contains(&day);
+    Identity {
+        station: identity::text(&provenance(sac)),
+        event: sac.name_of(EVENT, 16).as_deref().and_then(identity::text),
+        time: is_set.then(|| Stamp::of_day([year, day, hour, minute, second]).to_string()),
+        ..Identity::default()
+    }
 }
 
 /// Network and station, where they are set.
@@ -181,6 +216,7 @@ fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), ReadError> {
     let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;
+    at_most(n_values)?;
     let mut values = Vec::with_capacity(n_values);
     for index in 0..n_values {
         let at = HEADER + 4 * index;

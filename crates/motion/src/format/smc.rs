@@ -5,12 +5,13 @@
 //! second; they begin with the marks of what is missing. Where no rate is given the values are pairs of time and value. The
 //! format fixes the unit.
 
-use super::columns::{Columns, is_mark, leading_data};
+use super::columns::{Columns, leading_data};
+use super::numbers::is_mark;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
 
 /// Lines of titles, of whole numbers, and of numbers with a point.
 const TITLES: usize = 11;
@@ -22,6 +23,7 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components,
     read: |file, _| read(file),
+    identity: |file| identity_of(&file.lines),
 };
 
 /// The component of the title, such as `component=  360`, where there is one; `UP` where the header says that the sensor
@@ -40,18 +42,40 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
         let name = title::words(title::after(&text, "COMPONENT=")?);
         Some(name).filter(|name| !name.is_empty())
     });
-    let component = |name: String, line: usize| Component {
-        name,
-        place: Place::Line(line),
-    };
+    // The place of the sensor stands behind the last comma of the station: `Del Valle Dam, crest`.
+    let station = station(titles).unwrap_or_default();
+    let site = Site::of_location(station.rsplit_once(',').map_or("", |(_, place)| place));
+    let component =
+        |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
     // A number would be the azimuth of an upright sensor.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
-    let line = line.map_or(TITLES, |line| line.number);
+    let line = line.or(titles.last().copied());
+    let line = line.map_or(1, |line| line.number);
+    let of_angle = whole.map_or(line, |lines| lines[1].number);
     Ok(match stated {
         Some(name) => vec![component(name, line)],
-        None if upright => vec![component("UP".to_owned(), TITLES + 2)],
+        None if upright => vec![component("UP".to_owned(), of_angle)],
         None => Vec::new(),
     })
+}
+
+/// The station of the title.
+fn station(titles: &[Line<'_>]) -> Option<String> {
+    let line = title::line_with(titles, "STATION =")?;
+    let text = line.text();
+    let station = title::after(&text, "STATION =")?;
+    Some(title::before(station, "COMPONENT=").trim().to_owned())
+}
+
+/// Station, and event with its time: `1989  10  18    0004 Loma Prieta, CA`.
+fn identity_of(lines: &[Line<'_>]) -> Identity {
+    let titles = &lines[..lines.len().min(TITLES)];
+    let event = titles.get(3).map(|line| line.text());
+    Identity {
+        station: station(titles).as_deref().and_then(identity::text),
+        event: event.and_then(|event| identity::text(event.trim_matches('*'))),
+        ..Identity::default()
+    }
 }
 
 /// A stage from 1 to 9 and its name, then a line with a star.
@@ -175,8 +199,13 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
                 allowed: "a number of samples in a second, or below the header pairs of time and value,",
             });
         }
-        let (spacing, rest) = times.into_step_from_anywhere(&mut values)?;
-        remark = rest;
+        let spacing = if times.have_ties() {
+            times.into_uneven()
+        } else {
+            let (spacing, rest) = times.into_step_from_anywhere(&mut values)?;
+            remark = rest;
+            spacing
+        };
         count.value = values.len();
         spacing
     };

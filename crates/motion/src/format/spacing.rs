@@ -1,11 +1,14 @@
 //! How far apart the values of a file are, and the resampling of pairs whose times are uneven.
 
+use pounding_text::short;
+
 use super::{Stated, reading};
+use crate::record::MAX_SAMPLES;
 use crate::{Declared, Place, ReadError, Reading};
 
 /// Time steps that a file may give without a declaration that repeats them \[s\]: beyond them a header is damaged or lacks
 /// them.
-const POSSIBLE: std::ops::RangeInclusive<f64> = 1e-6..=10.0;
+pub(super) const POSSIBLE: std::ops::RangeInclusive<f64> = 1e-6..=10.0;
 
 /// Most samples that resampling makes of one pair.
 const MOST_PER_PAIR: usize = 8;
@@ -15,14 +18,77 @@ const MOST_PER_PAIR: usize = 8;
 pub(crate) enum Spacing {
     /// As far as each other.
     Even(Stated<f64>),
+    /// As far as each other, by times whose unit nothing tells.
+    Unlabelled(Stated<f64>),
     /// Each at a time of its own.
     Uneven(Uneven),
+    /// The file gives several that differ.
+    Several(Vec<Stated<f64>>),
+}
+
+/// Steps that are one but for the digits in which they are printed, as a part of themselves.
+const ALIKE: f64 = 0.01;
+
+/// Times in no named unit that rise by this and more \[s\] may be in milliseconds.
+const LARGE: f64 = 1.0;
+
+impl Spacing {
+    /// The same step in a unit that nothing tells.
+    pub(super) fn unlabelled(self) -> Self {
+        match self {
+            Self::Even(step) => Self::Unlabelled(step),
+            Self::Unlabelled(_) | Self::Uneven(_) | Self::Several(_) => self,
+        }
+    }
+
+    /// What the times of a column give, or else what comments say; where both do, or comments say several things, they must
+    /// agree.
+    pub(super) fn of(column: Option<Self>, mut said: Vec<Stated<f64>>) -> Option<Self> {
+        let differ = |one: &Stated<f64>, other: &Stated<f64>| {
+            (one.value - other.value).abs() > ALIKE * one.value
+        };
+        match column {
+            Some(Self::Even(step)) => {
+                said.retain(|one| differ(&step, one));
+                if said.is_empty() {
+                    return Some(Self::Even(step));
+                }
+                said.insert(0, step);
+            }
+            // A step that is said tells the unit, too.
+            Some(Self::Unlabelled(step)) => {
+                return match said.first() {
+                    None => Some(Self::Unlabelled(step)),
+                    Some(first) if differ(&step, first) && !differ(&milliseconds(&step), first) => {
+                        Self::of(Some(Self::Even(milliseconds(&step))), said)
+                    }
+                    Some(_) => Self::of(Some(Self::Even(step)), said),
+                };
+            }
+            Some(other) => return Some(other),
+            None => {
+                let first = said.first()?.clone();
+                if !said.iter().any(|one| differ(&first, one)) {
+                    return Some(Self::Even(first));
+                }
+            }
+        }
+        Some(Self::Several(said))
+    }
+}
+
+/// The same step in milliseconds.
+fn milliseconds(step: &Stated<f64>) -> Stated<f64> {
+    Stated {
+        value: step.value / 1000.0,
+        ..step.clone()
+    }
 }
 
 /// Times that rise in uneven steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Uneven {
-    /// Times \[s\], each above the one before; one to each value.
+    /// Times \[s\], none below the one before; one to each value.
     pub(crate) times: Vec<f64>,
     /// Where the first stands.
     pub(crate) place: Place,
@@ -36,31 +102,77 @@ impl From<Stated<f64>> for Spacing {
     }
 }
 
-/// The time step \[s\] of some values, which are resampled where their times are uneven.
+/// A time step that is settled.
+pub(super) struct Settled {
+    /// \[s\]
+    pub(super) time_step: f64,
+    pub(super) readings: Vec<Reading>,
+    /// How much less of the peak is left after resampling, as a part of it.
+    pub(super) lost: f64,
+}
+
+impl From<(f64, Reading)> for Settled {
+    fn from((time_step, reading): (f64, Reading)) -> Self {
+        Self {
+            time_step,
+            readings: vec![reading],
+            lost: 0.0,
+        }
+    }
+}
+
+/// The time step of some values, which are resampled where their times are uneven.
 pub(super) fn settled(
     spacing: Option<&Spacing>,
     declared: &Declared,
     values: &mut Vec<f64>,
-) -> Result<(f64, Reading), ReadError> {
+) -> Result<Settled, ReadError> {
     if let Some(found) = declared.time_step
         && !(found.is_finite() && found > 0.0)
     {
         return Err(ReadError::DeclaredTimeStep { found });
     }
     match (spacing, declared.time_step) {
-        (Some(Spacing::Even(stated)), declared) => even(stated, declared),
-        (Some(Spacing::Uneven(uneven)), Some(step)) => {
-            *values = uneven.resampled(values, step)?;
-            let (from, to) = (uneven.times.len(), values.len());
-            let found = format!(
-                "{step} s (declared; {from} uneven pairs resampled to {to}, linear between)"
-            );
-            Ok((step, reading("time step", Some(uneven.place), &found)))
+        (Some(Spacing::Even(stated)), declared) => even(stated, declared).map(Settled::from),
+        (Some(Spacing::Unlabelled(stated)), declared) => {
+            let in_milliseconds = milliseconds(stated);
+            match declared {
+                Some(step) if is_repeated(step, in_milliseconds.value) => {
+                    even(&in_milliseconds, declared)
+                }
+                None if stated.value >= LARGE => Err(ReadError::TimeUnit {
+                    place: stated.place,
+                    found: stated.value,
+                }),
+                _ => even(stated, declared),
+            }
+            .map(Settled::from)
         }
+        (Some(Spacing::Several(several)), declared) => {
+            let meant =
+                declared.and_then(|step| several.iter().find(|one| is_repeated(step, one.value)));
+            meant.map_or_else(
+                || {
+                    let said = several
+                        .iter()
+                        .map(|one| (one.place, format!("{} s", one.value)));
+                    Err(ReadError::Several {
+                        what: "time step",
+                        field: "time_step",
+                        said: said.collect(),
+                    })
+                },
+                |one| even(one, declared).map(Settled::from),
+            )
+        }
+        (Some(Spacing::Uneven(uneven)), Some(step)) => uneven.settled(values, step),
         (Some(Spacing::Uneven(uneven)), None) => Err(uneven.refusal.clone()),
         (None, Some(declared)) => {
             let found = format!("{declared} s (declared)");
-            Ok((declared, reading("time step", None, &found)))
+            Ok(Settled::from((
+                declared,
+                reading("time step", None, &found),
+            )))
         }
         (None, None) => Err(ReadError::TimeStepNotStated),
     }
@@ -75,8 +187,7 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
         None if !POSSIBLE.contains(&found) => {
             return Err(ReadError::ImpossibleStep { place, found });
         }
-        // A declared step may repeat what the file gives with fewer digits.
-        Some(declared) if (found - declared).abs() > 1e-6 * found => {
+        Some(declared) if !is_repeated(declared, found) => {
             return Err(ReadError::TimeStepContradiction {
                 place,
                 found,
@@ -89,11 +200,41 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
     Ok((found, reading("time step", Some(place), &text)))
 }
 
+/// Whether a declared step is that of the file, perhaps with fewer digits.
+fn is_repeated(declared: f64, found: f64) -> bool {
+    (found - declared).abs() <= 1e-6 * found
+}
+
 impl Uneven {
+    /// The values are resampled, and what that takes off their peak is told.
+    fn settled(&self, values: &mut Vec<f64>, step: f64) -> Result<Settled, ReadError> {
+        let before = peak(values);
+        *values = self.resampled(values, step)?;
+        let after = peak(values);
+        let (from, to) = (self.times.len(), values.len());
+        let found =
+            format!("{step} s (declared; {from} uneven pairs resampled to {to}, linear between)");
+        let mut settled = Settled::from((step, reading("time step", Some(self.place), &found)));
+        settled.lost = if before > 0.0 {
+            1.0 - after / before
+        } else {
+            0.0
+        };
+        if settled.lost > 1e-6 {
+            let percent = 100.0 * settled.lost;
+            let [before, after] = [before, after].map(short);
+            let found = format!("{percent:.2} % lower than before, {before} became {after}");
+            settled
+                .readings
+                .push(reading("resampled peak", None, &found));
+        }
+        Ok(settled)
+    }
+
     /// The values at t₀, t₀ + Δt, … up to the last pair, linear between pairs.
     fn resampled(&self, values: &[f64], step: f64) -> Result<Vec<f64>, ReadError> {
         let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
-        let most = MOST_PER_PAIR * self.times.len();
+        let most = (MOST_PER_PAIR * self.times.len()).min(MAX_SAMPLES);
         // What rounding leaves of a step does not count.
         let wanted = ((last - first) / step + 1e-9).floor() + 1.0;
         if wanted > most as f64 {
@@ -111,11 +252,24 @@ impl Uneven {
             while left + 2 < self.times.len() && self.times[left + 1] <= time {
                 left += 1;
             }
-            let share = (time - self.times[left]) / (self.times[left + 1] - self.times[left]);
+            let (from, to) = (self.times[left], self.times[left + 1]);
+            // Where two pairs have one time, as printed, the later one counts.
+            let share = if to > from {
+                (time - from) / (to - from)
+            } else {
+                1.0
+            };
             samples.push(values[left] * (1.0 - share) + values[left + 1] * share);
         }
         Ok(samples)
     }
+}
+
+/// The largest magnitude.
+pub(super) fn peak(values: &[f64]) -> f64 {
+    values
+        .iter()
+        .fold(0.0, |peak: f64, value| peak.max(value.abs()))
 }
 
 #[cfg(test)]

@@ -1,68 +1,69 @@
 //! Rows of numbers, of which one column is a component.
 
-use super::columns::{Largest, Numbers, decimal};
+use super::columns::decimal;
+use super::numbers::{Numbers, Values};
 use super::time_column::TimeColumn;
 use crate::line::Line;
-use crate::{Place, ReadError};
+use crate::{ReadError, RowError};
 
 /// Rows of as many numbers each.
-pub(super) struct Table<'t> {
+pub(super) struct Table<'l, 't, F> {
     header: Line<'t>,
-    rows: Vec<(Line<'t>, Vec<&'t [u8]>)>,
+    lines: &'l [Line<'t>],
+    fields: F,
 }
 
-impl<'t> Table<'t> {
-    /// Cuts every line that is not blank by `fields`.
+impl<'l, 't, I, F> Table<'l, 't, F>
+where
+    I: Iterator<Item = &'t [u8]>,
+    F: Fn(Line<'t>) -> I,
+{
+    /// Every line that is not blank, cut by `fields`.
     pub(super) fn new(
         header: Line<'t>,
-        lines: &[Line<'t>],
+        lines: &'l [Line<'t>],
         n_columns: usize,
-        fields: impl Fn(Line<'t>) -> Vec<&'t [u8]>,
+        fields: F,
     ) -> Result<Self, ReadError> {
-        let mut rows = Vec::new();
         for line in lines.iter().filter(|line| !line.is_blank()) {
-            let fields = fields(*line);
-            if fields.len() != n_columns {
-                return Err(ReadError::RowFields {
+            let found = fields(*line).count();
+            if found != n_columns {
+                return Err(RowError::RowFields {
                     line: line.number,
-                    found: fields.len(),
+                    found,
                     allowed: n_columns,
-                });
+                }
+                .into());
             }
-            rows.push((*line, fields));
         }
-        Ok(Self { header, rows })
+        Ok(Self {
+            header,
+            lines,
+            fields,
+        })
+    }
+
+    /// The rows and the field of each in a column, counted from 0.
+    fn fields_of(&self, index: usize) -> impl Iterator<Item = (Line<'t>, &'t [u8])> {
+        let rows = self.lines.iter().filter(|line| !line.is_blank());
+        rows.filter_map(move |line| Some((*line, (self.fields)(*line).nth(index)?)))
     }
 
     /// The numbers of a column, counted from 0.
     pub(super) fn column(&self, index: usize) -> Result<Numbers, ReadError> {
-        let mut values = Vec::new();
-        let mut largest = Largest::default();
-        let mut end = self.header;
-        for (line, fields) in &self.rows {
-            let value = decimal(*line, index + 1, fields[index])?;
-            largest.see(value, fields[index]);
-            values.push(value);
-            end = *line;
+        let mut values = Values::default();
+        for (line, field) in self.fields_of(index) {
+            values.push(line, decimal(line, index + 1, field)?, field)?;
         }
-        Ok(Numbers {
-            values,
-            end: Place::Line(end.number),
-            digit: largest.digit(),
-        })
+        Ok(values.finish(self.header))
     }
 
     /// The first column as times.
     pub(super) fn times(&self) -> Result<TimeColumn, ReadError> {
         let mut times = TimeColumn::default();
-        for (line, fields) in &self.rows {
-            times.push(*line, fields[0])?;
+        for (line, field) in self.fields_of(0) {
+            times.push(line, field)?;
         }
         Ok(times)
     }
-}
-
-/// The fields of a row that are separated by blanks.
-pub(super) fn pieces(line: Line<'_>) -> Vec<&[u8]> {
-    line.pieces().collect()
 }

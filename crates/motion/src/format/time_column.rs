@@ -32,15 +32,39 @@ enum Start {
 
 impl TimeColumn {
     pub(super) fn push(&mut self, line: Line<'_>, field: &[u8]) -> Result<(), ReadError> {
-        self.times.push(line.finite(1, field)?);
-        self.lines.push(line.number);
-        self.decimals = self.decimals.max(decimals(field));
+        self.push_time(line, line.finite(1, field)?, decimals(field));
         Ok(())
     }
 
-    /// Whether each time is after the one before.
+    /// Takes a time \[s\] of so many decimals.
+    pub(super) fn push_time(&mut self, line: Line<'_>, time: f64, decimals: usize) {
+        self.times.push(time);
+        self.lines.push(line.number);
+        self.decimals = self.decimals.max(decimals);
+    }
+
+    /// Whether the times rise in equal steps.
+    pub(super) fn is_even(&self) -> bool {
+        matches!(self.spacing(), Ok((Spacing::Even(_), _)))
+    }
+
+    /// Whether no time is before the one before, and some are after it.
     pub(super) fn rise(&self) -> bool {
-        self.times.is_sorted_by(|before, after| before < after)
+        self.times.is_sorted() && self.times.first() < self.times.last()
+    }
+
+    /// Whether some times are printed like the one before.
+    pub(super) fn have_ties(&self) -> bool {
+        self.times.windows(2).any(|pair| pair[0] >= pair[1])
+    }
+
+    /// The times as they are, which have ties.
+    pub(super) fn into_uneven(self) -> Spacing {
+        Spacing::Uneven(Uneven {
+            place: Place::Line(self.lines[0]),
+            refusal: self.unevenness(),
+            times: self.times,
+        })
     }
 
     /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
@@ -50,8 +74,7 @@ impl TimeColumn {
     ) -> Result<(Spacing, Option<Reading>), ReadError> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
-            (Spacing::Uneven(_), _) | (_, Start::Zero) => None,
-            (_, Start::OneStep) => Some(self.at_rest(values)),
+            (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
             (Spacing::Even(step), Start::Elsewhere) => {
                 return Err(ReadError::StartTime {
                     line: self.lines[0],
@@ -59,6 +82,7 @@ impl TimeColumn {
                     time_step: step.value,
                 });
             }
+            _ => None,
         };
         Ok((spacing, remark))
     }
@@ -216,7 +240,7 @@ impl TimeColumn {
 }
 
 /// Decimals of a printed number: 2 for `0.02`, 4 for `1.23e-2`.
-fn decimals(field: &[u8]) -> usize {
+pub(super) fn decimals(field: &[u8]) -> usize {
     let text = String::from_utf8_lossy(field.trim_ascii());
     let (mantissa, exponent) = text
         .split_once(['e', 'E', 'd', 'D'])

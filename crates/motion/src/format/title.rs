@@ -1,15 +1,14 @@
 //! What titles of many formats say alike: units, numbers behind a word, keys.
 
-use super::columns::last_digit;
+use super::numbers::last_digit;
 use super::{Peak, Stated};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
-/// Spellings of units, in capitals.
-const UNITS: [(&str, AccelerationUnit); 25] = {
+/// Units of an acceleration without a length over a time, in capitals.
+const UNITS: [(&str, AccelerationUnit); 8] = {
     use AccelerationUnit::{
-        CentimetrePerSecondSquared as Cm, MetrePerSecondSquared as M, MilliG,
-        MillimetrePerSecondSquared as Mm, StandardGravity as G, TenthG,
+        CentimetrePerSecondSquared as Cm, MilliG, StandardGravity as G, TenthG,
     };
     [
         ("G", G),
@@ -20,37 +19,42 @@ const UNITS: [(&str, AccelerationUnit); 25] = {
         ("MG", MilliG),
         ("GAL", Cm),
         ("GALS", Cm),
-        ("CM/SEC/SEC", Cm),
-        ("CMS/SEC/SEC", Cm),
-        ("CM/SEC2", Cm),
-        ("CM/SEC^2", Cm),
-        ("CM/SEC**2", Cm),
-        ("CM/S/S", Cm),
-        ("CM/S2", Cm),
-        ("CM/S^2", Cm),
-        ("CM/S**2", Cm),
-        ("M/S/S", M),
-        ("M/S2", M),
-        ("M/S^2", M),
-        ("M/SEC/SEC", M),
-        ("M/SEC2", M),
-        ("MM/S/S", Mm),
-        ("MM/S2", Mm),
-        ("MM/S^2", Mm),
     ]
 };
+
+/// Lengths of which there are units of an acceleration, in capitals.
+const LENGTHS: [(&str, AccelerationUnit); 4] = [
+    ("CM", AccelerationUnit::CentimetrePerSecondSquared),
+    ("CMS", AccelerationUnit::CentimetrePerSecondSquared),
+    ("M", AccelerationUnit::MetrePerSecondSquared),
+    ("MM", AccelerationUnit::MillimetrePerSecondSquared),
+];
+
+/// The unit of an acceleration that a word is: `g`, `gal`, `cm/s/s`, `M/SEC**2`, `m/seg/seg`.
+pub(super) fn unit_of(word: &str) -> Option<AccelerationUnit> {
+    let word = word.to_ascii_uppercase();
+    let of = |table: &[(&str, AccelerationUnit)], name: &str| {
+        let known = table.iter().find(|(known, _)| *known == name);
+        known.map(|(_, unit)| *unit)
+    };
+    of(&UNITS, &word).or_else(|| {
+        let (length, time) = word.split_once('/')?;
+        let time = time
+            .replace("SECS", "S")
+            .replace("SEC", "S")
+            .replace("SEG", "S");
+        let is_square = matches!(time.as_str(), "S/S" | "S2" | "S^2" | "S**2" | "S²");
+        of(&LENGTHS, length).filter(|_| is_square)
+    })
+}
 
 /// The first unit of an acceleration that stands in a text as a word of its own, and that word.
 pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
     let separates = |letter: char| {
-        !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'))
+        !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*' | '²'))
     };
-    text.split(separates).find_map(|word| {
-        let known = UNITS
-            .iter()
-            .find(|(name, _)| name.eq_ignore_ascii_case(word));
-        known.map(|(_, unit)| (*unit, word))
-    })
+    text.split(separates)
+        .find_map(|word| Some((unit_of(word)?, word)))
 }
 
 /// The unit that a line states in a part of it, or a refusal.
@@ -100,7 +104,7 @@ pub(super) fn line_with<'t>(lines: &[Line<'t>], word: &str) -> Option<Line<'t>> 
 
 /// Whether a line holds a word, given in capitals.
 pub(super) fn holds(line: Line<'_>, word: &str) -> bool {
-    line.bytes
+    line.head()
         .windows(word.len())
         .any(|window| window.eq_ignore_ascii_case(word.as_bytes()))
 }
@@ -108,11 +112,11 @@ pub(super) fn holds(line: Line<'_>, word: &str) -> bool {
 /// What a header gives behind a key, such as ` cm/s^2` behind `UNITS:`.
 pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
     let line = lines.iter().copied().find(|line| {
-        line.bytes
+        line.head()
             .get(..key.len())
             .is_some_and(|start| start.eq_ignore_ascii_case(key.as_bytes()))
     })?;
-    let value = String::from_utf8_lossy(&line.bytes[key.len()..]);
+    let value = String::from_utf8_lossy(&line.head()[key.len()..]);
     Some((line, value.trim().to_owned()))
 }
 

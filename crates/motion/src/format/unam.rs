@@ -4,11 +4,11 @@
 //! Keys with `C1-C6` give a value for each channel behind a slash. No file was at hand: this
 //! follows programs that read the format.
 
-use super::table::{Table, pieces};
+use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 /// Lines in which the mark of the format is looked for, and keys.
 const MARK: usize = 10;
@@ -22,6 +22,7 @@ pub(super) const READER: Reader = Reader {
     },
     components,
     read,
+    identity: identity_of,
 };
 
 /// What a key gives for each channel.
@@ -57,8 +58,25 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let components = slots
         .values
         .into_iter()
-        .map(|name| Component { name, place });
+        .map(|name| Component::new(name, place));
     Ok(components.collect())
+}
+
+/// Station and event, of which date and hour stand on two lines.
+fn identity_of(file: &File<'_>) -> Identity {
+    let said = |key: &'static str| {
+        let header = &file.lines[..file.lines.len().min(HEADER)];
+        let text = title::line_with(header, key)?.text().into_owned();
+        Some(text.split_once(':')?.1.trim().to_owned())
+    };
+    let time = [said("FECHA DEL SISMO"), said("HORA EPICENTRO")].map(Option::unwrap_or_default);
+    Identity {
+        station: said("CLAVE DE LA ESTACION")
+            .as_deref()
+            .and_then(identity::text),
+        time: identity::time(&time.join(" ")),
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
@@ -69,12 +87,14 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let is_row = |line: &Line<'_>| {
         line.pieces().count() == n_columns && line.pieces().all(|piece| number(piece).is_some())
     };
-    let behind = counts.line.number;
-    let first = file.lines[behind..].iter().position(is_row);
-    let first = behind + needed(first, file.lines.last().copied(), "the values")?;
+    let behind = file.behind(counts.line);
+    let first = behind.iter().position(is_row);
+    let first = needed(first, file.lines.last().copied(), "the values")?;
     let mut count = title::count(counts.line, counts.get(index))?;
-    let lines = &file.lines[first..];
-    let numbers = Table::new(file.lines[first - 1], lines, n_columns, pieces)?.column(index)?;
+    let (above, lines) = behind.split_at(first);
+    let last = above.last().copied().unwrap_or(counts.line);
+    let header = file.through(last);
+    let numbers = Table::new(last, lines, n_columns, Line::pieces)?.column(index)?;
     // Some files count the steps and not the samples.
     let is_one_more = numbers.values.len() == count.value + 1;
     let remark = is_one_more.then(|| {
@@ -97,7 +117,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
             text: peaks.line.excerpt(),
         }),
         peak: title::peak(peaks.line, peaks.get(index)),
-        provenance: title::provenance(&file.lines[..first.min(HEADER)]),
+        provenance: title::provenance(&header[..header.len().min(HEADER)]),
         remarks: remark.into_iter().collect(),
     })
 }

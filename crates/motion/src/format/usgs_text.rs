@@ -1,9 +1,9 @@
 //! Text of the US Geological Survey of the 1980s: blocks of seven titles and values, of which those of acceleration are read.
 
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError, Site};
 
 /// Lines of titles of a block, and that of its rate among them, the last but one.
 const TITLES: usize = 7;
@@ -14,6 +14,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| is_block(&file.lines, 0),
     components: |file| Ok(components(file)),
     read,
+    identity: identity_of,
 };
 
 /// Whether a block begins here: rate and kind stand on its sixth line, number and units on its seventh.
@@ -37,12 +38,28 @@ fn components(file: &File<'_>) -> Vec<Component> {
     let component = |block: &[Line<'_>]| {
         let line = title::line_with(&block[..TITLES], "COMPONENT=").unwrap_or(block[1]);
         let text = line.text();
-        Component {
-            name: title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
-            place: Place::Line(line.number),
-        }
+        Component::new(
+            title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
+            Place::Line(line.number),
+        )
+        .at(Site::of_location(
+            block[0]
+                .text()
+                .rsplit_once(',')
+                .map_or("", |(_, place)| place),
+        ))
     };
     channels(file).into_iter().map(component).collect()
+}
+
+/// The station is the first title, up to the place of the sensor, and the event the third.
+fn identity_of(file: &File<'_>) -> Identity {
+    let said = |index: usize| file.lines.get(index).map(|line| line.text().into_owned());
+    Identity {
+        station: said(0).as_deref().and_then(identity::text),
+        event: said(2).as_deref().and_then(identity::text),
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {

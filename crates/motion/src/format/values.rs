@@ -1,40 +1,51 @@
 //! Values that stand in lines of any number: split on blanks where that works, and cut at fixed columns where numbers touch.
 
-use super::columns::{Largest, Numbers};
+use super::numbers::{Numbers, Values};
+use crate::ReadError;
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
 
 /// The values of the lines after a header, up to one that does not begin with a number.
 pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, ReadError> {
-    let filled = lines.iter().filter(|line| !line.is_blank());
-    let lines: Vec<Line<'_>> = filled
-        .copied()
-        .take_while(|line| begins_with_number(*line))
-        .collect();
+    let is_value = |line: &Line<'_>| line.is_blank() || begins_with_number(*line);
+    let n_lines = lines.iter().position(|line| !is_value(line));
+    let lines = &lines[..n_lines.unwrap_or(lines.len())];
+    of_lines(header, || {
+        lines.iter().copied().filter(|line| !line.is_blank())
+    })
+}
+
+/// The values of these lines.
+pub(super) fn of_lines<'t, I>(
+    header: Line<'_>,
+    filled: impl Fn() -> I,
+) -> Result<Numbers, ReadError>
+where
+    I: Iterator<Item = Line<'t>>,
+{
     // Blanks lose data where numbers touch, but nothing is lost unseen: the pieces then have two
     // points.
-    let touching = lines
-        .iter()
-        .flat_map(|line| line.pieces())
-        .any(|piece| points(piece).count() > 1);
-    let tail = if touching { common_tail(&lines) } else { None };
-
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    for line in &lines {
-        let fields = tail.map_or_else(|| line.pieces().collect(), |tail| columns(line.bytes, tail));
-        for (index, field) in fields.into_iter().enumerate() {
-            let value = line.finite(index + 1, field)?;
-            largest.see(value, field);
-            values.push(value);
+    let touching = filled().flat_map(Line::pieces).any(touches);
+    let tail = if touching {
+        common_tail(filled().map(tail))
+    } else {
+        None
+    };
+    let mut values = Values::default();
+    for line in filled() {
+        let mut push = |(index, field)| values.push(line, line.finite(index + 1, field)?, field);
+        match tail {
+            Some(tail) => columns(line.bytes, tail)
+                .enumerate()
+                .try_for_each(&mut push)?,
+            None => line.pieces().enumerate().try_for_each(&mut push)?,
         }
     }
-    let last_line = lines.last().map_or(header.number, |line| line.number);
-    Ok(Numbers {
-        values,
-        end: Place::Line(last_line),
-        digit: largest.digit(),
-    })
+    Ok(values.finish(header))
+}
+
+/// Whether a piece between blanks is more than one number.
+pub(super) fn touches(piece: &[u8]) -> bool {
+    points(piece).count() > 1
 }
 
 /// Whether a line goes on with the values; `*** End Data ***` does not, `NaN` does and is refused
@@ -59,25 +70,26 @@ fn points(bytes: &[u8]) -> impl Iterator<Item = usize> {
 /// Numbers touch only in fixed columns, where the point has one place in all fields: 12 bytes
 /// before the end in 5E15.7, 6 in 8F10.5. Counting from the point and not from the start of the
 /// line, also lines whose leading blanks were lost are read.
-fn common_tail(lines: &[Line<'_>]) -> Option<usize> {
-    let mut tails = lines.iter().map(|line| {
-        let line = line.bytes.trim_ascii_end();
-        points(line).last().map(|point| line.len() - point)
-    });
+fn common_tail(mut tails: impl Iterator<Item = Option<usize>>) -> Option<usize> {
     let first = tails.next()??;
     tails.all(|tail| tail == Some(first)).then_some(first)
 }
 
+/// Bytes from the last decimal point of a line to its end.
+fn tail(line: Line<'_>) -> Option<usize> {
+    let line = line.bytes.trim_ascii_end();
+    points(line).last().map(|point| line.len() - point)
+}
+
 /// The fields of a line that each end `tail` bytes after the start of their decimal point.
-fn columns(line: &[u8], tail: usize) -> Vec<&[u8]> {
+fn columns(line: &[u8], tail: usize) -> impl Iterator<Item = &[u8]> {
     let line = line.trim_ascii_end();
-    let mut fields = Vec::new();
     let mut start = 0;
-    for point in points(line) {
+    points(line).map(move |point| {
         // Two points closer than a field are no number; the field then says so.
         let end = (point + tail).min(line.len()).max(start);
-        fields.push(&line[start..end]);
+        let field = &line[start..end];
         start = end;
-    }
-    fields
+        field
+    })
 }

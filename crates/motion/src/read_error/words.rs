@@ -1,5 +1,7 @@
 //! Parts of messages that depend on what was found.
 
+use crate::Place;
+
 /// Most components that a message lists.
 const MOST_LISTED: usize = 50;
 
@@ -42,6 +44,34 @@ pub(super) fn of_number(found: &str) -> &'static str {
     } else {
         "write it like -0.00640 or -.6403182E-02"
     }
+}
+
+/// The lines from one to another, or one alone, which read something.
+pub(super) fn reading([first, last]: [usize; 2]) -> String {
+    if first == last {
+        format!("line {first} reads")
+    } else {
+        format!("lines {first} to {last} read")
+    }
+}
+
+/// What several places say.
+pub(super) fn several(said: &[(Place, String)]) -> String {
+    let said = said.iter().take(MOST_LISTED);
+    let said = said.map(|(place, text)| format!("{text} ({place})"));
+    said.collect::<Vec<_>>().join(", ")
+}
+
+/// What may be done about several numbers to a line.
+pub(super) fn rows(found: usize) -> String {
+    let names = ["NS", "EW", "UD"]
+        .get(..found)
+        .unwrap_or(&["NS", "EW", "UD", "…"]);
+    format!(
+        "if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `{}` or `time {}`",
+        names.join(" "),
+        names[..names.len().max(2) - 1].join(" ")
+    )
 }
 
 /// The line before which values end.

@@ -9,6 +9,7 @@ mod fuzz_seeds;
 mod generated;
 mod laws;
 mod measures;
+mod named_files;
 mod processing;
 mod record;
 mod stochastic;

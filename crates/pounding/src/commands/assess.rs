@@ -8,10 +8,12 @@ use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{
-    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, acceleration_in_g, in_scene,
+    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g,
+    in_scene,
 };
 use pounding::text::{digits, json_text};
 
+use super::declared::Declared;
 use super::suite;
 use crate::folder::Out;
 use crate::text::paragraph;
@@ -29,8 +31,7 @@ Examples:
   pounding assess a.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
-exact method. Components of one file, and files whose names differ in the
-direction alone, are of one event. The answer is one for these records: choose
+exact method. Components of one record are one event. The answer is one for these records: choose
 and scale them for the site. The stiffness of impacts is known to an order of
 magnitude; forces are ranges over --stiffness.
 
@@ -76,6 +77,8 @@ pub(crate) struct Arguments {
     /// Also where the folder holds other things; they stay.
     #[arg(long, requires = "out")]
     overwrite: bool,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// How the answer is printed.
@@ -168,7 +171,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         out.keep(&[super::inputs_in(&args.records), read].concat())?;
         out.apart_from(&args.records)?;
     }
-    let asked = args.asked(super::read(path).map_err(message)?)?;
+    let scene = super::read(path).map_err(message)?;
+    let records = suite::read(&args.records, &args.declared, &scene)?;
+    let asked = args.asked(scene, &records)?;
     let ran = asked.run()?;
     let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
@@ -192,7 +197,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 impl Arguments {
     /// What is asked of every motion.
-    fn asked(&self, scene: Scene) -> Result<Asked<'_>, String> {
+    fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, String> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let scene = Scene {
             method: Method::EXACT,
@@ -218,7 +223,7 @@ impl Arguments {
             rows,
             scaling: self.scaling()?,
             stiffness: self.stiffness,
-            records: &self.records,
+            records,
         })
     }
 
@@ -238,7 +243,7 @@ impl Arguments {
         };
         let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
-        let folder = FolderOfMotions::of_lines(lines);
+        let folder = FolderOfMotions::of(asked.records, lines, self.printed.details);
         let scaling = ScalingAsked {
             to: asked.scaling.clone(),
             words: self.scaling_words(),

@@ -6,14 +6,14 @@ use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
 use pounding::scene::{
-    Columns, ContactLimit, Implausible, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
+    Columns, ContactLimit, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
 };
 use pounding::solver::Opening;
 use pounding::text::digits;
 
 use crate::progress::Waiting;
 use crate::record;
-use crate::summary::{method_lines, warnings};
+use crate::summary::method_lines;
 use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -115,31 +115,35 @@ impl<'a> Plan<'a> {
 /// The plan of a scene.
 fn text(plan: &Plan<'_>) -> String {
     let prepared = plan.prepared;
-    let mut parts = vec![
+    let unusual = crate::summary::unusual(prepared);
+    let besides = if unusual.is_some() {
+        " besides what is unusual"
+    } else {
+        ""
+    };
+    let mut parts: Vec<String> = unusual.into_iter().collect();
+    parts.extend([
         paragraph("Scene", &prepared.scene().name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
         paragraph("Model", &model_lines(plan)),
         structures(prepared),
-    ];
+    ]);
     if let Some(expected) = &plan.expected {
         parts.push(paragraph("Cost", &cost_lines(prepared, &expected.outcome)));
         parts.push(pairs(prepared, expected));
     }
     parts.push(paragraph("Notes", NOTES));
-    let doubts = prepared.doubts();
-    if !doubts.is_empty() {
-        parts.push(paragraph(
-            "Unusual",
-            &Implausible::lines(&doubts).join("\n"),
-        ));
-    }
-    let nothing = "none of stability and e; the errors of the numbers are those of a run";
-    parts.push(if plan.warnings.is_empty() {
-        paragraph("Warnings", nothing)
-    } else {
-        warnings(&plan.warnings)
-    });
+    parts.push(paragraph(
+        "Warnings",
+        &if plan.warnings.is_empty() {
+            format!(
+                "none of stability and e{besides}; the errors of the numbers are those of a run"
+            )
+        } else {
+            plan.warnings.join("\n")
+        },
+    ));
     parts.join("\n")
 }
 
@@ -299,7 +303,7 @@ fn pairs(prepared: &Simulation, expected: &Expected) -> String {
     let scene = prepared.scene();
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     if contacts.is_empty() {
-        return paragraph("Pairs", "none: no structure can touch another");
+        return paragraph("Pairs", "none: no contact is modelled");
     }
     let header = [
         ["Pair", ""],

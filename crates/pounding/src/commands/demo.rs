@@ -1,10 +1,10 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Report, direction_sentences, other_direction};
+use pounding::files::holds;
+use pounding::report::{Report, other_direction};
 
 use crate::folder::Out;
 use crate::progress::Waiting;
@@ -51,13 +51,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
     let other = other_direction(&prepared);
-    let both = direction_sentences(&prepared, &report.review().outcome, &other);
-    let report = report.with_directions(both.clone(), other.ok());
+    let report = report.with_other_direction(other);
     out.write(&report.files())?;
+    let answer = report.directions().map(summary::direction::text);
     Ok(format!(
         "{}\n{}\n{}\n{}",
-        summary::direction::text(&both),
-        summary::brief(&prepared, report.review()),
+        answer.unwrap_or_default(),
+        summary::brief(&prepared, report.review(), &report.notices()),
         paragraph(
             "Results",
             &results.join("report.html").display().to_string()
@@ -75,9 +75,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 /// Writes a file that is not there, or leaves one that is as it should be.
 fn write(path: &Path, text: &str) -> Result<(), String> {
-    match fs::read(path) {
-        Ok(found) if found == text.as_bytes() => Ok(()),
-        Ok(_) => Err(format!(
+    match holds(path, text.as_bytes()) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(format!(
             "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
             path.display()
         )),

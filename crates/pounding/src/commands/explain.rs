@@ -35,7 +35,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     }
     let asked = args.words.join(" ");
     let wanted = asked.to_lowercase();
-    let names = |entry: &&Entry| entry.word.to_lowercase().contains(&wanted);
+    // Words stand there in the singular.
+    let singular = wanted.strip_suffix('s').unwrap_or(&wanted);
+    let names = |entry: &&Entry| {
+        let word = entry.word.to_lowercase();
+        word.contains(&wanted) || word.contains(singular)
+    };
     let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
     let mut found: Vec<&Entry> = entries.iter().filter(names).collect();
     if found.is_empty() {

@@ -2,10 +2,14 @@
 
 use std::path::PathBuf;
 
-use pounding::scene::{Distribution, Error, Rule, Scene, Separation, Simulation, Structure};
+use pounding::scene::{
+    Error, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation, Structure,
+    Suite,
+};
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
+use super::declared::Declared;
 use super::suite;
 use crate::text::{paragraph, short, table};
 
@@ -19,10 +23,10 @@ closing of the gap while every structure stands alone, by the exact method, at
 the level that needs most of those at which floors can touch (`levels` of a
 contact).
 
-Vertical components are left out: by the name that a file gives its component,
-such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
-where it gives none by the end of the file's name, such as -UP, _V or .UD. Where
-nothing tells, the motion counts as horizontal and is listed under Direction.";
+Components of one record are one event, and count with the larger width.
+Verticals, velocities, copies, and records in boreholes or on structures are
+left out. Records lists them with the reason, and those whose direction nothing
+tells: they count as horizontal.";
 
 /// What is asked of `gap`.
 #[derive(Debug, clap::Args)]
@@ -34,16 +38,21 @@ pub(crate) struct Arguments {
     /// A folder of records.
     #[arg(long, value_name = "FOLDER")]
     records: PathBuf,
-    /// Print a table for a program, SI units.
+    /// Name every record that is left out.
     #[arg(long)]
+    details: bool,
+    /// Print a table for a program, SI units.
+    #[arg(long, conflicts_with = "details")]
     csv: bool,
     /// Print JSON, SI units.
-    #[arg(long, conflicts_with = "csv")]
+    #[arg(long, conflicts_with_all = ["csv", "details"])]
     json: bool,
+    #[command(flatten)]
+    declared: Declared,
 }
 
-/// The widths under one motion in one direction.
-type Line = suite::Line<Vec<Separation>>;
+/// The widths under one motion in one direction, and what looks wrong.
+type Line = suite::Line<(Vec<Separation>, Vec<Implausible>)>;
 
 /// The widths under every record.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
@@ -58,20 +67,55 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         ));
     }
     let apart = scene.apart();
-    let ran = suite::lines(
-        &apart,
-        &args.records,
-        &[false, true],
-        Simulation::separations,
-    )?;
+    let records = suite::read(&args.records, &args.declared, &scene)?;
+    let ran = suite::lines(&apart, &records, &[false, true], |prepared| {
+        Ok((prepared.separations()?, prepared.doubts()))
+    })?;
     let lines = &ran.lines;
     ran.answer(if args.json {
-        json_of(&scene, lines)
+        json_of(&scene, &records, lines)
     } else if args.csv {
-        csv_of(&scene, lines)
+        csv_of(&scene, &records, lines)
     } else {
-        text(&scene, lines)
+        text(
+            &scene,
+            lines,
+            &suite::records(&records, lines, args.details),
+        )
     })
+}
+
+/// The widths of a line, if it was not refused.
+fn widths_of(line: &Line) -> Option<&Vec<Separation>> {
+    line.found.as_ref().ok().map(|(widths, _)| widths)
+}
+
+/// What looks wrong in the scene and in its records, a line for each kind. Gaps are not those of the scene.
+fn unusual(lines: &[Line]) -> Vec<Implausible> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    let all = found.flat_map(|(line, (_, doubts))| {
+        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    });
+    Implausible::gathered(all)
+}
+
+/// That floors stand beside columns, which no width here keeps apart.
+fn at_columns(scene: &Scene) -> Option<String> {
+    let floors = Floors::of(scene).ok()?;
+    let all = floors.at_columns();
+    let first = floors.all()[all.first()?.floor].name.clone();
+    let more = match all.len() - 1 {
+        0 => "faces".into(),
+        n => format!("and {n} more face"),
+    };
+    let text = format!(
+        "{first} {more} columns of a neighbour between its floors: a floor that hits a column can bring a building down. The widths below \
+         keep floors apart that face floors, and no others"
+    );
+    Some(paragraph("Warnings", &text))
 }
 
 /// Names of the neighbours of a gap.
@@ -80,16 +124,14 @@ fn names(scene: &Scene, left: usize) -> [&str; 2] {
 }
 
 /// A table per gap, and what of the rules is too narrow.
-fn text(scene: &Scene, lines: &[Line]) -> String {
-    let found = |line: &Line| line.found.as_ref().ok().map(Vec::len);
-    let n_gaps = lines.iter().find_map(found).unwrap_or(0);
-    let mut parts = vec![paragraph("Scene", &scene.name)];
+fn text(scene: &Scene, lines: &[Line], records: &str) -> String {
+    let n_gaps = lines.iter().find_map(|line| Some(widths_of(line)?.len()));
+    let n_gaps = n_gaps.unwrap_or(0);
+    let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
+    parts.extend(at_columns(scene));
+    parts.push(paragraph("Scene", &scene.name));
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
-    let refused = suite::left_out(lines);
-    if !refused.is_empty() {
-        parts.push(paragraph("Left out", &refused.join("\n")));
-    }
-    parts.extend(suite::untold(lines).map(|said| paragraph("Direction", &said)));
+    parts.push(records.into());
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
     let notes = [Some(NOTES), levels, travels];
@@ -106,7 +148,7 @@ const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in
 
 const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
                      peak displacements of both structures under the same record; EC 8 is SRSS, 0.7 times that where \
-                     both heights are given and the same; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
+                     all floors of both are level by the heights given; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
                      periods and damping. * marks what is too narrow.";
 
 /// The table of one gap.
@@ -115,14 +157,15 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
     let mut rows = Vec::new();
     let mut left = gap;
     for line in lines {
-        let Some(separation) = line.found.as_ref().ok().and_then(|found| found.get(gap)) else {
+        let Some(separation) = widths_of(line).and_then(|found| found.get(gap)) else {
             continue;
         };
         left = separation.left;
-        all.push(*separation);
+        all.push(([line.event, 0], separation));
         rows.push((line.name(), *separation));
     }
     let [one, other] = names(scene, left);
+    let found = RequiredGap::of(&all);
     let own = scene
         .contacts
         .as_ref()
@@ -140,7 +183,10 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
             )
         ),
         widths(&rows, has_storeys(scene)),
-        paragraph("Result", &result(&all, own.map(|own| own.gap_m)))
+        found.map_or(String::new(), |found| paragraph(
+            "Result",
+            &result(&found, own.map(|own| own.gap_m))
+        ))
     )
 }
 
@@ -202,47 +248,41 @@ fn enough(width: f64) -> String {
     rounded_up(width * 1e3, decimals)
 }
 
-/// The width that is enough for all, and how the rules and the scene's own gap do.
-fn result(all: &[Separation], own: Option<f64>) -> String {
-    let widest = all.iter().map(|one| one.required).fold(0.0, f64::max);
-    let widths = Distribution::of(all.iter().map(|one| one.required));
-    let part = widths.map_or(String::new(), |widths| {
-        format!(
-            "; {} mm for half of them, {} mm for 84 %",
-            enough(widths.median()),
-            enough(widths.p84())
-        )
-    });
+/// The width that is enough for all events, and how the rules and the scene's own gap do.
+fn result(all: &RequiredGap, own: Option<f64>) -> String {
+    let widths = &all.required;
+    let n = match widths.sorted().len() {
+        1 => "the only event".into(),
+        n => format!("all {n} events"),
+    };
     let mut lines = vec![format!(
-        "{} mm are enough for all {} motions{part}",
-        enough(widest),
-        all.len()
+        "{} mm are enough for {n}; {} mm for half of them, {} mm for 84 %",
+        enough(widths.largest()),
+        enough(widths.median()),
+        enough(widths.p84())
     )];
-    if let Some(own) = own {
-        let touch = all.iter().filter(|one| one.required > own).count();
-        lines.push(format!(
-            "with the {} mm of the scene the structures touch under {touch} of them",
-            digits(own * 1e3)
-        ));
-    }
-    let rule = |rule: Rule| {
-        let narrow: Vec<f64> = all
-            .iter()
-            .filter(|one| one.asks_for_more(width(rule, one)))
-            .map(|one| width(rule, one) / one.required)
-            .collect();
-        let worst = narrow.iter().copied().fold(1.0, f64::min);
-        let by = if narrow.is_empty() {
+    lines.extend(own.map(|own| {
+        format!(
+            "with the {} mm of the scene the structures touch under {} of them",
+            digits(own * 1e3),
+            widths.count_above(own)
+        )
+    }));
+    let common = all
+        .rules
+        .iter()
+        .filter(|one| Rule::COMMON.contains(&one.rule));
+    let rule = |one: &RuleAssessment| {
+        let by = if one.too_narrow == 0 {
             String::new()
         } else {
-            format!(
-                ", at worst {} % of what is needed",
-                digits((100.0 * worst).round())
-            )
+            let share = digits((100.0 * one.least_share).round());
+            format!(", at worst {share} % of what is needed")
         };
-        format!("{}: too narrow under {}{by}", rule.name(), narrow.len())
+        let name = one.rule.name();
+        format!("{name}: too narrow under {}{by}", one.too_narrow)
     };
-    lines.extend(Rule::COMMON.map(rule));
+    lines.extend(common.map(rule));
     lines.join("\n")
 }
 
@@ -252,10 +292,8 @@ fn width(rule: Rule, one: &Separation) -> f64 {
 }
 
 /// One row per motion, direction and gap, in SI units.
-fn csv_of(scene: &Scene, lines: &[Line]) -> String {
-    let found = lines
-        .iter()
-        .find_map(|line| line.found.as_ref().ok()?.first());
+fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
+    let found = lines.iter().find_map(|line| widths_of(line)?.first());
     let names_of_numbers = found
         .into_iter()
         .flat_map(Separation::numbers)
@@ -276,19 +314,22 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
         row.push(Cell::default());
         row
     };
+    let refused = |name: &str, reversed: Cell, reason: &str| {
+        let mut row = vec![name.into(), reversed];
+        row.resize(header.len() - 1, Cell::default());
+        row.push(reason.into());
+        row
+    };
     let rows = lines.iter().flat_map(|line| match &line.found {
-        Ok(found) => found.iter().map(|one| row(line, one)).collect(),
-        Err(reason) => {
-            let mut row = vec![line.motion.as_str().into(), line.reversed.into()];
-            row.resize(header.len() - 1, Cell::default());
-            row.push(reason.as_str().into());
-            vec![row]
-        }
+        Ok((found, _)) => found.iter().map(|one| row(line, one)).collect(),
+        Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
     });
-    csv_text(&header, rows)
+    let left_out = records.left_out.iter();
+    let left_out = left_out.map(|one| refused(&one.name, Cell::default(), &one.reason.sentence()));
+    csv_text(&header, rows.chain(left_out))
 }
 
-fn json_of(scene: &Scene, lines: &[Line]) -> String {
+fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     let separation = |one: &Separation| {
         let [left, right] = names(scene, one.left);
         let mut gap = json!({"left": left, "right": right, "level": one.at_level});
@@ -298,15 +339,18 @@ fn json_of(scene: &Scene, lines: &[Line]) -> String {
         gap
     };
     let line = |line: &Line| {
-        let mut motion = json!({"record": line.motion, "reversed": line.reversed});
+        let mut motion =
+            json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
         match &line.found {
-            Ok(found) => {
-                motion["direction"] = json!(suite::direction(line));
-                motion["gaps"] = found.iter().map(separation).collect();
-            }
+            Ok((found, _)) => motion["gaps"] = found.iter().map(separation).collect(),
             Err(reason) => motion["refused"] = json!(reason),
         }
         motion
     };
-    json_text(&json!({"scene": scene, "motions": lines.iter().map(line).collect::<Vec<_>>()}))
+    json_text(&json!({
+        "scene": scene,
+        "unusual": unusual(lines),
+        "motions": lines.iter().map(line).collect::<Vec<_>>(),
+        "left_out": records.left_out_json(),
+    }))
 }

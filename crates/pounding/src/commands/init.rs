@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use serde_json::Value;
 
 use crate::new_file;
+use crate::progress::Waiting;
 use crate::text::paragraph;
 use pounding::text::json_text;
 use record::Named;
@@ -60,11 +61,14 @@ pub(crate) struct Arguments {
 
 /// Writes the scene; returns what to do next.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    buildings::check(args.storeys.len())?;
+    let waiting = Waiting::new("reading the record");
     let named = args
         .record
         .as_ref()
         .map(|record| Named::of(record, &args.scene))
         .transpose()?;
+    drop(waiting);
     let motion = named
         .as_ref()
         .map_or_else(|| GENERATED.into(), Named::lines);

@@ -44,5 +44,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     };
     let joined = merge(out, &folders, new_file::existing(args.overwrite));
     let joined = joined.map_err(|error| error.to_string())?;
+    new_file::say_if_unlocked(joined.is_locked);
     answer(result(&joined, out), &joined)
 }

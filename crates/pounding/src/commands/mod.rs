@@ -6,6 +6,7 @@ mod certify;
 mod check;
 mod compare;
 mod completions;
+mod declared;
 mod demo;
 mod explain;
 mod export;

@@ -5,10 +5,11 @@ mod effects;
 
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Report, Summary, direction_sentences, other_direction};
-use pounding::scene::{Effects, Error, Implausible, Review, RunResult, SceneError, Simulation};
+use pounding::report::{BothDirections, Report, Summary, other_direction};
+use pounding::scene::{Effects, Error, Implausible, Review, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
+use super::declared::Declared;
 use crate::folder::Out;
 use crate::progress::Waiting;
 use crate::summary;
@@ -33,11 +34,9 @@ printed and written; pressed again it ends at once.
 `pounding init` writes a scene to begin with; files named in a scene are
 relative to its folder.
 
-Of a folder of records vertical components are left out: by the name that a
-file gives its component, such as UP, UD, V, Z or DWN (of an AT2 file the
-direction in its title), and where it gives none by the end of the file's name,
-such as -UP, _V or .UD. Where
-nothing tells, the motion counts as horizontal and is listed under Direction.";
+Of a folder of records verticals, velocities, copies, and records in boreholes
+or on structures are left out. Records lists them with the reason, and those
+whose direction nothing tells: they count as horizontal.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]
@@ -59,6 +58,8 @@ pub(crate) struct Arguments {
     shown: Shown,
     #[command(flatten)]
     results: Results,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// How the scene is run.
@@ -149,6 +150,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     if let Some(folder) = &args.suite.records {
         return batch::run(args, folder);
     }
+    if args.declared != Declared::default() {
+        return Err(NO_FOLDER.into());
+    }
     let path = &args.scene;
     let out = args.results.open()?;
     let refused = |error| hint(error, path);
@@ -173,25 +177,23 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })?;
     let unread = args.shown.json && args.results.out.is_none();
     let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
-    let sentences = |outcome: &RunResult| {
-        let other = other.as_ref()?;
-        Some(direction_sentences(&prepared, outcome, other))
-    };
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(failed)?;
-        let both = sentences(&review.outcome);
-        let text = printed(args, &prepared, effects, &review);
-        return Ok(with_answer(args, both.as_ref(), text));
+        let both = other.map(|other| BothDirections::of(&prepared, &review, other));
+        return Ok(answer(args, (&prepared, effects), &review, both.as_ref()));
     };
     let report = Report::of(&prepared, measure).map_err(failed)?;
-    let both = sentences(&report.review().outcome);
     let mut report = report.with_effects(effects.clone());
-    if let Some(both) = both.clone() {
-        report = report.with_directions(both, other.and_then(Result::ok));
+    if let Some(other) = other {
+        report = report.with_other_direction(other);
     }
     out.write(&report.files())?;
-    let text = printed(args, &prepared, effects, report.review());
-    let text = with_answer(args, both.as_ref(), text);
+    let text = answer(
+        args,
+        (&prepared, effects),
+        report.review(),
+        report.directions(),
+    );
     let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text
@@ -203,51 +205,52 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })
 }
 
+const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration, --in-rows), allowed is it with --records; of the \
+                         scene's own record declare it in the scene, such as `record.unit`";
+
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
 fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
+    // JSON has the parts of one refusal; `check --json` has what is unusual.
+    if args.shown.json {
+        return message;
+    }
     let mut doubts = prepared.doubts();
     // A record and a duration are no reasons to fail.
-    let is_of_row = |place: &str| place.starts_with("structures") || place.starts_with("contacts");
-    doubts.retain(|doubt| is_of_row(&doubt.place));
-    let doubts = Implausible::lines(&doubts);
-    // JSON has the parts of one refusal; `check --json` has what is unusual.
-    if doubts.is_empty() || args.shown.json {
+    doubts.retain(Implausible::is_of_row);
+    let doubts = Implausible::lines(doubts.iter().map(|one| ("", one)));
+    if doubts.is_empty() {
         message
     } else {
         format!("{message}; unusual in this scene: {}", doubts.join("; "))
     }
 }
 
-/// The sentences of both directions before what is printed of a run; JSON has them inside.
-fn with_answer(args: &Arguments, both: Option<&[String; 2]>, text: String) -> String {
-    match both {
-        Some(both) if !args.shown.json => format!("{}\n{text}", summary::direction::text(both)),
-        Some(_) | None => text,
-    }
-}
-
-/// What is printed of a run.
-fn printed(
+/// What is printed of a run: what is unusual, what both directions do, and the run itself; JSON has them inside.
+fn answer(
     args: &Arguments,
-    prepared: &Simulation,
-    effects: Option<Effects>,
+    (prepared, effects): (&Simulation, Option<Effects>),
     review: &Review,
+    both: Option<&BothDirections>,
 ) -> String {
     if args.shown.json {
         let summary = Summary::of(prepared, review);
         return Summary { effects, ..summary }.to_json();
     }
+    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
     let run = if args.shown.details {
-        summary::details(prepared, review)
+        summary::details(prepared, review, &notices)
     } else {
-        summary::brief(prepared, review)
+        summary::brief(prepared, review, &notices)
     };
-    match effects {
-        Some(effects) => format!("{run}\n{}", effects::text(prepared, &effects)),
-        None => run,
-    }
+    let effects = effects.map(|effects| effects::text(prepared, &effects));
+    let first = [
+        summary::unusual(prepared),
+        both.map(summary::direction::text),
+    ];
+    let parts = first.into_iter().flatten().chain([run]).chain(effects);
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.

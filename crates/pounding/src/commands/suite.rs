@@ -4,13 +4,28 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use pounding::scene::lines::{self, Watched};
-use pounding::scene::{Error, Motion, Scene, Simulation};
+use pounding::scene::{Error, Motion, Scene, Simulation, Suite};
 
-pub(super) use pounding::scene::lines::{
-    Line, direction, left_out, nothing_found, said_of_untold, untold,
-};
+pub(super) use pounding::scene::lines::{Line, failed, nothing_found};
 
+use super::declared::{Declared, by_options};
 use crate::progress::Progress;
+use crate::text::paragraph;
+
+/// Reads the records of a folder that are to shake a scene.
+///
+/// # Errors
+/// Says that the folder cannot be read, or why nothing in it shakes a row.
+pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, String> {
+    Suite::in_folder(folder, &declared.of_files(scene))
+        .map_err(|error| by_options(&error.to_string()))
+}
+
+/// Says how many files became how many events, what is left out, and what failed.
+pub(super) fn records<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> String {
+    let said = [vec![suite.counts()], failed(lines), suite.remarks(details)];
+    paragraph("Records", &by_options(&said.concat().join("\n")))
+}
 
 /// The lines of a folder that are finished, and how many there are to be.
 pub(super) struct Ran<T> {
@@ -51,18 +66,18 @@ pub(super) fn stop_when_asked() {
     let _ = asked;
 }
 
-/// Runs a scene under every motion of a folder, in these directions (whether reversed); a line each, in order.
+/// Runs a scene under every motion of a suite, in these directions (whether reversed); a line each, in order.
 ///
 /// # Errors
-/// Says of a folder without records, and of one of which every record is refused, why.
+/// Gives the first reason if every run fails.
 pub(super) fn lines<T: Send>(
     scene: &Scene,
-    folder: &Path,
+    suite: &Suite,
     directions: &[bool],
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
     let scene = |_: &Motion| Ok((scene.clone(), ()));
-    lines_of(folder, directions, scene, |prepared, ()| run(prepared))
+    lines_of(suite, directions, scene, |prepared, ()| run(prepared))
 }
 
 /// The same with a scene for every motion, and what its runs have to know besides.
@@ -70,7 +85,7 @@ pub(super) fn lines<T: Send>(
 /// # Errors
 /// Those of [`lines`].
 pub(super) fn lines_of<T: Send, K: Send + Sync>(
-    folder: &Path,
+    suite: &Suite,
     directions: &[bool],
     scene: impl Fn(&Motion) -> Result<(Scene, K), Error> + Sync,
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
@@ -82,7 +97,7 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
         stop: &STOPPED,
         step: &step,
     };
-    let ran = lines::lines_of(folder, directions, watched, scene, run)?;
+    let ran = lines::lines_of(suite, directions, watched, scene, run)?;
     Ok(Ran {
         lines: ran.lines,
         n_cases: ran.n_cases,

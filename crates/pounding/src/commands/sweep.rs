@@ -4,7 +4,6 @@ mod joined;
 mod summed;
 mod task;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use pounding::scene::Method;
@@ -16,9 +15,9 @@ use pounding::text::digits;
 pub(super) use joined::{answer, result};
 
 use super::Failure;
-use super::suite::{STOPPED, said_of_untold, stop_when_asked};
+use super::suite::{STOPPED, stop_when_asked};
 use crate::progress::{Counter, Waiting};
-use crate::text::{paragraph, percent};
+use crate::text::{paragraph, percent, unusual};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -88,9 +87,7 @@ fn announce(sweep: &Sweep, parts: &Parts) {
     if let Some(why) = sweep.alone_because().filter(|_| sweep.is_long()) {
         say(&format!("runs go one at a time: {why}"));
     }
-    if !parts.is_locked() {
-        say("this disk knows no locks: let no other process write the same table");
-    }
+    new_file::say_if_unlocked(parts.is_locked());
     for damaged in parts.damaged() {
         say(&format!("run again: {damaged}"));
     }
@@ -146,11 +143,18 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 
 /// Joins what has run, and says what it was.
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
-    let mut lines = vec![paragraph("Sweep", &runs(sweep, &parts))];
-    if !sweep.left_out().is_empty() {
-        lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
-    }
-    lines.extend(said_of_untold(sweep.untold()).map(|said| paragraph("Direction", &said)));
+    let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
+    lines.push(paragraph("Sweep", &runs(sweep, &parts)));
+    lines.extend(
+        sweep
+            .says_no_contact()
+            .map(|said| paragraph("Contact", said)),
+    );
+    lines.extend(
+        sweep
+            .suite()
+            .map(|suite| super::suite::records::<()>(suite, &[], false)),
+    );
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
     }
@@ -218,7 +222,7 @@ fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String>
         return Ok(());
     };
     let path = errors_beside(out);
-    let is_ours = fs::read(&path).is_ok_and(|found| found == accuracy.csv().as_bytes());
+    let is_ours = pounding::files::holds(&path, accuracy.csv().as_bytes()).unwrap_or(false);
     new_file::check(&path, sweep.inputs(), overwrite || is_ours)
 }
 
@@ -235,8 +239,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
-            "{}: for so many runs nothing that keeps {} of a sample of them within it costs less. It has no errors but those of \
-             rounding; none were measured. All columns: {}",
+            "{}: by the estimate of their costs nothing that keeps {} of a sample of the runs within it is cheaper. It has no errors but those \
+             of rounding; none were measured. All columns: {}",
             chosen(accuracy),
             percent(SweepAccuracy::SHARE),
             path.display()
@@ -247,8 +251,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let worst = worst.map_or("", |column| column.name.as_str());
     let short = if accuracy.within < SweepAccuracy::SHARE {
         format!(
-            " That is less than {} of them, as in the sample that chose the method: ask for a smaller error, or leave out a number that \
-             counts whole things.",
+            " In the sample that chose the method {} were; here fewer are. Ask for a smaller error, take the exact method, or leave out a number \
+             that counts whole things.",
             percent(SweepAccuracy::SHARE)
         )
     } else {

@@ -56,7 +56,7 @@ fn errors(errors: &Errors) -> String {
 /// The pairs that touch, the hardest first.
 pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> String {
     if prepared.floors().facing().is_empty() {
-        return paragraph("Pairs", "none: no structure can touch another");
+        return paragraph("Pairs", "none: no contact is modelled");
     }
     let n_pairs = prepared.pairs().len();
     let blows = Blow::all(outcome);

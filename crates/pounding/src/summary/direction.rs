@@ -1,8 +1,10 @@
 //! Both directions of shaking in the first lines of a run.
 
+use pounding::report::BothDirections;
+
 use crate::text::paragraph;
 
 /// What each direction does, the worse one first, as a paragraph.
-pub(crate) fn text(both: &[String; 2]) -> String {
-    paragraph("Answer", &both.join("\n"))
+pub(crate) fn text(both: &BothDirections) -> String {
+    paragraph("Answer", &both.sentences.join("\n"))
 }

@@ -201,7 +201,7 @@ pub(super) fn pairs(
 ) -> String {
     let (floors, scene) = (prepared.floors(), prepared.scene());
     if floors.facing().is_empty() {
-        return paragraph("Pairs", "none: no structure can touch another");
+        return paragraph("Pairs", "none: no contact is modelled");
     }
     let contacts: Vec<&Contact> = scene.contacts.iter().flatten().collect();
     let header = [

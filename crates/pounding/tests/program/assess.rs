@@ -139,7 +139,9 @@ fn issue_a_far_scale_is_warned_of() {
     );
     let all = assess(&work, &["--scale", "pga=3g"]);
     assert!(
-        all.stdout.contains("Caution: 2 of 2 motions are scaled")
+        all.stdout
+            .starts_with("Unusual   2 motions, the farthest off")
+            && all.stdout.contains("a scale factor")
             && all
                 .stdout
                 .contains("scaled by less than 0.25 or more than 4"),
@@ -348,7 +350,7 @@ fn issue_components_of_one_event_are_one_event() {
     let all = found(&work, &[]);
     assert_eq!((&all["events"], &all["runs"]), (&1.into(), &4.into()));
     let said = assess(&work, &[]).stdout;
-    assert!(said.contains("2 components of one event"), "{said}");
+    assert!(said.contains("2 files: 2 motions of 1 event"), "{said}");
     assert!(said.contains("1 in 2"), "{said}");
 }
 
@@ -397,10 +399,10 @@ fn issue_accelerations_are_ranges() {
 #[test]
 fn issue_what_is_left_out_is_said_first() {
     let work = workplace("assess_left_out", TOWERS);
-    fs::write(work.join("records/bad.csv"), "no record\n").expect("it can be written");
+    fs::write(work.join("records/bad.csv"), "time_s,acceleration_g\n0,x\n").expect("a file");
     let said = assess(&work, &[]).stdout;
     assert!(
-        said.starts_with("Answer    1 of 3 motions of the folder are left out"),
+        said.starts_with("Answer    1 record of the folder is missing here"),
         "{said}"
     );
     assert!(said.contains("bad.csv:"), "{said}");

@@ -190,7 +190,10 @@ fn extreme_budgets_of_nothing_are_refused() {
         (json!({"steps": 1e10}), "budget.steps: found 10000000000"),
         (json!({"seconds": -1}), "budget.seconds: found -1"),
         (json!({"events": 3}), "budget"),
-        (json!({"seconds": 1e-9}), "`budget.seconds`"),
+        (
+            json!({"seconds": 1e-9}),
+            "budget.seconds: found 0.000000001, which was over before the run began",
+        ),
     ] {
         let mut scene = scene(&kelvin_voigt(1e3));
         scene["budget"] = budget;

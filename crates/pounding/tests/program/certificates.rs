@@ -32,6 +32,30 @@ fn reference_a_certificate_for_machines() {
     assert_snapshot!("csv", certify(&format!("{asked} --format csv")).stdout);
 }
 
+/// Four laws went on without end: the exact method cut a collision of a million years into pieces of a collision.
+#[test]
+fn issue_a_certificate_of_a_soft_contact_ends() {
+    for law in [
+        "kelvin_voigt",
+        "modified_kelvin",
+        "modified_linear_viscoelastic",
+        "pant_wijeyewickrema",
+    ] {
+        let soft = "--restitution 0.65 --masses 1e5 1e5 --speed 0.3 --stiffness 1e-30";
+        let ended = certify(&format!("{law} {soft}"));
+        assert_eq!(ended.code, 1, "{law}: {}", ended.stdout);
+        let wanted = "more than 1e5 pieces of the exact method";
+        assert!(ended.stderr.contains(wanted), "{law}: {}", ended.stderr);
+    }
+    let fine = "hertz --restitution 1 --masses 1e5 1e5 --speed 1 --time-step 1e-9 --format json";
+    let ended = certify(fine);
+    assert!(
+        ended.stdout.contains("at most 1e6 steps"),
+        "{}",
+        ended.stdout
+    );
+}
+
 #[test]
 fn extreme_what_cannot_be_certified() {
     let mut messages = String::new();

@@ -17,3 +17,23 @@ fn extreme_a_word_that_nobody_knows_has_a_nearest() {
     let folder = folder("explain_none");
     assert_snapshot!(refusal(&pounding(&folder, &["explain", "ductillity"])), @r#"error: found no word "ductillity", allowed are those that `pounding explain` lists; the nearest is "ductility [μ]""#);
 }
+
+/// Words that newcomers looked for and did not find, of what is modelled and of what is not.
+#[test]
+fn issue_words_of_newcomers_are_explained() {
+    let folder = folder("explain_more");
+    for (word, says) in [
+        ("p-delta", "not modelled"),
+        ("P-Δ", "not modelled"),
+        ("bumper", "pressed flat"),
+        ("link", "not modelled"),
+        ("isolator", "first storey"),
+        ("isolation", "first storey"),
+        ("damper", "not modelled"),
+        ("lanes", "vector"),
+    ] {
+        let said = printed(&pounding(&folder, &["explain", word])).replace('\n', " ");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains(says), "{word}: {said}");
+    }
+}

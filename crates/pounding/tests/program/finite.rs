@@ -20,6 +20,10 @@ fn infinite(table: &str) -> Vec<&str> {
 #[test]
 fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     let folder = suite("finite_errors");
+    let value = |step: usize| format!("{:.3}", -400.0 * libm::sin(0.25 * step as f64));
+    let values: Vec<String> = (0..60).map(value).collect();
+    fs::write(folder.join("records/column.txt"), values.join("\n")).expect("a file");
+    fs::remove_file(folder.join("records/pulse.csv")).expect("it is there");
     // One of two collisions falls between the steps.
     let soft = "law.kelvin_voigt = { restitution = 0.9, impact_stiffness_n_per_m = 1e8, calibration = \"exact\" }";
     let towers = TOWERS.replace("law.stereomechanical.restitution = 0.6", soft);

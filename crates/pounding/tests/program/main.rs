@@ -31,6 +31,8 @@ mod suites;
 mod summaries;
 mod sweep_refusals;
 mod sweeps;
+mod unusual;
+mod written;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -31,6 +31,27 @@ fn issue_a_figure_is_drawn_through_many_periods() {
     assert!(most.max() > Some(300), "a smooth curve");
 }
 
+/// Ten thousand damping ratios took minutes without a word, and a hundred thousand periods of each all memory.
+#[test]
+fn issue_more_values_than_anybody_waits_for_are_refused() {
+    let folder = folder("motion_issues_many");
+    fs::write(folder.join("record.csv"), crate::quiet(40)).expect("a disk");
+    let ratios = ["0.05"; 11].join(",");
+    let many = [
+        "spectrum",
+        "record.csv",
+        "--count",
+        "100000",
+        "--damping",
+        &ratios,
+    ];
+    let said = motion(&folder, &many).stderr;
+    assert!(
+        said.contains("found 100000 periods times 11 damping ratios, allowed are up to 1000000"),
+        "{said}"
+    );
+}
+
 /// Without periods of one's own a table has a screenful of them, in a file for a program a hundred.
 #[test]
 fn issue_the_table_of_a_spectrum_fits_a_screen() {
@@ -237,7 +258,7 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
     Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
 
-    Vertical  shakes no row of a folder: Chan 2: Up
+    No row    Chan 2: Up: vertical component, by the name in the file
 
     Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
               offset of the baseline, or a record cut short; PGV and PGD are those

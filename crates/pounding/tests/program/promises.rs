@@ -11,7 +11,7 @@ use crate::sweeps::{sweep, with_sweep};
 use crate::{Ended, folder, pounding};
 
 /// Files of a folder, and of those in it, with their bytes.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
         let path = entry.path();
@@ -26,7 +26,7 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 /// The towers with a contact that other programs know.
-fn springs() -> String {
+pub(crate) fn springs() -> String {
     TOWERS.replace(
         "law.stereomechanical.restitution = 0.6",
         "law.linear_spring.impact_stiffness_n_per_m = 1e8",
@@ -134,7 +134,15 @@ fn issue_two_sweeps_on_one_table_do_not_mix() {
             loser.contains("at work on it") || loser.contains("is there already"),
             "{loser}"
         );
-        assert!(!folder.join(".both.csv.lock").exists());
+        // The loser began parts anew beside the table that it had found finished.
+        for left in [".both.csv.lock", ".both.csv.joined.json", "both.csv.parts"] {
+            let left = folder.join(left);
+            assert!(
+                !left.exists(),
+                "round {round}: {} is left, {loser}",
+                left.display()
+            );
+        }
     }
 }
 
@@ -164,6 +172,46 @@ fn issue_a_rerun_after_a_kill_in_the_clean_up_is_done() {
     );
     assert!(!folder.join("runs.csv.parts").exists());
     assert_eq!(fs::read(folder.join("runs.csv")).expect("a table"), table);
+}
+
+/// Killed between the last part and the folder, the same command ended with 1: nothing told any more that the table was this sweep's.
+#[test]
+fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
+    let folder = with_sweep("promises_clean_up_steps", &sweep(8));
+    let arguments = ["sweep", "sweep.json", "--out", "runs.csv"];
+    let (parts, table) = (folder.join("runs.csv.parts"), folder.join("runs.csv"));
+    let beside = folder.join(".runs.csv.joined.json");
+    let shards = ["1/2", "2/2"].map(|shard| [&arguments[..], &["--shard", shard]].concat());
+    // How much is deleted before the kill: parts, manifest, folder.
+    for deleted in 0.. {
+        for shard in &shards {
+            assert_eq!(pounding(&folder, shard).code, 0);
+        }
+        assert_eq!(pounding(&folder, &["merge", "runs.csv"]).code, 0);
+        fs::copy(parts.join("manifest.json"), &beside).expect("a disk");
+        let mut files: Vec<_> = contents(&parts).into_iter().map(|(path, _)| path).collect();
+        files.sort_by_key(|path| path.ends_with("manifest.json"));
+        for file in files.iter().take(deleted) {
+            fs::remove_file(file).expect("a disk");
+        }
+        let is_last = deleted > files.len();
+        if is_last {
+            fs::remove_dir(&parts).expect("it is empty");
+        }
+        let before = fs::read(&table).expect("a table");
+        let again = pounding(&folder, &arguments);
+        assert_eq!(again.code, 0, "{deleted}: {}", again.stderr);
+        assert!(!parts.exists() && !beside.exists(), "{deleted}");
+        assert_eq!(fs::read(&table).expect("a table"), before);
+        // Now it is a table like any other.
+        assert_eq!(pounding(&folder, &arguments).code, 1);
+        assert!(!parts.exists(), "{deleted}: something was begun beside it");
+        fs::remove_file(&table).expect("a disk");
+        if is_last {
+            assert!(deleted > 2, "parts, manifest and folder");
+            return;
+        }
+    }
 }
 
 /// It ended with 0.
@@ -210,8 +258,8 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
         "run towers.toml --out out",
         "motion spectrum records/pulse.csv --figure new.png",
     ] {
-        // No file may be longer than one block; the signal of that is ignored, so that it is an error of writing.
-        let script = format!("trap '' XFSZ; ulimit -f 1; exec {program} {command}");
+        // No file may be longer than one block. The signal of that ended the program without a word.
+        let script = format!("ulimit -f 1; exec {program} {command}");
         let ended = Command::new("sh")
             .args(["-c", &script])
             .current_dir(&folder)

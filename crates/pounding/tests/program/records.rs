@@ -41,7 +41,7 @@ fn extreme_record_of_comments_only() {
 
 #[test]
 fn extreme_record_of_unknown_format() {
-    assert_snapshot!(refused("record_format", "El Centro 1940, north-south, 0.02 s\nin g\n"), @"error: record.csv: line 1 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line");
+    assert_snapshot!(refused("record_format", "El Centro 1940, north-south, 0.02 s\nin g\n"), @"error: record.csv: line 1 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, SimCenter JSON, plain text; fetch the file again in one of them, or write one number to a line");
 }
 
 #[test]

@@ -40,5 +40,9 @@ class Refused(ValueError):
         return type(self), (str(self), self.place, self.found, self.allowed, self.help)
 
 
+class NotFound(Refused, FileNotFoundError):
+    """A file that is not there."""
+
+
 class PoundingWarning(UserWarning):
     """What to know before believing the numbers of a run."""

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _pounding
 from ._record import Record, read
+from ._words import visible
 
 if TYPE_CHECKING:
     import pandas
@@ -82,29 +83,34 @@ class Assessment:
         return dict(self._facts)
 
     @property
+    def unusual(self) -> list[str]:
+        """Values of the scene and of its records that are far from usual, a sentence for each kind: look at them first."""
+        return self._native.unusual()
+
+    @property
     def answers(self) -> list[str]:
         """Whether the gaps are enough, in sentences."""
-        return self._native.answers()
+        return [visible(one) for one in self._native.answers()]
 
     @property
     def sentences(self) -> list[str]:
         """The answer in full: whether the gaps are enough, what is proposed, and what touching does."""
-        return self._native.sentences()
+        return [visible(one) for one in self._native.sentences()]
 
     @property
     def motions(self) -> list[str]:
         """The motions in a few lines: how many, of how many events, how scaled."""
-        return self._native.shaking()
+        return [visible(one) for one in self._native.shaking()]
 
     @property
     def warnings(self) -> list[str]:
         """What to know before believing it."""
-        return self._native.warnings()
+        return [visible(one) for one in self._native.warnings()]
 
     @property
     def remarks(self) -> list[str]:
         """Records that are left out, or whose direction nothing tells."""
-        return self._native.remarks()
+        return [visible(one) for one in self._native.remarks()]
 
     @property
     def table(self) -> pandas.DataFrame:
@@ -132,6 +138,7 @@ class Assessment:
 
     def __repr__(self) -> str:
         parts = [
+            ("Unusual", self.unusual),
             ("Answer", self.sentences),
             ("Motions", self.motions),
             ("Warnings", self.warnings),
@@ -140,6 +147,7 @@ class Assessment:
         return "\n".join(line for title, lines in parts if lines for line in [title, *(f"  {one}" for one in lines)])
 
     def _repr_html_(self) -> str:
+        unusual = "".join(f"<li>Unusual: {escape(one)}</li>" for one in self.unusual)
         answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.sentences, "; ".join(self.motions)])
         notices = "".join(f"<li>{escape(notice)}</li>" for notice in [*self.warnings, *self.remarks])
-        return f"{answers}<ul>{notices}</ul>"
+        return f"<ul>{unusual}</ul>{answers}<ul>{notices}</ul>"

@@ -7,7 +7,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, SupportsFloat, SupportsIndex, final
 
-__all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "laws", "opensees", "periods_between", "required_gap", "run", "sketch_scene", "sweep", "words_of", "write_files"]
+__all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "laws", "opensees", "periods_between", "read_words", "required_gap", "run", "sketch_scene", "sweep", "visible", "words_of", "write_files"]
 
 @final
 class Array:
@@ -52,6 +52,10 @@ class Assessment:
     def shaking(self, /) -> list[str]:
         """
         The motions in a few lines.
+        """
+    def unusual(self, /) -> list[str]:
+        """
+        What looks wrong in the scene and in its records.
         """
     def warnings(self, /) -> list[str]:
         """
@@ -142,9 +146,9 @@ class Run:
     """
     What a run of a scene leaves behind.
     """
-    def directions(self, /) -> list[str]:
+    def directions(self, /) -> tuple[list[str], list[str]]:
         """
-        The same of both directions of shaking, the worse one first; the other direction runs now.
+        The same of both directions of shaking, the worse one first, and what to know of both; the other direction runs now.
         """
     @property
     def duration(self, /) -> float:
@@ -183,6 +187,10 @@ class Run:
     def table(self, /, name: str) -> Table:
         """
         The table `peaks`, `pairs` or `impacts`.
+        """
+    def unusual(self, /) -> list[str]:
+        """
+        What looks wrong in the scene and in its record, a sentence for each kind.
         """
 
 @final
@@ -250,10 +258,15 @@ def periods_between(first: SupportsFloat | SupportsIndex, last: SupportsFloat | 
     Periods from one to another [s], in equal ratios.
     """
 
+def read_words(path: str | PathLike[str]) -> str:
+    """
+    The text of a JSON or TOML file, read within the bounds of the program.
+    """
+
 def required_gap(text: str, path: str | PathLike[str], folder: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
-    Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what is said of
-    records that are left out, or whose direction nothing tells.
+    Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
+    and what is said of records that are left out, or whose direction nothing tells.
     """
 
 def run(text: str, path: str | PathLike[str], record: Record | None = None, measure: bool = True, full: bool = False, force: bool = False) -> Run:
@@ -268,12 +281,17 @@ def sketch_scene(text: str, path: str | PathLike[str]) -> str:
     The row of a scene as SVG.
     """
 
-def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None]:
+def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None, list[str]]:
     """
     Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 
     `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-    reasons, and what is said of those whose direction nothing tells.
+    reasons, what is said of those whose direction nothing tells, and what looks wrong.
+    """
+
+def visible(text: str) -> str:
+    """
+    Text for people: letters that steer a terminal, or the direction of writing, are spelt.
     """
 
 def words_of(text: str, path: str | PathLike[str]) -> str:

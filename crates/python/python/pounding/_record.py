@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _pounding
 from ._tables import Floats, frame, view
-from ._words import FORMULA, RECORD, to_json, words
+from ._words import FORMULA, RECORD, numbers, to_json, visible, words
 
 if TYPE_CHECKING:
     import pandas
@@ -151,8 +151,8 @@ class Record:
         """The same as an Arrow table."""
         if periods is None:
             periods = np.array(_pounding.periods_between(0.02, 10.0, 100))
-        periods = np.atleast_1d(np.asarray(periods, dtype=float))
-        ratios = np.atleast_1d(np.asarray(damping, dtype=float))
+        periods = numbers(periods, "periods", or_one=True)
+        ratios = numbers(damping, "damping", or_one=True)
         return self._native.spectrum(periods.tolist(), ratios.tolist())
 
     def __eq__(self, other: object) -> bool:
@@ -177,7 +177,7 @@ class Record:
             lines.append(f"  {what}: {found}{where}")
         if self.scale_factor != 1.0:
             lines.append(f"  multiplied by {self.scale_factor:.6g}")
-        return "\n".join(lines)
+        return visible("\n".join(lines))
 
 
 def _remade(
@@ -243,13 +243,18 @@ def record(acceleration: ArrayLike, dt: float, *, name: str = "array") -> Record
     Parameters
     ----------
     acceleration
-        Ground acceleration at t = 0, dt, 2 dt, … [m/s²].
+        Ground acceleration at t = 0, dt, 2 dt, … [m/s²]: real numbers in one dimension, none of them masked.
     dt
         Time between two samples [s], > 0.
     name
         Name for tables and reports.
+
+    Raises
+    ------
+    Refused
+        Names what was found instead, and what to do.
     """
-    samples = np.ascontiguousarray(acceleration, dtype=np.float64).ravel()
+    samples = numbers(acceleration, "acceleration", wants_floats=True)
     return Record(_pounding.Record.of_samples(samples.tobytes(), float(dt), to_json({"file": name})))
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from . import _pounding
 from ._errors import PoundingWarning
 from ._tables import Floats, frame, view
+from ._words import visible, warn
 
 if TYPE_CHECKING:
     import pandas
@@ -62,13 +63,17 @@ class Run:
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing the numbers, the most harmful first; then values that are far from usual."""
-        unusual = [f"{one['place']}: found {one['found']}, usual is {one['usual']}" for one in self.summary["unusual"]]
-        return [*self._native.notices(), *unusual]
+        """What to know before believing the numbers: values that are far from usual, then the most harmful first."""
+        return [visible(one) for one in [*self.unusual, *self._native.notices()]]
+
+    @property
+    def unusual(self) -> list[str]:
+        """Values of the scene and of its record that are far from usual, a sentence for each kind."""
+        return self._native.unusual()
 
     def _warn(self) -> None:
         for notice in self.warnings:
-            warnings.warn(notice, PoundingWarning, stacklevel=3)
+            warn(notice, stacklevel=3)
 
     def table(self, name: str) -> _pounding.Table:
         """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, such as ``polars.DataFrame(…)``."""
@@ -144,11 +149,18 @@ class Run:
     @property
     def sentence(self) -> str:
         """How often floors touch, and how hard."""
-        return self._native.sentence()
+        return visible(self._native.sentence())
 
     def directions(self) -> list[str]:
-        """The same for both directions of shaking, the worse one first: the other direction runs now."""
-        return self._native.directions()
+        """The same for both directions of shaking, the one that is worse for the buildings first: the other direction runs now.
+
+        What the other direction adds to :attr:`warnings` are warnings of the class :class:`PoundingWarning`.
+        """
+        sentences, notices = self._native.directions()
+        for notice in notices:
+            if visible(notice) not in self.warnings:
+                warn(notice, stacklevel=2)
+        return [visible(one) for one in sentences]
 
     def plot(self) -> Figure:
         """Displacements and openings over time, by matplotlib."""
@@ -214,11 +226,16 @@ class Run:
         return _again, (self.scene, self._record, self._options)
 
     def __repr__(self) -> str:
+        unusual = "".join(f"Unusual: {one}\n" for one in self.unusual)
+        return f"{unusual}{self._line()}"
+
+    def _line(self) -> str:
         return f"Run of {self.summary['scene']['name']!r}, {self._native.duration:g} s: {self.sentence}"
 
     def _repr_html_(self) -> str:
-        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
-        return f"<p>{escape(repr(self))}</p>{self._native.sketch()}<ul>{notices}</ul>"
+        unusual = "".join(f"<li>Unusual: {escape(one)}</li>" for one in self.unusual)
+        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self._native.notices())
+        return f"<ul>{unusual}</ul><p>{escape(self._line())}</p>{self._native.sketch()}<ul>{notices}</ul>"
 
 
 def written(

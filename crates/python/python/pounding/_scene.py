@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from . import _pounding
-from ._errors import PoundingWarning, Refused
+from ._errors import Refused
 from ._progress import Progress, shown
 from ._record import Record, read
 from ._run import Run
 from ._tables import frame
 from ._structures import Law, for_each, law_of
 from ._sweep import arrays_of, restitution_of, spread
-from ._words import to_json, words
+from ._words import refused, table_of, to_json, visible, warn, words
 
 if TYPE_CHECKING:
     import pandas
@@ -89,7 +88,11 @@ def row(
             found, allowed = type(structure).__name__, "structures one by one"
             message = f"structures[{index - 1}]: found {found}, allowed are {allowed}: row(sdof(…), building(…), gap=…)"
             raise Refused(message, f"structures[{index - 1}]", found, allowed)
+        place = f"structures[{index - 1}]"
+        if len(structure) != 1:
+            raise refused(place, f"a dict of {len(structure)} entries", "is one with one", "make it with sdof(…), building(…) or wall()")
         kind, fields = next(iter(structure.items()))
+        fields = table_of(fields, f"{place}.{kind}", '{"mass_kg": 1e5, "period_s": 1.0}')
         if kind != "wall":
             fields = {"name": f"structure {index}", **fields}
         named.append({kind: fields})
@@ -124,7 +127,7 @@ def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
         given = source if own else {**source, "record": _NOBODY}
         return Scene(to_json(given), "scene.json", None, own)
     path = os.fspath(source)
-    return Scene(Path(path).read_text(encoding="utf-8"), path, None, True)
+    return Scene(_pounding.read_words(Path(path)), path, None, True)
 
 
 class Scene:
@@ -273,7 +276,7 @@ class Scene:
     ) -> Assessment:
         """Says under many records whether the gaps are enough, and what touching does: both directions, exact method.
 
-        What harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
+        What is unusual, what harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
 
         Parameters
         ----------
@@ -299,8 +302,8 @@ class Scene:
                 self._text, Path(self._path), folder, scale, spectrum, list(stiffness), shown(progress)
             )
         found = Assessment(native)
-        for one in [*found.warnings, *found.remarks]:
-            warnings.warn(one, PoundingWarning, stacklevel=2)
+        for one in [*found.unusual, *found.warnings, *found.remarks]:
+            warn(one, stacklevel=2)
         return found
 
     def required_gap(
@@ -312,7 +315,7 @@ class Scene:
         """Which gaps nothing closes, under every record in both directions, by the exact method.
 
         The gaps and laws of the scene do not matter. A row for each motion, direction and gap: what is needed [m], when [s], the peaks of
-        both neighbours alone [m], and what the rules of codes ask for [m]. Records that are left out are warnings.
+        both neighbours alone [m], and what the rules of codes ask for [m]. What is unusual and records that are left out are warnings.
 
         Parameters
         ----------
@@ -326,7 +329,7 @@ class Scene:
         with folder_of(records) as folder:
             table, said = _pounding.required_gap(self._text, Path(self._path), folder, shown(progress))
         for one in said:
-            warnings.warn(one, PoundingWarning, stacklevel=2)
+            warn(one, stacklevel=2)
         return frame(table)
 
     def sweep(
@@ -422,15 +425,18 @@ class Scene:
             raise Refused("record: found one beside records, allowed is one of the two", "record", "records", "one of the two")
         record = None if record is None else record_of(record)
         scene, base = self._for_sweep(record, records is not None)
-        fields = dict(vary or {})
+        fields = dict(table_of(vary or {}, "vary", '{"structures[0].sdof.period_s": [0.5, 1.0]}'))
         named = {"gap": "contacts[*].gap_m"}
         if gap is not None:
             fields[named["gap"]] = gap
         if restitution is not None:
             named["restitution"] = restitution_of(scene)
             fields[named["restitution"]] = restitution
-        if summary is not None and "by" in summary:
-            summary = {**summary, "by": [named.get(field, field) for field in summary["by"]]}
+        if summary is not None:
+            summary = table_of(summary, "summary", '{"by": ["gap"]}, or {}')
+            by = summary.get("by")
+            if isinstance(by, (list, tuple)):
+                summary = {**summary, "by": [named.get(field, field) if isinstance(field, str) else field for field in by]}
         given: dict[str, Any] = {
             "scene": scene,
             "vary": [spread(field, values) for field, values in fields.items()],
@@ -453,13 +459,9 @@ class Scene:
             elif arrays := arrays_of(record or self._record):
                 (only,) = stack.enter_context(folder_of(arrays)).iterdir()
                 scene["record"] = {"file": str(only)}
-            native, left_out, untold = _pounding.sweep(
-                to_json(given), base, shown(progress)
-            )
-        for one in left_out:
-            warnings.warn(f"left out: {one}", PoundingWarning, stacklevel=3)
-        if untold:
-            warnings.warn(untold, PoundingWarning, stacklevel=3)
+            native, remarks = _pounding.sweep(to_json(given), base, shown(progress))
+        for one in remarks:
+            warn(one, stacklevel=3)
         return native
 
     def _for_sweep(self, record: Record | None, replaced: bool) -> tuple[dict[str, Any], Path]:
@@ -518,7 +520,7 @@ class Scene:
         ]
         gaps = [contact["gap_m"] for contact in words_of_it.get("contacts", [])]
         between = f", gaps {', '.join(f'{gap:g}' for gap in gaps)} m" if gaps else ", apart"
-        return f"Scene {words_of_it['name']!r}: {' – '.join(names)}{between}"
+        return visible(f"Scene {words_of_it['name']!r}: {' – '.join(names)}{between}")
 
     def _repr_html_(self) -> str:
         from html import escape

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Union
 
 from ._errors import Refused
-from ._words import STRUCTURE, words
+from ._words import STRUCTURE, table_of, words
 
 __all__ = ["building", "sdof", "wall"]
 
@@ -99,7 +99,10 @@ def building(
         "period": period,
         "damping": _damping(damping),
         **fields,
-        "storeys": [words(storey, STRUCTURE) for storey in storeys],
+        "storeys": [
+            words(table_of(storey, f"storeys[{index}]", '{"mass": 3e5, "stiffness": 2e8}'), STRUCTURE)
+            for index, storey in enumerate(storeys)
+        ],
     }
     return {"building": words(given, STRUCTURE)}
 
@@ -117,9 +120,10 @@ def law_of(law: Law | None, restitution: float | None) -> Any:
     if isinstance(law, str):
         return law
     if restitution is None:
-        return dict(law)
+        return law
+    law = table_of(law, "law", '{"hertz_damp": {"impact_stiffness_n_per_m1_5": 2.75e9}}')
     for name, parameters in law.items():
-        if "restitution" in parameters:
+        if "restitution" in table_of(parameters, f"law.{name}", '{"impact_stiffness_n_per_m1_5": 2.75e9}'):
             found, allowed = f"one in {name} and restitution={restitution}", "one of them"
             raise Refused(f"restitution: found {found}, allowed is {allowed}", "restitution", found, allowed)
     return {name: {**parameters, "restitution": restitution} for name, parameters in law.items()}

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _pounding
+from ._errors import PoundingWarning, Refused
 
 #: Keywords of a structure, and its fields in a file, where they differ.
 STRUCTURE = {
@@ -61,12 +66,70 @@ def _plain(value: object) -> object:
     raise TypeError(f"found {value!r}, allowed are numbers, texts, lists and dicts")
 
 
+def refused(place: str | None, found: str, allowed: str, help: str | None = None) -> Refused:
+    """A refusal in the words of the program."""
+    begin = f"{place}: " if place else ""
+    end = f"; {help}" if help else ""
+    own = allowed.removeprefix("is ").removeprefix("are ")
+    return Refused(f"{begin}found {found}, allowed {allowed}{end}", place, found, own, help)
+
+
+def visible(text: str) -> str:
+    """Text for people: letters that steer a terminal, or the direction of writing, are spelt."""
+    return _pounding.visible(text)
+
+
+def warn(text: str, stacklevel: int) -> None:
+    """Warns whoever called the function that is so many calls above this one."""
+    warnings.warn(visible(text), PoundingWarning, stacklevel=stacklevel + 1)
+
+
+def table_of(value: object, place: str, example: str) -> Mapping[str, Any]:
+    """The same, which is a dict."""
+    if isinstance(value, Mapping):
+        return value
+    raise TypeError(f"{place}: found {type(value).__name__}, allowed is a dict, such as {example}")
+
+
 def to_json(value: object) -> str:
     """As JSON, in which a number reads back to the same bits; NumPy's numbers are numbers."""
     try:
-        return json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
+        text = json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
+        text.encode()
+    except RecursionError:
+        # Its traceback has a thousand lines.
+        raise refused(None, "dicts or lists too deep in each other", "are those of a file", "give less deep ones") from None
+    except UnicodeEncodeError as error:
+        raise refused(None, f"{error.object[error.start : error.end]!r} in a text or a path", "is Unicode", "rename the file") from error
     except ValueError as error:
-        from ._errors import Refused
+        if "ircular" in str(error):
+            found, allowed = "a dict or list within itself", "are those that end"
+        else:
+            found, allowed = "a number that is not finite", "are finite numbers"
+        raise refused(None, found, allowed) from error
+    return text
 
-        message = "found a number that is not finite, allowed are finite numbers"
-        raise Refused(message, None, "a number that is not finite", "finite numbers") from error
+
+def numbers(
+    given: ArrayLike, place: str, *, wants_floats: bool = False, or_one: bool = False
+) -> NDArray[np.float64]:
+    """Real numbers in one dimension, or with ``or_one`` one number, none masked; whole ones unless the unit would be in doubt."""
+    masked = int(np.asarray(given.mask).sum()) if isinstance(given, np.ma.MaskedArray) else 0
+    if masked:
+        help = "fill the gaps first, for example by a.filled(0.0)"
+        raise refused(place, f"{masked} masked values", "are numbers", help)
+    try:
+        array = np.asarray(given)
+    except ValueError as error:
+        raise refused(place, "lists of different lengths", "are numbers in one dimension") from error
+    if or_one and array.ndim == 0:
+        array = array.reshape(1)
+    if array.ndim != 1:
+        help = f"take one of them: {place}[:, 0]" if array.ndim > 1 else f"put it into a list: [{place}]"
+        raise refused(place, f"an array of the shape {array.shape}", "are numbers in one dimension", help)
+    if array.dtype.kind in "iu" and wants_floats:
+        help = "counts of a digitiser are no m/s²: multiply them by what one is worth, or say np.asarray(…, dtype=float)"
+        raise refused(place, f"whole numbers ({array.dtype})", "are floating-point numbers", help)
+    if array.dtype.kind not in "fiu":
+        raise refused(place, f"an array of {array.dtype}", "are real numbers", "say what each is worth as a float")
+    return np.ascontiguousarray(array, dtype=np.float64)

@@ -1,7 +1,7 @@
 //! What an assessment says of bumpers in the gaps.
 
 use pounding_scene::{Bumper, BumperEffect, COMPRESSION, Distribution};
-use pounding_text::{millimetres, short, two_digits};
+use pounding_text::{millimetres, short, two_decimals, two_digits};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
@@ -37,6 +37,18 @@ impl AssessmentReport {
         format!("{left} and {right}")
     }
 
+    /// The law of a bumper, in words behind its place.
+    fn bumper_law(&self, bumper: &Bumper) -> String {
+        let contact = self.scene.contacts.iter().flatten().nth(bumper.contact);
+        let law = contact.map(|contact| bumper.law(contact));
+        law.map_or_else(String::new, |law| {
+            let restitution = law.restitution().map_or_else(String::new, |restitution| {
+                format!(" with e = {}", two_decimals(restitution))
+            });
+            format!(", law {}{restitution}", law.name())
+        })
+    }
+
     /// What bumpers at the given gaps change, in sentences; nothing without bumpers.
     pub fn bumper_says(&self) -> Vec<String> {
         let Some(effect) = &self.bumper else {
@@ -44,10 +56,11 @@ impl AssessmentReport {
         };
         let one = |bumper: &Bumper| {
             format!(
-                "{} mm and {} MN/m between {}",
+                "{} mm and {} MN/m between {}{}",
                 millimetres(bumper.thickness),
                 short(1e-6 * bumper.stiffness),
-                self.bumper_name(bumper)
+                self.bumper_name(bumper),
+                self.bumper_law(bumper)
             )
         };
         let bumpers: Vec<String> = effect.bumpers.iter().map(one).collect();
@@ -63,6 +76,28 @@ impl AssessmentReport {
                 100.0 * COMPRESSION
             )
         };
+        let bumpers = format!("Bumpers at the given gap ({}{why})", bumpers.join("; "));
+        let is_stiff = effect
+            .force
+            .as_ref()
+            .is_some_and(|force| force.median() >= 1.0);
+        let verdict = match (is_stiff, is_given) {
+            (true, false) => {
+                "No bumper helps in this gap: it has room for none that is softer than the contact itself. "
+            }
+            (true, true) => {
+                "The bumpers given do not help: they are stiffer than the contact itself. "
+            }
+            (false, _) => "",
+        };
+        // Then what is behind them hits, which no run knows.
+        if effect.is_too_thin() {
+            return vec![format!(
+                "{verdict}{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \
+                 so that their effect is not known.",
+                effect.too_thin, effect.runs
+            )];
+        }
         let force = effect.force.as_ref();
         let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
         let thin = match effect.too_thin {
@@ -72,23 +107,8 @@ impl AssessmentReport {
                 effect.runs
             ),
         };
-        let stiff = effect
-            .force
-            .as_ref()
-            .is_some_and(|force| force.median() >= 1.0);
-        let helps = effect.drift.median() < 1.0 || effect.acceleration.median() < 1.0;
-        let verdict = match (stiff, is_given, helps) {
-            (true, false, false) => {
-                "No bumper helps in this gap: it has room for none that is softer than the contact itself. "
-            }
-            (true, true, false) => {
-                "The bumpers given do not help: they are stiffer than the contact itself. "
-            }
-            (_, _, true) | (false, _, false) => "",
-        };
         vec![format!(
-            "{verdict}Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
-            bumpers.join("; "),
+            "{verdict}{bumpers} change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
             both(&effect.drift),
             both(&effect.acceleration)
         )]
@@ -106,6 +126,7 @@ impl AssessmentReport {
             json!({
                 "left": left,
                 "right": right,
+                "law": self.scene.contacts.iter().flatten().nth(one.contact).map(|contact| one.law(contact)),
                 "stiffness_n_per_m": one.stiffness,
                 "thickness_m": one.thickness,
             })

@@ -1,6 +1,6 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_scene::{DesignSpectrum, ExcessKind, LEAST_SHARE, USUAL_FACTORS};
+use pounding_scene::{DesignSpectrum, ExcessKind, Implausible, LEAST_SHARE, USUAL_FACTORS};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport};
@@ -18,42 +18,32 @@ impl AssessmentReport {
         once.filter(|one| !is_usual(one.run.scale)).collect()
     }
 
-    /// What the answer rests on and should not, in a sentence beside it.
+    /// What looks wrong in the scene and in its records: it stands before the answer.
+    pub fn unusual(&self) -> Vec<Implausible> {
+        let all = self.motions.iter();
+        Implausible::gathered(all.flat_map(|one| {
+            let doubts = one.run.unusual.iter();
+            doubts.map(|doubt| (one.name.as_str(), doubt))
+        }))
+    }
+
+    /// What the answer rests on and should not, in a sentence before it, whether or not the gap is enough.
     pub fn cautions(&self) -> Option<String> {
-        let factors = self.far().into_iter().map(|one| one.run.scale);
-        let count = factors.len();
-        let distance = |factor: f64| factor.max(1.0 / factor);
-        let farthest = factors.max_by(|one, other| distance(*one).total_cmp(&distance(*other)));
-        let far = farthest.map(|factor| {
-            format!(
-                "{count} of {} motions are scaled by less than {} or more than {}, one of them by {}",
-                self.records(),
-                digits(USUAL_FACTORS[0]),
-                digits(USUAL_FACTORS[1]),
-                short(factor)
-            )
-        });
         let beyond = self.excesses().into_iter().find(|(kind, _)| match kind {
-            ExcessKind::Displacement | ExcessKind::Drift | ExcessKind::Ductility => true,
+            ExcessKind::AtColumn
+            | ExcessKind::Displacement
+            | ExcessKind::Drift
+            | ExcessKind::Ductility => true,
             // The model follows these; they ask for more than it knows.
             ExcessKind::Stability | ExcessKind::ResidualDrift => false,
         });
-        let beyond = beyond.map(|(_, said)| said);
-        let all: Vec<String> = far.into_iter().chain(beyond).collect();
-        (!all.is_empty()).then(|| format!("Caution: {}; the warnings say more.", all.join("; ")))
+        beyond.map(|(_, said)| format!("Caution: {said}; the warnings say more."))
     }
 
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().into_iter().map(|(_, said)| said).collect();
         said.extend(self.misfit());
-        let mut unusual: Vec<&String> = Vec::new();
-        for one in self.motions.iter().flat_map(|one| &one.run.unusual) {
-            if !unusual.contains(&one) {
-                unusual.push(one);
-            }
-        }
-        said.extend(unusual.into_iter().cloned());
         let far: Vec<String> = self
             .far()
             .into_iter()

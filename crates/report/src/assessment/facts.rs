@@ -29,6 +29,8 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
     json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
+        "unusual": report.unusual(),
+        "cautions": report.cautions(),
         "answers": report.answers(),
         "proposals": report.proposals(),
         "neighbour": report.prior_json(),
@@ -40,8 +42,8 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
         "scaled": report.scaling.to.to_string(),
         "target": report.fit.as_ref().map(fit),
         "events": assessment.events,
-        "vertical_motions": report.folder.vertical,
-        "failed_motions": report.folder.failed,
+        "cases": assessment.cases,
+        "left_out": report.folder.left_out,
         "by_stiffness": assessment.by_stiffness.as_ref().map(|effect| json!({
             "drift_largest_over_least": statistics(&effect.drift),
             "acceleration_largest_over_least": statistics(&effect.acceleration),
@@ -73,7 +75,7 @@ fn gap(report: &AssessmentReport, one: &GapAssessment) -> Value {
         json!({
             "rule": rule.rule.name(),
             "width_m": statistics(&rule.width),
-            "too_narrow_runs": rule.too_narrow,
+            "too_narrow": rule.too_narrow,
             "least_share": rule.least_share,
         })
     };
@@ -81,9 +83,8 @@ fn gap(report: &AssessmentReport, one: &GapAssessment) -> Value {
         "left": left,
         "right": right,
         "gap_m": one.own,
-        "touching_runs": one.touching,
-        "touching_events": one.touching_events,
-        "required_of_events_m": statistics(&one.required_of_events),
+        "touching": one.touching,
+        "touching_runs": one.touching_runs,
         "required_m": statistics(&one.required),
         "required_sorted_m": one.required,
         "proposed_m": one.proposal(),
@@ -117,7 +118,7 @@ fn pair(report: &AssessmentReport, index: usize, one: &PairAssessment) -> Value 
     json!({
         "left": report.floor_name(facing.left),
         "right": report.floor_name(facing.right),
-        "touching_runs": one.touching,
+        "touching": one.touching,
         "peak_force_n": both(&one.peak_force),
         "largest_impulse_n_s": both(&one.largest_impulse),
         "approach_speed_m_per_s": one.approach_speed,

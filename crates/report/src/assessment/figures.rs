@@ -82,7 +82,7 @@ fn beyond(report: &AssessmentReport) -> String {
     }
 }
 
-/// The share of runs that need more than a gap: a panel for each gap, over one axis.
+/// The share of cases that need more than a gap: a panel for each gap, over one axis.
 fn share(report: &AssessmentReport) -> Figure {
     let all = &report.assessment.gaps;
     let gaps = &all[..all.len().min(MOST_GAPS)];
@@ -106,7 +106,7 @@ fn share(report: &AssessmentReport) -> Figure {
         }
         Panel {
             title: writable(&format!("{left} – {right}")),
-            y: Axis::over("Runs that need more (%)", 0.0, 100.0),
+            y: Axis::over("Events that need more (%)", 0.0, 100.0),
             curves,
             notes,
             ..Panel::default()
@@ -120,7 +120,7 @@ fn share(report: &AssessmentReport) -> Figure {
     }
 }
 
-/// The part of the runs that need more than a width \[mm\], in steps.
+/// The part of the cases that need more than a width \[mm\], in steps.
 fn needing(gap: &GapAssessment, end: f64) -> Vec<(f64, f64)> {
     let n = gap.required.sorted().len() as f64;
     let share = |width: f64| 100.0 * gap.required.count_above(width) as f64 / n;

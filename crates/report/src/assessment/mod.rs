@@ -14,11 +14,9 @@ use std::collections::BTreeMap;
 
 use pounding_scene::{
     AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour,
-    Error, Floors, MotionSpectrum, RunOfEvent, Scaling, Scene, TargetFit, in_scene,
+    Error, Floors, MotionSpectrum, RunOfCase, Scaling, Scene, TargetFit, in_scene,
 };
 use serde_json::Value;
-
-pub use of_lines::remarks;
 
 use crate::animation::{Animation, FILE};
 
@@ -44,11 +42,13 @@ pub struct AssessedMotion {
 /// What became of the motions of a folder.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FolderOfMotions {
-    /// Number of vertical components, which shake no row.
-    pub vertical: usize,
-    /// Number of other motions that shake nothing: they cannot be read, or their runs failed.
-    pub failed: usize,
-    /// What is said of each of both, and of motions whose direction nothing tells.
+    /// Number of files and runs that may be missing: they cannot be read, are refused, or failed.
+    pub n_unusable: usize,
+    /// Files, motions and events, counted.
+    pub counts: String,
+    /// What shakes nothing, for machines.
+    pub left_out: Value,
+    /// What is said of all of these, and of what was declared or is not told.
     pub remarks: Vec<String>,
 }
 
@@ -82,6 +82,25 @@ pub struct AssessmentReport {
     date: Option<String>,
 }
 
+/// The runs of motions, each with its case: an event beside a neighbour.
+fn runs_of_cases(motions: &[AssessedMotion]) -> Vec<RunOfCase<'_>> {
+    let mut drawn: Vec<Option<DrawnNeighbour>> = Vec::new();
+    let mut runs = Vec::new();
+    for one in motions {
+        let known = drawn.iter().position(|known| *known == one.neighbour);
+        let neighbour = known.unwrap_or_else(|| {
+            drawn.push(one.neighbour);
+            drawn.len() - 1
+        });
+        runs.push(RunOfCase {
+            event: one.event,
+            neighbour,
+            run: &one.run,
+        });
+    }
+    runs
+}
+
 /// Files of the folder.
 const PAGE: &str = "report.html";
 const TABLE: &str = "assess.csv";
@@ -94,7 +113,7 @@ impl AssessmentReport {
     /// Those of [`Floors::of`].
     pub fn of(scene: Scene, motions: Vec<AssessedMotion>) -> Result<Option<Self>, Error> {
         let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source))?;
-        let runs: Vec<RunOfEvent<'_>> = motions.iter().map(|one| (one.event, &one.run)).collect();
+        let runs = runs_of_cases(&motions);
         let assessment = Assessment::of(&scene, &runs)?;
         Ok(assessment.map(|assessment| Self {
             asked: scene.clone(),
@@ -226,7 +245,7 @@ impl AssessmentReport {
         self.stiffness
     }
 
-    /// What is said of records that are left out, and of those whose direction nothing tells.
+    /// Says what is left out of the folder, what was declared, and whose direction nothing tells.
     pub fn remarks(&self) -> &[String] {
         &self.folder.remarks
     }

@@ -1,26 +1,23 @@
 //! An assessment of the runs under a folder of records.
 
-use pounding_scene::lines::{Line, count, left_out, untold};
-use pounding_scene::{AssessedRun, Error, MotionSpectrum, Scene};
+use pounding_scene::lines::{Line, failed};
+use pounding_scene::{AssessedRun, Error, MotionSpectrum, Scene, Suite};
 
 use super::{AssessedMotion, AssessmentReport, FolderOfMotions};
 
-/// What is said of motions that are left out, and of those whose direction nothing tells.
-pub fn remarks<T>(lines: &[Line<T>]) -> Vec<String> {
-    let untold = untold(lines).map(|said| format!("direction {said}"));
-    left_out(lines).into_iter().chain(untold).collect()
-}
-
 impl FolderOfMotions {
-    /// What became of the motions of a folder.
-    pub fn of_lines<T>(lines: &[Line<T>]) -> Self {
+    /// What became of the records of a folder, in these runs.
+    pub fn of<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> Self {
+        let failed = failed(lines);
+        let hidden = suite.left_out.iter();
+        let hidden = hidden
+            .filter(|one| one.reason.kind.hides_a_record())
+            .count();
         Self {
-            vertical: count(lines, |line| line.vertical),
-            failed: count(lines, |line| {
-                let mut same = lines.iter().filter(|other| other.motion == line.motion);
-                !line.vertical && same.all(|other| other.found.is_err())
-            }),
-            remarks: remarks(lines),
+            n_unusable: hidden + failed.len(),
+            counts: suite.counts(),
+            left_out: suite.left_out_json(),
+            remarks: failed.into_iter().chain(suite.remarks(details)).collect(),
         }
     }
 }
@@ -32,6 +29,7 @@ impl AssessmentReport {
     /// Those of [`Self::of`].
     pub fn of_lines(
         scene: Scene,
+        suite: &Suite,
         lines: &[Line<(AssessedRun, Option<MotionSpectrum>)>],
     ) -> Result<Option<Self>, Error> {
         let found = lines.iter().filter_map(|line| {
@@ -46,7 +44,7 @@ impl AssessmentReport {
                 run,
             })
         });
-        let folder = FolderOfMotions::of_lines(lines);
+        let folder = FolderOfMotions::of(suite, lines, true);
         let report = Self::of(scene, found.collect())?;
         Ok(report.map(|report| report.with_folder(folder)))
     }

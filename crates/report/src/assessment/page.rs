@@ -2,13 +2,13 @@
 
 use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
 
-use pounding_text::{millimetres, two_decimals, two_digits};
+use pounding_text::{millimetres, millimetres_up, two_decimals, two_digits};
 
 use super::AssessmentReport;
 use crate::animation::Animation;
 use crate::figures::Illustration;
 use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
-use crate::page::{BEFORE, beside, boxed, document, illustrated};
+use crate::page::{BEFORE, UNUSUAL, beside, boxed, document, illustrated, sentence};
 
 pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
@@ -26,6 +26,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
             "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
             escaped(&lead(report))
         ),
+        unusual(report),
         verdict(report),
         beside(&[
             report
@@ -85,23 +86,32 @@ fn lead(report: &AssessmentReport) -> String {
     )
 }
 
+fn unusual(report: &AssessmentReport) -> String {
+    let all: Vec<String> = report.unusual().iter().map(ToString::to_string).collect();
+    boxed(UNUSUAL, &all)
+}
+
 fn verdict(report: &AssessmentReport) -> String {
     let touch = if report.hit().is_empty() {
         ""
     } else {
         " touch"
     };
+    let before = report.before().into_iter();
+    let before = before.map(|one| format!("<p>{}</p>\n", escaped(&one)));
+    let before: Vec<String> = before.collect();
     let answers = report.answers();
     let first = answers.first().map_or("", String::as_str);
-    let more: Vec<String> = report
-        .before()
-        .into_iter()
-        .chain(answers.iter().skip(1).cloned())
+    let more: Vec<String> = answers
+        .iter()
+        .skip(1)
+        .cloned()
         .chain(report.proposals())
         .chain(report.consequences())
         .collect();
     format!(
-        "<div class=\"verdict{touch}\">\n<p><strong>{}</strong></p>\n{}</div>\n",
+        "<div class=\"verdict{touch}\">\n{}<p><strong>{}</strong></p>\n{}</div>\n",
+        before.concat(),
         escaped(first),
         list(&more)
     )
@@ -111,6 +121,10 @@ fn width(of: f64) -> Cell {
     Cell::new(millimetres(of))
 }
 
+fn needed(of: f64) -> Cell {
+    Cell::new(millimetres_up(of))
+}
+
 fn gaps(report: &AssessmentReport) -> String {
     let row = |gap: &GapAssessment| {
         let [left, right] = report.gap_names(gap);
@@ -118,12 +132,11 @@ fn gaps(report: &AssessmentReport) -> String {
         vec![
             Cell::new(format!("{left} – {right}")),
             Cell::known(gap.own.map(millimetres)),
-            Cell::new(format!("{} of {}", gap.touching, report.assessment.runs)),
-            width(gap.required.median()),
-            width(gap.required.p84()),
-            width(gap.required.largest()),
+            Cell::new(report.of_cases(gap.touching)),
+            needed(gap.required.median()),
+            needed(gap.required.p84()),
+            needed(gap.required.largest()),
             Cell::known(dispersion.map(two_decimals)),
-            Cell::known(gap.required_of_events.dispersion().map(two_decimals)),
             width(gap.proposal()),
         ]
     };
@@ -136,12 +149,11 @@ fn gaps(report: &AssessmentReport) -> String {
         "84 % [mm]",
         "Largest [mm]",
         "Spread σ ln",
-        "Of events σ ln",
         "Proposed [mm]",
     ];
     format!(
-        "<p>The width that keeps the neighbours apart in a run: the largest closing of the gap while every building stands alone. The spread of \
-         events is that of the largest width of each event.</p>\n{}",
+        "<p>The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands alone, of its \
+         components in both directions.</p>\n{}",
         table(&header, &rows)
     )
 }
@@ -149,7 +161,9 @@ fn gaps(report: &AssessmentReport) -> String {
 fn touching(report: &AssessmentReport) -> String {
     let hit = report.hit();
     if hit.is_empty() {
-        return "<p>Nothing touches.</p>\n".into();
+        let why = report.floors.says_no_contact();
+        let why = why.map_or_else(|| "Nothing touches.".into(), sentence);
+        return format!("<p>{why}</p>\n");
     }
     let [from, to] = report.stiffness.map(pounding_text::digits);
     let range = |of: &Option<[Distribution; 2]>, unit: f64| match of {
@@ -179,22 +193,22 @@ fn touching(report: &AssessmentReport) -> String {
         .collect();
     let header = [
         "Pair",
-        "Runs that touch",
+        "They touch",
         "Force [kN]",
         "Largest impulse [kN·s]",
         "Speed ≤ [m/s]",
     ];
     let worse = report.worse();
     let storeys = if worse.is_empty() {
-        "<p>No storey gets worse by more than 10 % in more than 16 % of the runs.</p>\n".into()
+        "<p>No storey gets worse by more than 10 % in more than 16 % of the events.</p>\n".into()
     } else {
         format!(
-            "<p>Storeys that get worse by more than 10 % in more than 16 % of the runs:</p>\n{}",
+            "<p>Storeys that get worse by more than 10 % in more than 16 % of the events:</p>\n{}",
             storeys(report, &worse)
         )
     };
     format!(
-        "{storeys}<p>Forces and impulses from the median of the runs with the contact that gives least to the largest of all runs and \
+        "{storeys}<p>Forces and impulses from the median of the events with the contact that gives least to the largest of all runs and \
          contacts, {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations.</p>\n{}",
         table(&header, &rows)
     )
@@ -236,9 +250,12 @@ fn bumpers(report: &AssessmentReport) -> String {
             vec![Cell::new(name), both(&one.drift), both(&one.acceleration)]
         })
         .collect();
+    let said = escaped(&report.bumper_says().join(" "));
+    if effect.is_too_thin() {
+        return format!("<h2>Bumpers in the gaps</h2>\n<p>{said}</p>\n");
+    }
     format!(
-        "<h2>Bumpers in the gaps</h2>\n<p>{}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
-        escaped(&report.bumper_says().join(" ")),
+        "<h2>Bumpers in the gaps</h2>\n<p>{said}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
         table(
             &[
                 "Pair",
@@ -290,7 +307,7 @@ fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> S
         "Largest drift [mm]",
     ];
     format!(
-        "<p class=\"soft\">Median / 84 % of the runs in which their building touches; accelerations from the median with the contact that \
+        "<p class=\"soft\">Median / 84 % of the events in which their building touches; accelerations from the median with the contact that \
          gives least to 84 % with the one that gives most, as forces.</p>\n{}",
         table(&header, &rows)
     )
@@ -307,7 +324,7 @@ fn rules(report: &AssessmentReport) -> String {
                 width(rule.width.median()),
                 width(rule.width.p84()),
                 width(rule.width.largest()),
-                Cell::new(format!("{} of {}", rule.too_narrow, report.assessment.runs)),
+                Cell::new(report.of_cases(rule.too_narrow)),
                 Cell::new(format!("{:.0} %", 100.0 * rule.least_share)),
             ]);
         }
@@ -337,7 +354,7 @@ fn motions(report: &AssessmentReport) -> String {
             vec![
                 Cell::new(format!("{}{reversed}", one.name)),
                 Cell::new(short(one.run.scale)),
-                width(one.run.widest_gap()),
+                needed(one.run.widest_gap()),
                 Cell::new(one.run.collisions().to_string()),
             ]
         })

@@ -1,7 +1,7 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
 use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, WORSE};
-use pounding_text::{digits, millimetres, rounded_up, two_decimals, two_digits};
+use pounding_text::{digits, millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
@@ -40,37 +40,39 @@ impl AssessmentReport {
         )
     }
 
-    /// The answer in full: what it leaves out, the gaps, what is proposed, and what touching does.
+    /// The answer in full: what it leaves out and rests on, the gaps, what is proposed, and what touching does.
     pub fn sentences(&self) -> Vec<String> {
         let answers = self.before().into_iter().chain(self.answers());
         let more = self.proposals().into_iter().chain(self.consequences());
         answers.chain(more).collect()
     }
 
-    /// What is said before the answer: how many motions of the folder shake nothing, unless they are vertical.
-    pub fn before(&self) -> Option<String> {
-        let failed = self.folder.failed;
-        let horizontal = failed + self.records();
-        (failed > 0).then(|| {
-            format!("{failed} of {horizontal} motions of the folder are left out, for reasons given below.")
-        })
+    /// Says before the answer how many records of the folder may be missing in it, and what it rests on and should not.
+    pub fn before(&self) -> Vec<String> {
+        let n = self.folder.n_unusable;
+        let are = if n == 1 {
+            "record of the folder is"
+        } else {
+            "records of the folder are"
+        };
+        let missing = (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."));
+        missing.into_iter().chain(self.cautions()).collect()
     }
 
     /// The motions in a few lines: how many, of how many events, and how strong they are beside what was asked for.
     pub fn shaking(&self) -> Vec<String> {
-        let vertical = match self.folder.vertical {
-            0 => String::new(),
-            1 => ", without one vertical component".into(),
-            n => format!(", without {n} vertical components"),
-        };
         let neighbours = match self.neighbours().len() {
             0 => String::new(),
             n => format!(" beside each of {n} neighbours"),
         };
+        let of = if self.folder.counts.is_empty() {
+            self.motions_of_events()
+        } else {
+            self.folder.counts.clone()
+        };
+        let runs = self.assessment.runs;
         let mut said = vec![format!(
-            "{}, both directions each{neighbours}: {} runs{vertical}",
-            self.motions_of_events(),
-            self.assessment.runs
+            "{of}; both directions each{neighbours}: {runs} runs"
         )];
         said.push(format!("scaled {}", self.scaling.to));
         if let Some(fit) = &self.fit {
@@ -89,17 +91,29 @@ impl AssessmentReport {
         said
     }
 
-    /// "19 of 22 runs", with the events where components make up events.
-    fn touch_in(&self, gap: &GapAssessment) -> String {
-        let Self { assessment, .. } = self;
-        let runs = format!("{} of {} runs", gap.touching, assessment.runs);
-        if assessment.events == self.records() || assessment.events == 1 {
-            return runs;
+    /// What a sample is: an event, or an event beside a neighbour that was drawn.
+    fn sample(&self) -> &'static str {
+        if self.neighbours().is_empty() {
+            "event"
+        } else {
+            "case"
         }
-        format!(
-            "{runs} ({} of {} events)",
-            gap.touching_events, assessment.events
-        )
+    }
+
+    /// "9 of 11 events".
+    pub fn of_cases(&self, count: usize) -> String {
+        let n = self.assessment.cases;
+        let s = if n == 1 { "" } else { "s" };
+        format!("{count} of {n} {}{s}", self.sample())
+    }
+
+    /// "9 of 11 events (18 of 44 runs)".
+    fn touch_in(&self, gap: &GapAssessment) -> String {
+        let runs = format!("{} of {} runs", gap.touching_runs, self.assessment.runs);
+        match self.assessment.cases {
+            1 => format!("the only {} ({runs})", self.sample()),
+            _ => format!("{} ({runs})", self.of_cases(gap.touching)),
+        }
     }
 
     /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
@@ -112,17 +126,18 @@ impl AssessmentReport {
 
     fn answer(&self, gap: &GapAssessment) -> String {
         let [left, right] = self.gap_names(gap);
-        let runs = self.assessment.runs;
+        let (runs, samples) = (self.assessment.runs, self.sample());
         let [most, all] =
             [gap.required.p84(), gap.required.largest()].map(|width| millimetres(gap.built(width)));
         match gap.own {
             None => format!(
-                "{left} and {right} need {most} mm in 84 % of the {runs} runs, {all} mm in all."
+                "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
             ),
             Some(own) if gap.touching == 0 => format!(
-                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.",
+                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
-                rounded_up(1e3 * gap.required.largest(), 1)
+                millimetres_up(gap.required.largest()),
+                margin(own, gap)
             ),
             // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
             Some(own) if own >= gap.required.largest() => format!(
@@ -132,13 +147,13 @@ impl AssessmentReport {
                 self.touch_in(gap)
             ),
             Some(own) if most == all || gap.built(gap.required.p84()) <= own => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough for all.",
                 millimetres(own),
                 self.touch_in(gap)
             ),
             Some(own) => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough in 84 % of \
-                 the runs, {all} mm in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough for 84 % of \
+                 the {samples}s, {all} mm for all.",
                 millimetres(own),
                 self.touch_in(gap)
             ),
@@ -177,7 +192,6 @@ impl AssessmentReport {
             widths.join(", "),
             n + 1
         )];
-        said.extend(self.cautions());
         said.extend(self.bumper_says());
         said
     }
@@ -214,11 +228,29 @@ impl AssessmentReport {
     }
 }
 
-/// So many storeys.
-fn storeys(count: usize) -> String {
+/// How much wider a gap is than the widest needed, if that is less than the spread of the widths from run to run, the standard
+/// deviation of their logarithms: then another motion of the kind may well need more.
+fn margin(own: f64, gap: &GapAssessment) -> String {
+    let more = own / gap.required.largest();
+    match gap.required.dispersion() {
+        Some(spread) if libm::log(more) < spread => format!(
+            " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",
+            percent(more - 1.0),
+            two_decimals(spread)
+        ),
+        Some(_) => String::new(),
+        None => format!(
+            " The margin is {}, and one event tells no spread: another motion may well need more.",
+            percent(more - 1.0)
+        ),
+    }
+}
+
+/// So many storeys that get worse.
+fn get_worse(count: usize) -> String {
     match count {
-        1 => "one storey".into(),
-        n => format!("{n} storeys"),
+        1 => "one storey gets worse".into(),
+        n => format!("{n} storeys get worse"),
     }
 }
 
@@ -261,11 +293,12 @@ impl AssessmentReport {
         if let Some((floor, one)) = worse.first() {
             let Worst { what, ratio, .. } = Worst::of(one);
             said.push(format!(
-                "When they touch, {} get worse by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
-                 runs, and {} times in the median.",
-                storeys(worse.len()),
+                "When they touch, {} by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
+                 {}s, and {} times in the median.",
+                get_worse(worse.len()),
                 self.floor_name(*floor),
                 two_decimals(ratio.p84()),
+                self.sample(),
                 two_decimals(ratio.median()),
             ));
         }
@@ -275,9 +308,10 @@ impl AssessmentReport {
             let [from, to] = self.stiffness.map(digits);
             said.push(match &pair.peak_force {
                 Some([low, high]) => format!(
-                    "Hardest pair: {left} – {right}, {} kN (median of the runs with the contact that gives least) to {} kN (largest of all \
+                    "Hardest pair: {left} – {right}, {} kN (median of the {}s with the contact that gives least) to {} kN (largest of all \
                      runs and contacts), for {from} to {to} times the impact stiffness of the scene, which nobody knows better.",
                     two_digits(1e-3 * low.median()),
+                    self.sample(),
                     two_digits(1e-3 * high.largest())
                 ),
                 None => format!(

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use pounding_scene::{PairOutcome, RunResult, Simulation};
+use pounding_text::visible;
 use serde_json::json;
 
 use super::material::Material;
@@ -96,7 +97,7 @@ fn list(name: &str, entries: impl Iterator<Item = String>) -> String {
 
 /// A text as Python writes it, which is as JSON does.
 fn quoted(text: &str) -> String {
-    json!(text).to_string()
+    visible(&json!(text).to_string()).into_owned()
 }
 
 /// The arrivals that differ, and which of them each floor has.

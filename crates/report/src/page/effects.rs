@@ -11,9 +11,8 @@ pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> Strin
         return String::new();
     };
     if !effects.touch() {
-        return format!(
-            "<h2>What pounding does to every storey</h2>\n<p>None: {NOTHING_TOUCHES}.</p>\n"
-        );
+        let why = floors.says_no_contact().unwrap_or(NOTHING_TOUCHES);
+        return format!("<h2>What pounding does to every storey</h2>\n<p>None: {why}.</p>\n");
     }
     let header = [
         "Storey",

@@ -20,19 +20,17 @@ fn signed(number: &str) -> String {
     }
 }
 
-/// Text that cannot be taken for markup; what XML cannot hold is left out.
+/// Text that cannot be taken for markup, and steers nothing; what XML cannot hold even then is left out.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
-    for letter in text.chars() {
+    for letter in pounding_text::visible(text).chars() {
         match letter {
             '&' => safe.push_str("&amp;"),
             '<' => safe.push_str("&lt;"),
             '>' => safe.push_str("&gt;"),
             '"' => safe.push_str("&quot;"),
             '\'' => safe.push_str("&#39;"),
-            '\n' | '\t' => safe.push(letter),
             '\u{FFFE}' | '\u{FFFF}' => {}
-            _ if letter.is_control() => {}
             _ => safe.push(letter),
         }
     }
@@ -130,8 +128,8 @@ mod tests {
     #[test]
     fn reference_markup_becomes_text() {
         assert_eq!(
-            escaped("<b>\"Süd\" & 'Nord'</b>\u{0}\n"),
-            "&lt;b&gt;&quot;Süd&quot; &amp; &#39;Nord&#39;&lt;/b&gt;\n"
+            escaped("<b>\"Süd\" & 'Nord'</b>\u{0}\u{202e}\u{FFFE}\n"),
+            "&lt;b&gt;&quot;Süd&quot; &amp; &#39;Nord&#39;&lt;/b&gt;\\u0000\\u202e\n"
         );
     }
 }

@@ -13,10 +13,20 @@ use markup::{digits, escaped, list, short};
 use super::Report;
 use super::figures::Illustration;
 use super::summary::Summary;
-use pounding_scene::{Source, Structure};
+use pounding_scene::{Implausible, Source, Structure};
 
 /// Above what to know before the numbers are used.
 pub(crate) const BEFORE: &str = "Before the numbers are believed";
+
+/// Above what looks wrong in a scene and its records.
+pub(crate) const UNUSUAL: &str = "Unusual: check this first";
+
+/// A few words as a sentence.
+pub(crate) fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).chain(['.']).collect()
+}
 
 const STYLE: &str = include_str!("style.css");
 
@@ -35,10 +45,10 @@ pub(super) fn html(
     };
     let sections = [
         format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
+        unusual(summary),
         both_directions(report, summary),
         verdict::verdict(summary, review),
-        boxed(BEFORE, &summary.warnings),
-        unusual(summary),
+        boxed(BEFORE, report.notices().as_slice()),
         animation.into(),
         figure("profiles"),
         "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
@@ -171,8 +181,10 @@ fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
 
 /// What looks wrong in the scene.
 fn unusual(summary: &Summary) -> String {
-    let doubts: Vec<String> = summary.unusual.iter().map(ToString::to_string).collect();
-    boxed("Unusual in the scene", &doubts)
+    boxed(
+        UNUSUAL,
+        &Implausible::lines(summary.unusual.iter().map(|one| ("", one))),
+    )
 }
 
 /// A figure with its caption, or why there is none.

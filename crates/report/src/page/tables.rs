@@ -136,7 +136,7 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
 /// The pairs; nothing where structures stand apart.
 pub(super) fn pairs(summary: &Summary, floors: &Floors) -> String {
     if summary.pairs.is_empty() {
-        return "<p>None: no structure can touch another.</p>\n".into();
+        return "<p>None: no contact is modelled.</p>\n".into();
     }
     let header = [
         "Pair",

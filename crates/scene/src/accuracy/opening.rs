@@ -1,6 +1,7 @@
 //! From a scene to a simulation: its record is read, and where it asks for an accuracy, a method is found.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use pounding_motion::Accelerogram;
@@ -56,7 +57,9 @@ impl Simulation {
             stop,
             progress,
         } = options.into();
-        scene.check().map_err(|source| in_scene(scene, source))?;
+        let patience = scene.budget.begin();
+        let checked = scene.check_within(patience);
+        checked.map_err(|source| in_scene(scene, source))?;
         let motion = if let Some(motion) = motion {
             motion
         } else {
@@ -72,11 +75,11 @@ impl Simulation {
                 error,
                 quantity: QuantityGroup::All,
             };
-            let exact = Self::prepared(&exact, motion, stop)?;
+            let exact = Self::prepared(&exact, motion, stop, patience)?;
             let advice = advise(&exact, goal, progress.unwrap_or(&|_| ()))?;
             exact.advised(advice)?
         } else {
-            Self::prepared(scene, motion, stop)?
+            Self::prepared(scene, motion, stop, patience)?
         };
         if force {
             Ok(simulation)
@@ -96,7 +99,7 @@ impl Simulation {
             sha256: String::new(),
             file: record,
         };
-        let motion = GroundMotion::of_file(&scene.record, origin);
+        let motion = GroundMotion::of_file(&scene.record, Arc::new(origin));
         let motion = motion.map_err(|source| in_scene(scene, source))?;
         Self::shaken(scene, motion.into())
     }

@@ -24,6 +24,9 @@ pub struct Assessment {
     pub runs: usize,
     /// Number of events that the motions are of.
     pub events: usize,
+    /// Number of cases: events, each beside every neighbour that a row may have. All runs of a case are one sample: it counts with the
+    /// largest of each number.
+    pub cases: usize,
     /// What the stiffness of contact changes; `None` if no two runs with several stiffnesses touch.
     pub by_stiffness: Option<StiffnessEffect>,
     /// Of every gap between two neighbours, from the left.
@@ -41,16 +44,35 @@ pub struct GapAssessment {
     pub left: usize,
     /// Gap of the scene \[m\]; `None` if the scene has no contacts.
     pub own: Option<f64>,
-    /// Number of runs in which its neighbours touch.
+    /// Number of cases in which its neighbours touch, under some component in some direction.
     pub touching: usize,
-    /// Number of events in which they touch, under some component in some direction.
-    pub touching_events: usize,
-    /// Width that keeps its neighbours apart \[m\].
+    /// Number of runs in which they touch.
+    pub touching_runs: usize,
+    /// Width that keeps its neighbours apart in a case \[m\].
     pub required: Distribution,
-    /// The largest of each event \[m\].
-    pub required_of_events: Distribution,
     /// What rules ask for.
     pub rules: Vec<RuleAssessment>,
+}
+
+/// What a gap needs in several cases, and what rules ask for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RequiredGap {
+    /// Width that keeps its neighbours apart in a case \[m\].
+    pub required: Distribution,
+    /// What rules ask for.
+    pub rules: Vec<RuleAssessment>,
+}
+
+impl RequiredGap {
+    /// Of what one gap needs in runs, each with its case; `None` without a run.
+    pub fn of(all: &[([usize; 2], &Separation)]) -> Option<Self> {
+        let required = all.iter().map(|(case, one)| (*case, one.required));
+        let rules = Rule::ALL.iter();
+        Some(Self {
+            required: largest_of_cases(required)?,
+            rules: rules.filter_map(|rule| ruled(*rule, all)).collect(),
+        })
+    }
 }
 
 /// The largest value over the stiffness of contact over the least one \[–\], of every storey or pair that touches and every run.
@@ -71,13 +93,13 @@ pub struct RuleAssessment {
     pub rule: Rule,
     /// Its width \[m\].
     pub width: Distribution,
-    /// Number of runs in which it is too narrow.
+    /// Number of cases in which it is too narrow.
     pub too_narrow: usize,
     /// Least ratio of its width to the one required \[–\]; 1 if it is never too narrow.
     pub least_share: f64,
 }
 
-/// What touching does to a floor and the storey below it: beside its neighbours over alone \[–\], in every run in which something
+/// What touching does to a floor and the storey below it: beside its neighbours over alone \[–\], in every case in which something
 /// touches its building, or in all if nothing ever does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorAssessment {
@@ -93,30 +115,59 @@ pub struct FloorAssessment {
     pub largest_drift: f64,
 }
 
-/// How a pair hits, over the runs in which it touches and over the stiffness of contact.
+/// How a pair hits, over the cases in which it touches and over the stiffness of contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairAssessment {
-    /// Number of runs in which it touches.
+    /// Number of cases in which it touches.
     pub touching: usize,
-    /// Largest pounding force of every run \[N\], with the softest and the stiffest contact in effect; `None` of a law without force.
+    /// Largest pounding force of every case \[N\], with the softest and the stiffest contact in effect; `None` of a law without force.
     pub peak_force: Option<[Distribution; 2]>,
-    /// Largest impulse of every run \[N·s\] likewise.
+    /// Largest impulse of every case \[N·s\] likewise.
     pub largest_impulse: Option<[Distribution; 2]>,
     /// Largest speed of approach \[m/s\].
     pub approach_speed: Option<f64>,
 }
 
-/// A run and the event that it is of.
-pub type RunOfEvent<'r> = (usize, &'r AssessedRun);
+/// A run, and of which case it is.
+#[derive(Debug, Clone, Copy)]
+pub struct RunOfCase<'r> {
+    /// Number of the event.
+    pub event: usize,
+    /// Number of the neighbour, where a row may have several.
+    pub neighbour: usize,
+    /// What the motion does.
+    pub run: &'r AssessedRun,
+}
+
+impl RunOfCase<'_> {
+    fn case(&self) -> [usize; 2] {
+        [self.event, self.neighbour]
+    }
+}
+
+/// The largest of some numbers in each case; `None` without one.
+fn largest_of_cases(numbers: impl Iterator<Item = ([usize; 2], f64)>) -> Option<Distribution> {
+    let mut largest: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+    for (case, number) in numbers {
+        let so_far = largest.entry(case).or_insert(number);
+        *so_far = so_far.max(number);
+    }
+    Distribution::of(largest.into_values())
+}
+
+/// Number of different ones.
+fn count<T: Ord>(all: impl Iterator<Item = T>) -> usize {
+    all.collect::<BTreeSet<T>>().len()
+}
 
 impl Assessment {
     /// Sums runs of a scene up; `None` without a run.
     ///
     /// # Errors
     /// Those of [`Floors::of`].
-    pub fn of(scene: &Scene, runs: &[RunOfEvent<'_>]) -> Result<Option<Self>, Error> {
+    pub fn of(scene: &Scene, runs: &[RunOfCase<'_>]) -> Result<Option<Self>, Error> {
         let floors = Floors::of(scene).map_err(|source| crate::in_scene(scene, source))?;
-        let Some((_, first)) = runs.first() else {
+        let Some(RunOfCase { run: first, .. }) = runs.first() else {
             return Ok(None);
         };
         let row = Row {
@@ -126,7 +177,8 @@ impl Assessment {
         };
         Ok(Some(Self {
             runs: runs.len(),
-            events: count_events(runs.iter().map(|(event, _)| *event)),
+            events: count(runs.iter().map(|one| one.event)),
+            cases: count(runs.iter().map(RunOfCase::case)),
             by_stiffness: row.by_stiffness(),
             gaps: (0..first.separations.len())
                 .filter_map(|index| row.gap(index))
@@ -136,8 +188,8 @@ impl Assessment {
                 .collect(),
             pairs: (0..first.pairs.len())
                 .map(|pair| {
-                    let all: Vec<_> = runs.iter().map(|(_, run)| &run.pairs[pair]).collect();
-                    assessed_pair(&all)
+                    let all = runs.iter().map(|one| (one.case(), &one.run.pairs[pair]));
+                    assessed_pair(&all.collect::<Vec<_>>())
                 })
                 .collect(),
         }))
@@ -148,40 +200,29 @@ impl Assessment {
 struct Row<'r> {
     scene: &'r Scene,
     floors: &'r Floors,
-    runs: &'r [RunOfEvent<'r>],
+    runs: &'r [RunOfCase<'r>],
 }
 
-impl Row<'_> {
+impl<'r> Row<'r> {
     fn gap(&self, index: usize) -> Option<GapAssessment> {
-        let all: Vec<&Separation> = self
-            .runs
-            .iter()
-            .map(|(_, run)| &run.separations[index])
-            .collect();
-        let left = all.first()?.left;
+        let of = |one: &RunOfCase<'r>| (one.case(), &one.run.separations[index]);
+        let all: Vec<([usize; 2], &Separation)> = self.runs.iter().map(of).collect();
+        let left = all.first()?.1.left;
         let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
         let facing = self.floors.facing();
         let pairs: Vec<usize> = (0..facing.len())
             .filter(|pair| facing[*pair].contact == left)
             .collect();
         let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
-        let touching = self.runs.iter().filter(|(_, run)| touches(run));
-        let mut largest: BTreeMap<usize, f64> = BTreeMap::new();
-        for ((event, _), one) in self.runs.iter().zip(&all) {
-            let so_far = largest.entry(*event).or_insert(one.required);
-            *so_far = so_far.max(one.required);
-        }
+        let touching = self.runs.iter().filter(|one| touches(one.run));
+        let RequiredGap { required, rules } = RequiredGap::of(&all)?;
         Some(GapAssessment {
             left,
             own: own.map(|contact| contact.gap_m),
-            touching: touching.clone().count(),
-            touching_events: count_events(touching.map(|(event, _)| *event)),
-            required: Distribution::of(all.iter().map(|one| one.required))?,
-            required_of_events: Distribution::of(largest.into_values())?,
-            rules: Rule::ALL
-                .iter()
-                .filter_map(|rule| ruled(*rule, &all))
-                .collect(),
+            touching: count(touching.clone().map(RunOfCase::case)),
+            touching_runs: touching.count(),
+            required,
+            rules,
         })
     }
 
@@ -192,35 +233,30 @@ impl Row<'_> {
         }
         let hit = self.hits(floor);
         if hit.is_empty() {
-            assessed_floor(
-                &self
-                    .runs
-                    .iter()
-                    .map(|(_, run)| &run.floors[floor])
-                    .collect::<Vec<_>>(),
-            )
+            let all = self.runs.iter();
+            let all: Vec<_> = all
+                .map(|one| (one.case(), &one.run.floors[floor]))
+                .collect();
+            assessed_floor(&all)
         } else {
             assessed_floor(&hit)
         }
     }
 
-    /// A floor in the runs in which something touches its building.
-    fn hits(&self, floor: usize) -> Vec<&AssessedFloor> {
+    /// A floor in the runs in which something touches its building, each with its case.
+    fn hits(&self, floor: usize) -> Vec<([usize; 2], &AssessedFloor)> {
         let building = self.floors.all()[floor].structure;
-        let hits = |run: &AssessedRun| {
-            let facing = self.floors.facing().iter().zip(&run.pairs);
-            let touching = facing.filter(|(_, pair)| pair.collisions > 0);
-            let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
-            sides.any(|side| self.floors.all()[side].structure == building)
-        };
-        let hit = self.runs.iter().filter(|(_, run)| hits(run));
-        hit.map(|(_, run)| &run.floors[floor]).collect()
+        let hit = self.runs.iter();
+        let hit = hit.filter(|one| one.run.hits(self.floors, building));
+        hit.map(|one| (one.case(), &one.run.floors[floor]))
+            .collect()
     }
 
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
         let moving =
             (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
-        let floors: Vec<&AssessedFloor> = moving.flat_map(|floor| self.hits(floor)).collect();
+        let hits = moving.flat_map(|floor| self.hits(floor));
+        let floors: Vec<&AssessedFloor> = hits.map(|(_, floor)| floor).collect();
         let ratio = |[least, largest]: [f64; 2]| largest / least;
         let of = |peak: fn(&FloorPeaks) -> f64| {
             let ratios = floors
@@ -228,7 +264,7 @@ impl Row<'_> {
                 .map(|one| ratio(one.over_stiffness.each_ref().map(peak)));
             Distribution::of(ratios.filter(|ratio| ratio.is_finite()))
         };
-        let pairs = self.runs.iter().flat_map(|(_, run)| &run.pairs);
+        let pairs = self.runs.iter().flat_map(|one| &one.run.pairs);
         let impulses =
             pairs.filter_map(|pair| Some(ratio(pair.peak_force.and(pair.largest_impulse)?)));
         Some(StiffnessEffect {
@@ -237,11 +273,6 @@ impl Row<'_> {
             impulse: Distribution::of(impulses.filter(|ratio| ratio.is_finite()))?,
         })
     }
-}
-
-/// Number of events among these.
-fn count_events(events: impl Iterator<Item = usize>) -> usize {
-    events.collect::<BTreeSet<usize>>().len()
 }
 
 impl GapAssessment {
@@ -265,33 +296,41 @@ impl FloorAssessment {
     }
 }
 
-fn ruled(rule: Rule, all: &[&Separation]) -> Option<RuleAssessment> {
-    let widths: Option<Vec<f64>> = all.iter().map(|one| rule.width(one)).collect();
+fn ruled(rule: Rule, all: &[([usize; 2], &Separation)]) -> Option<RuleAssessment> {
+    let widths: Option<Vec<f64>> = all.iter().map(|(_, one)| rule.width(one)).collect();
     let widths = widths?;
-    let narrow = widths
+    let mut narrow = BTreeSet::new();
+    let mut least_share: f64 = 1.0;
+    for ((case, one), width) in all.iter().zip(&widths) {
+        if one.asks_for_more(*width) {
+            narrow.insert(case);
+            least_share = least_share.min(width / one.required);
+        }
+    }
+    let of_cases = all
         .iter()
-        .zip(all)
-        .filter(|(width, one)| one.asks_for_more(**width));
-    let narrow: Vec<f64> = narrow.map(|(width, one)| width / one.required).collect();
+        .zip(widths)
+        .map(|((case, _), width)| (*case, width));
     Some(RuleAssessment {
         rule,
-        width: Distribution::of(widths)?,
+        width: largest_of_cases(of_cases)?,
         too_narrow: narrow.len(),
-        least_share: narrow.into_iter().fold(1.0, f64::min),
+        least_share,
     })
 }
 
-fn assessed_floor(all: &[&AssessedFloor]) -> Option<FloorAssessment> {
-    let largest = all.iter().map(|one| one.beside.drift).fold(0.0, f64::max);
+fn assessed_floor(all: &[([usize; 2], &AssessedFloor)]) -> Option<FloorAssessment> {
+    let drifts = all.iter().map(|(_, one)| one.beside.drift);
+    let largest = drifts.fold(0.0, f64::max);
     let beside = |peak: fn(&FloorPeaks) -> f64| {
-        let both = |one: &&AssessedFloor| [peak(&one.alone), peak(&one.beside)];
-        amplification(all.iter().map(both))
+        let both = all.iter();
+        amplification(both.map(|(case, one)| (*case, [peak(&one.alone), peak(&one.beside)])))
     };
     let range = |end: usize| {
-        let both = |one: &&AssessedFloor| {
+        let both = |one: &AssessedFloor| {
             [&one.alone, &one.over_stiffness[end]].map(|one| one.acceleration)
         };
-        amplification(all.iter().map(both))
+        amplification(all.iter().map(|(case, one)| (*case, both(one))))
     };
     Some(FloorAssessment {
         drift: beside(|peaks| peaks.drift)?,
@@ -302,37 +341,36 @@ fn assessed_floor(all: &[&AssessedFloor]) -> Option<FloorAssessment> {
     })
 }
 
-/// Peaks beside neighbours over those alone, of pairs of both; without a floor that only its neighbours move.
-fn amplification(all: impl Iterator<Item = [f64; 2]>) -> Option<Distribution> {
-    let ratio = |[alone, beside]: [f64; 2]| {
+/// The largest in each case of peaks beside neighbours over those alone, of pairs of both; without a floor that only its
+/// neighbours move.
+fn amplification(all: impl Iterator<Item = ([usize; 2], [f64; 2])>) -> Option<Distribution> {
+    let ratio = |(case, [alone, beside]): ([usize; 2], [f64; 2])| {
         // What nothing moves is as well off beside its neighbours as alone.
         if beside.to_bits() == alone.to_bits() {
-            1.0
+            (case, 1.0)
         } else {
-            beside / alone
+            (case, beside / alone)
         }
     };
-    Distribution::of(all.map(ratio).filter(|ratio| ratio.is_finite()))
+    largest_of_cases(all.map(ratio).filter(|(_, ratio)| ratio.is_finite()))
 }
 
-fn assessed_pair(all: &[&AssessedPair]) -> PairAssessment {
-    let touching: Vec<&AssessedPair> = all
-        .iter()
-        .copied()
-        .filter(|one| one.collisions > 0)
-        .collect();
+fn assessed_pair(all: &[([usize; 2], &AssessedPair)]) -> PairAssessment {
+    let touching = all.iter().filter(|(_, one)| one.collisions > 0);
     let over = |range: fn(&AssessedPair) -> Option<[f64; 2]>| {
-        let ranges: Vec<[f64; 2]> = touching.iter().filter_map(|one| range(one)).collect();
-        let [low, high] = [0, 1].map(|end| Distribution::of(ranges.iter().map(|range| range[end])));
-        Some([low?, high?])
+        let ranges = touching.clone();
+        let ranges = ranges.filter_map(|(case, one)| Some((*case, range(one)?)));
+        let end =
+            |end: usize| largest_of_cases(ranges.clone().map(|(case, both)| (case, both[end])));
+        Some([end(0)?, end(1)?])
     };
     PairAssessment {
-        touching: touching.len(),
+        touching: count(touching.clone().map(|(case, _)| *case)),
         peak_force: over(|one| one.peak_force),
         largest_impulse: over(|one| one.largest_impulse),
         approach_speed: touching
-            .iter()
-            .filter_map(|one| one.approach_speed)
+            .clone()
+            .filter_map(|(_, one)| one.approach_speed)
             .reduce(f64::max),
     }
 }

@@ -87,8 +87,8 @@ impl Bumper {
         Ok(wide.filter_map(bumper).collect())
     }
 
-    /// A contact with the bumper in its gap, and as much restitution.
-    fn in_gap(&self, contact: &Contact) -> Contact {
+    /// The contact law of the bumper in the gap of a contact: with as much restitution, where that has one.
+    pub fn law(&self, contact: &Contact) -> ContactLaw {
         let spring = LinearSpring {
             impact_stiffness: self.stiffness,
         };
@@ -96,12 +96,17 @@ impl Bumper {
             let exact = Calibration::Exact;
             ModifiedLinearViscoelastic::calibrated(self.stiffness, restitution, exact).ok()
         });
+        damped.map_or(
+            ContactLaw::LinearSpring(spring),
+            ContactLaw::ModifiedLinearViscoelastic,
+        )
+    }
+
+    /// A contact with the bumper in its gap.
+    fn in_gap(&self, contact: &Contact) -> Contact {
         Contact {
             gap_m: contact.gap_m - self.thickness,
-            law: damped.map_or(
-                ContactLaw::LinearSpring(spring),
-                ContactLaw::ModifiedLinearViscoelastic,
-            ),
+            law: self.law(contact),
             levels: contact.levels.clone(),
         }
     }

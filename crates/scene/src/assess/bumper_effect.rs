@@ -17,11 +17,11 @@ pub struct BumperEffect {
     pub too_thin: usize,
     /// Force with a bumper over that without \[–\], of every pair and run in which both are known.
     pub force: Option<Distribution>,
-    /// Peak drift with bumpers over that without \[–\], of every storey that moves, over all runs.
+    /// Peak drift with bumpers over that without \[–\], of every storey that moves, over the runs that hit its building.
     pub drift: Distribution,
     /// Peak absolute acceleration of a floor likewise.
     pub acceleration: Distribution,
-    /// Of every floor in the order of the row; `None` of a wall.
+    /// Of every floor in the order of the row, over the runs that hit its building; `None` of a wall, and if none does.
     pub floors: Vec<Option<FloorBumperEffect>>,
     /// Of every pair in the order of the row; `None` if it never touches without bumpers.
     pub pairs: Vec<Option<PairBumperEffect>>,
@@ -47,7 +47,15 @@ pub struct PairBumperEffect {
     pub compression: f64,
 }
 
+/// Part of the runs \[–\] that may compress bumpers by more than their thickness: what 84 % of the runs leave out.
+const MOST_THROUGH: f64 = 0.16;
+
 impl BumperEffect {
+    /// Whether bumpers are compressed by more than their thickness so often that nothing is known of what they change.
+    pub fn is_too_thin(&self) -> bool {
+        self.too_thin as f64 > MOST_THROUGH * self.runs as f64
+    }
+
     /// Sums up runs without bumpers and with them; `None` if there are none.
     pub fn of(
         floors: &Floors,
@@ -56,7 +64,11 @@ impl BumperEffect {
     ) -> Option<Self> {
         let moving = |floor: &usize| !floors.all()[*floor].is_wall();
         let ratios = |floor: usize, peak: fn(&FloorPeaks) -> f64| {
-            let both = runs.iter().map(move |(without, with)| {
+            let building = floors.all()[floor].structure;
+            let hit = runs
+                .iter()
+                .filter(move |(without, _)| without.hits(floors, building));
+            let both = hit.map(move |(without, with)| {
                 let [without, with] =
                     [&without.floors[floor].beside, &with.floors[floor]].map(peak);
                 // What nothing moves is as well off.

@@ -66,6 +66,18 @@ pub enum DesignSpectrumError {
         /// What it holds.
         found: String,
     },
+    /// A line of a table whose numbers have decimal commas.
+    #[error(
+        "target: line {line}: found \"{found}\" with decimal commas, allowed are decimal points: \"{right}\""
+    )]
+    DecimalComma {
+        /// The line, from 1.
+        line: usize,
+        /// What it holds.
+        found: String,
+        /// The same with points.
+        right: String,
+    },
 }
 
 impl DesignSpectrum {
@@ -94,6 +106,19 @@ impl DesignSpectrum {
                 }
             }
             Self::Table(points) => between(points, period),
+        }
+    }
+
+    /// Periods at which the spectrum bends \[s\].
+    pub(super) fn corners(&self) -> Vec<f64> {
+        match self {
+            Self::Eurocode8 { ground, .. } => ground.corners.to_vec(),
+            Self::Asce7 {
+                short,
+                one_second,
+                long_period,
+            } => vec![0.2 * one_second / short, one_second / short, *long_period],
+            Self::Table(points) => points.iter().map(|point| point[0]).collect(),
         }
     }
 
@@ -129,9 +154,11 @@ impl DesignSpectrum {
                     points.push([period, acceleration]);
                 }
                 _ => {
-                    return Err(DesignSpectrumError::Line {
-                        line: index + 1,
-                        found: line.chars().take(60).collect(),
+                    let found: String = line.chars().take(60).collect();
+                    let line = index + 1;
+                    return Err(match with_points(&found) {
+                        Some(right) => DesignSpectrumError::DecimalComma { line, found, right },
+                        None => DesignSpectrumError::Line { line, found },
                     });
                 }
             }
@@ -231,6 +258,17 @@ pub fn acceleration_in_g(text: &str) -> Option<f64> {
     };
     let number: f64 = number.trim().parse().ok()?;
     (number > 0.0 && number.is_finite()).then_some(number / unit)
+}
+
+/// A line of two numbers with decimal commas, a semicolon or blanks between, with points; `None` of any other.
+fn with_points(line: &str) -> Option<String> {
+    let fields: Vec<&str> = line
+        .split([';', ' ', '\t'])
+        .filter(|field| !field.is_empty())
+        .collect();
+    let numbers: Vec<String> = fields.iter().map(|one| one.replacen(',', ".", 1)).collect();
+    let are_numbers = numbers.iter().all(|one| one.parse::<f64>().is_ok());
+    (numbers.len() == 2 && are_numbers && line.contains(',')).then(|| numbers.join("; "))
 }
 
 /// Value of a table at a period, linear between its points.
@@ -409,6 +447,19 @@ mod tests {
         for bad in ["0.1,0.5\n0.1,0.6", "0.1", "period", "a\n0.1,-1"] {
             assert!(DesignSpectrum::table(bad).is_err(), "{bad}");
         }
+    }
+
+    /// "found "0,1;0,5", allowed are a period in s and an acceleration in g": nobody named the comma.
+    #[test]
+    fn issue_decimal_commas_of_a_table_are_named() {
+        let refused = |text: &str| {
+            DesignSpectrum::table(text)
+                .expect_err("refused")
+                .to_string()
+        };
+        insta::assert_snapshot!(refused("T;Sa\n0,1;0,5\n"), @r#"target: line 2: found "0,1;0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
+        insta::assert_snapshot!(refused("0,1 0,5\n"), @r#"target: line 1: found "0,1 0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
+        insta::assert_snapshot!(refused("0.1,-1"), @r#"target: line 1: found "0.1,-1", allowed are a period in s and an acceleration in g, periods rising"#);
     }
 
     #[test]

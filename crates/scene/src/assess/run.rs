@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::alone::Alone;
 use super::peaks::{FloorPeaks, peaks};
 use super::separation::Separation;
-use crate::{Error, Excess, Implausible, PairQuantity, RunResult, Scene, Simulation};
+use crate::{Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation};
 
 /// Factors on the impact stiffness: soft, as the scene has it, and stiff.
 pub type StiffnessFactors = [f64; 3];
@@ -28,8 +28,8 @@ pub struct AssessedRun {
     pub pairs: Vec<AssessedPair>,
     /// Responses beyond the model or beyond codes, beside its neighbours.
     pub excesses: Vec<Excess>,
-    /// What looks wrong in the scene, in words; not what only this record has.
-    pub unusual: Vec<String>,
+    /// What looks wrong in the scene and in this record.
+    pub unusual: Vec<Implausible>,
 }
 
 /// Peaks of a floor alone and beside its neighbours; of a wall they are 0.
@@ -64,6 +64,14 @@ impl AssessedRun {
     pub fn widest_gap(&self) -> f64 {
         let widths = self.separations.iter().map(|gap| gap.required);
         widths.fold(0.0, f64::max)
+    }
+
+    /// Whether something touches a building.
+    pub fn hits(&self, floors: &Floors, building: usize) -> bool {
+        let facing = floors.facing().iter().zip(&self.pairs);
+        let touching = facing.filter(|(_, pair)| pair.collisions > 0);
+        let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
+        sides.any(|side| floors.all()[side].structure == building)
     }
 
     /// Number of collisions at all pairs.
@@ -121,12 +129,6 @@ impl Simulation {
                     .unwrap_or(before[index])
             }),
         };
-        // Of records others judge.
-        let doubts = self.doubts();
-        let of_row: Vec<_> = doubts
-            .into_iter()
-            .filter(|one| one.place.starts_with("structures") || one.place.starts_with("contacts"))
-            .collect();
         Ok(AssessedRun {
             scale: self.scale(),
             separations,
@@ -135,7 +137,7 @@ impl Simulation {
                 .map(|pair| assessed_pair(&exact, &variants, pair))
                 .collect(),
             excesses,
-            unusual: Implausible::lines(&of_row),
+            unusual: self.doubts(),
         })
     }
 

@@ -25,8 +25,12 @@ pub enum Scaling {
     Target(DesignSpectrum),
 }
 
-/// Periods at which a record's spectrum is compared with its target.
+/// Periods at which a record's spectrum is compared with its target to find its factor.
 const PERIODS: u32 = 30;
+
+/// Ratio of the periods next to each other at which the mean of records is held against the target: a response of 5 % damping has no
+/// dip that falls between them.
+const CLOSE: f64 = 1.01;
 
 /// Part of the shortest and multiple of the longest period between which it is compared; of ASCE 7-16, 16.2.3.1, and EN 1998-1, 3.2.3.1.2.
 pub(super) const BETWEEN: [f64; 2] = [0.2, 2.0];
@@ -39,7 +43,7 @@ pub(super) const DAMPING: f64 = 0.05;
 pub struct MotionSpectrum {
     /// Peak ground acceleration \[m/s²\].
     pub peak: f64,
-    /// Pseudo-acceleration \[m/s²\] for 5 % of damping, at the periods by which records are scaled to spectra.
+    /// Pseudo-acceleration \[m/s²\] for 5 % of damping, at the periods at which the mean of records is held against their target.
     pub accelerations: Vec<f64>,
 }
 
@@ -110,8 +114,13 @@ impl Scaling {
             return Ok((scaled, None));
         };
         let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
-        let unscaled = spectrum(&ground.record, scene)?;
+        let unscaled = accelerations(&ground.record, &periods_of(scene), scene)?;
         scaled.record.scale = factor(&unscaled, target, scene)?;
+        let checked = accelerations(&ground.record, &checked_periods(scene, target), scene)?;
+        let unscaled = MotionSpectrum {
+            peak: ground.record.peak().1.abs(),
+            accelerations: checked,
+        };
         Ok((scaled.clone(), Some(unscaled.scaled(scaled.record.scale))))
     }
 }
@@ -124,33 +133,54 @@ fn unscaled(record: &RecordUse) -> RecordUse {
     }
 }
 
-/// The periods at which records are held against a spectrum \[s\], in rising order; at least one structure of the scene moves.
-pub(super) fn periods_of(scene: &Scene) -> Vec<f64> {
+/// The shortest and the longest period at which records are compared with a spectrum \[s\]; at least one structure of the scene moves.
+fn ends_of(scene: &Scene) -> [f64; 2] {
     let of_row = scene.structures.iter().filter_map(Structure::period);
     let (shortest, longest) = of_row.fold((f64::INFINITY, 0.0_f64), |(least, most), period| {
         (least.min(period), most.max(period))
     });
-    periods_between(BETWEEN[0] * shortest, BETWEEN[1] * longest, PERIODS)
+    [BETWEEN[0] * shortest, BETWEEN[1] * longest]
+}
+
+/// The periods that find the factor of a record \[s\], in rising order.
+fn periods_of(scene: &Scene) -> Vec<f64> {
+    let [first, last] = ends_of(scene);
+    periods_between(first, last, PERIODS)
+}
+
+/// The periods at which the mean of records is held against their target \[s\], in rising order: close together, and the corners of the
+/// target, where it is highest above its surroundings.
+pub(super) fn checked_periods(scene: &Scene, target: &DesignSpectrum) -> Vec<f64> {
+    let [first, last] = ends_of(scene);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "some hundred: periods are between 1e-6 and 1e6 s"
+    )]
+    let count = (libm::log(last / first) / libm::log(CLOSE)).ceil() as u32 + 1;
+    let mut periods = periods_between(first, last, count);
+    let corners = target.corners().into_iter();
+    periods.extend(corners.filter(|period| (first..=last).contains(period)));
+    periods.sort_by(f64::total_cmp);
+    periods.dedup();
+    periods
 }
 
 /// Where in a scene a record is scaled.
 const PLACE: &str = "record.scale";
 
-/// The spectrum of a record at the periods of a scene.
-fn spectrum(record: &Record, scene: &Scene) -> Result<MotionSpectrum, Error> {
-    let found = response_spectrum(record, &periods_of(scene), DAMPING)
+/// The spectrum of a record at some periods \[m/s²\].
+fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
+    let found = response_spectrum(record, periods, DAMPING)
         .map_err(|error| in_scene(scene, MotionError::of_spectrum(PLACE, error).into()))?;
-    Ok(MotionSpectrum {
-        peak: record.peak().1.abs(),
-        accelerations: found.iter().map(|one| one.pseudo_acceleration).collect(),
-    })
+    Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
 }
 
 /// The factor that brings a spectrum to its target.
-fn factor(found: &MotionSpectrum, target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
+fn factor(found: &[f64], target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
     let periods = periods_of(scene);
     let gravity = scene.record.gravity_m_per_s2;
-    let both = periods.iter().zip(&found.accelerations);
+    let both = periods.iter().zip(found);
     let logs =
         both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
     let factor = libm::exp(logs.sum::<f64>() / f64::from(PERIODS));
@@ -191,7 +221,7 @@ mod tests {
             |one: &crate::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
         let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
         points.push([10.0, 1e6]);
-        let found = spectrum(&record, &scene).expect("a spectrum");
+        let found = accelerations(&record, &periods, &scene).expect("a spectrum");
         let found = factor(&found, &DesignSpectrum::Table(points), &scene).expect("a factor");
         assert!((found - 2.0).abs() < 1e-9, "{found}");
     }

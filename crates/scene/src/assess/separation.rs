@@ -7,8 +7,7 @@ use pounding_solver::Closing;
 use strum::EnumCount;
 
 use crate::simulation::Extras;
-use crate::simulation::floors::EQUAL_HEIGHTS;
-use crate::{Contact, Error, Floor, Floors, Method, RunResult, Scene, Simulation};
+use crate::{Contact, Error, Floors, Method, RunResult, Scene, Simulation};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +24,7 @@ pub struct Separation {
     pub peaks: [f64; 2],
     /// Natural period \[s\] and damping ratio of each; nothing for a wall.
     pub oscillations: [Option<(f64, f64)>; 2],
-    /// Whether floors of both stand equally high wherever they face each other, by the heights that the scene gives.
+    /// Whether floors of both stand equally high up to the lower roof, by the heights that the scene gives, whichever may touch.
     pub level: bool,
     /// Height of that level, and of the lower of both buildings \[m\], where the scene gives them.
     pub heights: Option<[f64; 2]>,
@@ -251,7 +250,7 @@ pub(super) fn separations_of(
             required,
             time,
             peaks: [one, other].map(|index| alone.peaks.of(index).displacement.value.abs()),
-            level: level(sides),
+            level: floors.are_level(left),
             oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
             heights: heights(floors, [one, other]),
         };
@@ -261,12 +260,9 @@ pub(super) fn separations_of(
             }
             Entry::Occupied(mut entry) => {
                 let so_far = entry.get_mut();
-                // Floors are level where all of them are.
-                let level = so_far.level && at_level.level;
                 if at_level.required > so_far.required {
                     *so_far = at_level;
                 }
-                so_far.level = level;
             }
         }
     }
@@ -287,12 +283,6 @@ fn heights(floors: &Floors, sides: [usize; 2]) -> Option<[f64; 2]> {
         least[1] = least[1].min(roof(*side)?);
     }
     least[0].is_finite().then_some(least)
-}
-
-/// Whether both have heights, the same ones.
-fn level([left, right]: [&Floor; 2]) -> bool {
-    let heights = (left.elevation_m, right.elevation_m);
-    matches!(heights, (Some(left), Some(right)) if (left - right).abs() <= EQUAL_HEIGHTS)
 }
 
 #[cfg(test)]

@@ -1,10 +1,13 @@
 //! What a run of a scene may cost before it is given up.
 
 use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
 
 use pounding_solver::Budget;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::SceneError;
 
 /// What a run may cost before it is given up; what ends within it has the same numbers without it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -17,7 +20,8 @@ pub struct RunBudget {
     /// Most pieces of the motion of floors by the exact method \[–\], > 0; 1e7 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pieces: Option<f64>,
-    /// Longest time of a run \[s\], > 0, which depends on the machine; if left out it may take as long as it takes.
+    /// Longest time of a run \[s\], > 0, and of what prepares it, which depends on the machine; if left out both may take as long as they
+    /// take.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
 }
@@ -40,7 +44,35 @@ impl RunBudget {
         }
     }
 
+    /// Begins to prepare a run.
+    pub(crate) fn begin(&self) -> Patience {
+        let until = |seconds| {
+            let end = Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?)?;
+            Some((end, seconds))
+        };
+        Patience(self.seconds.and_then(until))
+    }
+
     pub(crate) fn is_usual(&self) -> bool {
         *self == Self::default()
+    }
+}
+
+/// Until when what comes before a run may take, and how long that is \[s\]; `None` for ever.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Patience(Option<(Instant, f64)>);
+
+impl Patience {
+    /// That of whoever waits for ever.
+    pub(crate) const ENDLESS: Self = Self(None);
+
+    /// Ends a preparation that takes longer. Look wherever work grows with the row.
+    pub(crate) fn look(self) -> Result<(), SceneError> {
+        match self.0 {
+            Some((until, seconds)) if Instant::now() > until => {
+                Err(SceneError::PreparedTooLong { seconds })
+            }
+            _ => Ok(()),
+        }
     }
 }

@@ -277,13 +277,15 @@ impl Building {
     /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
     /// ground.
     pub fn dampings(&self) -> Vec<(f64, f64)> {
-        let of = |storey: &Storey| match self.rayleigh() {
+        // Its modes take as long as the cube of the storeys.
+        let damping = self.rayleigh();
+        let of = |storey: &Storey| match damping {
             SolverDamping::Rayleigh { alpha, beta } => (
                 beta * storey.columns.stiffness_n_per_m,
                 alpha * storey.mass_kg,
             ),
             // Of one storey.
-            damping @ SolverDamping::Ratio(_) => (
+            SolverDamping::Ratio(_) => (
                 damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m),
                 0.0,
             ),

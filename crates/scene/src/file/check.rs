@@ -6,6 +6,7 @@ mod structure;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
+use crate::file::budget::Patience;
 use crate::{Method, Scene, SceneError, Structure};
 
 /// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
@@ -41,6 +42,11 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] of that field.
     pub fn check(&self) -> Result<(), SceneError> {
+        self.check_within(Patience::ENDLESS)
+    }
+
+    /// The same, as long as somebody waits.
+    pub(crate) fn check_within(&self, patience: Patience) -> Result<(), SceneError> {
         named("name", &self.name, "a name, for tables and figures")?;
         record::check(&self.record)?;
         if self.structures.is_empty() {
@@ -48,6 +54,7 @@ impl Scene {
         }
         for (index, structure) in self.structures.iter().enumerate() {
             structure::check(index, structure)?;
+            patience.look()?;
         }
         if self.neighbour.is_some() {
             return Err(SceneError::UnknownNeighbour);

@@ -1,8 +1,9 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use pounding_motion::ReadError;
+use pounding_motion::{Quantity, ReadError};
 use pounding_solver::{LedgerError, RunError};
 
+use crate::file::fault::FOR_A_BACKSLASH;
 use crate::{Fault, SceneError};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
@@ -18,7 +19,11 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A record file that cannot be read.
-    #[error("record.file: {} cannot be read (it is looked for from the folder of the scene's file): {source}", path.display())]
+    #[error(
+        "record.file: {} cannot be read (it is looked for from the folder of the scene's file): {source}{}",
+        path.display(),
+        of_escapes(path)
+    )]
     NoRecord {
         /// The file.
         path: PathBuf,
@@ -55,9 +60,32 @@ pub enum Error {
         /// What is wrong and where.
         source: ReadError,
     },
-    /// A vertical component, which shakes no row.
-    #[error("{0}")]
-    Vertical(Vertical),
+    /// A file whose name says that it holds no accelerations, and that does not say otherwise itself.
+    #[error(
+        "{name:?}: the name says {}, and the file does not say that its values are accelerations; take the record of accelerations, or \
+         declare `record.acceleration` as true",
+        named_quantity(*quantity)
+    )]
+    NameSaysOtherwise {
+        /// Name of the file.
+        name: String,
+        /// What the name says.
+        quantity: Quantity,
+    },
+    /// A folder in which nothing shakes a row.
+    #[error(
+        "{}: found {n_files} files and no record that shakes a row, allowed is a folder with one or more{}",
+        folder.display(),
+        left_out.iter().fold(String::new(), |said, line| said + "; " + line)
+    )]
+    NoMotion {
+        /// The folder.
+        folder: PathBuf,
+        /// Number of files in it.
+        n_files: usize,
+        /// Why each is left out, a line for a reason.
+        left_out: Vec<String>,
+    },
     /// A scene with a value that cannot be modelled.
     #[error("scene \"{scene}\": {source}")]
     Scene {
@@ -91,20 +119,26 @@ pub enum Error {
     NoReference(Box<Error>),
 }
 
-/// Why a motion is taken for vertical, and shakes no row.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Vertical {
-    /// The file names its component so.
-    #[error(
-        "the component \"{0}\" is vertical, allowed are horizontal ones; a scene of its own can name it as `record.component`"
-    )]
-    Component(String),
-    /// The file does not say, but its name ends so.
-    #[error(
-        "vertical, since the file does not say and its name ends in \"{0}\", allowed are horizontal ones; rename a horizontal \
-         one, or give it a scene of its own"
-    )]
-    FileName(String),
+/// What a name says, in words.
+fn named_quantity(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Acceleration => "acceleration",
+        Quantity::Velocity => "velocity",
+        Quantity::Displacement => "displacement",
+        Quantity::Spectrum => "spectrum",
+    }
+}
+
+/// That a name has a letter which nobody types, such as the line break that `"records\new.csv"` has.
+fn of_escapes(path: &Path) -> String {
+    let is_escape = path.to_string_lossy().chars().any(char::is_control);
+    let hint = is_escape.then(|| {
+        format!(
+            "; in double quotes a backslash begins an escape: write {}",
+            FOR_A_BACKSLASH[0]
+        )
+    });
+    hint.unwrap_or_default()
 }
 
 /// What is wrong with a record file, with the fields of a scene that say what it leaves out.
@@ -115,6 +149,7 @@ fn by_fields(error: &ReadError) -> String {
         ("`component`", "`record.component`"),
         ("`per_count`", "`record.per_count`"),
         ("`acceleration`", "`record.acceleration` as true"),
+        ("`in_rows`", "`record.in_rows` as true"),
     ]
     .iter()
     .fold(error.to_string(), |text, (word, field)| {

@@ -12,6 +12,17 @@ pub enum Fault {
     /// Text that is not TOML, with what its parser says.
     #[error("not TOML: {0}")]
     Toml(String),
+    /// A number with a decimal comma.
+    #[error("found `{found}` with a decimal comma, allowed is a decimal point: `{}`", found.replacen(',', ".", 1))]
+    DecimalComma {
+        /// The number.
+        found: String,
+    },
+    /// A backslash that stands for itself, in double quotes.
+    #[error(
+        "found a backslash in double quotes, where it begins an escape such as \\n, allowed is {0}"
+    )]
+    Backslash(&'static str),
     /// Bytes that are not UTF-8.
     #[error("the text is not UTF-8 from byte {byte} on; save it as UTF-8")]
     NotUtf8 {
@@ -184,6 +195,37 @@ fn is_choice(message: &str) -> bool {
         || message.starts_with("wanted string or inline table")
         || message == "invalid type: map, expected enum"
         || (message.starts_with("invalid type: ") && message.ends_with("expected string or map"))
+}
+
+/// What may be written in place of a backslash.
+pub(crate) const FOR_A_BACKSLASH: [&str; 2] = [
+    "/ in its place, or single quotes: 'records\\quake.csv'",
+    "/ in its place, or two of them",
+];
+
+impl Fault {
+    /// What is wrong with a line that is no TOML or no JSON, if it is a mistake that many make.
+    pub(crate) fn of_line(line: &str, is_json: bool) -> Option<Self> {
+        let assigns = if is_json { ':' } else { '=' };
+        let mut values = line.split(assigns).skip(1).map(str::trim_start);
+        if let Some(number) = values.find_map(decimal_comma) {
+            return Some(Self::DecimalComma { found: number });
+        }
+        let is_quoted = line.find('\\') > line.find('"') && line.contains('"');
+        is_quoted.then_some(Self::Backslash(FOR_A_BACKSLASH[usize::from(is_json)]))
+    }
+}
+
+/// The number with a decimal comma that a text begins with.
+fn decimal_comma(text: &str) -> Option<String> {
+    let (whole, rest) = text.split_once(',')?;
+    let is_number = |text: &str| {
+        let digits = text.trim_start_matches(['+', '-']);
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let end = rest.find(|letter: char| !letter.is_ascii_digit());
+    let part = &rest[..end.unwrap_or(rest.len())];
+    (is_number(whole) && !part.is_empty()).then(|| format!("{whole},{part}"))
 }
 
 /// What stands between backticks.

@@ -1,6 +1,6 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
-mod budget;
+pub(crate) mod budget;
 mod building;
 pub(crate) mod check;
 mod choice;
@@ -25,6 +25,9 @@ mod structure;
 use pounding_contact::ContactLaw;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::SceneError;
+use budget::Patience;
 
 pub use budget::RunBudget;
 pub use building::{Building, Storey};
@@ -91,16 +94,34 @@ const PERIODS_AFTER_RECORD: f64 = 2.0;
 
 impl Scene {
     /// Duration of the run \[s\] under a record of some duration \[s\].
+    ///
+    /// # Panics
+    /// Never: only who has a deadline gives up.
     pub fn duration_under(&self, record: f64) -> f64 {
-        self.duration_s.unwrap_or_else(|| {
-            let longest = self.structures.iter().filter_map(Structure::period);
-            let arrivals = self.arrivals_s.iter().flatten();
-            let last = arrivals.copied().fold(0.0, f64::max);
-            let least = record + last + PERIODS_AFTER_RECORD * longest.fold(0.0, f64::max);
-            match self.method.time_step() {
-                Some(step) => (least / step - 1e-6).ceil() * step,
-                None => least,
-            }
+        let found = self.duration_within(record, Patience::ENDLESS);
+        found.expect("there is no deadline")
+    }
+
+    /// The same, as long as somebody waits.
+    pub(crate) fn duration_within(
+        &self,
+        record: f64,
+        patience: Patience,
+    ) -> Result<f64, SceneError> {
+        if let Some(duration) = self.duration_s {
+            return Ok(duration);
+        }
+        let mut longest: f64 = 0.0;
+        for structure in &self.structures {
+            longest = longest.max(structure.period().unwrap_or(0.0));
+            patience.look()?;
+        }
+        let arrivals = self.arrivals_s.iter().flatten();
+        let last = arrivals.copied().fold(0.0, f64::max);
+        let least = record + last + PERIODS_AFTER_RECORD * longest;
+        Ok(match self.method.time_step() {
+            Some(step) => (least / step - 1e-6).ceil() * step,
+            None => least,
         })
     }
 

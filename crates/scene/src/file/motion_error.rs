@@ -208,7 +208,9 @@ impl MotionError {
                 allowed,
             },
             SpectrumError::Record(error) => Self::of(place, &error),
-            fault @ (SpectrumError::Model(_) | SpectrumError::Run { .. }) => Self::Spectrum {
+            fault @ (SpectrumError::Model(_)
+            | SpectrumError::TooMany { .. }
+            | SpectrumError::Run { .. }) => Self::Spectrum {
                 place: place.to_owned(),
                 fault,
             },

@@ -81,13 +81,11 @@ pub fn is_json(text: &[u8], path: &Path) -> bool {
 pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, Error> {
     // What some editors put before UTF-8.
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-    let refused = if is_json(text, path) {
-        json(text)
-    } else {
-        toml(text)
-    };
+    let is_json = is_json(text, path);
+    let refused = if is_json { json(text) } else { toml(text) };
     refused.map_err(|refused| {
-        let refused = record(text, path).unwrap_or(refused);
+        let refused =
+            record(text, path).unwrap_or_else(|| refused.of_common_mistake(text, is_json));
         Error::Form {
             path: path.to_path_buf(),
             position: refused.position,
@@ -192,6 +190,18 @@ impl Refused {
             place: Some(place),
             fault,
         }
+    }
+
+    /// Bad syntax by the mistake that made it, if that is one of many people's.
+    fn of_common_mistake(mut self, text: &[u8], is_json: bool) -> Self {
+        let is_syntax = matches!(self.fault, Fault::Json(_) | Fault::Toml(_));
+        let line = self.position.map_or(0, |(line, _)| line - 1);
+        let text = String::from_utf8_lossy(text);
+        let line = text.lines().nth(line).filter(|_| is_syntax);
+        if let Some(fault) = line.and_then(|line| Fault::of_line(line, is_json)) {
+            self.fault = fault;
+        }
+        self
     }
 
     /// At its field, where that is on another line than the one at which the parser noticed the fault.

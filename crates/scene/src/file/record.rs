@@ -50,6 +50,20 @@ impl RecordUse {
     }
 }
 
+impl RecordUse {
+    /// Returns what is declared of other files that stand in place of this record.
+    pub fn declared(&self) -> FileUse {
+        match &self.source {
+            Source::File(file) => FileUse {
+                file: String::new(),
+                component: None,
+                ..file.clone()
+            },
+            Source::Generated(_) => FileUse::default(),
+        }
+    }
+}
+
 /// Where a ground motion comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
@@ -81,8 +95,26 @@ pub struct FileUse {
     pub component: Option<String>,
     /// What one count is worth, in `unit`.
     pub per_count: Option<f64>,
-    /// Whether the values are accelerations although the file speaks for velocities.
+    /// Whether the values are accelerations although the file suggests otherwise.
     pub acceleration: bool,
+    /// Whether several numbers to a line without names are consecutive values.
+    pub in_rows: bool,
+}
+
+impl FileUse {
+    /// What is declared of the file besides its component, in the words of a scene: `unit = "g"`; empty if nothing is.
+    pub(crate) fn words(&self) -> String {
+        let unit = self
+            .unit
+            .map(|unit| format!("unit = {:?}", unit.to_motion().name()));
+        let step = self.time_step_s.map(|step| format!("time_step_s = {step}"));
+        let count = self.per_count.map(|count| format!("per_count = {count}"));
+        let acceleration = self.acceleration.then(|| "acceleration = true".into());
+        let in_rows = self.in_rows.then(|| "in_rows = true".into());
+        let words = [unit, step, count, acceleration, in_rows].into_iter();
+        let words: Vec<String> = words.flatten().collect();
+        words.join(", ")
+    }
 }
 
 /// Unit of the values of a file.
@@ -152,9 +184,12 @@ struct RecordUseFile {
     /// What one count of the file is worth, in `unit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     per_count: Option<f64>,
-    /// Whether the file holds accelerations although it speaks for velocities, by a seismometer's channel or by `cm/s`.
+    /// Whether the file holds accelerations although a seismometer's channel, `cm/s` or values of one sign suggest otherwise.
     #[serde(default, skip_serializing_if = "is_false")]
     acceleration: bool,
+    /// Whether several numbers to a line without names are consecutive values.
+    #[serde(default, skip_serializing_if = "is_false")]
+    in_rows: bool,
     /// What one g is worth \[m/s²\]; without it 9.80665.
     #[serde(default = "standard_gravity")]
     gravity_m_per_s2: f64,
@@ -238,6 +273,7 @@ impl TryFrom<RecordUseFile> for RecordUse {
                 component: words.component.map(String::from),
                 per_count: words.per_count,
                 acceleration: words.acceleration,
+                in_rows: words.in_rows,
             }),
             (None, Some(generated)) => {
                 let of_file = [
@@ -246,6 +282,7 @@ impl TryFrom<RecordUseFile> for RecordUse {
                     ("component", words.component.is_some()),
                     ("per_count", words.per_count.is_some()),
                     ("acceleration", words.acceleration),
+                    ("in_rows", words.in_rows),
                 ];
                 if let Some((field, _)) = of_file.into_iter().find(|(_, given)| *given) {
                     return Err(WordsError::OfFile(field));
@@ -281,6 +318,7 @@ impl From<RecordUse> for RecordUseFile {
             component: of_file.component.map(ComponentWord::Name),
             per_count: of_file.per_count,
             acceleration: of_file.acceleration,
+            in_rows: of_file.in_rows,
             gravity_m_per_s2: record.gravity_m_per_s2,
             detrend: record.detrend,
             band_pass: record.band_pass,

@@ -27,6 +27,16 @@ pub enum SceneError {
         /// What is allowed, in words.
         allowed: &'static str,
     },
+    /// A row that takes longer to prepare than its run may take.
+    #[error(
+        "budget.seconds: found {}, which was over before the run began, allowed is what it takes to prepare the row; make `budget.seconds` more, \
+         or take fewer structures or storeys",
+        pounding_text::plain(*seconds)
+    )]
+    PreparedTooLong {
+        /// The budget \[s\].
+        seconds: f64,
+    },
     /// A number of contacts that does not fit the number of structures.
     #[error(
         "contacts: found {found} for {n_structures} structures, allowed {allowed} (one between each structure and its \

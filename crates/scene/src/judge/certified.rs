@@ -82,7 +82,12 @@ impl Certificate {
         let (v, impulse) = (Some(collision.speed), Some(certificate.impulse));
         let by_exact = Some(certificate.by_exact);
         let [peak, deepest, duration] = match certificate.impact {
-            Some(impact) => [impact.peak_force, impact.max_deformation, impact.duration].map(Some),
+            Some(impact) => [
+                impact.peak_force,
+                impact.max_deformation,
+                impact.force_duration,
+            ]
+            .map(Some),
             None => [None; 3],
         };
         let numbers = [

@@ -2,7 +2,8 @@
 
 use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Impact, Integrator, Node, Pair, Recorder, Row, RunError, Span,
+    Budget, Clock, Elastic, Excitation, Impact, Integrator, Node, Pair, Recorder, Row, RunError,
+    Span,
 };
 
 use crate::Method;
@@ -118,14 +119,23 @@ impl FreeCollision {
         };
         let rest =
             Excitation::new(step, &[0.0]).map_err(|_| CollisionError::TimeStep { found: step })?;
+        let budget = Budget {
+            pieces: MOST_PIECES,
+            ..Budget::default()
+        };
         let mut seen = Seen::default();
-        integrator.run(&row, rest, clock, &mut seen)?;
-        Ok(seen)
+        match integrator.run(&row, rest, clock.within(budget), &mut seen) {
+            Ok(_) => Ok(seen),
+            Err(RunError::TooManyPieces { .. }) => Err(CollisionError::TooManyPieces { contact }),
+            Err(error) => Err(error.into()),
+        }
     }
 }
 
-/// Most steps of a run.
-const MOST_STEPS: f64 = 1e7;
+/// Most steps of a run: some tenths of a second. Each method makes `N_PHASES` of them.
+const MOST_STEPS: f64 = 1e6;
+/// Most pieces of the exact method: a tenth of a second. Collisions of buildings take less than 3000.
+const MOST_PIECES: f64 = 1e5;
 
 /// The last velocities, and the impulse.
 #[derive(Debug, Clone, Copy, Default)]
@@ -162,12 +172,22 @@ pub enum CollisionError {
     Masses,
     /// A time step out of range.
     #[error(
-        "time step: found {} s, allowed a finite number > 0 and at most 1e7 steps in the collision",
+        "time step: found {} s, allowed a finite number > 0 and at most 1e6 steps in the collision; take longer steps",
         pounding_text::plain(*found)
     )]
     TimeStep {
         /// The time step \[s\].
         found: f64,
+    },
+    /// A collision that the exact method cuts into too many pieces.
+    #[error(
+        "stiffness, masses and speed: found a collision that lasts {} s and takes more than 1e5 pieces of the exact method, all that it \
+         may; take a stiffness nearer to that of buildings",
+        pounding_text::short(*contact)
+    )]
+    TooManyPieces {
+        /// Its duration \[s\].
+        contact: f64,
     },
     /// A run that ended early.
     #[error(transparent)]

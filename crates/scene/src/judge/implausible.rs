@@ -1,21 +1,23 @@
 //! What looks wrong in a scene that could be right: values far from those of buildings and earthquakes.
 
+mod motion;
 mod row;
 mod storeys;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use pounding_motion::{Direction, Unusual};
 use serde::{Deserialize, Serialize};
 
 use crate::{Building, Sdof, Simulation, Structure};
-use pounding_text::{digits, short};
+use motion::Shaking;
+use pounding_text::digits;
 
 /// Factors outside this range are far for a record: its duration and shape belong to another shaking \[–\].
 pub const USUAL_FACTORS: [f64; 2] = [0.25, 4.0];
 
 /// A value that looks wrong, though it can be modelled.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Implausible {
     /// The field, for example `structures[1].sdof.mass_kg`.
     pub place: String,
@@ -23,6 +25,21 @@ pub struct Implausible {
     pub found: String,
     /// What is usual, in words.
     pub usual: String,
+    /// How far it is from what is usual, by which the worst of a kind is told: the logarithm of a ratio \[–\].
+    #[serde(skip)]
+    far: f64,
+}
+
+/// The words count: `far` is not part of what a file holds.
+impl PartialEq for Implausible {
+    fn eq(&self, other: &Self) -> bool {
+        let words = [
+            (&self.place, &other.place),
+            (&self.found, &other.found),
+            (&self.usual, &other.usual),
+        ];
+        words.iter().all(|(one, other)| one == other)
+    }
 }
 
 impl fmt::Display for Implausible {
@@ -31,35 +48,88 @@ impl fmt::Display for Implausible {
             place,
             found,
             usual,
+            ..
         } = self;
         write!(formatter, "{place}: found {found}, usual is {usual}")
     }
 }
 
+/// Where a doubt about the ground motion stands.
+const RECORD: &str = "record";
+
+/// What looks wrong of one kind, in one place or several.
+struct Kind<'d> {
+    /// Places, or names of ground motions.
+    places: BTreeSet<&'d str>,
+    worst: &'d Implausible,
+    /// Its place, or the name of its motion.
+    at: &'d str,
+    differ: bool,
+}
+
 impl Implausible {
-    /// A line each, of those that say the same of several places one.
-    pub fn lines(all: &[Self]) -> Vec<String> {
-        let mut groups: Vec<(&Self, usize)> = Vec::new();
-        for one in all {
-            let alike = |(other, _): &&mut (&Self, usize)| {
-                (&one.found, &one.usual) == (&other.found, &other.usual)
+    /// Whether it is about the structures of the row, their contacts or the way the motion travels, and not about the motion.
+    pub fn is_of_row(&self) -> bool {
+        ["structures", "contacts", "arrivals_s"]
+            .iter()
+            .any(|field| self.place.starts_with(field))
+    }
+
+    /// Gathers what looks wrong, one for each kind: with the number of places, or of ground motions, and the worst of them.
+    /// Every doubt comes with the name of its motion, which is empty if a scene has one.
+    pub fn gathered<'d>(all: impl IntoIterator<Item = (&'d str, &'d Self)>) -> Vec<Self> {
+        let mut kinds: Vec<Kind<'d>> = Vec::new();
+        for (motion, one) in all {
+            let is_named = one.place == RECORD && !motion.is_empty();
+            let place = if is_named { motion } else { &one.place };
+            let alike = |other: &&mut Kind<'d>| {
+                other.worst.usual == one.usual
+                    && (other.worst.place == RECORD) == (one.place == RECORD)
             };
-            match groups.iter_mut().find(alike) {
-                Some((_, count)) => *count += 1,
-                None => groups.push((one, 1)),
+            let Some(kind) = kinds.iter_mut().find(alike) else {
+                kinds.push(Kind {
+                    places: BTreeSet::from([place]),
+                    worst: one,
+                    at: place,
+                    differ: false,
+                });
+                continue;
+            };
+            kind.differ |= kind.worst.found != one.found;
+            kind.places.insert(place);
+            if one.far > kind.worst.far {
+                (kind.worst, kind.at) = (one, place);
             }
         }
-        let line = |(one, count): (&Self, usize)| match count {
-            1 => one.to_string(),
-            _ => format!(
-                "{} and {} more: found {}, usual is {}",
-                one.place,
-                count - 1,
-                one.found,
-                one.usual
-            ),
+        kinds.iter().map(Kind::said).collect()
+    }
+
+    /// The same in sentences.
+    pub fn lines<'d>(all: impl IntoIterator<Item = (&'d str, &'d Self)>) -> Vec<String> {
+        let gathered = Self::gathered(all);
+        gathered.iter().map(ToString::to_string).collect()
+    }
+}
+
+impl Kind<'_> {
+    fn said(&self) -> Implausible {
+        let (first, n) = (self.at, self.places.len());
+        let (is_motion, worst) = (first != self.worst.place, self.worst);
+        let place = match (n, is_motion) {
+            (1, _) => first.into(),
+            (_, true) => format!("{n} motions, the farthest off {first}"),
+            (_, false) => format!("{first} and {} more", n - 1),
         };
-        groups.into_iter().map(line).collect()
+        let at_worst = if n > 1 && self.differ && !is_motion && worst.far > 0.0 {
+            " at worst"
+        } else {
+            ""
+        };
+        Implausible {
+            place,
+            found: format!("{}{at_worst}", worst.found),
+            ..worst.clone()
+        }
     }
 }
 
@@ -69,13 +139,24 @@ struct Doubts(Vec<Implausible>);
 
 impl Doubts {
     fn unless(&mut self, usual: bool, place: impl Into<String>, words: (String, &'static str)) {
+        self.unless_far((usual, 1.0), place, words);
+    }
+
+    /// The same of a number, of which one may be farther from what is usual than another.
+    fn unless_far(
+        &mut self,
+        (usual, number): (bool, f64),
+        place: impl Into<String>,
+        words: (String, &'static str),
+    ) {
         if !usual {
             let (found, usual) = words;
-            let (place, usual) = (place.into(), usual.into());
+            let far = libm::log(number).abs();
             self.0.push(Implausible {
-                place,
+                place: place.into(),
                 found,
-                usual,
+                usual: usual.into(),
+                far,
             });
         }
     }
@@ -87,7 +168,10 @@ impl Simulation {
         let mut doubts = Doubts::default();
         self.doubt_the_record(&mut doubts);
         let scene = self.scene();
+        let mut firsts = BTreeMap::new();
         for (index, structure) in scene.structures.iter().enumerate() {
+            let name = structure.name();
+            let first = *firsts.entry(name).or_insert(index);
             let kind = match structure {
                 Structure::Sdof(sdof) => {
                     doubt_a_structure(index, sdof, &mut doubts);
@@ -99,18 +183,11 @@ impl Simulation {
                 }
                 Structure::Wall => continue,
             };
-            let before = &scene.structures[..index];
-            let name = structure.name();
-            let first = before.iter().position(|other| other.name() == name);
             doubts.unless(
-                first.is_none(),
+                first == index,
                 format!("structures[{index}].{kind}.name"),
                 (
-                    format!(
-                        "\"{}\", as structures[{}] is called",
-                        name,
-                        first.unwrap_or(0)
-                    ),
+                    format!("\"{name}\", as structures[{first}] is called"),
                     "names that differ, by which results tell structures",
                 ),
             );
@@ -121,38 +198,19 @@ impl Simulation {
 
     fn doubt_the_record(&self, doubts: &mut Doubts) {
         let (scene, record) = (self.scene(), self.record());
-        let gravity = scene.record.gravity_m_per_s2;
-        doubts.unless(
-            (9.7..=9.9).contains(&gravity),
-            "record.gravity_m_per_s2",
-            (digits(gravity), "9.78 to 9.83 m/s²"),
-        );
-        let is_large = self.doubt_the_file(doubts);
-        let peak = record.peak().1.abs();
-        doubts.unless(
-            (0.01..=30.0).contains(&peak) || is_large,
-            "record",
-            (
-                format!("a peak of {} m/s²", digits(peak)),
-                "0.01 to 30 m/s²; its unit and scale decide it",
-            ),
-        );
-        let factor = self.scale();
-        doubts.unless(
-            (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&factor) || self.origin().is_none(),
-            "record",
-            (
-                format!("a scale factor of {}", short(factor)),
-                "0.25 to 4: a record that needs more belongs to another earthquake",
-            ),
-        );
-        self.doubt_the_baseline(doubts);
+        Shaking {
+            used: &scene.record,
+            record,
+            scale: self.scale(),
+            origin: self.origin(),
+        }
+        .doubt(doubts);
         let shortest = scene.structures.iter().filter_map(Structure::period);
         let shortest = shortest.fold(f64::INFINITY, f64::min);
         let step = record.time_step();
         doubts.unless(
             step <= 0.2 * shortest,
-            "record",
+            RECORD,
             (
                 format!(
                     "samples {} s apart for a structure of period {} s",
@@ -175,58 +233,14 @@ impl Simulation {
             ),
         );
     }
-
-    /// What looks wrong in the file of the record, or lies upright; whether its peak is too large.
-    fn doubt_the_file(&self, doubts: &mut Doubts) -> bool {
-        let Some(origin) = self.origin() else {
-            return false;
-        };
-        let unusual = origin.file.unusual();
-        for one in unusual {
-            doubts.unless(false, "record", (one.found(), one.usual()));
-        }
-        let is_vertical = origin.file.direction() == Some(Direction::Vertical);
-        let component = origin.file.component().unwrap_or_default();
-        doubts.unless(
-            !is_vertical,
-            "record",
-            (
-                format!("the vertical component \"{component}\""),
-                "a horizontal one: the ground of a row moves sideways",
-            ),
-        );
-        unusual
-            .iter()
-            .any(|one| matches!(one, Unusual::Peak { .. }))
-    }
-
-    /// Of a record alone: a formula may leave the ground moving on purpose.
-    fn doubt_the_baseline(&self, doubts: &mut Doubts) {
-        let drift = self.record().drift().filter(|_| self.origin().is_some());
-        let said = drift.map_or_else(String::new, |drift| {
-            format!(
-                "a ground that does not come to rest: its mean velocity over the last tenth is {} m/s, {} % of the peak",
-                short(drift.velocity.abs()),
-                short(1e2 * drift.share)
-            )
-        });
-        doubts.unless(
-            drift.is_none(),
-            "record",
-            (
-                said,
-                "up to 10 %; an offset of the baseline goes with record.detrend = \"linear\" or record.band_pass",
-            ),
-        );
-    }
 }
 
 fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].building{field}");
     storeys::doubt(index, building, doubts);
     for (storey, one) in building.storeys.iter().enumerate() {
-        doubts.unless(
-            (1e3..=1e9).contains(&one.mass_kg),
+        doubts.unless_far(
+            ((1e3..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
             place(&format!(".storeys[{storey}].mass_kg")),
             (
                 format!("{} kg", digits(one.mass_kg)),
@@ -247,8 +261,8 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     }
     let most = modes.iter().map(|mode| mode.damping_ratio);
     let most = most.fold(0.0, f64::max);
-    doubts.unless(
-        most <= 0.3,
+    doubts.unless_far(
+        (most <= 0.3, most / 0.3),
         place(".damping"),
         (
             format!("a damping ratio of {} in some mode", digits(most)),
@@ -260,16 +274,16 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
 fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].sdof.{field}");
     let (mass, period, ratio) = (sdof.mass_kg, sdof.period(), sdof.damping_ratio());
-    doubts.unless(
-        (1e3..=1e9).contains(&mass),
+    doubts.unless_far(
+        ((1e3..=1e9).contains(&mass), mass / 1e6),
         place("mass_kg"),
         (
             format!("{} kg", digits(mass)),
             "1e3 to 1e9 kg for a building",
         ),
     );
-    doubts.unless(
-        (0.03..=10.0).contains(&period),
+    doubts.unless_far(
+        ((0.03..=10.0).contains(&period), period),
         format!("structures[{index}].sdof"),
         (
             format!(
@@ -297,8 +311,8 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
         sdof.height_m,
         doubts,
     );
-    doubts.unless(
-        ratio <= 0.3,
+    doubts.unless_far(
+        (ratio <= 0.3, ratio / 0.3),
         place("damping"),
         (
             format!(

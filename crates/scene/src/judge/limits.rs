@@ -44,9 +44,9 @@ pub struct FreeLimit {
     pub approach_speed: f64,
     /// e that the law delivers \[–\]; nothing where its damping lets hardly anything come back.
     pub restitution: Option<f64>,
-    /// Duration \[s\]; nothing for an impulsive law, and as above.
+    /// Duration until the force ends \[s\]; nothing for an impulsive law, and as above.
     pub duration: Option<f64>,
-    /// Steps, or sub-steps, in it.
+    /// Steps, or sub-steps, while the pair overlaps: a clamped force may have ended earlier.
     pub steps: Option<f64>,
     /// What the method delivers; nothing for one without time steps, and where it cannot be measured or has so many steps
     /// (ten thousand) that it need not.
@@ -97,20 +97,20 @@ impl Simulation {
     fn free_limit(&self, law: &ContactLaw, collision: FreeCollision) -> FreeLimit {
         let method = self.method();
         let impact = FreeImpact::of(law, &collision.free_pair());
-        let duration = impact.map(|impact| impact.duration);
+        let overlap = impact.map(|impact| impact.duration);
         let restitution = restitution(law, impact.as_ref());
         let sub_steps = f64::from(method.contact_substeps());
         let steps = |duration: f64| Some(sub_steps * duration / method.time_step()?);
-        let steps = duration.and_then(steps);
+        let steps = overlap.and_then(steps);
         let asked = method.time_step().is_some() && steps.is_none_or(|steps| steps < MANY_STEPS);
         let delivered = restitution.filter(|_| asked).and_then(|right| {
-            let delivered = collision.delivered(*law, &method, right, duration);
+            let delivered = collision.delivered(*law, &method, right, overlap);
             delivered.ok()
         });
         FreeLimit {
             approach_speed: collision.speed,
             restitution,
-            duration,
+            duration: impact.map(|impact| impact.force_duration),
             steps,
             delivered,
         }

@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use pounding_text::{percent, short};
 
-use crate::{RunResult, Simulation};
+use crate::{FloorAtColumn, RunResult, Simulation};
 
 /// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
 pub const MOST_DRIFT: f64 = 0.025;
@@ -35,6 +35,8 @@ pub struct Excess {
 /// A kind of response that is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ExcessKind {
+    /// How far a floor and the column of the neighbour beside it move together at most, beyond the gap between them \[m\].
+    AtColumn,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -69,8 +71,63 @@ impl Simulation {
                 }
             }
         }
+        if let Some(excess) = self.at_columns(result) {
+            worst.push(excess);
+        }
         worst.sort_by_key(|one| one.kind);
         worst
+    }
+
+    /// The floor that reaches farthest into the column of a neighbour, which no contact models. Both may move apart when they are
+    /// farthest: what does not close the gap by this measure does not close it.
+    fn at_columns(&self, result: &RunResult) -> Option<Excess> {
+        let floors = self.floors();
+        let contacts = self.scene().contacts.as_deref()?;
+        let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
+        let openings = self.openings();
+        let reach = |one: &FloorAtColumn| {
+            let foot = one.below.map_or(0.0, peak);
+            let column = foot + one.along * (peak(one.above) - foot);
+            let bases = openings.get(one.gap).map_or(0.0, |one| one.distance.abs());
+            Some(peak(one.floor) + column + bases - contacts.get(one.gap)?.gap_m)
+        };
+        let meets = |one: &FloorAtColumn| {
+            let mut facing = floors.facing().iter();
+            facing
+                .any(|pair| pair.contact == one.gap && [pair.left, pair.right].contains(&one.floor))
+        };
+        let all = floors.at_columns();
+        let all = all.iter().filter(|one| !meets(one));
+        let beyond = all.filter_map(|one| Some((one.floor, reach(one)?)));
+        let beyond = beyond.filter(|(_, reach)| *reach >= ExcessKind::AtColumn.most());
+        let (floor, found) = beyond.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        Some(Excess {
+            kind: ExcessKind::AtColumn,
+            floor,
+            name: floors.all()[floor].name.clone(),
+            found,
+        })
+    }
+
+    /// The largest drift or ductility of a run over its limit, by which directions of shaking are compared, and where it is.
+    pub fn strain(&self, result: &RunResult) -> Option<(f64, Excess)> {
+        let floors = 0..self.floors().all().len();
+        let all = floors.flat_map(|floor| {
+            let judged = self.judged(result, floor).into_iter();
+            judged.map(move |(kind, found)| (found / kind.most(), kind, found, floor))
+        });
+        let strains = all.filter(|(share, kind, ..)| kind.strains() && share.is_finite());
+        let (share, kind, found, floor) = strains.max_by(|one, other| one.0.total_cmp(&other.0))?;
+        let name = self.floors().all()[floor].name.clone();
+        Some((
+            share,
+            Excess {
+                kind,
+                floor,
+                name,
+                found,
+            },
+        ))
     }
 
     fn judged(&self, result: &RunResult, floor: usize) -> Vec<(ExcessKind, f64)> {
@@ -114,6 +171,7 @@ impl ExcessKind {
     /// What is not yet too much.
     fn most(self) -> f64 {
         match self {
+            Self::AtColumn => 0.0,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => MOST_STABILITY[0],
             Self::Drift => MOST_DRIFT,
@@ -122,9 +180,34 @@ impl ExcessKind {
         }
     }
 
+    /// Whether it is a drift, as itself or over that at yielding. Gravity, and what is left at the end, follow from these.
+    fn strains(self) -> bool {
+        match self {
+            Self::Displacement | Self::Drift | Self::Ductility => true,
+            Self::AtColumn | Self::Stability | Self::ResidualDrift => false,
+        }
+    }
+
+    /// A number of this kind in a few words.
+    pub fn brief(self, found: f64) -> String {
+        match self {
+            Self::AtColumn => format!("{} mm into a column", short(1e3 * found)),
+            Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
+            Self::Stability => format!("stability coefficient of {}", short(found)),
+            Self::Drift => format!("drift of {}", percent(found)),
+            Self::Ductility => format!("ductility of {}", short(found)),
+            Self::ResidualDrift => format!("{} of drift left", percent(found)),
+        }
+    }
+
     /// What a number of this kind says.
     pub fn says(self, found: f64) -> String {
         match self {
+            Self::AtColumn => format!(
+                "faces columns of its neighbour between floors, and both together may move {} mm farther than the gap: a floor that hits a \
+                 column can bring a building down, and is not modelled",
+                short(1e3 * found)
+            ),
             Self::Displacement => format!(
                 "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)

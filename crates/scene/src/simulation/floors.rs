@@ -1,15 +1,20 @@
 //! The floors of a scene: what the nodes of its row are called, and which of them face each other.
 
+mod columns;
 mod levels;
 
 use pounding_solver::Levels;
 
+pub use columns::FloorAtColumn;
 use levels::elevations;
 
 use crate::{Columns, Scene, SceneError, Sdof, Structure};
 
 /// Heights of floors that differ by no more are equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
+
+/// What is said of pounding where nothing could touch.
+const NO_CONTACT: &str = "no contact is modelled, so that nothing is said about pounding";
 
 /// The floors and walls of a scene, as its row numbers them: those of the lowest level from left to right, then those of
 /// the next, and so on. In a row of structures of one storey they are the structures.
@@ -187,6 +192,11 @@ impl Floors {
         let (structure, storey) = self.levels.place(floor);
         let lower = storey.checked_sub(1)?;
         (!self.all[floor].is_wall()).then(|| self.levels.of(structure)[lower])
+    }
+
+    /// What is said of pounding where the scene has no contact; `None` if it has one.
+    pub fn says_no_contact(&self) -> Option<&'static str> {
+        (self.facing.is_empty()).then_some(NO_CONTACT)
     }
 
     /// Floors that can touch, in the order of the row's pairs.

@@ -11,6 +11,7 @@ mod values;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use crate::file::budget::Patience;
 use crate::file::check;
 use crate::ground_motion::SharedMotion;
 use crate::simulation::floors::{Floor, Floors};
@@ -78,14 +79,16 @@ impl Simulation {
         scene: &Scene,
         motion: SharedMotion,
         stop: Option<&'static AtomicBool>,
+        patience: Patience,
     ) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
+        let duration = scene.duration_within(motion.record.duration(), patience);
         let scene = &Scene {
-            duration_s: Some(scene.duration_under(motion.record.duration())),
+            duration_s: Some(duration.map_err(in_scene)?),
             ..scene.clone()
         };
         scene.check_method().map_err(in_scene)?;
-        let (floors, row) = modelled(scene).map_err(in_scene)?;
+        let (floors, row) = modelled(scene, patience).map_err(in_scene)?;
         let prepared = Self {
             scene: scene.clone(),
             advice: None,
@@ -102,6 +105,7 @@ impl Simulation {
         };
         let settings = prepared.integrator.check();
         settings.map_err(|error| prepared.ended(error))?;
+        patience.look().map_err(in_scene)?;
         Ok(prepared)
     }
 
@@ -146,7 +150,7 @@ impl Simulation {
     pub fn variant(&self, scene: &Scene, record: Record) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
         scene.check().map_err(in_scene)?;
-        let (floors, row) = modelled(scene).map_err(in_scene)?;
+        let (floors, row) = modelled(scene, Patience::ENDLESS).map_err(in_scene)?;
         let varied = Self {
             scene: scene.clone(),
             floors,
@@ -330,10 +334,12 @@ impl Simulation {
 }
 
 /// The floors of a checked scene, and the leanest row of them.
-fn modelled(scene: &Scene) -> Result<(Floors, AnyRow), SceneError> {
+fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), SceneError> {
     let floors = Floors::of(scene)?;
+    patience.look()?;
     let row =
         model::lean(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
+    patience.look()?;
     Ok((floors, row))
 }
 

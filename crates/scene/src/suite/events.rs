@@ -1,113 +1,69 @@
-//! Which motions of a folder are components of one event: two components are no two independent motions.
+//! Which motions are components of one record: they are one event, and no two independent motions.
 
-use std::collections::BTreeMap;
+use super::{Motion, Suite};
 
-use pounding_motion::Direction;
-
-use super::Motion;
-
-/// Numbers of the events of motions, from 0 in the order of the motions.
+/// Numbers the events of the motions, from 0 in the order of the motions.
 ///
-/// Motions of one file are of one event. So are those of files in one folder whose names differ in a word for the direction alone, as
-/// `ABC001.EW` and `ABC001.NS`. So are two whose names end in azimuths a right angle apart, as `A-ELC180.AT2` and `A-ELC270.AT2`.
-pub fn events(motions: &[Motion]) -> Vec<usize> {
-    let names: Vec<String> = motions.iter().map(Motion::file_name).collect();
-    let mut azimuths: BTreeMap<String, Vec<u32>> = BTreeMap::new();
-    for (stem, azimuth) in names.iter().filter_map(|name| azimuth(name)) {
-        let all = azimuths.entry(stem).or_default();
-        if !all.contains(&azimuth) {
-            all.push(azimuth);
+/// Motions of one file are of one event. So are two that have the same record number of PEER, or the same station and the same event
+/// or time; two with one title that lie in two directions; two whose names differ in the direction alone, unless their files
+/// say that they are of two records; and two that are alike but for a factor.
+pub(super) fn number(suite: &mut Suite) {
+    let motions = &suite.motions;
+    let mut event: Vec<usize> = (0..motions.len()).collect();
+    let join = |event: &mut Vec<usize>, one: usize, other: usize| {
+        let (to, from) = (event[one], event[other]);
+        let of_other = event.iter_mut().filter(|event| **event == from);
+        of_other.for_each(|event| *event = to);
+    };
+    for index in 0..motions.len() {
+        for other in 0..index {
+            if event[other] != event[index] && are_of_one_record(&motions[other], &motions[index]) {
+                join(&mut event, other, index);
+            }
         }
     }
-    let is_pair = |stem: &String| {
-        let all = &azimuths[stem][..];
-        matches!(all, [one, other] if matches!(one.abs_diff(*other), 90 | 270))
-    };
-    let key = |(motion, name): (&Motion, &String)| {
-        let shared = match azimuth(name) {
-            Some((stem, _)) if is_pair(&stem) => stem,
-            _ => without_direction(name),
-        };
-        motion.path.with_file_name(shared)
-    };
-    let keys: Vec<_> = motions.iter().zip(&names).map(key).collect();
+    let at = |name: &String| motions.iter().position(|motion| motion.name == *name);
+    // Of components of one record it is no wonder.
+    suite
+        .alike
+        .retain(|(one, other, _)| match (at(one), at(other)) {
+            (Some(one), Some(other)) if event[one] != event[other] => {
+                join(&mut event, one, other);
+                true
+            }
+            _ => false,
+        });
     let mut known = Vec::new();
-    let number = |key| {
-        let found = known.iter().position(|one| *one == key);
-        found.unwrap_or_else(|| {
-            known.push(key);
+    for (motion, event) in suite.motions.iter_mut().zip(event) {
+        let at = known.iter().position(|one| *one == event);
+        motion.event = at.unwrap_or_else(|| {
+            known.push(event);
             known.len() - 1
-        })
-    };
-    keys.iter().map(number).collect()
+        });
+    }
+    suite.n_events = known.len();
 }
 
-/// The name of a file without the word for its direction at the end.
-fn without_direction(name: &str) -> String {
-    let end = Direction::of_file_name(name).map(|(_, end)| end);
-    let at = end.and_then(|end| Some((name.rfind(end)?, end.len())));
-    at.map_or_else(
-        || name.into(),
-        |(at, len)| format!("{}*{}", &name[..at], &name[at + len..]),
-    )
-}
-
-/// The name of a file without the azimuth of three digits at its end or as its ending, and that azimuth \[°\].
-fn azimuth(name: &str) -> Option<(String, u32)> {
-    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
-    let degrees = |digits: &str| {
-        let is_number = digits.len() == 3 && digits.bytes().all(|byte| byte.is_ascii_digit());
-        let number: u32 = digits.parse().ok()?;
-        (is_number && number <= 360).then_some(number)
-    };
-    if let Some(azimuth) = degrees(ending) {
-        return Some((format!("{stem}.*"), azimuth));
+fn are_of_one_record(one: &Motion, other: &Motion) -> bool {
+    if one.path == other.path {
+        return true;
     }
-    let start = stem.trim_end_matches(|letter: char| letter.is_ascii_digit());
-    let azimuth = degrees(&stem[start.len()..])?;
-    Some((format!("{start}*.{ending}"), azimuth))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::events;
-    use crate::{Motion, Orientation};
-
-    fn of(names: &[(&str, Option<&str>)]) -> Vec<usize> {
-        let motion = |&(name, component): &(&str, Option<&str>)| Motion {
-            path: format!("records/{name}").into(),
-            component: component.map(String::from),
-            orientation: Orientation::Untold,
-        };
-        events(&names.iter().map(motion).collect::<Vec<_>>())
+    let number = |motion: &Motion| motion.identity.rsn.or(motion.named.rsn);
+    if let (Some(one), Some(other)) = (number(one), number(other)) {
+        return one == other;
     }
-
-    /// Twenty-two components of eleven events counted as twenty-two motions.
-    #[test]
-    fn issue_components_of_one_event_are_no_two_events() {
-        let file = |name| (name, None);
-        assert_eq!(
-            of(&[("a.V2", Some("90")), ("a.V2", Some("360")), file("b.V2")]),
-            [0, 0, 1]
-        );
-        assert_eq!(
-            of(&[file("ABC001.EW"), file("ABC001.NS"), file("ABC002.EW")]),
-            [0, 0, 1]
-        );
-        assert_eq!(of(&[file("RSN6-H1.AT2"), file("RSN6-H2.AT2")]), [0, 0]);
-        assert_eq!(of(&[file("A-ELC180.AT2"), file("A-ELC270.AT2")]), [0, 0]);
-        assert_eq!(of(&[file("LPCC_20.000"), file("LPCC_20.090")]), [0, 0]);
+    let [own, others] = [&one.identity, &other.identity];
+    let same = |a: &Option<String>, b: &Option<String>| Some(a.as_ref()? == b.as_ref()?);
+    let station = same(&own.station, &others.station);
+    let event = same(&own.event, &others.event).or(same(&own.time, &others.time));
+    match (station, event) {
+        (Some(true), Some(same)) => return same,
+        (Some(false), _) | (_, Some(false)) => return false,
+        (None, _) | (_, None) => {}
     }
-
-    /// Numbers of records are no azimuths.
-    #[test]
-    fn limit_other_files_are_events_of_their_own() {
-        let file = |name| (name, None);
-        assert_eq!(of(&[file("RSN001.AT2"), file("RSN002.AT2")]), [0, 1]);
-        assert_eq!(
-            of(&[file("r001.txt"), file("r002.txt"), file("r091.txt")]),
-            [0, 1, 2]
-        );
-        assert_eq!(of(&[file("elCentro.AT2"), file("A-ELC180.AT2")]), [0, 1]);
-    }
+    let is_in_two_directions = one.named.direction != other.named.direction
+        || one.named.azimuth != other.named.azimuth
+        || one.origin.file.component() != other.origin.file.component();
+    let by_title = same(&own.title, &others.title) == Some(true) && is_in_two_directions;
+    by_title || (one.path.parent() == other.path.parent() && one.named.same_record(&other.named))
 }

@@ -1,12 +1,10 @@
 //! A scene under every motion of a folder: what became of each, and what is said of those that are left out.
 
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::events::events;
-use super::{Motion, Orientation};
+use super::{Motion, Suite};
 use crate::{Error, Scene, Simulation};
 
 /// What became of a scene under one motion in one direction.
@@ -16,12 +14,8 @@ pub struct Line<T> {
     pub motion: String,
     /// Number of the event that the motion is of.
     pub event: usize,
-    /// Whether it lies upright.
-    pub vertical: bool,
     /// Whether it shakes the other way round.
     pub reversed: bool,
-    /// Whether nothing tells how the motion lies.
-    pub untold: bool,
     /// What came of it, or why it shakes nothing.
     pub found: Result<T, String>,
 }
@@ -59,13 +53,12 @@ pub struct Watched<'a> {
 /// A motion in one direction, and the scene that it is to shake.
 struct Case<'m, K> {
     motion: &'m Motion,
-    event: usize,
     scene: &'m Result<(Scene, K), String>,
     reversed: bool,
 }
 
 impl<K> Case<'_, K> {
-    /// What becomes of it; nothing where somebody ended its run.
+    /// What becomes of it; `None` if somebody ended its run.
     fn line<T>(
         &self,
         stop: &'static AtomicBool,
@@ -74,7 +67,7 @@ impl<K> Case<'_, K> {
         let found = match self.scene {
             Err(reason) => Err(reason.clone()),
             Ok((scene, known)) => {
-                let prepared = self.motion.shake_until(scene, self.reversed, Some(stop));
+                let prepared = self.motion.shake(scene, self.reversed, Some(stop));
                 let found = prepared.and_then(|prepared| run(&prepared, known));
                 if found.as_ref().is_err_and(Error::is_stopped) {
                     return None;
@@ -82,13 +75,10 @@ impl<K> Case<'_, K> {
                 found.map_err(|error| error.reason())
             }
         };
-        let orientation = &self.motion.orientation;
         Some(Line {
-            motion: self.motion.name(),
-            event: self.event,
-            vertical: matches!(orientation, Orientation::Vertical(_)),
+            motion: self.motion.name.clone(),
+            event: self.motion.event,
             reversed: self.reversed,
-            untold: *orientation == Orientation::Untold,
             found,
         })
     }
@@ -104,30 +94,29 @@ fn until_stopped<C: Sync, L: Send>(
     cases.par_iter().filter_map(unless).collect()
 }
 
-/// Runs a scene under every motion of a folder, in these directions (whether reversed); a line each, in order. Every motion has a
+/// Runs a scene under every motion of a suite, in these directions (whether reversed); a line each, in order. Every motion has a
 /// scene of its own, and what its runs have to know besides.
 ///
 /// # Errors
-/// Says of a folder without records, and of one of which every record is refused, why.
+/// Gives the first reason if every run fails.
 pub fn lines_of<T: Send, K: Send + Sync>(
-    folder: &Path,
+    suite: &Suite,
     directions: &[bool],
     watched: Watched<'_>,
     scene: impl Fn(&Motion) -> Result<(Scene, K), Error> + Sync,
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
 ) -> Result<Lines<T>, String> {
-    let motions = motions(folder)?;
     // Once for both directions: to scale a record takes its spectrum.
-    let scenes: Vec<Result<(Scene, K), String>> = motions
+    let scenes: Vec<Result<(Scene, K), String>> = suite
+        .motions
         .par_iter()
         .map(|motion| scene(motion).map_err(|error| error.reason()))
         .collect();
-    let under = motions.iter().zip(events(&motions)).zip(&scenes);
+    let under = suite.motions.iter().zip(&scenes);
     let cases: Vec<Case<'_, K>> = under
-        .flat_map(|((motion, event), scene)| {
+        .flat_map(|(motion, scene)| {
             directions.iter().map(move |reversed| Case {
                 motion,
-                event,
                 scene,
                 reversed: *reversed,
             })
@@ -141,8 +130,9 @@ pub fn lines_of<T: Send, K: Send + Sync>(
     let lines = until_stopped(&cases, watched.stop, line);
     match nothing_found(lines.iter().map(|line| &line.found)) {
         Some(first) => Err(format!(
-            "none of the records in {} shakes the row; the first: {first}",
-            folder.display()
+            "none of the {} motions shakes the row; the first, {}: {first}",
+            suite.motions.len(),
+            suite.motions[0].name
         )),
         None => Ok(Lines {
             lines,
@@ -159,17 +149,8 @@ pub fn nothing_found<'a, T: 'a>(
     found.all(Result::is_err).then_some(first)
 }
 
-/// Number of motions of which this holds in a direction.
-pub fn count<T>(lines: &[Line<T>], holds: impl Fn(&Line<T>) -> bool) -> usize {
-    let held = lines.iter().filter(|line| holds(line));
-    let mut names: Vec<&str> = held.map(|line| line.motion.as_str()).collect();
-    names.dedup();
-    names.len()
-}
-
-/// What is said of motions that are left out, a line each: the direction only where the other one is not left out for the
-/// same reason.
-pub fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
+/// Names the runs that failed, with the reason. The direction is told if the other one did not fail for the same reason.
+pub fn failed<T>(lines: &[Line<T>]) -> Vec<String> {
     let said = |line: &Line<T>| {
         let reason = line.found.as_ref().err()?;
         let mut same = lines.iter().filter(|other| other.motion == line.motion);
@@ -186,54 +167,17 @@ pub fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
     said
 }
 
-/// What is said of motions that shake the row though nothing tells how they lie; `None` if there are none.
-pub fn untold<T>(lines: &[Line<T>]) -> Option<String> {
-    let untold = lines
-        .iter()
-        .filter(|line| line.untold && line.found.is_ok());
-    let mut names: Vec<&str> = untold.map(|line| line.motion.as_str()).collect();
-    names.dedup();
-    said_of_untold(&names)
-}
-
-/// What is said of motions of these names, whose direction nothing tells; `None` if there are none.
-pub fn said_of_untold(names: &[impl AsRef<str>]) -> Option<String> {
-    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
-    let said =
-        "they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
-    (!names.is_empty()).then(|| format!("not told, {said}: {}", names.join(", ")))
-}
-
-/// How a line's motion lies, for a program: `null` where nothing tells.
-pub fn direction<T>(line: &Line<T>) -> Option<&'static str> {
-    (!line.untold).then_some("horizontal")
-}
-
-/// The motions of a folder, at least one.
-fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
-    let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
-    if motions.is_empty() {
-        return Err(format!(
-            "{}: found no file, allowed is a folder with one record or more",
-            folder.display()
-        ));
-    }
-    Ok(motions)
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicBool, Ordering};
 
-    use super::{Line, left_out, nothing_found, until_stopped};
+    use super::{Line, failed, nothing_found, until_stopped};
 
     fn line(motion: &str, reversed: bool, found: Result<(), &str>) -> Line<()> {
         Line {
             motion: motion.into(),
             event: 0,
-            vertical: false,
             reversed,
-            untold: false,
             found: found.map_err(String::from),
         }
     }
@@ -270,8 +214,8 @@ mod tests {
             "c, as recorded: one",
             "c, reversed: another",
         ];
-        assert_eq!(left_out(&lines), wanted);
-        assert_eq!(left_out(&[line("d", true, Err("x"))]), ["d: x"]);
+        assert_eq!(failed(&lines), wanted);
+        assert_eq!(failed(&[line("d", true, Err("x"))]), ["d: x"]);
         assert_eq!(nothing_found(lines.iter().map(|line| &line.found)), None);
         let refused = lines[2..].iter().map(|line| &line.found);
         assert_eq!(nothing_found(refused), Some("no record"));

@@ -1,5 +1,7 @@
 //! Pieces of the floors that move together, and their launch.
 
+use std::ops::Range;
+
 use crate::exact::clock::Past;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{self, Member};
@@ -139,7 +141,7 @@ impl<R: Recorder> Run<'_, R> {
             events: std::mem::take(&mut self.bodies[first].events),
         };
         watch.events.clear();
-        self.watch(&mut watch, first, len);
+        self.watch(&mut watch, (first, len), time)?;
         // A force at rest that fades as the next sample arrives may go on with it.
         let left = power.time(length) - power.time(watch.length);
         let at_sample = whole && left <= rounding::OF_SUMS * self.clock.absolute(stop);
@@ -314,14 +316,28 @@ impl<R: Recorder> Run<'_, R> {
     /// First of the neighbours that share this one's velocity because they rest against each other on grounds that move
     /// alike.
     pub(super) fn leader(&self, node: usize) -> usize {
-        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
-        let rests =
-            |left: usize| self.pair_right_of[left].is_some_and(|pair| alike(&self.contacts[pair]));
         let mut leader = node;
-        while leader > 0 && rests(leader - 1) {
+        while self.is_led(leader) {
             leader -= 1;
         }
         leader
+    }
+
+    /// A node and those that share its velocity, of which it is the first; nothing where it is not.
+    pub(super) fn led_by(&self, leader: usize) -> Range<usize> {
+        let mut end = leader;
+        while end < self.members.len() && self.is_led(end) == (end > leader) {
+            end += 1;
+        }
+        leader..end
+    }
+
+    /// Whether a node shares the velocity of its left neighbour.
+    fn is_led(&self, node: usize) -> bool {
+        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
+        let left = node.checked_sub(1);
+        let pair = left.and_then(|left| self.pair_right_of[left]);
+        pair.is_some_and(|pair| alike(&self.contacts[pair]))
     }
 
     /// The pairs on the left and right of a node that carry a force.

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use crate::Recorder;
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
 use crate::exact::{BURST, CHATTER, Run};
+use crate::{Recorder, RunError};
 
 /// A chain of impulsive pairs that touch at one instant.
 pub(super) struct Hit {
@@ -61,12 +61,13 @@ impl Hit {
 
 impl<R: Recorder> Run<'_, R> {
     /// The chain that begins with a pair, and those after it that share a building with it, or with one that does.
-    pub(super) fn hits_with(&self, pair: usize, time: f64) -> Vec<Hit> {
+    pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
+        self.guard.wait(time)?;
         let hit = self.hit(pair, time);
         let mut next = hit.last + 1;
         let mut hits = vec![hit];
         if self.members.iter().all(|member| member.storey.is_none()) {
-            return hits;
+            return Ok(hits);
         }
         let mut others = Vec::new();
         while next < self.contacts.len() {
@@ -79,6 +80,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let mut index = 0;
         while let Some(hit) = hits.get(index) {
+            self.guard.wait(time)?;
             let (joined, apart): (Vec<_>, Vec<_>) = others
                 .into_iter()
                 .partition(|other| self.share_a_building(hit, other));
@@ -87,7 +89,7 @@ impl<R: Recorder> Run<'_, R> {
             index += 1;
         }
         hits.sort_by_key(|hit| hit.first);
-        hits
+        Ok(hits)
     }
 
     /// The chain of touching pairs that begins with a pair.
@@ -158,5 +160,15 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether an impulsive pair touches now.
     pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
         self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
+    }
+}
+
+impl Contact {
+    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
+    pub(super) fn push(&mut self, jump: f64) {
+        self.rate += jump;
+        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
+            self.link = Link::Touching(self.phase());
+        }
     }
 }

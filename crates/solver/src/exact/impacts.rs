@@ -10,6 +10,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::RunError;
+
 /// What happens when several pairs of a row touch at the same instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -20,6 +22,9 @@ pub enum SimultaneousImpacts {
     /// Each pair alone, from left to right, again and again until none approaches.
     Sequential,
 }
+
+/// Ends the impacts of an instant where a run is over its budget.
+type Look<'a> = &'a dyn Fn() -> Result<(), RunError>;
 
 /// Rounds after which the rest is plastic (e = 0).
 const ROUNDS: usize = 50;
@@ -54,8 +59,12 @@ impl Chain {
         self.impulses.clear();
     }
 
-    /// Gives impulses until no pair approaches.
-    pub(super) fn collide(&mut self, rule: SimultaneousImpacts) {
+    /// Gives impulses until no pair approaches. The work grows with the cube of the chain: `look` may end it.
+    pub(super) fn collide(
+        &mut self,
+        rule: SimultaneousImpacts,
+        look: Look<'_>,
+    ) -> Result<(), RunError> {
         let n = self.rates.len();
         self.impulses.clear();
         self.impulses.resize(n, 0.0);
@@ -70,9 +79,9 @@ impl Chain {
                 SimultaneousImpacts::Sequential => rounds > ROUNDS,
             };
             if together {
-                self.round(rounds > ROUNDS);
+                self.round(rounds > ROUNDS, look)?;
             } else {
-                self.sweep();
+                self.sweep(look)?;
             }
             if rounds > 2 * ROUNDS {
                 // Rounding alone is left.
@@ -81,22 +90,24 @@ impl Chain {
                 }
             }
         }
+        Ok(())
     }
 
     /// Every approaching pair once, from left to right.
-    fn sweep(&mut self) {
+    fn sweep(&mut self, look: Look<'_>) -> Result<(), RunError> {
         for pair in 0..self.rates.len() {
             if self.rates[pair] > 0.0 {
                 self.active.clear();
                 self.active.resize(self.rates.len(), false);
                 self.active[pair] = true;
-                self.apply();
+                self.apply(look)?;
             }
         }
+        Ok(())
     }
 
     /// All pairs at once; the plastic end takes in those that separate as well.
-    fn round(&mut self, plastic: bool) {
+    fn round(&mut self, plastic: bool, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.closing.clear();
         let closes = |(rate, passes_on): (&f64, &bool)| {
@@ -108,7 +119,7 @@ impl Chain {
         self.active
             .extend(self.rates.iter().map(|rate| *rate > 0.0));
         loop {
-            self.rates_after();
+            self.rates_after(look)?;
             let mut grown = false;
             for pair in 0..n {
                 let wanted = -self.restitutions[pair] * self.rates[pair];
@@ -121,7 +132,7 @@ impl Chain {
                 break;
             }
         }
-        self.apply();
+        self.apply(look)
     }
 
     /// First and last structure of the block of active pairs around a structure.
@@ -142,11 +153,17 @@ impl Chain {
     }
 
     /// Impulse of an active pair: Σ over the pairs q of its block of turn(q) · (mass left of both)·(mass right of both)/M.
-    fn impulse(&self, pair: usize, (first, last): (usize, usize)) -> f64 {
+    fn impulse(
+        &self,
+        pair: usize,
+        (first, last): (usize, usize),
+        look: Look<'_>,
+    ) -> Result<f64, RunError> {
         let left = |pair: usize| self.masses[first..=pair].iter().sum::<f64>();
         let right = |pair: usize| self.masses[pair + 1..=last].iter().sum::<f64>();
         (first..last)
             .map(|other| {
+                look()?;
                 let (lower, upper) = (pair.min(other), pair.max(other));
                 let (near, far) = (left(lower), right(upper));
                 let total = left(last - 1) + self.masses[last];
@@ -157,13 +174,13 @@ impl Chain {
                     (true, true) => 0.0,
                     (false, false) => near * far / total,
                 };
-                self.turn(other) * share
+                Ok(self.turn(other) * share)
             })
             .sum()
     }
 
     /// Rates after the impulses of the active pairs.
-    fn rates_after(&mut self) {
+    fn rates_after(&mut self, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.after.clear();
         for pair in 0..n {
@@ -173,15 +190,15 @@ impl Chain {
                 // Neither neighbour is pushed towards the other but from outside.
                 let push = |other: usize, structure: usize| {
                     let block = self.block(structure);
-                    self.impulse(other, block) / self.masses[structure]
+                    Ok(self.impulse(other, block, look)? / self.masses[structure])
                 };
                 let from_left = if pair > 0 && self.active[pair - 1] {
-                    push(pair - 1, pair)
+                    push(pair - 1, pair)?
                 } else {
                     0.0
                 };
                 let from_right = if pair + 1 < n && self.active[pair + 1] {
-                    push(pair + 1, pair + 1)
+                    push(pair + 1, pair + 1)?
                 } else {
                     0.0
                 };
@@ -189,32 +206,39 @@ impl Chain {
             };
             self.after.push(after);
         }
+        Ok(())
     }
 
     /// Gives the active pairs their impulses.
     ///
     /// Velocities of a block follow from its momentum and the rates within: adding impulses to them would lose the
     /// digits of a light structure between heavy ones.
-    fn apply(&mut self) {
-        self.rates_after();
+    fn apply(&mut self, look: Look<'_>) -> Result<(), RunError> {
+        self.rates_after(look)?;
         let mut first = 0;
         while first < self.masses.len() {
             let (_, last) = self.block(first);
             if last > first {
                 for pair in first..last {
-                    let impulse = self.impulse(pair, (first, last));
+                    let impulse = self.impulse(pair, (first, last), look)?;
                     self.impulses[pair] += impulse;
                 }
-                self.set_velocities(first, last);
+                self.set_velocities(first, last, look)?;
             }
             first = last + 1;
         }
         std::mem::swap(&mut self.rates, &mut self.after);
+        Ok(())
     }
 
     /// v of each structure of a block = V + Σ over its pairs right of it of r⁺ (mass right of the pair)/M − the same on
     /// the left, with V the block's momentum over its mass; summed so that a mirrored block gives mirrored bits.
-    fn set_velocities(&mut self, first: usize, last: usize) {
+    fn set_velocities(
+        &mut self,
+        first: usize,
+        last: usize,
+        look: Look<'_>,
+    ) -> Result<(), RunError> {
         let (masses, after) = (&self.masses, &self.after);
         let outward = |sum: f64, mass: &f64| sum + mass;
         let left = |pair: usize| masses[first..=pair].iter().rev().fold(0.0, outward);
@@ -246,6 +270,7 @@ impl Chain {
             .take(last + 1)
             .skip(first)
         {
+            look()?;
             let from_right = (index..last).fold(0.0, |sum, pair| {
                 sum + after[pair] * share(right(pair), pair)
             });
@@ -258,6 +283,7 @@ impl Chain {
                 common + (from_right - from_left)
             };
         }
+        Ok(())
     }
 }
 
@@ -282,19 +308,25 @@ mod tests {
     #[test]
     fn reference_three_equal_masses() {
         let mut together = chain(&[2.0; 3], &[3.0, 0.0, 0.0], 1.0);
-        together.collide(SimultaneousImpacts::Together);
+        together
+            .collide(SimultaneousImpacts::Together, &|| Ok(()))
+            .expect("nobody ends it");
         for (found, wanted) in together.velocities.iter().zip([-1.0, 2.0, 2.0]) {
             assert!((found - wanted).abs() < 1e-15, "{:?}", together.velocities);
         }
         let mut sequential = chain(&[2.0; 3], &[3.0, 0.0, 0.0], 1.0);
-        sequential.collide(SimultaneousImpacts::Sequential);
+        sequential
+            .collide(SimultaneousImpacts::Sequential, &|| Ok(()))
+            .expect("nobody ends it");
         assert_eq!(sequential.velocities, [0.0, 0.0, 3.0]);
     }
 
     #[test]
     fn reference_wall() {
         let mut chain = chain(&[2.0, f64::INFINITY], &[3.0, 0.0], 0.5);
-        chain.collide(SimultaneousImpacts::Together);
+        chain
+            .collide(SimultaneousImpacts::Together, &|| Ok(()))
+            .expect("nobody ends it");
         assert_eq!(chain.velocities, [-1.5, 0.0]);
         assert_eq!(chain.impulses, [9.0]);
     }
@@ -302,7 +334,9 @@ mod tests {
     #[test]
     fn limit_mirror_symmetric_double_hit() {
         let mut chain = chain(&[1e6, 1.0, 1e6], &[1.0, 0.0, -1.0], 0.4);
-        chain.collide(SimultaneousImpacts::Together);
+        chain
+            .collide(SimultaneousImpacts::Together, &|| Ok(()))
+            .expect("nobody ends it");
         assert!(
             (chain.velocities[0] + 0.4).abs() < 1e-15,
             "{:?}",
@@ -328,7 +362,7 @@ mod tests {
             let struck = rounds.strike_all(|node| velocities[node]);
             let mut chain = chain(&masses, &velocities, restitution);
             prop_assert_eq!(struck, chain.rates.iter().any(|rate| *rate > 0.0));
-            chain.collide(SimultaneousImpacts::Together);
+            chain.collide(SimultaneousImpacts::Together, &|| Ok(())).expect("nobody ends it");
             for (node, wanted) in chain.velocities.iter().enumerate() {
                 let found = rounds.velocity(node);
                 prop_assert!((found - wanted).abs() < 1e-10, "{node}: {found} {wanted}");
@@ -347,7 +381,8 @@ mod tests {
             let masses: Vec<_> = structures.iter().map(|(exponent, _)| libm::pow(10.0, *exponent)).collect();
             let velocities: Vec<_> = structures.iter().map(|(_, velocity)| *velocity).collect();
             let mut chain = chain(&masses, &velocities, restitution);
-            chain.collide(if sequential { SimultaneousImpacts::Sequential } else { SimultaneousImpacts::Together });
+            let rule = if sequential { SimultaneousImpacts::Sequential } else { SimultaneousImpacts::Together };
+            chain.collide(rule, &|| Ok(())).expect("nobody ends it");
             prop_assert!(chain.rates.iter().all(|rate| *rate <= 0.0), "{:?}", chain.rates);
             prop_assert!(chain.impulses.iter().all(|impulse| *impulse >= 0.0), "{:?}", chain.impulses);
             let sum = |f: &dyn Fn(usize) -> f64| (0..masses.len()).map(f).sum::<f64>();

@@ -111,6 +111,8 @@ struct Run<'a, R> {
     /// End of the run, on that clock.
     end: f64,
     members: Vec<Member>,
+    /// How many of them are walls.
+    walls: usize,
     contacts: Vec<Contact>,
     /// Node on the left of every pair.
     lefts: Vec<usize>,
@@ -147,6 +149,8 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
 ) -> Result<Work, RunError> {
     settings.check()?;
     let n = row.nodes().len();
+    let guard = clock.within(budget).begin(n);
+    guard.wait(0.0)?;
     let mut pair_right_of = vec![None; n];
     for (index, pair) in row.pairs().iter().enumerate() {
         pair_right_of[pair.left] = Some(index);
@@ -171,6 +175,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let groups = Groups::new(&members, &contacts, &pair_right_of);
+    guard.wait(0.0)?;
     let mut run = Run {
         settings,
         excitation,
@@ -181,6 +186,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
         settled: vec![false; contacts.len()],
+        walls: members.iter().filter(|member| member.is_wall()).count(),
         members,
         contacts,
         lefts: row.pairs().iter().map(|pair| pair.left).collect(),
@@ -190,7 +196,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         groups,
         landed: vec![true; n],
         chain: Chain::default(),
-        guard: clock.within(budget).begin(n),
+        guard,
         tried: 0,
         work: Work::default(),
         recorder,
@@ -238,7 +244,7 @@ impl<R: Recorder> Run<'_, R> {
                 return Err(RunError::NoProgress { time, events });
             }
             self.work.events += 1;
-            self.land_all(time);
+            self.land_all(time)?;
             now = self.fly(time);
             self.go_on(now)?;
         }
@@ -314,14 +320,16 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
-    fn land_all(&mut self, time: f64) {
+    fn land_all(&mut self, time: f64) -> Result<(), RunError> {
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.bodies[first].end <= time {
+                self.guard.wait(time)?;
                 self.land(first, time);
             }
         }
         for pair in 0..self.contacts.len() {
             if self.contacts[pair].meets <= time {
+                self.guard.wait(time)?;
                 let left = self.lefts[pair];
                 let rate = self.contacts[pair].rate_at_touch(self.clock);
                 self.land(self.groups.body_of[left], time);
@@ -330,7 +338,7 @@ impl<R: Recorder> Run<'_, R> {
                 self.report_touch(pair, time);
             }
         }
-        self.land_touching(time);
+        self.land_touching(time)
     }
 
     fn report_touch(&mut self, pair: usize, time: f64) {
@@ -353,9 +361,10 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Ends the pieces of neighbours whose gap is closed to what has landed: they take part in what happens now.
-    fn land_touching(&mut self, time: f64) {
+    fn land_touching(&mut self, time: f64) -> Result<(), RunError> {
         let mut grown = true;
         while grown {
+            self.guard.wait(time)?;
             grown = false;
             for pair in 0..self.contacts.len() {
                 let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
@@ -367,6 +376,7 @@ impl<R: Recorder> Run<'_, R> {
                 }
             }
         }
+        Ok(())
     }
 
     /// Resolves what happens at this instant and sends everything that landed on its next piece.
@@ -374,6 +384,7 @@ impl<R: Recorder> Run<'_, R> {
         self.resolve(time)?;
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.landed[first] {
+                self.guard.wait(time)?;
                 self.launch(first, time)?;
             }
         }
@@ -381,6 +392,7 @@ impl<R: Recorder> Run<'_, R> {
         for pair in 0..self.contacts.len() {
             let left = self.lefts[pair];
             if self.landed[left] || self.landed[left + 1] {
+                self.guard.wait(time)?;
                 self.look_ahead(pair, time);
             }
         }
@@ -392,6 +404,7 @@ impl<R: Recorder> Run<'_, R> {
     fn part_roots(&mut self, time: f64) -> Result<(), RunError> {
         for pair in 0..self.contacts.len() {
             while let Some(first) = self.conflict(pair) {
+                self.guard.wait(time)?;
                 self.land(first, time);
                 self.launch(first, time)?;
             }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Contact, Gap, Link};
+use crate::exact::contact::{Gap, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
@@ -38,7 +38,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         for pair in 0..self.contacts.len() {
             if !self.settled[pair] && self.hits(pair, time) {
-                let hits = self.hits_with(pair, time);
+                let hits = self.hits_with(pair, time)?;
                 self.collide(hits, time)?;
             }
         }
@@ -68,7 +68,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         loop {
             for hit in &mut hits {
-                self.give_impulses(hit);
+                self.give_impulses(hit, time)?;
             }
             self.unload(&hits);
             self.rest_or_part(&hits, time)?;
@@ -89,6 +89,7 @@ impl<R: Recorder> Run<'_, R> {
         for hit in &hits {
             self.push_neighbours(hit);
             for pair in hit.first..=hit.last {
+                self.guard.wait(time)?;
                 self.settled[pair] = true;
                 let impulse = hit.impulses[pair - hit.first];
                 if impulse > 0.0 {
@@ -137,7 +138,8 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Velocities and rates after the impacts of a chain.
-    fn give_impulses(&mut self, hit: &mut Hit) {
+    fn give_impulses(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+        let guard = &self.guard;
         let chain = &mut self.chain;
         chain.clear();
         chain.velocities.extend_from_slice(&hit.before);
@@ -161,7 +163,8 @@ impl<R: Recorder> Run<'_, R> {
         let passes_on = hit.rates.iter().zip(&hit.parts);
         let passes_on = passes_on.map(|(rate, parts)| *rate >= 0.0 && !(*rate > 0.0 || *parts));
         chain.passes_on.extend(passes_on);
-        chain.collide(self.settings.simultaneous_impacts);
+        let look = || guard.wait(time);
+        chain.collide(self.settings.simultaneous_impacts, &look)?;
         for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
         }
@@ -179,6 +182,7 @@ impl<R: Recorder> Run<'_, R> {
             contact.rate = *rate;
         }
         hit.impulses.copy_from_slice(&chain.impulses);
+        Ok(())
     }
 
     /// Columns below and above floors that were hit yield no longer where their drift has turned.
@@ -287,6 +291,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let mut grown = false;
             for (hit, pair) in chains() {
+                self.guard.wait(time)?;
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
                     if self.is_held(pair) {
@@ -303,6 +308,7 @@ impl<R: Recorder> Run<'_, R> {
         // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
         // is zero, as one must be, is free.
         for (hit, pair) in chains() {
+            self.guard.wait(time)?;
             if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
                 self.join(hit, pair, time);
             }
@@ -330,6 +336,9 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Whether both sides of a pair rest against walls already.
     fn is_held(&self, pair: usize) -> bool {
+        if self.walls < 2 {
+            return false;
+        }
         let left = self.lefts[pair];
         let rests = |node: usize| {
             let pair = self.pair_right_of[node];
@@ -405,6 +414,7 @@ impl<R: Recorder> Run<'_, R> {
         self.guard.look(time, self.spent())?;
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.landed[first] {
+                self.guard.wait(time)?;
                 let (power, _) = self.expand(first, time);
                 self.bodies[first].power = power;
                 self.clean(first, time, power);
@@ -430,15 +440,5 @@ impl<R: Recorder> Run<'_, R> {
     fn regroup(&mut self) {
         self.groups
             .update(&self.members, &self.contacts, &self.pair_right_of);
-    }
-}
-
-impl Contact {
-    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
-    fn push(&mut self, jump: f64) {
-        self.rate += jump;
-        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
-            self.link = Link::Touching(self.phase());
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! The search for the first event of a piece.
 
-use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::columns::{Branch, Line};
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::Member;
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
+use crate::{Recorder, RunError};
 
 /// What ends a piece, besides samples of the record and the reach of the series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,13 +130,19 @@ impl Watch {
 
 impl<R: Recorder> Run<'_, R> {
     /// Finds the first event of a piece.
-    pub(super) fn watch(&self, watch: &mut Watch, first: usize, len: usize) {
+    pub(super) fn watch(
+        &self,
+        watch: &mut Watch,
+        (first, len): (usize, usize),
+        time: f64,
+    ) -> Result<(), RunError> {
         let group = self.groups.of(first);
         for &node in group.nodes() {
             let member = &self.members[node];
             if member.is_wall() {
                 continue;
             }
+            self.guard.wait(time)?;
             if self.unloads_from(node) {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
@@ -149,16 +155,18 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         for joined in group.pairs() {
+            self.guard.wait(time)?;
             self.watch_pair(watch, joined.pair, len);
         }
+        Ok(())
     }
 
     /// Whether the columns of a floor on the ground, or of one that rests against it and shares its velocity, unload where it turns.
     fn unloads_from(&self, leader: usize) -> bool {
-        let shares = |node: &usize| self.leader(*node) == leader;
-        let followers = (leader..self.members.len()).take_while(shares);
-        let mut on_ground = followers.filter(|node| self.members[*node].storey.is_none());
-        self.leader(leader) == leader && on_ground.any(|node| self.members[node].unloads())
+        let mut on_ground = self
+            .led_by(leader)
+            .filter(|node| self.members[*node].storey.is_none());
+        on_ground.any(|node| self.members[node].unloads())
     }
 
     fn watch_pair(&self, watch: &mut Watch, pair: usize, len: usize) {
@@ -194,12 +202,10 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn apply(&mut self, event: Event, time: f64) {
         match event {
             Event::Turn(leader) => {
-                let mut node = leader;
-                while node < self.members.len() && self.leader(node) == leader {
+                for node in leader..self.led_by(leader).end {
                     if self.members[node].storey.is_none() {
                         self.members[node].branch = Branch::Elastic;
                     }
-                    node += 1;
                 }
             }
             Event::TurnOfDrift(node) => {

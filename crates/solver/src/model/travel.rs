@@ -85,6 +85,17 @@ impl Travel {
         self.arrivals[node]
     }
 
+    /// The first instant \[s\] after another at which a sample arrives at a node; infinite after the last one.
+    pub(crate) fn next_arrival(&self, node: usize, after: f64) -> f64 {
+        let arrives = |index: usize| self.sampling.instant(index, self.arrivals[node]);
+        let most = self.samples.len() - 1;
+        let last = self.sampling.last(after, most, arrives);
+        match last.map_or(0, |last| last + 1) {
+            next if next > most => f64::INFINITY,
+            next => arrives(next),
+        }
+    }
+
     /// Displacement and velocity of the ground under a node at an instant \[s\].
     pub fn ground(&self, node: usize, time: f64) -> Motion {
         self.under(node, self.sampling.split(time)).motion()

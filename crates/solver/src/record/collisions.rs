@@ -53,6 +53,8 @@ pub struct Collisions {
     steps: bool,
     /// The last touch of every pair.
     touches: Vec<Option<Touch>>,
+    /// Whether there is any.
+    is_touched: bool,
     found: Vec<Collision>,
 }
 
@@ -82,6 +84,7 @@ impl Collisions {
             impulsive: pairs.iter().map(|pair| !pair.law.is_compliant()).collect(),
             steps: false,
             touches: vec![None; pairs.len()],
+            is_touched: false,
             found: Vec::new(),
         }
     }
@@ -144,6 +147,10 @@ impl Collisions {
 
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
     fn uncertainty(&self, start: f64) -> Option<f64> {
+        // Steps tell of no touch, and a long row has many collisions at a time.
+        if !self.is_touched {
+            return None;
+        }
         let touches = self.touches.iter().flatten();
         touches
             .filter(|touch| touch.begins(start))
@@ -239,6 +246,7 @@ impl Recorder for Collisions {
         // What was open ended in rounding of the displacements.
         self.open[touch.pair] = None;
         self.touches[touch.pair] = Some(*touch);
+        self.is_touched = true;
     }
 }
 

@@ -1,10 +1,11 @@
 //! What a run may cost: it ends within its budget, with the same bits as without one, or says which number to change.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
 use pounding_solver::{
-    Budget, Clock, Elastic, Exact, Excitation, Histories, Integrator, Row, RunError, Work,
+    Budget, Clock, Elastic, Exact, Excitation, Histories, Impact, Integrator, Recorder, Row,
+    RunError, Span, Work,
 };
 
 use crate::common::{METHODS, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs};
@@ -75,6 +76,74 @@ fn issue_whoever_stops_ends_a_run_of_every_method() {
             "{name}: {ended:?}"
         );
     }
+}
+
+/// Asks for the end of a run as soon as it is told of anything, and counts what it is told after that.
+#[derive(Default)]
+struct Impatient {
+    told: usize,
+}
+
+static TIRED: AtomicBool = AtomicBool::new(false);
+
+impl Recorder for Impatient {
+    fn span(&mut self, _: &Span<'_>) {
+        TIRED.store(true, Ordering::Relaxed);
+        self.told += 1;
+    }
+
+    fn impact(&mut self, _: &Impact) {
+        TIRED.store(true, Ordering::Relaxed);
+        self.told += 1;
+    }
+}
+
+/// Between two instants nobody looked at the budget: of a long row all pieces were made, and all neighbours looked at, before a run of
+/// 2 s ended after minutes.
+#[test]
+fn issue_a_long_row_ends_between_two_pieces() {
+    let n = 500;
+    let structures = [WEAK, STIFF].into_iter().cycle().take(n);
+    let nodes: Vec<_> = structures.map(elastic).collect();
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    let tired = Budget {
+        stop: Some(&TIRED),
+        ..Budget::default()
+    };
+    let plastic = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
+    for (gap, law) in [(0.01, VISCOELASTIC), (0.0, plastic), (0.0, VISCOELASTIC)] {
+        let row = Row::new(nodes.clone(), pairs(n, gap, law)).expect("a row");
+        TIRED.store(false, Ordering::Relaxed);
+        let mut impatient = Impatient::default();
+        let ended = EXACT.run(&row, excitation, LONG.within(tired), &mut impatient);
+        assert!(matches!(ended, Err(RunError::Stopped { .. })), "{ended:?}");
+        // A body that rests against others is one piece.
+        let most = if gap > 0.0 { 2 } else { n };
+        assert!(impatient.told <= most, "{gap}: {} pieces", impatient.told);
+    }
+}
+
+/// Nothing of a row is run by which its budget is over before.
+#[test]
+fn extreme_a_run_without_time_makes_no_piece() {
+    let row = two(VISCOELASTIC);
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    let hurried = Budget {
+        seconds: Some(0.0),
+        ..Budget::default()
+    };
+    let mut histories = Histories::new(2, 0.01, 1.0);
+    let ended = EXACT.run(&row, excitation, LONG.within(hurried), &mut histories);
+    assert_eq!(
+        ended.err(),
+        Some(RunError::TooLong {
+            time: 0.0,
+            seconds: 0.0
+        })
+    );
+    assert!(histories.of(0).states.is_empty(), "it made a piece");
 }
 
 /// ξ̄ = 1e7 took ten seconds, 1e8 over forty.

@@ -19,6 +19,7 @@ mod ledger;
 mod ledger_energies;
 mod ledger_faults;
 mod limit;
+mod manuals;
 mod momentum;
 mod moreau_jean;
 mod newton_counts;

@@ -190,11 +190,16 @@ fn issue_what_a_kill_leaves_of_a_clean_up_goes() {
     prepared.merged().expect("a table");
     let open = || Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, false).expect("parts");
     assert!(open().expect("the parts").made_table().expect("a disk"));
-    let manifest = prepared.parts.join("manifest.json");
-    fs::rename(&manifest, manifest.with_file_name("joined.json")).expect("a disk");
+    let beside = prepared.out.with_file_name(".runs.csv.joined.json");
+    fs::copy(prepared.parts.join("manifest.json"), &beside).expect("a disk");
     fs::remove_file(prepared.parts.join("part-000000002.csv")).expect("a disk");
     assert!(open().is_none(), "it has its table");
+    assert!(!prepared.parts.exists() && !beside.exists());
+    // Nothing is begun beside a table without parts.
+    let again = Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, false);
+    assert!(matches!(again, Err(SweepError::ThereAlready(_))));
     assert!(!prepared.parts.exists());
+    fs::remove_file(&prepared.out).expect("a disk");
     // A table that is not of these parts is not taken for theirs.
     let (_, before) = prepared.mended();
     assert_eq!(before, 0);

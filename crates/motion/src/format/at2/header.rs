@@ -1,9 +1,10 @@
 //! The header: what the values are, how many there are, and how far apart.
 
+use super::super::identity::text;
 use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
-use crate::{Direction, Place, ReadError};
+use crate::{Direction, Identity, Place, ReadError};
 
 /// Lines in which NPTS and DT are looked for. PEER has them on line 4, rotated and matched records
 /// on line 7.
@@ -51,10 +52,42 @@ pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, Rea
     })
 }
 
+/// What the titles say of earthquake and station, which is the second line above the numbers, without the direction; of a
+/// rotated record the lines of the two that it was made from.
+pub(super) fn identity(lines: &[Line<'_>]) -> Identity {
+    let Ok(Header { titles, .. }) = split(lines) else {
+        return Identity::default();
+    };
+    let rotated = titles.iter().filter(|line| holds(**line, "FOR ROTATION"));
+    let rotated: Vec<String> = rotated.map(|line| line.text().into_owned()).collect();
+    let of_second = || {
+        let line = titles.get(titles.len().checked_sub(2)?)?;
+        let text = line.text();
+        let (before, _) = text
+            .rsplit_once(',')
+            .filter(|_| component(lines).is_some())?;
+        Some(before.to_owned())
+    };
+    let title = if rotated.is_empty() {
+        of_second()
+    } else {
+        Some(rotated.join(" "))
+    };
+    Identity {
+        title: title.as_deref().and_then(text),
+        ..Identity::default()
+    }
+}
+
 /// The direction that PEER writes behind the last comma of the line of earthquake and station, which is the second above
 /// the numbers: `EL CENTRO ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
 pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     let titles = split(lines).ok()?.titles;
+    // `FN component, azimuth =   233.0` of a rotated record.
+    if let Some(line) = title::line_with(titles, "COMPONENT, AZIMUTH") {
+        let name = line.pieces().next().map(String::from_utf8_lossy)?;
+        return Some(Component::new(name, Place::Line(line.number)));
+    }
     let line = titles.get(titles.len().checked_sub(2)?)?;
     let text = line.text();
     let (_, behind) = text.rsplit_once(',')?;
@@ -65,10 +98,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     if !words.all(|word| word.bytes().all(|byte| byte.is_ascii_digit())) {
         return None;
     }
-    Some(Component {
-        name: word.to_owned(),
-        place: Place::Line(line.number),
-    })
+    Some(Component::new(word.to_owned(), Place::Line(line.number)))
 }
 
 /// Index of the line with NPTS and DT.
@@ -79,11 +109,7 @@ fn count_line(lines: &[Line<'_>]) -> Option<usize> {
     header.iter().rposition(named).or_else(|| {
         let titles = header.get(..COUNT_LINE - 1)?;
         let bare = header.get(COUNT_LINE - 1)?;
-        let fields: Vec<&[u8]> = bare
-            .bytes
-            .split(u8::is_ascii_whitespace)
-            .filter(|field| !field.is_empty())
-            .collect();
+        let fields: Vec<&[u8]> = bare.pieces().take(3).collect();
         let is_pair = fields.len() == 2
             && fields[0].iter().all(u8::is_ascii_digit)
             && number(fields[1]).is_some_and(f64::is_finite);

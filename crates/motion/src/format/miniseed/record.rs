@@ -1,5 +1,7 @@
 //! One record: what its header says of stream, start, step and packing.
 
+use super::super::numbers::at_most;
+use super::super::stamp::Stamp;
 use super::samples;
 use crate::{Place, ReadError};
 
@@ -17,8 +19,9 @@ pub(super) struct Record<'t> {
     pub(super) length: usize,
     /// Network, station, location and channel.
     pub(super) stream: String,
-    /// Start \[s\] since some day long ago.
+    /// Start \[s\] since some day long ago, and as a date with a time of day.
     pub(super) start: f64,
+    pub(super) time: Stamp,
     /// Step \[s\], above zero.
     pub(super) time_step: f64,
     n_samples: usize,
@@ -115,16 +118,14 @@ impl<'t> Record<'t> {
         let data = bytes.get(..length).ok_or_else(cut)?.get(offset..);
         let stream = [18..20, 8..13, 13..15, 15..18]
             .map(|range| String::from_utf8_lossy(bytes[range].trim_ascii()).into_owned());
-        let seconds = Day {
-            year,
-            day: short(22).ok_or_else(cut)?,
-        }
-        .seconds()
-            + clock([bytes[24], bytes[25], bytes[26]]);
+        let day = short(22).ok_or_else(cut)?;
+        let of_day = [bytes[24], bytes[25], bytes[26]];
+        let seconds = Day { year, day }.seconds() + clock(of_day);
         Ok(Self {
             at,
             length,
             stream: stream.join("."),
+            time: time(year, day, of_day),
             start: seconds + f64::from(short(28).ok_or_else(cut)?) * 1e-4,
             time_step: exact.unwrap_or_else(|| step(factor, multiplier)),
             n_samples: usize::from(short(30).ok_or_else(cut)?),
@@ -153,16 +154,14 @@ impl<'t> Record<'t> {
         let record = bytes.get(..length).ok_or_else(cut)?;
         let name = String::from_utf8_lossy(&record[HEADER_3..HEADER_3 + name_length]);
         let encoding = fixed[15];
-        let seconds = Day {
-            year: short(8),
-            day: short(10),
-        }
-        .seconds()
-            + clock([fixed[12], fixed[13], fixed[14]]);
+        let (year, day) = (short(8), short(10));
+        let of_day = [fixed[12], fixed[13], fixed[14]];
+        let seconds = Day { year, day }.seconds() + clock(of_day);
         Ok(Self {
             at,
             length,
             stream: stream_of(&name),
+            time: time(year, day, of_day),
             start: seconds + f64::from(long(4)) * 1e-9,
             // Above zero samples a second, below it the step with its sign turned.
             time_step: if rate > 0.0 { 1.0 / rate } else { -rate },
@@ -185,6 +184,7 @@ impl<'t> Record<'t> {
             let found = "packed differences that do not lead to the last value".to_owned();
             self.refused(found, "the last value that the first frame repeats")
         })?;
+        at_most(values.len() + found.len())?;
         values.extend(found);
         if values.len() - before != self.n_samples {
             return Err(ReadError::SampleCount {
@@ -274,6 +274,16 @@ fn blockettes(
 fn step(factor: f64, multiplier: f64) -> f64 {
     let part = |value: f64| if value < 0.0 { -value } else { 1.0 / value };
     part(factor) * part(multiplier)
+}
+
+fn time(year: u16, day: u16, [hour, minute, second]: [u8; 3]) -> Stamp {
+    Stamp::of_day([
+        year.into(),
+        day.into(),
+        hour.into(),
+        minute.into(),
+        second.into(),
+    ])
 }
 
 fn clock([hour, minute, second]: [u8; 3]) -> f64 {

@@ -3,6 +3,9 @@
 //! Steim 1 and 2 keep differences in frames of 16 words. The first word of a frame has two bits for
 //! each word that tell how it is split; in the first frame the next two words are the first value
 //! and the last. SEED manual 2.4, appendix B.
+//!
+//! Where the words are in the other order of bytes, as some loggers write them, differences of one byte stand in the order of
+//! the file and those of two bytes are each turned by itself; everything else is turned as a word of four bytes.
 
 /// Bytes of a frame.
 const FRAME: usize = 64;
@@ -59,26 +62,25 @@ fn steim(
     n_samples: usize,
     parts: impl Fn(u32, u32) -> Option<(u32, u32)>,
 ) -> Option<Vec<f64>> {
-    let word = |bytes: &[u8]| {
-        let bytes = [bytes[0], bytes[1], bytes[2], bytes[3]];
-        if big_endian {
-            u32::from_be_bytes(bytes)
-        } else {
-            u32::from_le_bytes(bytes)
-        }
-    };
+    let word = |bytes: &[u8]| whole_word(bytes, big_endian);
     let (mut first, mut last) = (0, 0);
     let mut values = Vec::new();
     let mut value = 0_i32;
     'frames: for (frame_number, frame) in data.chunks_exact(FRAME).enumerate() {
         let control = word(frame);
         for (index, bytes) in (1_u32..).zip(frame[4..].chunks_exact(4)) {
-            let word = word(bytes);
+            let whole = word(bytes);
             match (frame_number, index) {
-                (0, 1) => first = word.cast_signed(),
-                (0, 2) => last = word.cast_signed(),
+                (0, 1) => first = whole.cast_signed(),
+                (0, 2) => last = whole.cast_signed(),
                 _ => {
-                    let (n_parts, bits) = parts(control >> (30 - 2 * index) & 3, word)?;
+                    let (n_parts, bits) = parts(control >> (30 - 2 * index) & 3, whole)?;
+                    let word = match bits {
+                        8 => whole_word(bytes, true),
+                        // The first difference is in the higher half.
+                        16 if !big_endian => whole.rotate_left(16),
+                        _ => whole,
+                    };
                     for part in (0..n_parts).rev() {
                         if values.len() == n_samples {
                             break 'frames;
@@ -97,6 +99,16 @@ fn steim(
         }
     }
     (values.is_empty() || value == last).then_some(values)
+}
+
+/// Four bytes as a number.
+fn whole_word(bytes: &[u8], big_endian: bool) -> u32 {
+    let bytes = [bytes[0], bytes[1], bytes[2], bytes[3]];
+    if big_endian {
+        u32::from_be_bytes(bytes)
+    } else {
+        u32::from_le_bytes(bytes)
+    }
 }
 
 /// The lowest bits of a word as a signed number.

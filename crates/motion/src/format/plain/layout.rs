@@ -1,108 +1,162 @@
 //! How the numbers of a plain text stand: one after the other, or in columns.
 
-use super::super::spacing::Spacing;
-use super::super::time_column::TimeColumn;
-use super::Count;
-use super::names::{Name, of_columns};
-use crate::ReadError;
-use crate::line::{Line, number};
+use super::super::File;
+use super::super::said::{Other, Said};
+use super::above::Above;
+use super::clock::Clock;
+use super::names::{Name, of_columns, spectrum};
+use super::rows::{Rows, first_row};
+use crate::line::Line;
+use crate::{Place, ReadError, RowError};
 
 /// Rows of numbers and what is known of them.
 pub(super) struct Layout<'l, 't> {
     /// The lines above the first numbers.
     pub(super) titles: &'l [Line<'t>],
-    /// A line with the number of values and their step, where one stands above the rows.
-    pub(super) count: Option<Count<'t>>,
-    /// At least one.
-    pub(super) rows: Vec<Line<'t>>,
+    /// What they say.
+    pub(super) said: Said,
+    /// Numbers of a header, where they stand above the rows.
+    pub(super) above: Option<Above<'t>>,
+    pub(super) rows: Rows<'l, 't>,
     pub(super) kind: Kind<'t>,
 }
 
 /// How values stand in rows.
 pub(super) enum Kind<'t> {
-    /// One after the other, any number to a row.
-    Values,
+    /// One after the other, any number to a row; perhaps below a name.
+    Values(Option<Name<'t>>),
     /// A time in each row, perhaps, and a value of each component.
     Table {
-        has_time: bool,
+        clock: Option<Clock>,
+        /// The columns of components.
+        columns: Vec<usize>,
         names: Option<Vec<Name<'t>>>,
     },
-    /// That is not known.
-    Unknown,
-}
-
-/// Index of the first line of numbers alone; above it stand titles.
-pub(super) fn first_row(lines: &[Line<'_>]) -> Option<usize> {
-    let is_row = |line: &Line<'_>| {
-        let fields = line.fields();
-        !line.is_comment()
-            && !fields.is_empty()
-            && fields.iter().all(|field| number(field).is_some())
-    };
-    lines.iter().position(is_row)
+    /// That is not known; the reason.
+    Unknown(&'static str),
 }
 
 impl<'l, 't> Layout<'l, 't> {
-    pub(super) fn new(lines: &'l [Line<'t>]) -> Result<Self, ReadError> {
-        let first = first_row(lines).ok_or(ReadError::Empty)?;
-        let (titles, rows) = lines.split_at(first);
-        let mut rows: Vec<Line<'t>> = rows
-            .iter()
-            .copied()
-            .filter(|line| !line.is_blank() && !line.is_comment())
-            .collect();
-        let count = Count::above(&rows);
-        if count.is_some() {
-            rows.remove(0);
+    pub(super) fn new(file: &'l File<'t>) -> Result<Self, ReadError> {
+        let first = first_row(&file.lines).ok_or(ReadError::Empty)?;
+        let (titles, lines) = file.lines.split_at(first);
+        let mut rows = Rows::new(lines).ok_or(ReadError::Empty)?;
+        rows.check_commas()?;
+        let above = Above::new(&rows)?;
+        if let Some(above) = &above {
+            rows = rows.behind(above.n_rows).ok_or(ReadError::Empty)?;
         }
-        let kind = kind(titles, &rows, count.as_ref());
+        let names = of_columns(titles, rows.n_columns);
+        if let Some(names) = &names
+            && let Some(instead) = spectrum(names)
+        {
+            return Err(ReadError::NotAcceleration {
+                place: Place::Line(names[0].line.number),
+                found: names[0].line.excerpt(),
+                instead,
+            });
+        }
+        let of_names = names.as_ref().map(|names| names[0].line.number);
+        let said = Said::new(titles, of_names);
+        let counts = said.counts.iter().map(|count| count.value);
+        let counts: Vec<usize> = counts
+            .chain(above.as_ref().and_then(|above| above.count))
+            .collect();
+        let kind = Self::kind(&rows, names, &counts, file.in_rows)?;
         Ok(Self {
             titles,
-            count,
+            said,
+            above,
             rows,
             kind,
         })
     }
 
-    pub(super) fn n_columns(&self) -> usize {
-        self.rows[0].fields().len()
-    }
-}
-
-fn kind<'t>(titles: &[Line<'t>], rows: &[Line<'t>], count: Option<&Count<'t>>) -> Kind<'t> {
-    let n_columns = rows[0].fields().len();
-    if n_columns == 1 {
-        return Kind::Values;
-    }
-    let is_full = |row: &Line<'_>| row.fields().len() == n_columns;
-    let names = of_columns(titles, n_columns).filter(|_| rows.iter().all(is_full));
-    if let Some(names) = names {
-        let has_time = names[0].is_time() || (!names[0].tells_direction() && is_time(rows));
-        let names = Some(names);
-        return Kind::Table { has_time, names };
-    }
-    let (last, others) = rows.split_last().expect("at least one row");
-    let n_numbers = others.len() * n_columns + last.fields().len();
-    let is_counted = count.is_some_and(|count| count.n == n_numbers);
-    let is_short = n_columns > 2 && last.fields().len() < n_columns && others.iter().all(is_full);
-    if is_counted || is_short {
-        Kind::Values
-    } else if n_columns == 2 || is_time(rows) {
-        Kind::Table {
-            has_time: true,
-            names: None,
+    fn kind(
+        rows: &Rows<'_, '_>,
+        names: Option<Vec<Name<'t>>>,
+        counts: &[usize],
+        in_rows: bool,
+    ) -> Result<Kind<'t>, ReadError> {
+        let n_columns = rows.n_columns;
+        if n_columns == 1 {
+            let name = names.and_then(|mut names| names.pop());
+            return Ok(if rows.is_full() {
+                Kind::Values(name)
+            } else {
+                Kind::Unknown("the rows below have others")
+            });
         }
-    } else {
-        Kind::Unknown
+        let not_in_rows = |line: Line<'_>| -> ReadError {
+            RowError::NotInRows {
+                place: Place::Line(line.number),
+                found: line.excerpt(),
+            }
+            .into()
+        };
+        if let Some(names) = names {
+            if in_rows {
+                return Err(not_in_rows(names[0].line));
+            }
+            return Ok(Self::named(rows, names));
+        }
+        let counted = |count: &usize| *count == rows.n_numbers || *count > rows.len;
+        let clock = Clock::first(rows);
+        let is_list = counts.iter().any(counted) || (n_columns > 2 && rows.is_short());
+        match clock {
+            Some(_) if in_rows => Err(not_in_rows(rows.first())),
+            Some(_) if !rows.is_full() => Ok(Kind::Unknown("the rows below have others")),
+            Some(clock) => Ok(Kind::Table {
+                columns: (1..n_columns).collect(),
+                clock: Some(clock),
+                names: None,
+            }),
+            None if in_rows || is_list => Ok(Kind::Values(None)),
+            None if n_columns == 2 && rows.is_full() && rows.mostly_rises() => Ok(Kind::Table {
+                clock: Some(Clock::assumed(rows)),
+                columns: vec![1],
+                names: None,
+            }),
+            None => Ok(Kind::Unknown(if rows.touch {
+                "numbers of fixed width that touch"
+            } else if rows.is_full() {
+                "column 1 is no time, and nothing names the columns"
+            } else {
+                "nothing names columns, and the rows below have others"
+            })),
+        }
     }
-}
 
-/// Whether the first column rises in equal steps.
-fn is_time(rows: &[Line<'_>]) -> bool {
-    let mut times = TimeColumn::default();
-    let pushed = rows
-        .iter()
-        .try_for_each(|row| times.push(*row, row.fields()[0]));
-    let step = pushed.and_then(|()| times.into_step_from_anywhere(&mut Vec::new()));
-    matches!(step, Ok((Spacing::Even(_), _)))
+    /// Columns with names: those of times, of sums and of numbers of rows are no components, nor are those of velocities and
+    /// displacements beside accelerations.
+    fn named(rows: &Rows<'_, '_>, names: Vec<Name<'t>>) -> Kind<'t> {
+        if !rows.is_full() {
+            return Kind::Unknown("the rows below have others");
+        }
+        let clock = Clock::named(&names, rows);
+        let is_clock = |column: usize| clock.is_some_and(|clock| clock.column == column);
+        let may_be = |column: &usize| {
+            let name = &names[*column];
+            !is_clock(*column) && !name.is_time() && !name.is_no_component()
+        };
+        let is_acceleration = |column: &usize| {
+            !matches!(
+                names[*column].other(),
+                Some(Other::Velocity | Other::Displacement)
+            )
+        };
+        let all: Vec<usize> = (0..names.len()).filter(may_be).collect();
+        let mut columns: Vec<usize> = all.iter().copied().filter(is_acceleration).collect();
+        if columns.is_empty() {
+            columns = all;
+        }
+        if columns.is_empty() {
+            return Kind::Unknown("none of the named columns is a component");
+        }
+        Kind::Table {
+            clock,
+            columns,
+            names: Some(names),
+        }
+    }
 }

@@ -11,6 +11,7 @@ const NOTHING: Declared = Declared {
     component: None,
     per_count: None,
     acceleration: false,
+    in_rows: false,
 };
 
 #[test]

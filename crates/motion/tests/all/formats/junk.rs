@@ -28,6 +28,7 @@ fn declared(per_count: Option<f64>) -> Declared {
         component: Some("1".to_owned()),
         per_count,
         acceleration: true,
+        in_rows: false,
     }
 }
 
@@ -96,5 +97,61 @@ proptest! {
         changed.extend(std::iter::repeat_n(lines[at], repeat));
         changed.extend(&lines[at + 1..]);
         check(changed.join("\n").as_bytes(), &declared(None));
+    }
+}
+
+const TOKENS: [&str; 40] = [
+    "dt",
+    "=",
+    "0.01",
+    "npts",
+    "40",
+    "g",
+    "(cm/s)",
+    "time",
+    "NS",
+    "EW",
+    "1",
+    "-0.5",
+    ";",
+    ",",
+    "\n",
+    "\n",
+    "\n",
+    "#",
+    " ",
+    " ",
+    "2020-01-01T00:00:00",
+    "2020-01-01T00:00:00.01",
+    "1,5",
+    "0,25",
+    "***",
+    "END",
+    "Sampling rate:",
+    "velocity (",
+    "units:",
+    "é",
+    "0.25-0.25",
+    "\u{1a}",
+    "\r\n",
+    "1e300",
+    "component: ",
+    "Sa (g)",
+    "Period",
+    "[",
+    "]",
+    "1577836800000",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn extreme_texts_of_words_and_numbers(tokens in prop::collection::vec(prop::sample::select(&TOKENS[..]), 1..40), in_rows in any::<bool>()) {
+        let text = tokens.concat();
+        let declared = Declared { in_rows, time_step: Some(0.01), ..declared(None) };
+        check(text.as_bytes(), &declared);
+        check(text.as_bytes(), &Declared::default());
+        let _ = pounding_motion::contents(text.as_bytes());
     }
 }

@@ -191,3 +191,56 @@ fn issue_records_without_a_blockette_1000() {
     );
     assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
 }
+
+/// The same record of version 2 with its packed words in the other order of bytes: differences of one byte stay, those of two
+/// are turned by themselves, everything else is turned by four.
+fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
+    let blockette = usize::from(u16::from_be_bytes([bytes[46], bytes[47]]));
+    bytes[blockette + 5] = 0;
+    let data = usize::from(u16::from_be_bytes([bytes[44], bytes[45]]));
+    for (number, frame) in bytes[data..].chunks_exact_mut(64).enumerate() {
+        let control = u32::from_be_bytes([frame[0], frame[1], frame[2], frame[3]]);
+        for (index, word) in frame.chunks_exact_mut(4).enumerate() {
+            let is_packed = index > 0 && !(number == 0 && index < 3);
+            match control >> (30 - 2 * index) & 3 {
+                1 if is_packed => {}
+                2 if is_packed && encoding == EncodingFormat::Steim1 => {
+                    word[..2].reverse();
+                    word[2..].reverse();
+                }
+                _ => word.reverse(),
+            }
+        }
+    }
+    bytes
+}
+
+/// Differences of one and two bytes came out in reversed order, silently or as damage: loggers of Kelunji and SEISAN write so.
+#[test]
+fn issue_steim_in_the_other_order_of_bytes() {
+    let small: Vec<i32> = vec![0, 1, 3, 6, 10, 15, 21, 28];
+    let mixed: Vec<i32> = vec![
+        5, 300, -400, 20_000, 19_999, 20_001, 20_004, 20_000, -500, 90_000,
+    ];
+    for samples in [small, mixed] {
+        let expected: Vec<f64> = samples.iter().map(|one| f64::from(*one) * 0.5).collect();
+        for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2] {
+            let bytes = record(2, "HNE", 0, encoding, Samples::Int(samples.clone()));
+            let found = accelerogram(turned(bytes, encoding), &in_milli_g());
+            assert_eq!(found.values(), expected, "{encoding}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn reference_both_orders_of_bytes_hold_the_same(samples in prop::collection::vec(-200_000_000..200_000_000_i32, 1..90), small in 0..24_u32) {
+        let samples: Vec<i32> = samples.into_iter().map(|sample| sample >> small).collect();
+        for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2] {
+            let bytes = record(2, "HNE", 0, encoding, Samples::Int(samples.clone()));
+            let big = accelerogram(&bytes, &in_milli_g());
+            let little = accelerogram(turned(bytes, encoding), &in_milli_g());
+            prop_assert_eq!(big.values(), little.values());
+        }
+    }
+}

@@ -2,6 +2,8 @@
 //!
 //! The files are made by hand in the layouts of the networks, with invented values.
 
+mod contents;
+mod contradictions;
 mod cosmos;
 mod csmip;
 mod declared;
@@ -10,9 +12,12 @@ mod junk;
 mod knet;
 mod lists;
 mod miniseed;
+mod no_motion;
 mod plain;
 mod real_files;
+mod rows;
 mod sac;
+mod said;
 mod smc;
 mod tables;
 
@@ -56,4 +61,21 @@ fn readings(found: &Accelerogram) -> String {
         None => format!("{}: {}", reading.what, reading.found),
     });
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Values that shake to and fro, the largest below one.
+fn wave(n_values: usize) -> Vec<f64> {
+    let value = |step: usize| {
+        let step = f64::from(u32::try_from(step).expect("few values"));
+        0.9 * libm::sin(0.37 * step) * libm::cos(0.011 * step)
+    };
+    (0..n_values).map(value).collect()
+}
+
+/// A row for each value of a [wave], of its number and the value.
+fn rows_of(n_values: usize, row: impl Fn(f64, f64) -> String) -> String {
+    let values = wave(n_values).into_iter();
+    let numbered = (0..).map(f64::from).zip(values);
+    let rows: Vec<String> = numbered.map(|(number, value)| row(number, value)).collect();
+    rows.concat()
 }

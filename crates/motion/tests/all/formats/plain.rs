@@ -11,6 +11,7 @@ const IN_G: Declared = Declared {
     component: None,
     per_count: None,
     acceleration: false,
+    in_rows: false,
 };
 
 fn in_g_with_step(time_step: f64) -> Declared {
@@ -84,7 +85,7 @@ fn extreme_nothing_declared() {
 fn extreme_lines() {
     assert_snapshot!(refusal("0.0 0.1\n0.1 0.2\n0.2 0.3\n3 0.5\n", &IN_G), @"the times rise in uneven steps, from 0.1 to 2.8 s: at line 4 by 2.8 s, where 0.1 s are the median; declare the step to which they are to be resampled, linear between them, as `time_step`, or print them with more decimals");
     assert_snapshot!(refusal("0.1\n0.2 0.3\n", &IN_G), @"line 2 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
-    assert_snapshot!(refusal("0.1 0.2 0.3\n0.1 0.2 0.3\n", &IN_G), @"line 1 has 3 column(s), allowed are 1 or 2, or more with a time or with names; write a line such as `time NS EW UD` above them, or one acceleration to a line");
+    assert_snapshot!(refusal("0.1 0.2 0.3\n0.1 0.2 0.3\n", &IN_G), @"line 1 has 3 numbers: column 1 is no time, and nothing names the columns; if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `NS EW UD` or `time NS EW`");
     assert_snapshot!(refusal("0.1\n0.2\nthe end\n", &in_g_with_step(0.1)), @"line 3 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
     assert_snapshot!(refusal("0.1\n0.2x\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "0.2x" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal("0.1\n1e999\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "1e999" is not finite, and every number must be; put a measured value there or cut the record before it"#);
@@ -92,12 +93,12 @@ fn extreme_lines() {
     assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @r#"line 2, field 2: "" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal("3\n0.1\n0.2\n0.3\n", &in_g_with_step(0.1)), @r#"line 1 reads "3", which is how many values follow; put # before it, or it would be taken for the first"#);
     // A comma for a point makes two columns of one.
-    assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @"line 2: the time is 0 s, allowed are times after the 0 s of the line before; sort the lines by time and keep one of each");
+    assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @r#"line 1 reads "0,00123": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
 }
 
 #[test]
 fn extreme_unknown_format() {
-    assert_snapshot!(refusal("\nSome words\nand others\n", &IN_G), @"line 2 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line");
+    assert_snapshot!(refusal("\nSome words\nand others\n", &IN_G), @"line 2 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, SimCenter JSON, plain text; fetch the file again in one of them, or write one number to a line");
     assert_snapshot!(refusal("# words alone\n \n", &IN_G), @"the text holds nothing but blank lines and comments; give a header followed by numbers");
     assert_snapshot!(refusal(b"\xff\xfe\x00\x01 binary", &IN_G), @r#"the file is text in UTF-16, allowed is a record as text, SAC or miniSEED; save it again as UTF-8 (an editor's "Save as", or `iconv -f UTF-16 -t UTF-8`)"#);
 }

@@ -73,6 +73,7 @@ const IN_SI: Declared = Declared {
     component: None,
     per_count: None,
     acceleration: false,
+    in_rows: false,
 };
 
 #[test]

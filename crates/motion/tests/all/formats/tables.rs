@@ -61,7 +61,7 @@ fn reference_cwb_in_fixed_columns() {
     assert_snapshot!(refused("(sec): 0.02", "(sec): 0.2"), @r##"line 3 reads "#RecordLength(sec): 0.2", but the duration of the values that follow should stand there; fetch the file again"##);
     assert_snapshot!(refused("(Hz): 100", "(Hz): 50"), @r##"line 3 reads "#RecordLength(sec): 0.02", but the duration of the values that follow should stand there; fetch the file again"##);
     assert_snapshot!(refused("(Hz): 100", "(Hz): many"), @r##"line 4 reads "#SampleRate(Hz): many", but a number above 0 should stand there; fetch the file again"##);
-    assert_snapshot!(refused("#SampleRate", "#Sampling"), @r##"no line of the header begins with "#SampleRate"; fetch the file again"##);
+    assert_snapshot!(refused("#SampleRate", "#Sampling"), @r#"no line of the header begins with "SampleRate(Hz):"; fetch the file again"#);
     assert_snapshot!(refused("     0.250     0.125", ""), @"line 9 has 2 field(s), allowed are 4; fetch the file again");
     assert_snapshot!(refused("gal. DC", "counts. DC"), @r##"line 5 reads "#AmplitudeUnit:  counts. DCoffset(corr)" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"##);
 }
@@ -129,6 +129,22 @@ fn reference_broadband_platform_leaves_cm_per_s_to_the_caller() {
     assert_snapshot!(refusal(BBP, &component("EW")), @r##"line 2 reads "# Time (s), NS (cm/s), EW (cm/s), UD (cm/s)", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"##);
     assert_snapshot!(refusal(BBP.replace("cm/s)", "cm)"), &declared), @r##"line 2 reads "# Time (s), NS (cm), EW (cm), UD (cm)", but only histories of acceleration are read; take the .acc.bbp file of the record"##);
     assert_snapshot!(refusal(BBP.replace("0.00 0.5", "0.00"), &declared), @"line 3 has 3 field(s), allowed are 4; fetch the file again");
+}
+
+/// Commas between the columns were refused.
+#[test]
+fn issue_broadband_platform_with_commas() {
+    let declared = Declared {
+        acceleration: true,
+        ..component("EW")
+    };
+    let stated = BBP.replace("cm/s)", "cm/s/s)");
+    let (header, rows) = stated.split_at(stated.find("0.00").expect("rows"));
+    let commas = header.to_owned() + &rows.replace(' ', ",");
+    assert_eq!(
+        accelerogram(commas, &declared).values(),
+        accelerogram(&stated, &declared).values()
+    );
 }
 
 #[test]

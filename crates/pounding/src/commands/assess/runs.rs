@@ -1,13 +1,12 @@
 //! The runs of an assessment: every motion in both directions, beside every neighbour, and once more with bumpers.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::OnceLock;
 
 use pounding::report::{Animation, AssessedMotion};
 use pounding::scene::{
     Alone, AssessedRun, Bumper, BumperRun, DrawnNeighbour, Error, Motion, MotionSpectrum,
-    RecordUse, Scaling, Scene, Simulation,
+    RecordUse, Scaling, Scene, Simulation, Suite,
 };
 
 use super::super::suite;
@@ -23,7 +22,7 @@ pub(super) struct Asked<'a> {
     pub(super) scaling: Scaling,
     /// Range of the stiffness of contact, as factors on that of the scene.
     pub(super) stiffness: [f64; 2],
-    pub(super) records: &'a Path,
+    pub(super) records: &'a Suite,
 }
 
 /// What a motion in one direction does, row by row.
@@ -106,8 +105,7 @@ impl Asked<'_> {
             return Ok(BumperRuns::new());
         }
         let touching = |motion: &Motion| {
-            let name = motion.name();
-            let own = lines.iter().filter(|line| line.motion == name);
+            let own = lines.iter().filter(|line| line.motion == motion.name);
             let found = own.filter_map(|line| Some((line.reversed, line.found.as_ref().ok()?)));
             let found: Vec<(bool, &Found)> = found.collect();
             let record = found.first().map(|(_, found)| found.record.clone());
@@ -161,15 +159,13 @@ impl Asked<'_> {
             let by_force = of(one.own_force).total_cmp(&of(other.own_force));
             by_force.then(of(one.approach_speed).total_cmp(&of(other.approach_speed)))
         })?;
-        let motions = Motion::in_folder(self.records).ok()?;
-        let motion = motions
-            .into_iter()
-            .find(|motion| motion.name() == line.motion)?;
+        let mut motions = self.records.motions.iter();
+        let motion = motions.find(|motion| motion.name == line.motion)?;
         let scene = Scene {
             record: line.found.as_ref().ok()?.record.clone(),
             ..self.known.clone()
         };
-        let shaken = motion.shake(&scene, line.reversed).ok()?;
+        let shaken = motion.shake(&scene, line.reversed, None).ok()?;
         Animation::of(&self.row(&shaken, row).ok()?).ok()?
     }
 

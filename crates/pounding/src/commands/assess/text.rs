@@ -2,18 +2,20 @@
 
 use pounding::report::AssessmentReport;
 use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
-use pounding::text::{millimetres, two_decimals, two_digits};
+use pounding::text::{millimetres, millimetres_up, two_decimals, two_digits};
 
-use crate::text::{NONE, paragraph, short, table};
+use crate::commands::declared::by_options;
+use crate::text::{NONE, paragraph, short, table, unusual};
 
 /// Most lines of a table on the first screen.
 const MOST: usize = 6;
 
 pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
-    let mut parts = vec![
+    let mut parts: Vec<String> = unusual(&report.unusual()).into_iter().collect();
+    parts.extend([
         paragraph("Answer", &report.sentences().join("\n")),
         paragraph("Motions", &report.shaking().join("\n")),
-    ];
+    ]);
     let warnings = report.warnings();
     if !warnings.is_empty() {
         parts.push(paragraph("Warnings", &warnings.join("\n")));
@@ -24,7 +26,10 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     parts.extend(storeys(report, most));
     parts.extend(pairs(report, most));
     if !report.remarks().is_empty() {
-        parts.push(paragraph("Records", &report.remarks().join("\n")));
+        parts.push(paragraph(
+            "Records",
+            &by_options(&report.remarks().join("\n")),
+        ));
     }
     if details {
         parts.push(runs(report));
@@ -41,7 +46,7 @@ fn gaps(report: &AssessmentReport) -> String {
     let header = [
         ["Gap", ""],
         ["Scene", "[mm]"],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Median", "[mm]"],
         ["84 %", "[mm]"],
         ["Largest", "[mm]"],
@@ -53,10 +58,10 @@ fn gaps(report: &AssessmentReport) -> String {
         vec![
             format!("{left} – {right}"),
             gap.own.map_or(NONE.into(), millimetres),
-            format!("{} of {}", gap.touching, report.assessment().runs),
-            millimetres(gap.required.median()),
-            millimetres(gap.required.p84()),
-            millimetres(gap.required.largest()),
+            format!("{} of {}", gap.touching, report.assessment().cases),
+            millimetres_up(gap.required.median()),
+            millimetres_up(gap.required.p84()),
+            millimetres_up(gap.required.largest()),
             gap.required.dispersion().map_or(NONE.into(), two_decimals),
             millimetres(gap.proposal()),
         ]
@@ -91,7 +96,7 @@ fn rules(report: &AssessmentReport) -> String {
         );
         let narrow = gap.rules.iter().map(|rule| rule.too_narrow.to_string());
         rows.push(
-            std::iter::once("  runs in which it is too narrow".into())
+            std::iter::once("  events in which it is too narrow".into())
                 .chain(narrow)
                 .collect(),
         );
@@ -139,7 +144,7 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
 fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
     let header = [
         ["Pair", ""],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Force", "[kN]"],
         ["Largest impulse", "[kN·s]"],
         ["Speed up to", "[m/s]"],
@@ -194,7 +199,7 @@ fn runs(report: &AssessmentReport) -> String {
         vec![
             format!("{}{reversed}", one.name),
             short(one.run.scale),
-            millimetres(one.run.widest_gap()),
+            millimetres_up(one.run.widest_gap()),
             one.run.collisions().to_string(),
         ]
     };

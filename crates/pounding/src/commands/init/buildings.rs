@@ -13,6 +13,16 @@ pub(super) fn storeys(text: &str) -> Result<usize, String> {
     }
 }
 
+/// Refuses more buildings than anybody fills in.
+pub(super) fn check(buildings: usize) -> Result<(), String> {
+    if buildings <= MOST {
+        return Ok(());
+    }
+    Err(format!(
+        "--storeys: found {buildings} buildings, allowed are up to {MOST}; write a longer row with a program"
+    ))
+}
+
 /// A gap \[m\].
 pub(super) fn gap(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

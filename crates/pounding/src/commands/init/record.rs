@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use pounding::motion::{AccelerationUnit, Accelerogram, Declared, ReadError, read_declared};
 use pounding::scene::{STANDARD_GRAVITY, record_bytes};
-use pounding::text::digits;
+use pounding::text::{digits, steers, visible};
 use serde_json::json;
 
 use crate::commands::folder;
@@ -55,8 +55,11 @@ impl Named {
             Some(path) => (path, false),
             None => (std::path::absolute(record).map_err(unreadable)?, true),
         };
+        let path = path.into_os_string().into_string().map_err(|_| {
+            refused("found a name that is not UTF-8, allowed is one that is: a scene is text; rename the file")
+        })?;
         Ok(Self {
-            path: path.to_string_lossy().into_owned(),
+            path,
             is_absolute,
             holds,
             missing,
@@ -66,9 +69,10 @@ impl Named {
     /// The lines of a scene.
     pub(super) fn lines(&self) -> String {
         // A literal string of TOML, in which a backslash is itself; JSON's strings are TOML's, too.
-        let awkward = |letter: char| letter == '\'' || letter.is_control();
+        let awkward =
+            |letter: char| letter == '\'' || letter == '\n' || letter == '\t' || steers(letter);
         let quoted = if self.path.contains(awkward) {
-            json!(self.path).to_string()
+            visible(&json!(self.path).to_string()).into_owned()
         } else {
             format!("'{}'", self.path)
         };
@@ -80,7 +84,8 @@ impl Named {
         let file = format!("file = {quoted}    # {seen}");
         let missing = self.missing.iter().map(|one| {
             // Names come from the file; a comment is one line.
-            let allowed = one.allowed.replace(char::is_control, " ");
+            let allowed = one.allowed.replace('\n', " ");
+            let allowed = visible(&allowed);
             format!(
                 "# {} = {}    # to fill in, {}: {allowed}",
                 one.field, one.example, one.why

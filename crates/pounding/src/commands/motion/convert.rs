@@ -5,6 +5,7 @@ mod provenance;
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
@@ -68,7 +69,7 @@ enum To {
 struct Motion {
     record: Record,
     gravity: f64,
-    origin: Option<Origin>,
+    origin: Option<Arc<Origin>>,
     /// What was done to it, in words.
     processing: Vec<String>,
     /// The scene that it is the motion of.
@@ -123,11 +124,7 @@ fn of_file(args: &Arguments) -> Result<Motion, String> {
     Ok(Motion {
         record: opened.record,
         gravity: args.declared.gravity,
-        origin: Some(Origin {
-            path: args.file.clone(),
-            sha256: opened.sha256,
-            file: opened.file,
-        }),
+        origin: Some(opened.origin),
         processing: record.processing(),
         scene: None,
     })

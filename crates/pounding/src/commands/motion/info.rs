@@ -3,9 +3,10 @@
 mod printed;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use pounding::motion::{Drift, Measures, components};
-use pounding::scene::{Orientation, record_bytes};
+use pounding::motion::{Channel, Direction, Drift, Measures, NamedFile, contents};
+use pounding::scene::{Reason, record_bytes, whether_it_shakes};
 use rayon::prelude::*;
 
 use super::source::{Declared, Named, Opened, files};
@@ -54,7 +55,8 @@ struct Line {
 /// A motion and its measures.
 struct Found {
     opened: Opened,
-    orientation: Orientation,
+    /// How it lies, or why it shakes no row.
+    placed: Result<Option<Direction>, Reason>,
     measures: Measures,
     drift: Option<Drift>,
 }
@@ -68,7 +70,10 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
         .flat_map(|file| motions(file, &args.declared))
         .collect();
     let progress = Progress::new();
-    let line = |(file, component): &(Named, Option<String>)| {
+    let line = |listed: &Listed| {
+        let Listed {
+            file, component, ..
+        } = listed;
         let declared = args.declared.of_component(component.clone());
         let opened = if strict {
             declared.open(&file.path)
@@ -82,10 +87,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
             // What is asked for may be a part of the name.
             component: component.clone().map(|args| spelt.unwrap_or(args)),
             found: opened.map(|opened| Found {
-                orientation: Orientation::of(
-                    opened.file.component(),
-                    component.is_none().then_some(&file.path),
-                ),
+                placed: listed.placed(&opened),
                 measures: opened.record.measures(),
                 drift: opened.record.drift(),
                 opened,
@@ -108,21 +110,43 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     }
 }
 
+/// A motion of a file.
+struct Listed {
+    file: Named,
+    /// Its component, if the file holds several or one is asked for.
+    component: Option<String>,
+    /// All components; empty if the file is refused.
+    channels: Arc<Vec<Channel>>,
+}
+
+impl Listed {
+    /// How it lies, or why it shakes no row.
+    fn placed(&self, opened: &Opened) -> Result<Option<Direction>, Reason> {
+        let name = opened.component();
+        let own = self.channels.iter().find(|channel| channel.name == name);
+        let named = NamedFile::of(self.file.path.file_name().unwrap_or_default());
+        own.map_or(Ok(None), |channel| {
+            whether_it_shakes(channel, &named, self.channels.len() > 1)
+        })
+    }
+}
+
 /// The motions of a file: one, or each component, or the one that is asked for.
-fn motions(file: &Named, declared: &Declared) -> Vec<(Named, Option<String>)> {
-    let names = || {
-        let bytes = record_bytes(&file.path).ok()?;
-        components(&bytes).ok().filter(|names| names.len() > 1)
-    };
+fn motions(file: &Named, declared: &Declared) -> Vec<Listed> {
+    let found = record_bytes(&file.path).ok();
+    let found = found.and_then(|bytes| contents(&bytes).ok());
+    let channels = Arc::new(found.map_or_else(Vec::new, |found| found.channels));
     let components = match &declared.component {
         Some(args) => vec![Some(args.clone())],
-        None => match names() {
-            Some(names) => names.into_iter().map(Some).collect(),
-            None => vec![None],
-        },
+        None if channels.len() > 1 => channels.iter().map(|one| one.name.clone()).collect(),
+        None => vec![None],
     };
-    let motion = |component| (file.clone(), component);
-    components.into_iter().map(motion).collect()
+    let listed = |component| Listed {
+        file: file.clone(),
+        component,
+        channels: Arc::clone(&channels),
+    };
+    components.into_iter().map(listed).collect()
 }
 
 /// The reason, where nothing was read.

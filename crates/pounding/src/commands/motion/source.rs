@@ -2,37 +2,24 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use pounding::motion::{AccelerationUnit, Accelerogram, Record};
+use std::sync::Arc;
+
+use pounding::motion::{Accelerogram, Record};
 use pounding::scene::{
-    Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, Unit,
+    Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened,
 };
-use serde_json::json;
 
-use crate::commands::positive;
+use crate::commands::{declared, positive};
 
-/// Help of `--unit`.
-const UNITS: &str = "One of g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
-
-/// What files do not say themselves; the fields of `record` in a scene.
+/// What files do not say themselves, which component is taken, and what one g is worth.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
 #[command(next_help_heading = "What the file does not say")]
 pub(super) struct Declared {
-    /// Unit of the values.
-    #[arg(long, value_name = "UNIT", help = UNITS, value_parser = unit(), hide_possible_values = true)]
-    unit: Option<Unit>,
-    /// Time between samples [s].
-    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
-    time_step: Option<f64>,
+    #[command(flatten)]
+    of_file: declared::Declared,
     /// Which component: name, part of it, or number.
     #[arg(long, value_name = "NAME")]
     pub(super) component: Option<String>,
-    /// What one count of a digitiser is worth, in --unit.
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    per_count: Option<f64>,
-    /// Accelerations, though the file speaks for velocities.
-    #[arg(long)]
-    acceleration: bool,
     /// What one g is worth [m/s²].
     #[arg(long, value_name = "G", default_value_t = STANDARD_GRAVITY, allow_negative_numbers = true, value_parser = positive)]
     pub(super) gravity: f64,
@@ -42,16 +29,19 @@ pub(super) struct Declared {
 pub(super) struct Opened {
     /// The ground acceleration \[m/s²\], processed as asked.
     pub(super) record: Record,
-    /// What the file holds.
-    pub(super) file: Accelerogram,
-    /// SHA-256 of its bytes.
-    pub(super) sha256: String,
+    /// The file.
+    pub(super) origin: Arc<Origin>,
 }
 
 impl Opened {
+    /// What the file holds.
+    pub(super) fn file(&self) -> &Accelerogram {
+        &self.origin.file
+    }
+
     /// Name of its component, as the file spells it.
     pub(super) fn component(&self) -> Option<String> {
-        self.file.component().map(str::to_owned)
+        self.file().component().map(str::to_owned)
     }
 }
 
@@ -63,22 +53,12 @@ pub(super) struct Named {
     pub(super) in_folder: bool,
 }
 
-/// The units by the names that scenes give them.
-fn unit() -> impl TypedValueParser<Value = Unit> {
-    let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
-    PossibleValuesParser::new(names)
-        .map(|name| serde_json::from_value(json!(name)).expect("scenes know every unit"))
-}
-
 impl Declared {
     /// Whether nothing is declared.
     pub(super) fn is_empty(&self) -> bool {
         let nothing = Self {
-            unit: None,
-            time_step: None,
+            of_file: declared::Declared::default(),
             component: None,
-            per_count: None,
-            acceleration: false,
             gravity: STANDARD_GRAVITY,
         };
         *self == nothing
@@ -86,21 +66,11 @@ impl Declared {
 
     /// The record of a file as it is.
     pub(super) fn use_of(&self, path: &Path) -> RecordUse {
-        self.as_it_is(self.file(path))
-    }
-
-    fn file(&self, path: &Path) -> FileUse {
-        FileUse {
+        let file = self.of_file.over(FileUse {
             file: path.to_string_lossy().into_owned(),
-            unit: self.unit,
-            time_step_s: self.time_step,
             component: self.component.clone(),
-            per_count: self.per_count,
-            acceleration: self.acceleration,
-        }
-    }
-
-    fn as_it_is(&self, file: FileUse) -> RecordUse {
+            ..FileUse::default()
+        });
         RecordUse {
             gravity_m_per_s2: self.gravity,
             ..RecordUse::of(Source::File(file))
@@ -122,34 +92,45 @@ impl Declared {
 
     /// Reads one of several files: what is declared holds only where the file does not say it.
     pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, String> {
-        let declared = self.file(path);
-        let read = declared.where_unsaid(|file| read(&self.as_it_is(file.clone())));
-        read.map_err(|error| message(path, &error))
+        let record = self.use_of(path);
+        let read = || {
+            let origin = Origin::of_silent(path, &opened(path)?, file_of(&record))?.0;
+            used(&record, origin)
+        };
+        read().map_err(|error| message(path, &error))
     }
 }
 
-fn read(record: &RecordUse) -> Result<Opened, Error> {
-    let motion = GroundMotion::of(record, Path::new(""), "")?;
-    let Origin { file, sha256, .. } = motion.origin.expect("the source is a file");
+/// What is declared of the file of a record.
+fn file_of(record: &RecordUse) -> &FileUse {
+    match &record.source {
+        Source::File(file) => file,
+        Source::Generated(_) => unreachable!("the source is a file"),
+    }
+}
+
+/// A file that was read, used as a scene says.
+fn used(record: &RecordUse, origin: Origin) -> Result<Opened, Error> {
+    let motion = GroundMotion::of_file(record, Arc::new(origin));
+    let motion = motion.map_err(|source| Error::Scene {
+        scene: String::new(),
+        source,
+    })?;
     Ok(Opened {
         record: motion.record,
-        file,
-        sha256,
+        origin: motion.origin.expect("the source is a file"),
     })
 }
 
 /// Reads a file and processes it.
 pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, String> {
-    read(record).map_err(|error| message(path, &error))
+    let read = Origin::read(path, file_of(record)).and_then(|origin| used(record, origin));
+    read.map_err(|error| message(path, &error))
 }
 
 /// Fields of a scene and the options that stand for them; a field comes before the table that it is in.
-const OPTIONS: [(&str, &str); 19] = [
-    ("`record.unit`", "--unit"),
-    ("`record.time_step_s`", "--time-step"),
+const OPTIONS: [(&str, &str); 15] = [
     ("`record.component`", "--component"),
-    ("`record.per_count`", "--per-count"),
-    ("`record.acceleration` as true", "--acceleration"),
     ("record.gravity_m_per_s2", "--gravity"),
     ("record.detrend", "--detrend"),
     ("record.band_pass.low_hz", "--band-pass LOW"),
@@ -177,7 +158,9 @@ fn message(path: &Path, error: &Error) -> String {
     };
     let by_options = OPTIONS
         .iter()
-        .fold(text, |text, (field, option)| text.replace(field, option));
+        .fold(declared::by_options(&text), |text, (field, option)| {
+            text.replace(field, option)
+        });
     format!("{}: {by_options}", path.display())
 }
 

@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use pounding::report::{SpectraLabels, spectra_figure};
-use pounding::scene::{SpectralValues, Spectrum, response_spectrum_watched};
+use pounding::scene::{SpectralValues, Spectrum, response_spectra};
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::{Value, json};
 
 use super::source::{Declared, Opened};
 use crate::commands::{part_of_one, positive};
 use crate::new_file;
-use crate::progress::Progress;
+use crate::progress::Counter;
 use crate::text::{paragraph, percent, short, table};
 
 const EXAMPLES: &str = "\
@@ -101,22 +101,13 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
     }
     let periods = periods(args)?;
     let drawn = args.figure.as_ref().map(|_| between(args, &periods));
-    let progress = Progress::new();
     let n_drawn = drawn.as_ref().map_or(0, Vec::len);
     let runs = (periods.len() + n_drawn) * args.damping.len();
-    let values = |periods: &[f64], damping_ratio: f64| {
-        let done = || progress.step(runs);
-        response_spectrum_watched(&opened.record, periods, damping_ratio, &done)
+    let progress = Counter::new(0, runs as u64);
+    let spectra = |periods: &[f64]| {
+        let done = || progress.add(1);
+        response_spectra(&opened.record, periods, &args.damping, None, &done)
             .map_err(|error| format!("{}: {error}", args.file.display()))
-    };
-    let spectra = |periods: &[f64]| -> Result<Vec<Spectrum>, String> {
-        let spectrum = |&damping_ratio: &f64| {
-            Ok(Spectrum {
-                damping_ratio,
-                values: values(periods, damping_ratio)?,
-            })
-        };
-        args.damping.iter().map(spectrum).collect()
     };
     let listed = spectra(&periods)?;
     let curves = drawn.map(|periods| spectra(&periods)).transpose()?;
@@ -214,7 +205,7 @@ fn text(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
     let record = format!(
         "{}\n{}, {} samples, {} s apart, peak {} g at {} s",
         args.file.display(),
-        opened.file.format().name(),
+        opened.file().format().name(),
         opened.record.samples().len(),
         opened.record.time_step(),
         short(peak / gravity),

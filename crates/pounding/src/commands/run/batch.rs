@@ -9,7 +9,7 @@ use std::path::Path;
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
 use pounding::scene::{
     Effects, Error, Errors, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
-    Simulation,
+    Simulation, Suite,
 };
 use pounding::text::digits;
 
@@ -116,7 +116,8 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
         out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
         out.apart_from(folder)?;
     }
-    let ran = suite::lines(&scene, folder, directions, |prepared| {
+    let records = suite::read(folder, &args.declared, &scene)?;
+    let ran = suite::lines(&scene, &records, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
         // They are of both directions.
         let once = prepared.scene().record.reversed == directions[0];
@@ -125,12 +126,12 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     })?;
     let lines = &ran.lines;
     let mut answer = match args.printed() {
-        Printed::Text => text(&scene, lines),
-        Printed::Csv => data::csv(lines),
-        Printed::Json => data::json(&scene, lines),
+        Printed::Text => text(&scene, &records, lines),
+        Printed::Csv => data::csv(&records, lines),
+        Printed::Json => data::json(&scene, &records, lines),
     };
     if let Some(out) = out {
-        out.write(&files(&scene, lines))?;
+        out.write(&files(&scene, &records, lines))?;
         if args.printed() == Printed::Text {
             let results = paragraph("Results", &out.path().display().to_string());
             answer = format!("{answer}\n{results}");
@@ -140,11 +141,11 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
 }
 
 /// The files of a folder of results, by name: the lines for programs and for people.
-fn files(scene: &Scene, lines: &[Line]) -> BTreeMap<String, Vec<u8>> {
+fn files(scene: &Scene, records: &Suite, lines: &[Line]) -> BTreeMap<String, Vec<u8>> {
     let texts = [
-        data::csv(lines),
-        data::json(scene, lines),
-        text(scene, lines),
+        data::csv(records, lines),
+        data::json(scene, records, lines),
+        text(scene, records, lines),
     ];
     let texts = texts.map(String::into_bytes);
     FILES_OF_RECORDS
@@ -154,22 +155,15 @@ fn files(scene: &Scene, lines: &[Line]) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-fn text(scene: &Scene, lines: &[Line]) -> String {
-    let mut parts = vec![
+fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
+    let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
+    parts.extend([
         paragraph("Scene", &scene.name),
         runs(scene, lines),
         paragraph("Result", &result(lines)),
-    ];
+    ]);
     parts.extend(effects::text(lines));
-    let refused = suite::left_out(lines);
-    if !refused.is_empty() {
-        parts.push(paragraph("Left out", &refused.join("\n")));
-    }
-    parts.extend(suite::untold(lines).map(|said| paragraph("Direction", &said)));
-    let unusual = unusual(lines);
-    if !unusual.is_empty() {
-        parts.push(paragraph("Unusual", &unusual.join("\n")));
-    }
+    parts.push(suite::records(records, lines, true));
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let several = found.into_iter().any(|found| found.pairs.len() > 1);
     let notes = if several {
@@ -181,25 +175,15 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     parts.join("\n")
 }
 
-/// What looks wrong: of the scene once, of a record with its name.
-fn unusual(lines: &[Line]) -> Vec<String> {
-    let mut said: Vec<String> = Vec::new();
-    for line in lines {
-        let doubts = line.found.iter().flat_map(|found| &found.unusual);
-        let named = |doubt: &Implausible| match doubt.place.as_str() {
-            "record" => Implausible {
-                place: line.motion.clone(),
-                ..doubt.clone()
-            },
-            _ => doubt.clone(),
-        };
-        for one in Implausible::lines(&doubts.map(named).collect::<Vec<_>>()) {
-            if !said.contains(&one) {
-                said.push(one);
-            }
-        }
-    }
-    said
+/// What looks wrong in the scene and in its records, a line for each kind.
+fn unusual(lines: &[Line]) -> Vec<Implausible> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    Implausible::gathered(found.flat_map(|(line, found)| {
+        let doubts = found.unusual.iter();
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    }))
 }
 
 const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
@@ -267,7 +251,11 @@ fn between(pair: &PairSummary) -> String {
 
 /// Under how many motions they touch, and where hardest.
 fn result(lines: &[Line]) -> String {
-    let found = lines.iter().filter(|line| line.found.is_ok()).count();
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    if let Some(said) = found.clone().find_map(|one| one.floors.says_no_contact()) {
+        return said.into();
+    }
+    let found = found.count();
     let hits = lines.iter().filter_map(|line| {
         let hardest = line.found.as_ref().ok()?.hardest()?;
         Some((line, hardest, hardest.largest?.impulse_n_s))

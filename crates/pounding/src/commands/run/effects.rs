@@ -16,7 +16,8 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
     ];
     let floors = prepared.floors();
     if !effects.touch() {
-        return paragraph("Effects", &format!("none: {NOTHING_TOUCHES}"));
+        let why = floors.says_no_contact().unwrap_or(NOTHING_TOUCHES);
+        return paragraph("Effects", &format!("none: {why}"));
     }
     let rows = floors
         .by_structure()

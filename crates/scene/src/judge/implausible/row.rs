@@ -1,6 +1,6 @@
 //! What looks wrong between neighbours: gaps, contact that is too soft, and arrivals of the ground motion.
 
-use pounding_contact::{FreeImpact, FreePair, reduced_mass};
+use pounding_contact::{ContactLaw, FreeImpact, FreePair, reduced_mass};
 
 use super::Doubts;
 use crate::{Contact, FloorPair, Simulation, Structure};
@@ -18,16 +18,23 @@ const LATEST: f64 = 1.0;
 pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
     let scene = prepared.scene();
     doubt_the_levels(prepared, doubts);
+    let mut facing = vec![None; scene.contacts.iter().flatten().count()];
+    for one in prepared.floors().facing() {
+        facing[one.contact].get_or_insert(*one);
+    }
+    let mut lasted = None;
     for (index, contact) in scene.contacts.iter().flatten().enumerate() {
-        doubts.unless(
-            contact.gap_m <= WIDEST,
+        doubts.unless_far(
+            (contact.gap_m <= WIDEST, contact.gap_m),
             format!("contacts[{index}].gap_m"),
             (
                 format!("{} m", digits(contact.gap_m)),
                 "up to 2 m; it is in metres",
             ),
         );
-        doubt_the_law(prepared, index, contact, doubts);
+        if let Some(facing) = facing[index] {
+            doubt_the_law(prepared, facing, contact, &mut lasted, doubts);
+        }
     }
     let arrivals = scene.arrivals_s.as_deref().unwrap_or_default();
     for (index, two) in arrivals.windows(2).enumerate() {
@@ -81,12 +88,14 @@ fn doubt_the_levels(prepared: &Simulation, doubts: &mut Doubts) {
 }
 
 /// A compliant law so soft that collisions last as long as vibrations.
-fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts: &mut Doubts) {
-    let floors = prepared.floors();
-    let mut facing = floors.facing().iter().filter(|one| one.contact == index);
-    let Some(facing) = facing.next() else {
-        return;
-    };
+fn doubt_the_law(
+    prepared: &Simulation,
+    facing: FloorPair,
+    contact: &Contact,
+    lasted: &mut Option<(ContactLaw, FreePair, f64)>,
+    doubts: &mut Doubts,
+) {
+    let (floors, index) = (prepared.floors(), facing.contact);
     let inverse = |floor: usize| {
         floors.all()[floor]
             .made_of
@@ -96,9 +105,15 @@ fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts:
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
         approach_speed: SPEED,
     };
-    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.duration);
-    doubts.unless(
-        duration <= LONGEST,
+    // Most contacts of a long row are alike.
+    let known = lasted.filter(|(law, of, _)| (law, of) == (&contact.law, &pair));
+    let duration = known.map_or_else(
+        || FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.force_duration),
+        |(_, _, duration)| duration,
+    );
+    *lasted = Some((contact.law, pair, duration));
+    doubts.unless_far(
+        (duration <= LONGEST, duration / LONGEST),
         format!("contacts[{index}].law.{}", contact.law.name()),
         (
             format!(

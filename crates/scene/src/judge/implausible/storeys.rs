@@ -25,15 +25,15 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
     for (storey, one) in building.storeys.iter().enumerate() {
         let place = |field: &str| place(&format!(".storeys[{storey}].{field}"));
         if let Some(height) = one.height_m {
-            doubts.unless(
-                (0.2..=30.0).contains(&height),
+            doubts.unless_far(
+                ((0.2..=30.0).contains(&height), height / 3.0),
                 place("height_m"),
                 (format!("{} m", digits(height)), "0.2 to 30 m for a storey"),
             );
         }
         let stiffness = one.columns.stiffness_n_per_m;
-        doubts.unless(
-            stiffness * STIFFER >= stiffest,
+        doubts.unless_far(
+            (stiffness * STIFFER >= stiffest, stiffest / stiffness),
             place("stiffness_n_per_m"),
             (
                 format!(
@@ -88,8 +88,8 @@ pub(super) fn doubt_the_yielding(
         return;
     };
     let ratio = force / columns.stiffness_n_per_m / height;
-    doubts.unless(
-        YIELDS.contains(&ratio),
+    doubts.unless_far(
+        (YIELDS.contains(&ratio), ratio / 5e-3),
         place,
         (
             format!(

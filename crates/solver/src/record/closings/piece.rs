@@ -131,6 +131,11 @@ impl Coarse {
     }
 }
 
+/// Into how many cubics a series in time is cut, so that they leave out no more than rounding adds.
+pub(super) fn looks(displacement: &[f64], duration: f64) -> u32 {
+    Bounds::of(displacement, duration).looks()
+}
+
 /// Bounds of a displacement over a time, by the terms of its series \[m\].
 struct Bounds {
     /// How far it is from the cubic through its ends: h⁴/384 times the largest fourth derivative.

@@ -118,12 +118,17 @@ impl Shaking {
                 method: Method::EXACT,
                 ..like.clone()
             };
-            let prepared = motion.shake(&scene, false)?;
+            let prepared = motion.shake(&scene, false, None)?;
             Ok::<_, StudyError>(prepared.record().clone())
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));
-        Self::of((motion.name(), motion.name()), plain, scaled, settings)
+        Self::of(
+            (motion.name.clone(), motion.name.clone()),
+            plain,
+            scaled,
+            settings,
+        )
     }
 
     fn of(

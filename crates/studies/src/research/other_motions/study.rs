@@ -6,7 +6,7 @@ use super::{Beyond, Case, Change, Group};
 use crate::paper::converged::{OF_CLAIMS, STUDIES, Scenes};
 use crate::study::other_motions::{BeyondSettings, ListedMotion};
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Method, Motion, Scene, Simulation, Structure};
+use pounding_scene::{Method, Scene, Simulation, Structure, Suite};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -64,10 +64,13 @@ impl BeyondStudy {
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
         let (mut motions, mut left_out) = (Vec::new(), Vec::new());
-        for motion in Motion::in_folder(records)? {
-            match Shaking::of_folder(&motion, like, &settings, target) {
+        let suite = Suite::in_folder(records, &like.record.declared())?;
+        let out = suite.left_out.iter();
+        left_out.extend(out.map(|one| (one.name.clone(), one.reason.sentence())));
+        for motion in &suite.motions {
+            match Shaking::of_folder(motion, like, &settings, target) {
                 Ok(shaking) => motions.push(shaking),
-                Err(error) => left_out.push((motion.name(), error.to_string())),
+                Err(error) => left_out.push((motion.name.clone(), error.to_string())),
             }
         }
         Self {

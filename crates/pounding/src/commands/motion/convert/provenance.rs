@@ -23,7 +23,7 @@ pub(super) fn json_of(args: &Arguments, motion: &Motion) -> String {
         "gravity_m_per_s2": motion.gravity,
         "n_samples": record.samples().len(),
         "time_step_s": record.time_step(),
-        "from": motion.origin.as_ref().map(from),
+        "from": motion.origin.as_deref().map(from),
         "scene": motion.scene.as_ref().map(|scene| json!({"file": name(&args.file), "name": scene})),
         "processing": motion.processing,
         "says": record.source().lines().collect::<Vec<_>>(),

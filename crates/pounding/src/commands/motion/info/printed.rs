@@ -1,12 +1,12 @@
 //! What record files hold, as text, CSV and JSON.
 
+use pounding::motion::Direction;
 use pounding::motion::{Interval, Reading};
-use pounding::scene::Orientation;
+use pounding::scene::{Reason, ReasonKind};
 use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};
-use crate::commands::suite::said_of_untold;
 use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
@@ -22,12 +22,12 @@ pub(super) fn text(lines: &[Line], gravity: f64) -> String {
 
 fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
     let opened = &found.opened;
-    let readings: Vec<String> = opened.file.readings().iter().map(reading).collect();
+    let readings: Vec<String> = opened.file().readings().iter().map(reading).collect();
     let mut parts = vec![
         paragraph("File", &line.file.path.display().to_string()),
         paragraph("Read", &readings.join("\n")),
     ];
-    let provenance = opened.file.provenance();
+    let provenance = opened.file().provenance();
     if !provenance.trim().is_empty() {
         parts.push(paragraph("It says", provenance));
     }
@@ -41,9 +41,9 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
             digits(record.duration())
         ),
     ));
-    parts.push(paragraph("Direction", &direction(&found.orientation)));
+    parts.push(paragraph("Direction", &direction(&found.placed)));
     let unusual: Vec<String> = opened
-        .file
+        .file()
         .unusual()
         .iter()
         .map(ToString::to_string)
@@ -67,14 +67,14 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
 const NOTES: &str = "PGV and PGD without correction of the baseline; Arias intensity with g = 9.80665 m/s²; CAV without \
                      threshold; D: while the Arias intensity grows from 5 % to 75 % and to 95 %.";
 
-/// How a motion lies, and what follows for rows.
-fn direction(orientation: &Orientation) -> String {
-    match orientation {
-        Orientation::Horizontal => "horizontal".into(),
-        Orientation::Vertical(vertical) => format!("vertical: {vertical}"),
-        Orientation::Untold => {
+/// How a motion lies, or why it shakes no row.
+fn direction(placed: &Result<Option<Direction>, Reason>) -> String {
+    match placed {
+        Ok(Some(_)) => "horizontal".into(),
+        Ok(None) => {
             "not told, by the file or by the end of its name: it counts as horizontal".into()
         }
+        Err(reason) => format!("shakes no row of a folder: {}", reason.sentence()),
     }
 }
 
@@ -127,7 +127,7 @@ fn several(lines: &[Line], gravity: f64) -> String {
     if of_one_file {
         let formats = lines.iter().filter_map(|line| line.found.as_ref().ok());
         let format = formats
-            .map(|found| found.opened.file.format().name())
+            .map(|found| found.opened.file().format().name())
             .next();
         parts.push(format!(
             "{}{}",
@@ -178,29 +178,54 @@ fn several(lines: &[Line], gravity: f64) -> String {
     parts.join("\n")
 }
 
-/// Which motions are vertical, and of which nothing tells.
+/// How a motion lies, for a program; `None` if nothing tells.
+fn word(placed: &Result<Option<Direction>, Reason>) -> Option<&'static str> {
+    match placed {
+        Ok(Some(_)) => Some("horizontal"),
+        Err(reason)
+            if matches!(
+                reason.kind,
+                ReasonKind::Vertical | ReasonKind::VerticalByName
+            ) =>
+        {
+            Some("vertical")
+        }
+        Ok(None) | Err(_) => None,
+    }
+}
+
+/// Which motions shake no row, and of which nothing tells how they lie.
 fn directions(lines: &[Line], of_one_file: bool) -> Vec<String> {
-    let named = |is: fn(&Orientation) -> bool| -> Vec<String> {
-        let found = lines.iter().filter(|line| {
-            line.found
-                .as_ref()
-                .is_ok_and(|found| is(&found.orientation))
-        });
-        found.map(|line| name(line, of_one_file)).collect()
-    };
-    let vertical = named(|one| matches!(one, Orientation::Vertical(_)));
-    let said = "shakes no row of a folder";
-    let vertical = (!vertical.is_empty())
-        .then(|| paragraph("Vertical", &format!("{said}: {}", vertical.join("; "))));
-    let untold = said_of_untold(&named(|one| *one == Orientation::Untold));
-    let untold = untold.map(|said| paragraph("Direction", &said));
-    [vertical, untold].into_iter().flatten().collect()
+    let placed = lines.iter().filter_map(|line| {
+        let found = line.found.as_ref().ok()?;
+        Some((name(line, of_one_file), &found.placed))
+    });
+    let placed: Vec<_> = placed.collect();
+    let still = placed.iter().filter_map(|(name, placed)| {
+        let reason = placed.as_ref().err()?;
+        let mut reason = reason.clone();
+        if name.ends_with(&reason.said) {
+            reason.said.clear();
+        }
+        Some(format!("{name}: {}", reason.sentence()))
+    });
+    let still: Vec<String> = still.collect();
+    let untold = placed
+        .iter()
+        .filter(|(_, placed)| matches!(placed, Ok(None)));
+    let untold: Vec<&str> = untold.map(|(name, _)| name.as_str()).collect();
+    let still = (!still.is_empty()).then(|| paragraph("No row", &still.join("\n")));
+    let untold = (!untold.is_empty()).then(|| {
+        let said = "not told, they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
+        paragraph("Direction", &format!("{said}: {}", untold.join(", ")))
+    });
+    [still, untold].into_iter().flatten().collect()
 }
 
 /// What looks wrong in a motion, behind its name.
 fn unusual(line: &Line, of_one_file: bool) -> Vec<String> {
     let found = line.found.iter();
-    let unusual = found.flat_map(|found| found.opened.file.unusual());
+    let unusual = found.flat_map(|found| found.opened.file().unusual());
     unusual
         .map(|one| format!("{}: {one}", name(line, of_one_file)))
         .collect()
@@ -228,7 +253,7 @@ fn table_of(lines: &[Line], gravity: f64, of_one_file: bool) -> String {
             name(line, of_one_file),
             opened.record.samples().len().to_string(),
             digits(opened.record.time_step()),
-            opened.file.unit().symbol().into(),
+            opened.file().unit().symbol().into(),
             short(measures.pga / gravity),
             digits(time),
             short(measures.pgv),
@@ -308,9 +333,9 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
         ];
         match &line.found {
             Ok(found) => {
-                row.push(found.orientation.word().unwrap_or_default().into());
-                row.push(found.opened.file.format().name().into());
-                row.push(found.opened.file.unit().name().into());
+                row.push(word(&found.placed).unwrap_or_default().into());
+                row.push(found.opened.file().format().name().into());
+                row.push(found.opened.file().unit().name().into());
                 row.push(Cell::exact(gravity));
                 row.extend(numbers(found).map(|(_, one)| Cell::exact(one)));
                 row.push(Cell::default());
@@ -334,16 +359,16 @@ pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
         match &line.found {
             Err(reason) => all["refused"] = json!(reason),
             Ok(found) => {
-                let file = &found.opened.file;
+                let file = found.opened.file();
                 let readings = file.readings().iter().map(reading);
                 let unusual = file.unusual().iter().map(|one| json!(one.to_string()));
-                all["direction"] = json!(found.orientation.word());
+                all["direction"] = json!(word(&found.placed));
                 all["unusual"] = unusual.collect::<Value>();
                 all["format"] = json!(file.format().name());
                 all["unit"] = json!(file.unit().name());
                 all["readings"] = readings.collect::<Value>();
                 all["says"] = json!(file.provenance());
-                all["sha256"] = json!(found.opened.sha256);
+                all["sha256"] = json!(found.opened.origin.sha256);
                 for (name, value) in numbers(found) {
                     all[name] = json!(value);
                 }

@@ -1,12 +1,11 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
 use pounding::report::{PairSummary, SCHEMA_VERSION, StructureSummary};
-use pounding::scene::Scene;
+use pounding::scene::{Scene, Suite};
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
 
 use super::{Found, Line};
-use crate::commands::suite;
 
 /// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
 fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
@@ -75,16 +74,21 @@ const HEADER: [&str; 9] = [
 type Place = [Cell; 4];
 
 /// A row per number of every structure and pair of every run: of which, what, and its value; SI units.
-pub(super) fn csv(lines: &[Line]) -> String {
+pub(super) fn csv(records: &Suite, lines: &[Line]) -> String {
+    let refused = |name: &str, reversed: Cell, reason: &str| {
+        let mut row: [Cell; 9] = std::array::from_fn(|_| Cell::default());
+        row[0] = name.into();
+        row[1] = reversed;
+        row[8] = reason.into();
+        row
+    };
     let rows = lines.iter().flat_map(|line| match &line.found {
         Ok(found) => of_run(line, found),
-        Err(reason) => {
-            let mut row = row(line, line.reversed, (Place::default(), "", None));
-            row[8] = reason.as_str().into();
-            vec![row]
-        }
+        Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
     });
-    csv_text(&HEADER, rows)
+    let left_out = records.left_out.iter();
+    let left_out = left_out.map(|one| refused(&one.name, Cell::default(), &one.reason.sentence()));
+    csv_text(&HEADER, rows.chain(left_out))
 }
 
 fn row(
@@ -159,12 +163,12 @@ fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 9]> {
 }
 
 /// The same with everything that a summary has of structures and pairs.
-pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
+pub(super) fn json(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     let line = |line: &Line| match &line.found {
         Ok(found) => json!({
             "record": line.motion,
+            "event": line.event + 1,
             "reversed": line.reversed,
-            "direction": suite::direction(line),
             "pga_m_per_s2": found.pga,
             "scale_factor": found.scale,
             "largest_error": found.error,
@@ -181,6 +185,8 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
     json_text(&json!({
         "schema_version": SCHEMA_VERSION,
         "scene": scene,
+        "unusual": super::unusual(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
+        "left_out": records.left_out_json(),
     }))
 }

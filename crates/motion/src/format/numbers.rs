@@ -1,0 +1,98 @@
+//! Values as they are read, no more of them than a record may have, and how finely they are printed.
+
+use crate::line::Line;
+use crate::record::MAX_SAMPLES;
+use crate::{Place, ReadError};
+
+/// The numbers of some lines.
+#[derive(Debug)]
+pub(super) struct Numbers {
+    pub(super) values: Vec<f64>,
+    /// Place of the last number.
+    pub(super) end: Place,
+    /// Unit of the last printed digit of the largest number.
+    pub(super) digit: f64,
+}
+
+/// Refuses more values than a record may have.
+pub(super) fn at_most(n_values: usize) -> Result<(), ReadError> {
+    if n_values <= MAX_SAMPLES {
+        return Ok(());
+    }
+    Err(ReadError::TooManySamples {
+        allowed: MAX_SAMPLES,
+    })
+}
+
+/// Values that are read one after the other.
+#[derive(Default)]
+pub(super) struct Values<'t> {
+    found: Vec<f64>,
+    largest: Largest<'t>,
+    last_line: Option<usize>,
+}
+
+impl<'t> Values<'t> {
+    /// Puts a value behind the others; the field is how it is printed.
+    pub(super) fn push(
+        &mut self,
+        line: Line<'_>,
+        value: f64,
+        field: &'t [u8],
+    ) -> Result<(), ReadError> {
+        at_most(self.found.len() + 1)?;
+        self.largest.see(value, field);
+        self.found.push(value);
+        self.last_line = Some(line.number);
+        Ok(())
+    }
+
+    /// The values; the header is the place of the last one where there is none.
+    pub(super) fn finish(self, header: Line<'_>) -> Numbers {
+        Numbers {
+            digit: self.largest.digit(),
+            end: Place::Line(self.last_line.unwrap_or(header.number)),
+            values: self.found,
+        }
+    }
+}
+
+/// Whether a number is a mark, to the last bit: marks are written the same everywhere.
+pub(super) fn is_mark(value: f64, mark: f64) -> bool {
+    value.total_cmp(&mark).is_eq()
+}
+
+/// The largest of printed numbers, and how finely it is printed.
+#[derive(Default)]
+struct Largest<'t> {
+    value: f64,
+    field: &'t [u8],
+}
+
+impl<'t> Largest<'t> {
+    fn see(&mut self, value: f64, field: &'t [u8]) {
+        if value.abs() >= self.value {
+            self.value = value.abs();
+            self.field = field;
+        }
+    }
+
+    fn digit(&self) -> f64 {
+        last_digit(self.field)
+    }
+}
+
+/// The unit of the last digit of a printed number: 0.01 for `-12.50`, 10 for `1.5E+2`.
+pub(super) fn last_digit(field: &[u8]) -> f64 {
+    let text = String::from_utf8_lossy(field.trim_ascii()).to_ascii_uppercase();
+    let (mantissa, exponent) = text.split_once(['E', 'D']).unwrap_or((&text, "0"));
+    let decimals = mantissa
+        .split_once('.')
+        .map_or(0, |(_, decimals)| decimals.len());
+    let exponent: i64 = exponent.parse().unwrap_or(0);
+    let decimals = i64::try_from(decimals).unwrap_or(i64::MAX);
+    let exponent = exponent.saturating_sub(decimals).clamp(-400, 400);
+    format!("1e{exponent}")
+        .parse()
+        .expect("a number in exponent notation")
+}

@@ -1,0 +1,75 @@
+//! What record files do not say themselves, on the command line.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use pounding::motion::AccelerationUnit;
+use pounding::scene::{FileUse, Scene, Unit};
+use serde_json::json;
+
+use super::positive;
+
+/// Help of `--unit`.
+const UNITS: &str = "One of g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
+
+/// What files do not say themselves; the fields of `record` in a scene.
+#[derive(Debug, Clone, Default, PartialEq, clap::Args)]
+#[command(next_help_heading = "What a file does not say")]
+pub(super) struct Declared {
+    /// Unit of the values.
+    #[arg(long, value_name = "UNIT", help = UNITS, value_parser = unit(), hide_possible_values = true)]
+    unit: Option<Unit>,
+    /// Time between samples [s].
+    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
+    time_step: Option<f64>,
+    /// What one count of a digitiser is worth, in --unit.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    per_count: Option<f64>,
+    /// Accelerations, though the file suggests otherwise.
+    #[arg(long)]
+    acceleration: bool,
+    /// Several numbers to a line are consecutive values.
+    #[arg(long)]
+    in_rows: bool,
+}
+
+/// Fields of a scene and the options that stand for them.
+const OPTIONS: [(&str, &str); 5] = [
+    ("`record.unit`", "--unit"),
+    ("`record.time_step_s`", "--time-step"),
+    ("`record.per_count`", "--per-count"),
+    ("`record.acceleration` as true", "--acceleration"),
+    ("`record.in_rows` as true", "--in-rows"),
+];
+
+/// A message with options in place of the fields of a scene.
+pub(super) fn by_options(text: &str) -> String {
+    let all = OPTIONS.iter();
+    all.fold(text.into(), |text: String, (field, option)| {
+        text.replace(field, option)
+    })
+}
+
+/// The units by the names that scenes give them.
+fn unit() -> impl TypedValueParser<Value = Unit> {
+    let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
+    PossibleValuesParser::new(names)
+        .map(|name| serde_json::from_value(json!(name)).expect("scenes know every unit"))
+}
+
+impl Declared {
+    /// Returns what is declared in place of what `of_scene` says.
+    pub(super) fn over(&self, of_scene: FileUse) -> FileUse {
+        FileUse {
+            unit: self.unit.or(of_scene.unit),
+            time_step_s: self.time_step.or(of_scene.time_step_s),
+            per_count: self.per_count.or(of_scene.per_count),
+            acceleration: self.acceleration || of_scene.acceleration,
+            in_rows: self.in_rows || of_scene.in_rows,
+            ..of_scene
+        }
+    }
+
+    /// Returns what is declared of the files of a folder that shake a scene: as here, else as its record says.
+    pub(super) fn of_files(&self, scene: &Scene) -> FileUse {
+        self.over(scene.record.declared())
+    }
+}

@@ -1,0 +1,300 @@
+//! Why something in a folder of records shakes no row, in a line for each reason.
+
+use std::fmt::Write as _;
+
+use pounding_motion::{Quantity, ReadError};
+use pounding_text::short;
+use serde_json::{Value, json};
+
+use super::Suite;
+use crate::Error;
+
+/// Something in a folder that shakes no row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// Name of the entry, and of its component if it holds several.
+    pub name: String,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// Why something in a folder shakes no row.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Reason {
+    /// What it is.
+    pub kind: ReasonKind,
+    /// What the system or the reader says, or the word that tells; empty if nothing.
+    pub said: String,
+}
+
+/// What kind of thing is left out. The first kinds matter most: a record may be missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ReasonKind {
+    /// The system does not let it be read.
+    Unreadable,
+    /// A reader refuses it.
+    Refused,
+    /// A folder in the folder.
+    Folder,
+    /// A pipe, a socket or a device.
+    NoFile,
+    /// Every value is zero.
+    Zeros,
+    /// A velocity, by its content or its name.
+    Velocity,
+    /// A displacement, by its name.
+    Displacement,
+    /// A spectrum or another quantity, by its content or its name.
+    NoAcceleration,
+    /// The instrument stands in a borehole.
+    Borehole,
+    /// The instrument stands on a structure.
+    Structure,
+    /// A copy of another motion.
+    Copy,
+    /// Vertical, by the name that the file gives its component.
+    Vertical,
+    /// Vertical, by the end of the file's name.
+    VerticalByName,
+    /// Nothing that any reader knows, such as a README.
+    NoRecord,
+}
+
+impl ReasonKind {
+    /// One such thing, several, and why they are left out.
+    fn words(self) -> [&'static str; 3] {
+        const ON_THE_GROUND: &str = "a row stands on the ground";
+        const NO_ACCELERATION: &str = "only accelerations shake a row";
+        match self {
+            Self::Unreadable | Self::Refused => ["", "", ""],
+            Self::Folder => ["folder", "folders", "give each as a folder of its own"],
+            Self::NoFile => ["pipe or device", "pipes or devices", "only files are read"],
+            Self::Zeros => ["record of zeros", "records of zeros", "they shake nothing"],
+            Self::Velocity => ["velocity", "velocities", NO_ACCELERATION],
+            Self::Displacement => ["displacement", "displacements", NO_ACCELERATION],
+            Self::NoAcceleration => [
+                "spectrum or other quantity",
+                "spectra or other quantities",
+                NO_ACCELERATION,
+            ],
+            Self::Borehole => [
+                "record in a borehole",
+                "records in boreholes",
+                ON_THE_GROUND,
+            ],
+            Self::Structure => [
+                "record on a structure",
+                "records on structures",
+                ON_THE_GROUND,
+            ],
+            Self::Copy => ["copy", "copies", "each record counts once"],
+            Self::Vertical => [
+                "vertical component",
+                "vertical components",
+                "by the name in the file",
+            ],
+            Self::VerticalByName => [
+                "vertical component",
+                "vertical components",
+                "by the end of the file's name; rename a horizontal one",
+            ],
+            Self::NoRecord => ["file that is no record", "files that are no records", ""],
+        }
+    }
+
+    /// Whether a record that should be used may be missing.
+    pub fn hides_a_record(self) -> bool {
+        matches!(self, Self::Unreadable | Self::Refused)
+    }
+
+    pub(super) fn saying(self, said: impl Into<String>) -> Reason {
+        Reason {
+            kind: self,
+            said: said.into(),
+        }
+    }
+}
+
+impl Reason {
+    /// What an error of reading a file is.
+    #[expect(
+        clippy::wildcard_enum_match_arm,
+        reason = "an error that is not told apart is a refusal"
+    )]
+    pub(super) fn of(error: &Error) -> Self {
+        match error {
+            Error::NoRecord { source, .. } => ReasonKind::Unreadable.saying(source.to_string()),
+            Error::Record { source, .. } => match source {
+                ReadError::UnknownFormat { .. } | ReadError::Empty => {
+                    ReasonKind::NoRecord.saying("")
+                }
+                ReadError::Velocity { found, .. } => ReasonKind::Velocity.saying(found),
+                ReadError::NotAcceleration { found, .. } | ReadError::Quantity { found, .. } => {
+                    ReasonKind::NoAcceleration.saying(found)
+                }
+                _ => ReasonKind::Refused.saying(error.reason()),
+            },
+            Error::NameSaysOtherwise { quantity, .. } => match quantity {
+                Quantity::Displacement => ReasonKind::Displacement.saying("by its name"),
+                Quantity::Spectrum => ReasonKind::NoAcceleration.saying("by its name"),
+                Quantity::Velocity | Quantity::Acceleration => {
+                    ReasonKind::Velocity.saying("by its name")
+                }
+            },
+            other => ReasonKind::Refused.saying(other.reason()),
+        }
+    }
+
+    /// Says what is left out for this reason, and why.
+    pub fn sentence(&self) -> String {
+        let [one, _, why] = self.kind.words();
+        let said = match self.said.as_str() {
+            "" => String::new(),
+            said => format!(" ({said})"),
+        };
+        if self.kind == ReasonKind::Unreadable {
+            format!("cannot be read: {}", self.said)
+        } else if self.kind == ReasonKind::Refused {
+            self.said.clone()
+        } else if why.is_empty() {
+            format!("{one}{said}")
+        } else {
+            format!("{one}{said}, {why}")
+        }
+    }
+}
+
+/// Most names of a line.
+const MOST_NAMES: usize = 4;
+
+impl Suite {
+    /// Says what is left out, a line for each reason, those first that may hide a record; with `details` every name.
+    pub fn said_of_left_out(&self, details: bool) -> Vec<String> {
+        let mut sorted: Vec<&LeftOut> = self.left_out.iter().collect();
+        sorted.sort_by_key(|one| &one.reason);
+        let told_together = |one: &&LeftOut, other: &&LeftOut| {
+            let [one, other] = [&one.reason, &other.reason];
+            one.kind == other.kind && (!one.kind.hides_a_record() || one.said == other.said)
+        };
+        let groups = sorted.chunk_by(told_together);
+        groups.map(|group| said_of(group, details)).collect()
+    }
+
+    /// Returns for machines what is left out, each with the reason.
+    pub fn left_out_json(&self) -> Value {
+        let left_out = self.left_out.iter();
+        left_out
+            .map(|one| json!({"record": one.name, "reason": one.reason.sentence()}))
+            .collect()
+    }
+
+    /// Counts files, motions and events, and what [`Self::remarks`] says, a line each.
+    pub fn said(&self, details: bool) -> Vec<String> {
+        let counts = std::iter::once(self.counts());
+        counts.chain(self.remarks(details)).collect()
+    }
+
+    /// Counts files, motions and events: "24 files: 16 motions of 8 events, 9 left out".
+    pub fn counts(&self) -> String {
+        let number = |n: usize, word: &str| match n {
+            1 => format!("1 {word}"),
+            n => format!("{n} {word}s"),
+        };
+        let left_out = match self.left_out.len() {
+            0 => String::new(),
+            n => format!(", {n} left out"),
+        };
+        format!(
+            "{}: {} of {}{left_out}",
+            number(self.n_entries, "file"),
+            number(self.motions.len(), "motion"),
+            number(self.n_events, "event")
+        )
+    }
+
+    /// Says what is left out, what was declared of which file, and what its user should look at; `details` as in
+    /// [`Self::said_of_left_out`].
+    pub fn remarks(&self, details: bool) -> Vec<String> {
+        let alike = self.alike.iter().map(|(one, other, factor)| {
+            format!(
+                "{one} and {other} are one motion, the second times {}: they count as one event; take one of them out of the folder",
+                short(*factor)
+            )
+        });
+        let left_out = self.said_of_left_out(details).into_iter();
+        let said = left_out.chain(alike).chain(self.declared());
+        said.chain(self.untold(details)).collect()
+    }
+
+    /// Names every file for which something was declared because it does not say it.
+    fn declared(&self) -> Vec<String> {
+        let mut taken: Vec<(String, Vec<&str>)> = Vec::new();
+        for motion in &self.motions {
+            let words = motion.taken.words();
+            if words.is_empty() {
+                continue;
+            }
+            match taken.iter_mut().find(|(known, _)| *known == words) {
+                Some((_, names)) => names.push(&motion.name),
+                None => taken.push((words, vec![&motion.name])),
+            }
+        }
+        let said = |(words, names): (String, Vec<&str>)| {
+            let names = names.join(", ");
+            format!("{words} is declared, and was taken for what does not say it: {names}")
+        };
+        taken.into_iter().map(said).collect()
+    }
+
+    /// Names the motions of which nothing tells how they lie.
+    fn untold(&self, details: bool) -> Option<String> {
+        let untold = self.motions.iter().filter(|one| one.direction.is_none());
+        let names: Vec<&str> = untold.map(|one| one.name.as_str()).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "direction not told, they count as horizontal; take a vertical one out of the folder, or end its name in -UP: {}",
+                listed(&names, details)
+            )
+        })
+    }
+}
+
+/// A line about things that are left out for one reason.
+fn said_of(group: &[&LeftOut], details: bool) -> String {
+    let reason = &group[0].reason;
+    let [one, several, why] = reason.kind.words();
+    let names = group.iter().map(|one| match one.reason.said.as_str() {
+        said if reason.kind.hides_a_record() || said.is_empty() || one.name.ends_with(said) => {
+            one.name.clone()
+        }
+        said => format!("{} ({said})", one.name),
+    });
+    let names: Vec<String> = names.collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let names = listed(&names, details);
+    let count = match group.len() {
+        1 => format!("1 {one}"),
+        n => format!("{n} {several}"),
+    };
+    if reason.kind.hides_a_record() {
+        format!("{names}: {}", reason.sentence())
+    } else if why.is_empty() {
+        format!("{count}: {names}")
+    } else {
+        format!("{count}, {why}: {names}")
+    }
+}
+
+/// The first of some names, or all of them.
+fn listed(names: &[&str], details: bool) -> String {
+    let shown = if details {
+        names.len()
+    } else {
+        MOST_NAMES.min(names.len())
+    };
+    let mut listed = names[..shown].join(", ");
+    if shown < names.len() {
+        write!(listed, ", and {} more (--details)", names.len() - shown).expect("memory takes all");
+    }
+    listed
+}

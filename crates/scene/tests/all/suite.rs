@@ -1,0 +1,291 @@
+//! Folders of records: what shakes a row, what is left out and why, and what counts as one event.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pounding_scene::{FileUse, ReasonKind, Suite, Unit};
+
+/// A folder that is removed with the test.
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a disk"))
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
+        fs::write(self.path().join(name), text).expect("a disk");
+        self
+    }
+
+    fn suite(&self) -> Suite {
+        self.declared(&FileUse::default())
+    }
+
+    fn declared(&self, declared: &FileUse) -> Suite {
+        Suite::of(&[self.path().to_path_buf()], declared).expect("a folder")
+    }
+}
+
+fn in_g() -> FileUse {
+    FileUse {
+        unit: Some(Unit::StandardGravity),
+        time_step_s: Some(0.02),
+        ..FileUse::default()
+    }
+}
+
+/// A decaying sum of two sines in g; each `rate` is another motion.
+fn value(rate: f64, step: usize) -> f64 {
+    let time = 0.02 * step as f64;
+    let sine = |share: f64| libm::sin(share * rate * time);
+    0.2 * time * libm::exp(-time) * (sine(1.0) + 0.6 * sine(2.3))
+}
+
+/// A CSV of this project, from this step on, times a factor.
+fn csv(rate: f64, (skipped, factor): (usize, f64)) -> String {
+    let line = |step: usize| {
+        format!(
+            "{},{}\n",
+            0.02 * step as f64,
+            factor * value(rate, step + skipped)
+        )
+    };
+    let lines: String = (0..300).map(line).collect();
+    format!("time_s,acceleration_g\n{lines}")
+}
+
+fn list(rate: f64) -> String {
+    let values: Vec<String> = (0..300).map(|step| value(rate, step).to_string()).collect();
+    values.join("\n")
+}
+
+fn motion(rate: f64) -> String {
+    csv(rate, (0, 1.0))
+}
+
+fn names(suite: &Suite) -> Vec<&str> {
+    suite.motions.iter().map(|one| one.name.as_str()).collect()
+}
+
+fn left_out(suite: &Suite) -> Vec<(&str, ReasonKind)> {
+    let left_out = suite.left_out.iter();
+    left_out
+        .map(|one| (one.name.as_str(), one.reason.kind))
+        .collect()
+}
+
+/// Entries whose `stat` failed, pipes and folders vanished: "4 of 4 runs" became "2 of 2" without a word.
+#[cfg(unix)]
+#[test]
+fn issue_nothing_in_a_folder_vanishes() {
+    let folder = Folder::new()
+        .with("a.csv", motion(9.0))
+        .with("README.md", "Some words.\n");
+    std::os::unix::fs::symlink("/nowhere/b.csv", folder.path().join("b.csv")).expect("a link");
+    std::os::unix::fs::symlink("c.csv", folder.path().join("c.csv")).expect("a link to itself");
+    fs::create_dir(folder.path().join("more")).expect("a folder");
+    let pipe = folder.path().join("pipe");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo").success());
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["a.csv"]);
+    assert_eq!(
+        left_out(&suite),
+        [
+            ("b.csv", ReasonKind::Unreadable),
+            ("c.csv", ReasonKind::Unreadable),
+            ("more", ReasonKind::Folder),
+            ("pipe", ReasonKind::NoFile),
+            ("README.md", ReasonKind::NoRecord),
+        ]
+    );
+    assert_eq!(suite.counts(), "6 files: 1 motion of 1 event, 5 left out");
+    let said = suite.said_of_left_out(false).join("\n");
+    assert!(said.starts_with("b.csv: cannot be read: "), "{said}");
+}
+
+/// Copies counted as events: three files of one record were three.
+#[test]
+fn issue_copies_are_one_record() {
+    let later = csv(9.0, (3, 9.806_65)).replace("acceleration_g", "acceleration_m_per_s2");
+    let folder = Folder::new()
+        .with("quake.csv", motion(9.0))
+        .with("quake (1).csv", motion(9.0))
+        // Begins three steps later, and has the values in another unit.
+        .with("cut.csv", later)
+        .with("reversed quake.csv", csv(9.0, (0, -1.0)))
+        .with("another.csv", motion(7.0));
+    let suite = folder.suite();
+    assert_eq!(suite.motions.len(), 2, "{:?}", names(&suite));
+    assert_eq!(suite.n_events, 2);
+    let copies = suite.left_out.iter();
+    assert!(
+        copies
+            .clone()
+            .all(|one| one.reason.kind == ReasonKind::Copy)
+    );
+    let of: Vec<&str> = copies.map(|one| one.reason.said.as_str()).collect();
+    assert_eq!(of, ["of cut.csv"; 3]);
+}
+
+/// A record at two scales: nothing tells which is right, so it counts once and is asked about.
+#[test]
+fn issue_a_record_at_two_scales_is_one_event_and_asked_about() {
+    let folder = Folder::new()
+        .with("a.csv", motion(9.0))
+        .with("a times two.csv", csv(9.0, (0, 2.0)))
+        .with("b.csv", motion(7.0));
+    let suite = folder.suite();
+    assert_eq!((suite.motions.len(), suite.n_events), (3, 2));
+    let said = suite.remarks(false).join("\n");
+    assert!(
+        said.contains("a.csv and a times two.csv are one motion, the second times 2.000"),
+        "{said}"
+    );
+}
+
+/// Two records that differ are two, however alike their spectra are.
+#[test]
+fn limit_other_records_are_no_copies() {
+    let mut folder = Folder::new();
+    for index in 0..12 {
+        let rate = 6.0 + 0.5 * f64::from(index);
+        folder = folder.with(&format!("r{index:03}.csv"), motion(rate));
+    }
+    let suite = folder.suite();
+    assert_eq!(
+        (suite.motions.len(), suite.n_events, suite.alike.len()),
+        (12, 12, 0)
+    );
+}
+
+/// Declared for one file in g, another in cm/s² shook the row with 0.6 g, and no word named it.
+#[test]
+fn issue_every_file_that_takes_a_declaration_is_named() {
+    let folder = Folder::new()
+        .with("said.csv", motion(9.0))
+        .with("one.txt", list(7.0))
+        .with("two.txt", list(5.0));
+    assert_eq!(folder.suite().motions.len(), 1, "nothing is guessed");
+    let suite = folder.declared(&in_g());
+    assert_eq!(names(&suite), ["one.txt", "said.csv", "two.txt"]);
+    let said = suite.remarks(false).join("\n");
+    assert!(
+        said.contains("unit = \"g\", time_step_s = 0.02 is declared, and was taken for what does not say it: one.txt, two.txt"),
+        "{said}"
+    );
+    assert!(!said.contains("said.csv\nunit"), "{said}");
+}
+
+/// A velocity shook rows as an acceleration once a unit was declared for its folder.
+#[test]
+fn issue_a_name_that_says_velocity_is_believed() {
+    let folder = Folder::new()
+        .with("a.acc", list(9.0))
+        .with("a.vel", list(7.0))
+        .with("b_disp.txt", list(5.0))
+        // What the file says counts more than its name.
+        .with("c.vel", motion(4.0));
+    let suite = folder.declared(&in_g());
+    assert_eq!(names(&suite), ["a.acc", "c.vel"]);
+    assert_eq!(
+        left_out(&suite),
+        [
+            ("a.vel", ReasonKind::Velocity),
+            ("b_disp.txt", ReasonKind::Displacement)
+        ]
+    );
+    let declared = FileUse {
+        acceleration: true,
+        ..in_g()
+    };
+    let suite = folder.declared(&declared);
+    assert_eq!(suite.motions.len(), 4);
+    let said = suite.remarks(false).join("\n");
+    assert!(
+        said.contains(
+            "acceleration = true is declared, and was taken for what does not say it: a.vel"
+        ),
+        "{said}"
+    );
+}
+
+/// A record of zeros counted as an event, under which every gap was enough.
+#[test]
+fn issue_zeros_shake_nothing() {
+    let folder = Folder::new()
+        .with("a.csv", motion(9.0))
+        .with("zeros.csv", "time_s,acceleration_g\n0,0\n0.02,0\n0.04,0\n");
+    let suite = folder.suite();
+    assert_eq!(left_out(&suite), [("zeros.csv", ReasonKind::Zeros)]);
+}
+
+/// A name that is not UTF-8 was opened as another one: another file was read, with exit code 0.
+#[cfg(target_os = "linux")]
+#[test]
+fn issue_a_name_that_is_not_utf_8_is_its_own_file() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = Folder::new();
+    let write = |name: &[u8], rate: f64| {
+        let path = folder.path().join(OsStr::from_bytes(name));
+        fs::write(path, motion(rate)).expect("a disk");
+    };
+    write(b"r\xff.csv", 9.0);
+    write("r\u{fffd}.csv".as_bytes(), 7.0);
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["r\u{fffd}.csv", "r\\xff.csv"]);
+    let of = |index: usize| suite.motions[index].origin().file.values()[1];
+    assert_eq!(of(0).to_bits(), value(7.0, 1).to_bits());
+    assert_eq!(of(1).to_bits(), value(9.0, 1).to_bits());
+    let one = PathBuf::from(OsStr::from_bytes(b"r\xff.csv"));
+    let named = Suite::of(&[folder.path().join(one)], &FileUse::default()).expect("a file");
+    let first = named.motions[0].origin().file.values()[1];
+    assert_eq!(first.to_bits(), value(9.0, 1).to_bits());
+}
+
+/// Components of one record are of one event, however they are told.
+#[test]
+fn issue_components_of_one_record_are_one_event() {
+    let events = |files: &[&str]| {
+        let mut folder = Folder::new();
+        for (index, name) in files.iter().enumerate() {
+            folder = folder.with(name, motion(5.0 + 0.7 * index as f64));
+        }
+        let suite = folder.suite();
+        suite
+            .motions
+            .iter()
+            .map(|one| one.event)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        events(&["ABC001.EW.csv", "ABC001.NS.csv", "ABC002.EW.csv"]),
+        [0, 0, 1]
+    );
+    assert_eq!(events(&["RSN6-H1.csv", "RSN6-H2.csv"]), [0, 0]);
+    // Numbers of records are no azimuths.
+    assert_eq!(events(&["r001.csv", "r002.csv", "r091.csv"]), [0, 1, 2]);
+}
+
+#[path = "../../../../fuzz/src/folder.rs"]
+mod fuzzed;
+
+/// What fuzzing holds folders to, on the seeds that lie in `fuzz/corpus`.
+#[test]
+fn issue_every_seed_of_a_folder_keeps_its_entries() {
+    let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/folder");
+    let seeds: Vec<_> = fs::read_dir(seeds).expect("the corpus is there").collect();
+    assert!(seeds.len() > 10, "{} seeds", seeds.len());
+    for seed in seeds {
+        let bytes = fs::read(seed.expect("a file").path()).expect("a seed");
+        let folder = Folder::new();
+        fuzzed::check(&bytes, folder.path());
+    }
+}
