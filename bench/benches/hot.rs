@@ -109,12 +109,7 @@ fn row(gap: f64, law: ContactLaw) -> Row<Elastic> {
         let stiffness = MASS * omega * omega;
         Node::structure(MASS, 0.1 * MASS * omega, Elastic { stiffness })
     };
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap,
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, gap, law);
     Row::new(vec![node(0.9), node(0.4)], vec![pair]).expect("a valid row")
 }
 

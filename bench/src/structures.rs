@@ -126,13 +126,15 @@ fn sized(structures: usize, in_round: usize) -> Result<Sized, String> {
             Node::structure(MASS, 2.0 * DAMPING * MASS * omega, Elastic { stiffness })
         };
         let nodes = (0..structures).map(|_| node(between(PERIODS))).collect();
-        let pair = |left| Pair {
-            left,
-            right: left + 1,
-            gap: between(GAPS),
-            law: ContactLaw::Stereomechanical(Stereomechanical {
-                restitution: RESTITUTION,
-            }),
+        let pair = |left| {
+            Pair::of_floors(
+                left,
+                left + 1,
+                between(GAPS),
+                ContactLaw::Stereomechanical(Stereomechanical {
+                    restitution: RESTITUTION,
+                }),
+            )
         };
         let pairs = (0..structures - 1).map(pair).collect();
         Row::new(nodes, pairs).map_err(|error| error.to_string())

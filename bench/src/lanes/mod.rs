@@ -292,12 +292,7 @@ fn rows(group: &Group) -> Vec<Result<Row<Elastic>, String>> {
             let damping = group.dampings[structure][lane];
             Node::structure(group.masses[structure][lane], damping, column)
         };
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap: group.gaps[lane],
-            law,
-        };
+        let pair = Pair::of_floors(0, 1, group.gaps[lane], law);
         Row::new(vec![node(0), node(1)], vec![pair]).map_err(|error| error.to_string())
     };
     (0..GROUP).map(row).collect()

@@ -69,12 +69,7 @@ pub(crate) fn rows(
             };
             levels.floor(node, storey)
         };
-        let pair = |(left, right)| Pair {
-            left,
-            right,
-            gap: group.gaps[lane],
-            law: contact(law),
-        };
+        let pair = |(left, right)| Pair::of_floors(left, right, group.gaps[lane], contact(law));
         let nodes = (0..FLOORS).map(node).collect();
         Row::new(nodes, levels.facing(0).map(pair).collect())
     };

@@ -255,12 +255,7 @@ fn drawn(law: ContactLaw, random: &mut Pcg64) -> Result<Row<Elastic>, String> {
         Node::structure(MASS, 2.0 * DAMPING * MASS * omega, column)
     };
     let nodes = vec![node(), node()];
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: between(GAPS),
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, between(GAPS), law);
     Row::new(nodes, vec![pair]).map_err(|error| error.to_string())
 }
 
@@ -298,7 +293,7 @@ fn structures_as_json(row: &Row<Elastic>) -> Value {
         right.column.stiffness,
         left.damping,
         right.damping,
-        row.pairs()[0].gap
+        row.pairs()[0].gap()
     ])
 }
 
@@ -324,7 +319,7 @@ fn towers_as_json(row: &Row<Bilinear>) -> Value {
         ])
     };
     let towers = [0, 1].map(|tower| levels.of(tower).iter().map(storey).collect::<Vec<_>>());
-    json!({"towers": towers, "gap": row.pairs()[0].gap})
+    json!({"towers": towers, "gap": row.pairs()[0].gap()})
 }
 
 /// What one measurement gives.

@@ -126,7 +126,7 @@ impl<'a> SideBySide<'a> {
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
-            && pairs.all(|(pair, other)| pair.left == other.left && kind(pair) == kind(other))
+            && pairs.all(|(pair, other)| pair.left() == other.left() && kind(pair) == kind(other))
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they

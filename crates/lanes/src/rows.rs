@@ -73,13 +73,13 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
     #[inline(always)]
     pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
         let mut pairs = self.rows[0].pairs().iter();
-        let index = pairs.position(|pair| pair.left == left)?;
+        let index = pairs.position(|pair| pair.left() == left)?;
         let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
         Some(Pair {
             index,
             lingers: false,
-            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap)),
+            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap())),
             law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
             deformation: Lanes::splat(simd, 0.0),
             tally: SceneSum::new(simd),

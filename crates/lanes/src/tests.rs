@@ -36,12 +36,7 @@ fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elast
             };
             index.checked_sub(structures).map_or(node, on_floor)
         };
-        let pair = |left: usize| Pair {
-            left,
-            right: left + 1,
-            gap: 0.002,
-            law,
-        };
+        let pair = |left: usize| Pair::of_floors(left, left + 1, 0.002, law);
         let floors = structures * storeys;
         let lefts = (0..floors).filter(|left| (left + 1) % structures > 0);
         let pairs = lefts.map(pair).collect();

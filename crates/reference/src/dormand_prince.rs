@@ -159,12 +159,7 @@ mod tests {
             impact_stiffness: 2.0,
             impact_damping_ratio: 0.0,
         };
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap: 0.0,
-            law: ContactLaw::NonlinearViscoelastic(law),
-        };
+        let pair = Pair::of_floors(0, 1, 0.0, ContactLaw::NonlinearViscoelastic(law));
         let model = Model::new(&Row::new(nodes, vec![pair]).unwrap());
         let mut phases = Phases::new(&model);
         phases.pairs[0].contact = Contact::Restitution { rising: -1.0 };

@@ -12,7 +12,7 @@
 //! let (mass, stiffness, spring, gap, jerk) = (75e3, 2.056e6, 93.5e6, 0.03, 3.0);
 //! let law = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: spring });
 //! let nodes = vec![Node::structure(mass, 0.0, Elastic { stiffness }), Node::wall(Elastic { stiffness })];
-//! let row = Row::new(nodes, vec![Pair { left: 0, right: 1, gap, law }])?;
+//! let row = Row::new(nodes, vec![Pair::of_floors(0, 1, gap, law)])?;
 //! let run = pounding_reference::run(&row, Excitation::new(0.1, &[-jerk; 5])?, 0.2, Fineness::FINE)?;
 //!
 //! // At the peak F the structure stands still at u = gap + F/K: the ground's work m a u is ½ k u² + ½ F²/K.

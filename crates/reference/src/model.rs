@@ -80,11 +80,11 @@ impl Model {
         }
         let neighbours = |(index, pair): (usize, &pounding_solver::Pair)| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
-            let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
+            let reduced_mass = 1.0 / (inverse_mass(pair.left()) + inverse_mass(pair.right()));
             Neighbours {
-                left: pair.left,
-                right: pair.right,
-                gap: pair.gap,
+                left: pair.left(),
+                right: pair.right(),
+                gap: pair.gap(),
                 deformation: of_pairs + 2 * index,
                 reduced_mass,
                 law: Law::of(pair.law, reduced_mass),

@@ -61,10 +61,11 @@ impl<'a> Motion<'a> {
 
     /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
     pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
-        let pounding_solver::Pair {
-            left, right, gap, ..
-        } = self.prepared.pairs()[pair];
-        let own = gap + self.states(right)[row].displacement - self.states(left)[row].displacement;
+        let pair = self.prepared.pairs()[pair];
+        let (left, right) = (pair.left(), pair.right());
+        let [left_moved, right_moved] =
+            [left, right].map(|node| self.states(node)[row].displacement);
+        let own = pair.gap() + right_moved - left_moved;
         let bases = |travel: &Travel| travel.opening([left, right], self.time(row)).displacement;
         own - self.travel.map_or(0.0, bases)
     }

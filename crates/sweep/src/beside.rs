@@ -149,8 +149,8 @@ fn of_pair(
         PairQuantity::PeakForceN if has_force => tally.peak_force,
         PairQuantity::LeastOpeningM => {
             let peak = |floor| tallies.displacement(scene, floor).abs();
-            let counts_as = LEAST_PART * peak(pair.left).max(peak(pair.right));
-            let opening = |closing| least_opening(pair.gap, closing, touches);
+            let counts_as = LEAST_PART * peak(pair.left()).max(peak(pair.right()));
+            let opening = |closing| least_opening(pair.gap(), closing, touches);
             return (tally.closing.map_or(none, opening), counts_as);
         }
         PairQuantity::LargestImpulseNS

@@ -166,7 +166,7 @@ impl Scene {
         };
         let mut scene = Self {
             sides,
-            gap: pair.gap,
+            gap: pair.gap(),
             law: pair.law,
             reduced_mass: row.reduced_mass(pair),
             tolerance: method.tolerance,
@@ -182,7 +182,7 @@ impl Scene {
         if (deformation, rate) == (0.0, 0.0) {
             scene.link = Link::Closed { is_struck: false };
         }
-        scene.tally.closing = method.closings.then_some(deformation + pair.gap);
+        scene.tally.closing = method.closings.then_some(deformation + pair.gap());
         scene
     }
 

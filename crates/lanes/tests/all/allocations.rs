@@ -67,7 +67,7 @@ fn limit_a_step_side_by_side_allocates_nothing() {
                 index.checked_sub(n).map_or(node, on_floor)
             };
             let mut all = pairs(n * storeys, 0.002, law);
-            all.retain(|pair| pair.right % n > 0);
+            all.retain(|pair| pair.right() % n > 0);
             Row::new((0..n * storeys).map(node).collect(), all).unwrap()
         };
         let rows: Vec<_> = (0..9).map(row).collect();

@@ -110,7 +110,7 @@ fn limit_rows_that_rest_are_told() {
         let (rows, ground) = drawn.expect("rows are drawn").current();
         for (row, found) in rows.iter().zip(beside(&rows, &ground, 1e-9)) {
             let rests = |one: &Collision| one.end - one.start > 0.02;
-            if row.pairs()[0].gap > 0.0 && collisions(row, &ground).iter().any(rests) {
+            if row.pairs()[0].gap() > 0.0 && collisions(row, &ground).iter().any(rests) {
                 all += 1;
                 told += usize::from(found.is_some());
             }

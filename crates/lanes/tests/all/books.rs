@@ -22,12 +22,7 @@ fn row(scene: usize, law: ContactLaw) -> Row<Elastic> {
         }
     };
     let shift = 0.01 * scene as f64;
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.01 + 0.001 * shift,
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, 0.01 + 0.001 * shift, law);
     let nodes = vec![node(0.7 + shift, 0.4), node(0.4, -0.3)];
     Row::new(nodes, vec![pair]).expect("valid")
 }
@@ -49,12 +44,7 @@ fn tower_row(scene: usize, law: ContactLaw) -> Row<Bilinear> {
         beta: 1e-3,
     };
     let (row, levels) = towers::row(&towers, damping, |_, _, [left, right]| {
-        Some(Pair {
-            left,
-            right,
-            gap: 0.01 * shift,
-            law,
-        })
+        Some(Pair::of_floors(left, right, 0.01 * shift, law))
     });
     let velocity = |node| if levels.place(node).0 == 0 { 0.4 } else { -0.3 };
     let nodes = row.nodes().iter().enumerate().map(|(index, node)| Node {

@@ -56,15 +56,17 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
             let law = Stereomechanical {
                 restitution: restitution / (1.0 + 0.01 * scene as f64),
             };
-            let pair = |left: usize| Pair {
-                left,
-                right: left + 1,
-                gap: if (left + scene).is_multiple_of(4) {
-                    1e-3
-                } else {
-                    0.0
-                },
-                law: ContactLaw::Stereomechanical(law),
+            let pair = |left: usize| {
+                Pair::of_floors(
+                    left,
+                    left + 1,
+                    if (left + scene).is_multiple_of(4) {
+                        1e-3
+                    } else {
+                        0.0
+                    },
+                    ContactLaw::Stereomechanical(law),
+                )
             };
             let pairs = (0..structures - 1).map(pair).collect();
             Row::new((0..structures).map(node).collect(), pairs).expect("valid")

@@ -345,11 +345,6 @@ fn extreme_touches_at_samples() {
 }
 
 pub(crate) fn row_of(nodes: [Node<Elastic>; 2], gap: f64, law: ContactLaw) -> Row<Elastic> {
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap,
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, gap, law);
     Row::new(nodes.to_vec(), vec![pair]).expect("the row is valid")
 }

@@ -94,7 +94,7 @@ fn alone<Column: Hysteretic>(
         tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
     }
     for (tally, pair) in tallies.iter_mut().zip(pairs) {
-        tally.closing = closings.of(pair.left).map(|closing| closing.distance);
+        tally.closing = closings.of(pair.left()).map(|closing| closing.distance);
     }
     let floor = |node| {
         let peaks = peaks.of(node);
@@ -310,12 +310,7 @@ fn side_by_side(
 fn pair_of(restitution: f64) -> Row<Elastic> {
     let node = |stiffness: f64| Node::structure(1e5, 1e4, Elastic { stiffness });
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.01,
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, 0.01, law);
     Row::new(vec![node(1e6), node(4e6)], vec![pair]).expect("the row is valid")
 }
 
@@ -399,10 +394,8 @@ fn limit_no_lane_looks_at_contact_while_none_touches() {
         let row = pair_of(0.5);
         let mut nodes = row.nodes().to_vec();
         nodes[0].initial_velocity = 0.1;
-        let pair = Pair {
-            gap,
-            ..row.pairs()[0]
-        };
+        let Pair { law, .. } = row.pairs()[0];
+        let pair = Pair::of_floors(0, 1, gap, law);
         Row::new(nodes, vec![pair]).expect("valid")
     };
     for (gaps, touching) in [(&[1.0][..], false), (&[1.0, 0.01], true)] {

@@ -139,15 +139,15 @@ fn row<Column: Hysteretic>(
     let mut pairs = Vec::new();
     for (left, (gap, laws)) in case.contacts.iter().enumerate() {
         for (level, (one, other)) in levels.facing(left).enumerate() {
-            pairs.push(Pair {
-                left: one,
-                right: other,
-                gap: gap * (2.0 - factor),
-                law: stiffer(laws[level % laws.len()], factor),
-            });
+            pairs.push(Pair::of_floors(
+                one,
+                other,
+                gap * (2.0 - factor),
+                stiffer(laws[level % laws.len()], factor),
+            ));
         }
     }
-    pairs.sort_by_key(|pair| pair.left);
+    pairs.sort_by_key(|pair| pair.left());
     let nodes = (0..levels.n_nodes()).map(node).collect();
     Row::new(nodes, pairs).expect("the row is valid")
 }
@@ -203,12 +203,7 @@ fn on(node: Node<Elastic>, below: usize) -> Node<Elastic> {
 
 fn impact(left: usize) -> Pair {
     let law = Stereomechanical { restitution: 0.5 };
-    Pair {
-        left,
-        right: left + 1,
-        gap: 0.01,
-        law: ContactLaw::Stereomechanical(law),
-    }
+    Pair::of_floors(left, left + 1, 0.01, ContactLaw::Stereomechanical(law))
 }
 
 #[test]

@@ -305,7 +305,7 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
             })
         }),
         row("  gap [mm]", runs, |run| {
-            index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap)
+            index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap())
         }),
         row("  collisions", runs, |run| {
             index(run).map_or(String::from(NONE), |index| collisions(run, index))

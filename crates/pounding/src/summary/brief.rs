@@ -75,7 +75,7 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> String {
         let [left, right] = prepared.floors().names(blow.pair);
         vec![
             format!("{left} – {right}"),
-            digits(1e3 * prepared.pairs()[blow.pair].gap),
+            digits(1e3 * prepared.pairs()[blow.pair].gap()),
             outcome.of_pair(blow.pair).collisions.to_string(),
             blow.speed.map_or(NONE.into(), short),
             short(1e-3 * blow.impulse),

@@ -73,7 +73,7 @@ fn reference_three_equal_masses_in_a_row() {
         moving(2.0, 0.0, FREE),
     ];
     let mut contacts = pairs(3, 0.5, stereomechanical(1.0));
-    contacts[1].gap = 0.0;
+    contacts[1].relation.offset = 0.0;
     let response = run(&Row::new(nodes, contacts).unwrap(), &[0.0], 1.0);
     for (structure, third) in response.structures.iter().zip([-1.0, 2.0, 2.0]) {
         close(structure.end_velocity, third / 3.0, 1e-15, "velocity");

@@ -212,12 +212,7 @@ fn extreme_settings_out_of_range_and_motions_without_end() {
 fn extreme_a_pair_of_zero_gap_touches_from_the_start() {
     // Without a gap the first touch is at t = 0 with rate 0; a wall holds the mass back at once.
     let nodes = vec![Node::structure(1e5, 0.0, FREE), Node::wall(FREE)];
-    let gap_free = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.0,
-        law: viscoelastic(0.35),
-    };
+    let gap_free = Pair::of_floors(0, 1, 0.0, viscoelastic(0.35));
     let response = run(&Row::new(nodes, vec![gap_free]).unwrap(), &[-2.0; 4], 0.2);
     let first = response.collisions[0][0];
     assert!(first.start < 1e-12 && first.impulse > 0.0, "{first:?}");

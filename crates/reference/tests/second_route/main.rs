@@ -32,12 +32,7 @@ fn viscoelastic(impact_damping_ratio: f64) -> ContactLaw {
 
 /// Contacts of all neighbours, with one gap and law.
 fn pairs(n_nodes: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
-    let pair = |left| Pair {
-        left,
-        right: left + 1,
-        gap,
-        law,
-    };
+    let pair = |left| Pair::of_floors(left, left + 1, gap, law);
     (0..n_nodes - 1).map(pair).collect()
 }
 

@@ -168,11 +168,8 @@ fn chain() -> Vec<Node<Bilinear>> {
 
 /// Pairs of all neighbours, each with its gap and restitution.
 fn contacts(of: &[(f64, f64)]) -> Vec<Pair> {
-    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| Pair {
-        left,
-        right: left + 1,
-        gap,
-        law: stereomechanical(restitution),
+    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| {
+        Pair::of_floors(left, left + 1, gap, stereomechanical(restitution))
     };
     of.iter().enumerate().map(pair).collect()
 }

@@ -42,14 +42,9 @@ pub(super) fn buildings<Column: Hysteretic>(
     let nodes = (0..levels.n_nodes()).map(floor).collect();
     let facing = (1..of.len()).flat_map(|right| levels.facing(right - 1).collect::<Vec<_>>());
     let mut pairs: Vec<_> = facing
-        .map(|(left, right)| Pair {
-            left,
-            right,
-            gap,
-            law,
-        })
+        .map(|(left, right)| Pair::of_floors(left, right, gap, law))
         .collect();
-    pairs.sort_by_key(|pair| pair.left);
+    pairs.sort_by_key(|pair| pair.left());
     Row::new(nodes, pairs).expect("a valid row")
 }
 
@@ -204,7 +199,7 @@ fn limit_energy_is_kept_without_damping() {
         };
         // What a contact keeps that lasts to the end.
         let pairs = row.pairs().iter().map(|pair| {
-            let overlap = (end(pair.left).0 - end(pair.right).0 - pair.gap).max(0.0);
+            let overlap = (end(pair.left()).0 - end(pair.right()).0 - pair.gap()).max(0.0);
             if let ContactLaw::LinearSpring(spring) = law {
                 0.5 * spring.impact_stiffness * overlap * overlap
             } else if let ContactLaw::NonlinearViscoelastic(spring) = law {

@@ -176,9 +176,9 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
     let sides = |(position, &index): (usize, &usize)| {
         let on = |(one, value): &(&Collision, f64)| {
             let pair = &seen.prepared.pairs()[one.pair];
-            let sign = if index == drawn(floors, pair.left) {
+            let sign = if index == drawn(floors, pair.left()) {
                 -1.0
-            } else if index == drawn(floors, pair.right) {
+            } else if index == drawn(floors, pair.right()) {
                 1.0
             } else {
                 return None;

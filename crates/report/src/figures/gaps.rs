@@ -33,7 +33,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
 }
 
 fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
-    let gap = 1e3 * seen.prepared.pairs()[pair].gap;
+    let gap = 1e3 * seen.prepared.pairs()[pair].gap();
     let closing = seen.curve(|row| gap - 1e3 * seen.motion.opening(pair, row));
     let level = vec![(0.0, gap), (seen.prepared.duration(), gap)];
     let starts = seen.collisions(&[pair]).map(|one| one.start).collect();

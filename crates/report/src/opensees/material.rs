@@ -44,7 +44,7 @@ impl Material {
         reduced_mass: f64,
         approximate: bool,
     ) -> Result<Self, &'static str> {
-        let gap = -pair.gap;
+        let gap = -pair.gap();
         let material = |name, parameters| Self {
             name,
             parameters,

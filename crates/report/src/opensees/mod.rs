@@ -58,7 +58,7 @@ fn materials(
 ) -> Result<Vec<Material>, String> {
     let facing = prepared.floors().facing();
     let material = |(pair, facing): (&Pair, &FloorPair)| {
-        let sides = [pair.left, pair.right].map(|side| row.floors[side].as_ref());
+        let sides = [pair.left(), pair.right()].map(|side| row.floors[side].as_ref());
         let inverse: f64 = sides
             .into_iter()
             .flatten()

@@ -135,7 +135,7 @@ fn floor(name: &str, floor: &ScriptFloor) -> String {
 fn contact(prepared: &Simulation, index: usize, material: &Material) -> String {
     let pair = &prepared.pairs()[index];
     let floors = prepared.floors().all();
-    let [left, right] = [pair.left, pair.right].map(|side| &floors[side].name);
+    let [left, right] = [pair.left(), pair.right()].map(|side| &floors[side].name);
     let parameters = material.parameters.iter().map(|one| format!("{one:?}"));
     let parameters = parameters.chain(material.option.map(quoted));
     let parameters: Vec<String> = parameters.collect();
@@ -143,9 +143,9 @@ fn contact(prepared: &Simulation, index: usize, material: &Material) -> String {
     format!(
         "{{\"name\": {}, \"floors\": ({}, {}), \"gap\": {:?},\n     \"material\": ({}, {}),\n     \"note\": {note}}}",
         quoted(&format!("{left} - {right}")),
-        pair.left,
-        pair.right,
-        pair.gap,
+        pair.left(),
+        pair.right(),
+        pair.gap(),
         quoted(material.name),
         parameters.join(", ")
     )

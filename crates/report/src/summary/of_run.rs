@@ -189,7 +189,7 @@ fn pair(
     PairSummary {
         left,
         right,
-        gap_m: own.gap,
+        gap_m: own.gap(),
         law: own.law.name().into(),
         collisions,
         first: first.as_ref().map(collision),

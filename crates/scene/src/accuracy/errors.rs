@@ -57,7 +57,7 @@ impl Values<'_> {
             }
             Quantity::Pair(PairQuantity::LeastOpeningM) => {
                 let pair = &self.simulation.pairs()[place];
-                let [left, right] = [pair.left, pair.right]
+                let [left, right] = [pair.left(), pair.right()]
                     .map(|floor| part(FloorQuantity::PeakDisplacementM, floor));
                 left.max(right)
             }

@@ -83,12 +83,7 @@ impl FreeCollision {
             ..Node::structure(1.0, 0.0, Elastic { stiffness: 0.0 })
         };
         let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap,
-            law,
-        };
+        let pair = Pair::of_floors(0, 1, gap, law);
         Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)
     }
 

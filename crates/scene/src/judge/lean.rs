@@ -64,7 +64,7 @@ impl Simulation {
             .collect();
         let first = *open.first()?;
         let [left, right] = self.floors().names(first);
-        let gap = digits(1e3 * self.pairs()[first].gap);
+        let gap = digits(1e3 * self.pairs()[first].gap());
         Some(match pairs.len() {
             1 => format!(
                 "the contact of contacts[{contact}] ({left} – {right}), whose gap of {gap} mm stays open"

@@ -74,7 +74,7 @@ impl Simulation {
 
     fn contact_limit(&self, index: usize, pair: &Pair, collisions: &[&Collision]) -> ContactLimit {
         let masses = self.masses(pair);
-        let own = [pair.left, pair.right].map(|index| self.angular_frequency(index));
+        let own = [pair.left(), pair.right()].map(|index| self.angular_frequency(index));
         let expected = collisions
             .iter()
             .map(|one| Expected::new(one, pair, masses));
@@ -118,7 +118,7 @@ impl Simulation {
 
     /// Masses of a pair \[kg\]; that of a wall is infinite.
     fn masses(&self, pair: &Pair) -> [f64; 2] {
-        [pair.left, pair.right].map(|index| {
+        [pair.left(), pair.right()].map(|index| {
             let made = self.floors().all()[index].made_of;
             made.map_or(f64::INFINITY, |made| made.mass_kg)
         })

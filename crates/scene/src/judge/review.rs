@@ -275,7 +275,7 @@ impl Simulation {
     /// Names of the structures of a pair.
     fn names(&self, pair: usize) -> [String; 2] {
         let pair = &self.pairs()[pair];
-        [pair.left, pair.right].map(|index| self.floors().all()[index].name.clone())
+        [pair.left(), pair.right()].map(|index| self.floors().all()[index].name.clone())
     }
 }
 

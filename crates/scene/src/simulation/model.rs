@@ -100,12 +100,7 @@ fn pairs(scene: &Scene, floors: &Floors) -> impl Iterator<Item = Pair> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     let pair = |facing: &FloorPair| {
         let contact = &contacts[facing.contact];
-        Pair {
-            left: facing.left,
-            right: facing.right,
-            gap: contact.gap_m,
-            law: contact.law,
-        }
+        Pair::of_floors(facing.left, facing.right, contact.gap_m, contact.law)
     };
     floors.facing().iter().map(pair)
 }
@@ -115,11 +110,13 @@ fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
     let facing = floors.all_facing().into_iter();
     facing
         .filter(|(_, left, right)| !(walls(*left) && walls(*right)))
-        .map(|(_, left, right)| Pair {
-            left,
-            right,
-            gap: OUT_OF_REACH,
-            law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
+        .map(|(_, left, right)| {
+            Pair::of_floors(
+                left,
+                right,
+                OUT_OF_REACH,
+                ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
+            )
         })
         .collect()
 }

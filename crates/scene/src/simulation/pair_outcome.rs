@@ -115,8 +115,8 @@ impl RunResult {
     /// Least opening \[m\] of the gap of a pair, of which this happened, and its instant \[s\]; nothing where closings were not
     /// asked for.
     pub fn least_opening(&self, pair: &Pair, found: &PairOutcome) -> Option<(f64, f64)> {
-        let closing = self.closings.as_ref()?.of(pair.left);
-        Some(found.least_opening(pair.gap, closing))
+        let closing = self.closings.as_ref()?.of(pair.left());
+        Some(found.least_opening(pair.gap(), closing))
     }
 
     /// What happened between the neighbours of a pair.

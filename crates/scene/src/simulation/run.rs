@@ -348,7 +348,7 @@ impl Simulation {
             | LedgerError::GainAtImpact { pair, .. }
             | LedgerError::GainInContact { pair, .. }
             | LedgerError::Imbalance { pair, .. } => {
-                self.pairs()[pair].left..self.pairs()[pair].right + 1
+                self.pairs()[pair].left()..self.pairs()[pair].right() + 1
             }
             LedgerError::EnergyUnexplained { .. } | _ => 0..0,
         };

@@ -153,17 +153,17 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     guard.wait(0.0)?;
     let mut pair_right_of = vec![None; n];
     for (index, pair) in row.pairs().iter().enumerate() {
-        pair_right_of[pair.left] = Some(index);
+        pair_right_of[pair.left()] = Some(index);
     }
     let contact = |pair: &crate::Pair| {
-        let [left, right] = [pair.left, pair.right].map(|index| &row.nodes()[index]);
+        let [left, right] = [pair.left(), pair.right()].map(|index| &row.nodes()[index]);
         let mut contact = Contact::new(
             pair.law,
             row.reduced_mass(pair),
-            left.initial_displacement - right.initial_displacement - pair.gap,
+            left.initial_displacement - right.initial_displacement - pair.gap(),
             left.initial_velocity - right.initial_velocity,
         );
-        let [first, last] = [pair.left, pair.right].map(|index| row.arrival(index));
+        let [first, last] = [pair.left(), pair.right()].map(|index| row.arrival(index));
         if first.total_cmp(&last).is_ne() {
             contact.grounds = Grounds::Apart;
         }
@@ -189,9 +189,9 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         walls: members.iter().filter(|member| member.is_wall()).count(),
         members,
         contacts,
-        lefts: row.pairs().iter().map(|pair| pair.left).collect(),
+        lefts: row.pairs().iter().map(|pair| pair.left()).collect(),
         pair_right_of,
-        gaps: row.pairs().iter().map(|pair| pair.gap).collect(),
+        gaps: row.pairs().iter().map(|pair| pair.gap()).collect(),
         bodies: vec![Body::at_start(); n],
         groups,
         landed: vec![true; n],

@@ -223,25 +223,25 @@ impl<Memory: Copy> Scratch<Memory> {
         for ((pair, touching), closing) in pairs.iter().zip(&mut impacts.touching).zip(closings) {
             *touching = *closing <= instant;
             if *touching {
-                self.bodies[pair.left].due = true;
-                self.bodies[pair.right].due = true;
+                self.bodies[pair.left()].due = true;
+                self.bodies[pair.right()].due = true;
             }
         }
         let mut grown = true;
         while std::mem::take(&mut grown) {
             for (pair, touching) in pairs.iter().zip(&mut self.impacts.touching) {
-                let (left, right) = (self.bodies[pair.left].due, self.bodies[pair.right].due);
+                let (left, right) = (self.bodies[pair.left()].due, self.bodies[pair.right()].due);
                 let deformation = ground.deformation_of(pair, &self.ends);
                 let closed = if impulsive(pair).is_some() {
                     deformation >= 0.0
                 } else {
-                    deformation > 0.0 || self.states[pair.left].force_from_right < 0.0
+                    deformation > 0.0 || self.states[pair.left()].force_from_right < 0.0
                 };
                 if (left || right) && closed {
                     grown |= !(left && right);
                     *touching = impulsive(pair).is_some();
-                    self.bodies[pair.left].due = true;
-                    self.bodies[pair.right].due = true;
+                    self.bodies[pair.left()].due = true;
+                    self.bodies[pair.right()].due = true;
                 }
             }
             if let Some(storeys) = &self.storeys {
@@ -309,12 +309,12 @@ impl<Memory: Copy> Scratch<Memory> {
             body.impulses = (0.0, 0.0);
         }
         for pair in pairs {
-            let since = self.bodies[pair.left]
+            let since = self.bodies[pair.left()]
                 .since
-                .max(self.bodies[pair.right].since);
+                .max(self.bodies[pair.right()].since);
             let half = 0.5 * (instant - since);
-            self.bodies[pair.left].impulses.1 = half * self.ends[pair.left].force_from_right;
-            self.bodies[pair.right].impulses.0 = half * self.ends[pair.right].force_from_left;
+            self.bodies[pair.left()].impulses.1 = half * self.ends[pair.left()].force_from_right;
+            self.bodies[pair.right()].impulses.0 = half * self.ends[pair.right()].force_from_left;
         }
     }
 }
@@ -322,7 +322,7 @@ impl<Memory: Copy> Scratch<Memory> {
 /// When the gap of a pair closes, counted from the start of the step; infinite where it does not close before its end,
 /// or is closed from the start.
 fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
-    let since = bodies[pair.left].since.max(bodies[pair.right].since);
+    let since = bodies[pair.left()].since.max(bodies[pair.right()].since);
     let at = |index: usize| {
         let (state, h) = (&states[index], since - bodies[index].since);
         (
@@ -331,15 +331,15 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
             0.5 * state.acceleration,
         )
     };
-    let (left, right) = (at(pair.left), at(pair.right));
-    let (mut gap, mut rate) = (pair.gap - (left.0 - right.0), left.1 - right.1);
+    let (left, right) = (at(pair.left()), at(pair.right()));
+    let (mut gap, mut rate) = (pair.gap() - (left.0 - right.0), left.1 - right.1);
     let mut curvature = left.2 - right.2;
     if let Shaking::Delayed(_) = step.shaking {
         let ground = step.at(since).0;
         let opening = ground.opening(pair);
         gap -= opening.displacement;
         rate += opening.velocity;
-        curvature += 0.5 * (ground.under(pair.left) - ground.under(pair.right));
+        curvature += 0.5 * (ground.under(pair.left()) - ground.under(pair.right()));
     }
     let closing = Closing {
         gap,

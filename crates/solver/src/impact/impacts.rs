@@ -100,7 +100,7 @@ impl Impacts {
                     opening_rate: ground.opening(pair).velocity,
                     speeds: ground.extent(pair).velocity,
                 };
-                self.rounds.push((index, pair.left), touching);
+                self.rounds.push((index, pair.left()), touching);
             }
         }
     }
@@ -170,7 +170,7 @@ impl Impacts {
     ) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
-                let (left, right) = (pair.left, pair.right);
+                let (left, right) = (pair.left(), pair.right());
                 recorder.impact(&Impact {
                     pair: index,
                     left,
@@ -202,8 +202,8 @@ fn strike<Column: RestoringForce>(
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {
         // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
-        net[pair.left] -= impulse;
-        net[pair.right] += impulse;
+        net[pair.left()] -= impulse;
+        net[pair.right()] += impulse;
     }
     for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
         state.velocity += node.inverse_mass * *net;

@@ -54,7 +54,7 @@ impl Joint {
             let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
             let pairs = row.pairs().iter().enumerate();
             let pairs = pairs.filter(|(index, _)| joins(*index));
-            clusters.join(pairs.map(|(_, pair)| (pair.left, pair.right)));
+            clusters.join(pairs.map(|(_, pair)| (pair.left(), pair.right())));
             for first in 0..clusters.buildings.len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
                 if clusters.gather(first, joins) && clusters.has_storeys() {
@@ -106,7 +106,7 @@ impl Joint {
             let pair = &row.pairs()[index];
             let vector = &mut joined.profile.vector;
             vector.fill(0.0);
-            for (node, impulse) in [(pair.left, -1.0), (pair.right, 1.0)] {
+            for (node, impulse) in [(pair.left(), -1.0), (pair.right(), 1.0)] {
                 if !row.nodes()[node].is_wall() {
                     vector[joined.place[node]] = impulse;
                 }
@@ -115,7 +115,7 @@ impl Joint {
             for (other, &index) in self.pairs.iter().enumerate() {
                 let pair = &row.pairs()[index];
                 let velocity = |node: usize| joined.profile.vector[joined.place[node]];
-                let taken = velocity(pair.right) - velocity(pair.left);
+                let taken = velocity(pair.right()) - velocity(pair.left());
                 self.problem.set(other, by, taken);
             }
         }

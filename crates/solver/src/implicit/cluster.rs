@@ -157,7 +157,8 @@ impl Joined<'_> {
             }
         }
         for pair in self.pairs {
-            let Pair { left, right, .. } = row.pairs()[*pair];
+            let pair_of = &row.pairs()[*pair];
+            let (left, right) = (pair_of.left(), pair_of.right());
             if couples(row, &row.pairs()[*pair]) {
                 let element = self.masses[right] * trials[right].lower;
                 self.profile
@@ -171,5 +172,5 @@ impl Joined<'_> {
 /// Whether the floors of a pair move each other; a wall stays.
 pub(crate) fn couples<Column: RestoringForce>(row: &Row<Column>, pair: &Pair) -> bool {
     let is_wall = |node: usize| row.nodes()[node].is_wall();
-    !is_wall(pair.left) && !is_wall(pair.right)
+    !is_wall(pair.left()) && !is_wall(pair.right())
 }

@@ -36,7 +36,7 @@ impl Buildings {
             buildings.starts.push(buildings.floors.len());
         }
         for (index, pair) in row.pairs().iter().enumerate() {
-            buildings.pairs[pair.left] = Some(index);
+            buildings.pairs[pair.left()] = Some(index);
         }
         buildings
     }
@@ -221,7 +221,7 @@ impl Clusters {
             let pair = &row.pairs()[*pair];
             if couples(row, pair) {
                 self.profile
-                    .join(self.place[pair.left], self.place[pair.right]);
+                    .join(self.place[pair.left()], self.place[pair.right()]);
             }
         }
         self.profile.lay_out();

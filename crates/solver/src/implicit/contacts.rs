@@ -45,7 +45,7 @@ impl Contacts {
 
     /// Rate of deformation of a pair at the end of the step \[m/s\].
     pub(crate) fn rate<Memory>(&self, index: usize, pair: &Pair, trials: &[Trial<Memory>]) -> f64 {
-        trials[pair.left].velocity - trials[pair.right].velocity + self.opening_rates[index]
+        trials[pair.left()].velocity - trials[pair.right()].velocity + self.opening_rates[index]
     }
 
     /// Chooses the pairs that take part in the step ahead.
@@ -90,8 +90,8 @@ impl Contacts {
     ) {
         self.net.fill(0.0);
         for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
-            self.net[pair.left] -= impulse;
-            self.net[pair.right] += impulse;
+            self.net[pair.left()] -= impulse;
+            self.net[pair.right()] += impulse;
         }
         let dt = slopes.time_step;
         let bodies = scratch.states.iter().zip(&mut scratch.trials);
@@ -119,7 +119,7 @@ impl Contacts {
     ) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
-        let [left, right] = [pair.left, pair.right].map(|node| {
+        let [left, right] = [pair.left(), pair.right()].map(|node| {
             let (trial, mobility) = (&trials[node], self.mobilities[node]);
             let pushed = mobility * (self.net[node].abs() + impulse);
             let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
@@ -170,7 +170,7 @@ impl Contacts {
 
     /// Why a step is given up: its impulses still change.
     pub(crate) fn failure<Column: RestoringForce>(&self, row: &Row<Column>, time: f64) -> RunError {
-        let closed = |(pair, closed): (&Pair, &bool)| closed.then_some((pair.left, pair.right));
+        let closed = |(pair, closed): (&Pair, &bool)| closed.then_some((pair.left(), pair.right()));
         let mut pairs = row.pairs().iter().zip(&self.closed).filter_map(closed);
         let (first, mut last) = pairs.next().expect("impulses of closed pairs only change");
         for (_, right) in pairs {

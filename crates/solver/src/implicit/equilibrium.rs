@@ -148,7 +148,7 @@ fn couple<Column: RestoringForce>(
     slopes: Slopes,
     ground: Ground<'_>,
 ) {
-    let (left, right) = (&trials[pair.left], &trials[pair.right]);
+    let (left, right) = (&trials[pair.left()], &trials[pair.right()]);
     let deformation = ground.deformation(pair, left.displacement - right.displacement);
     // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
     let near = deformation > 0.0 || left.approach_speed.is_some();
@@ -170,7 +170,7 @@ fn couple<Column: RestoringForce>(
             return;
         };
         let (displaced, fast, grounds) = (
-            left.displacement.abs() + right.displacement.abs() + pair.gap,
+            left.displacement.abs() + right.displacement.abs() + pair.gap(),
             left.velocity.abs() + right.velocity.abs(),
             ground.extent(pair),
         );
@@ -179,13 +179,13 @@ fn couple<Column: RestoringForce>(
                 + contact.damping * (fast + grounds.velocity));
         let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
         let node = |index: usize| row.nodes()[index].inverse_mass;
-        let left = &mut trials[pair.left];
+        let left = &mut trials[pair.left()];
         left.force_from_right = -contact.force;
-        left.upper = -node(pair.left) * tangent;
-        left.push(node(pair.left), contact.force, (tangent, rounding));
-        let right = &mut trials[pair.right];
+        left.upper = -node(pair.left()) * tangent;
+        left.push(node(pair.left()), contact.force, (tangent, rounding));
+        let right = &mut trials[pair.right()];
         right.force_from_left = contact.force;
-        right.lower = -node(pair.right) * tangent;
-        right.push(node(pair.right), contact.force, (tangent, rounding));
+        right.lower = -node(pair.right()) * tangent;
+        right.push(node(pair.right()), contact.force, (tangent, rounding));
     }
 }

@@ -192,8 +192,8 @@ impl Solution {
                 let rate = self.contacts.rate(index, pair, trials);
                 // Without the impulses found so far, which are to be replaced.
                 let demand =
-                    rate + self.contacts.bounce[index] + (taken(pair.right) - taken(pair.left));
-                self.together.push((index, pair.left), demand);
+                    rate + self.contacts.bounce[index] + (taken(pair.right()) - taken(pair.left()));
+                self.together.push((index, pair.left()), demand);
             }
         }
         self.replace(row.pairs());
@@ -219,7 +219,7 @@ impl Solution {
             while end < pairs.len()
                 && self.contacts.closed[first]
                 && self.contacts.closed[end]
-                && pairs[end].left == pairs[end - 1].right
+                && pairs[end].left() == pairs[end - 1].right()
             {
                 end += 1;
             }

@@ -189,7 +189,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     }
     for pair in row.pairs() {
         if ground[0].deformation_of(pair, states) <= 0.0 {
-            equation.trials[pair.left].approach_speed = None;
+            equation.trials[pair.left()].approach_speed = None;
         }
     }
     touching.fill(false);
@@ -229,11 +229,11 @@ impl<Column: RestoringForce> Equation<'_, Column> {
                 continue;
             }
             let start = pair;
-            let first = pairs[pair].left;
-            let mut last = pairs[pair].right;
+            let first = pairs[pair].left();
+            let mut last = pairs[pair].right();
             pair += 1;
-            while pair < pairs.len() && touching[pair] && pairs[pair].left == last {
-                last = pairs[pair].right;
+            while pair < pairs.len() && touching[pair] && pairs[pair].left() == last {
+                last = pairs[pair].right();
                 pair += 1;
             }
             self.solve(Line {
@@ -292,7 +292,7 @@ pub(crate) fn marked<Column: RestoringForce>(
     marks: &[bool],
 ) -> impl Iterator<Item = (usize, usize)> {
     let pairs = row.pairs().iter().zip(marks);
-    pairs.filter_map(|(pair, marked)| marked.then_some((pair.left, pair.right)))
+    pairs.filter_map(|(pair, marked)| marked.then_some((pair.left(), pair.right())))
 }
 
 /// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
@@ -306,12 +306,12 @@ fn mark_overlaps<Column: RestoringForce>(
 ) -> bool {
     let mut grown = false;
     for (pair, touching) in row.pairs().iter().zip(touching) {
-        let ahead = trials[pair.left].displacement - trials[pair.right].displacement;
+        let ahead = trials[pair.left()].displacement - trials[pair.right()].displacement;
         let deformation = ground.deformation(pair, ahead);
         if pair.law.is_compliant() && !*touching && deformation > 0.0 {
-            let faster = trials[pair.left].velocity - trials[pair.right].velocity;
+            let faster = trials[pair.left()].velocity - trials[pair.right()].velocity;
             let rate = ground.rate(pair, faster);
-            speed(&mut trials[pair.left].approach_speed, rate);
+            speed(&mut trials[pair.left()].approach_speed, rate);
             *touching = true;
             grown = true;
         }

@@ -96,8 +96,8 @@ impl Ground<'_> {
     #[inline]
     pub(crate) fn deformation(self, pair: &Pair, ahead: f64) -> f64 {
         match self {
-            Self::Common(_) => ahead - pair.gap,
-            Self::Delayed { .. } => ahead + self.opening(pair).displacement - pair.gap,
+            Self::Common(_) => ahead - pair.gap(),
+            Self::Delayed { .. } => ahead + self.opening(pair).displacement - pair.gap(),
         }
     }
 
@@ -113,17 +113,13 @@ impl Ground<'_> {
     /// Deformation of a pair in these states of all structures \[m\]; positive where it overlaps.
     #[inline]
     pub(crate) fn deformation_of(self, pair: &Pair, states: &[State]) -> f64 {
-        let ahead = states[pair.left].displacement - states[pair.right].displacement;
-        self.deformation(pair, ahead)
+        self.deformation(pair, pair.relation.ahead(|node| states[node].displacement))
     }
 
     /// Its rate \[m/s\], positive while approaching.
     #[inline]
     pub(crate) fn rate_of(self, pair: &Pair, states: &[State]) -> f64 {
-        self.rate(
-            pair,
-            states[pair.left].velocity - states[pair.right].velocity,
-        )
+        self.rate(pair, pair.relation.ahead(|node| states[node].velocity))
     }
 
     /// How far the grounds of a pair have moved towards each other, and at which rate: 0 where they move alike.
@@ -175,7 +171,7 @@ impl Delayed<'_> {
     fn grounds(&self, pair: &Pair, (step, part): (usize, f64)) -> [Motion; 2] {
         let position = (step as f64 + part) * self.ratio;
         let under = |node: usize| self.travel.at(position - self.arrivals[node]);
-        [under(pair.left), under(pair.right)]
+        [under(pair.left()), under(pair.right())]
     }
 
     #[inline(never)]

@@ -17,6 +17,7 @@ pub(crate) mod modes;
 pub(crate) mod node;
 pub(crate) mod oscillation;
 pub(crate) mod profile;
+pub(crate) mod relation;
 pub(crate) mod row;
 pub(crate) mod sampling;
 pub(crate) mod support;

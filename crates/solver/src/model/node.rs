@@ -1,6 +1,4 @@
-//! Floors, walls, and the pairs of them that can touch.
-
-use pounding_contact::ContactLaw;
+//! Floors and walls.
 
 use crate::model::support::{Floor, Support};
 use crate::{ModelError, RestoringForce, State};
@@ -79,19 +77,6 @@ impl<Column: RestoringForce> Node<Column> {
         let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;
         self.inverse_mass * force - ground
     }
-}
-
-/// Two neighbours that can touch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
-    /// Node index of the left neighbour.
-    pub left: usize,
-    /// Node index of the right neighbour.
-    pub right: usize,
-    /// Gap at rest g \[m\], ≥ 0.
-    pub gap: f64,
-    /// What happens while they touch.
-    pub law: ContactLaw,
 }
 
 /// For every node the floor that stands on it.

@@ -65,23 +65,20 @@ impl<Column: RestoringForce> Row<Column> {
         }
         floors_above(nodes, &mut self.above)?;
         for (index, pair) in pairs.iter().enumerate() {
-            let in_order = index == 0 || pairs[index - 1].left < pair.left;
-            let neighbours = pair.right == pair.left + 1 && pair.right < nodes.len();
-            if !in_order
-                || !neighbours
-                || (nodes[pair.left].is_wall() && nodes[pair.right].is_wall())
-            {
+            let (left, right) = (pair.left(), pair.right());
+            let in_order = index == 0 || pairs[index - 1].left() < left;
+            let neighbours = right == left + 1 && right < nodes.len();
+            if !in_order || !neighbours || (nodes[left].is_wall() && nodes[right].is_wall()) {
                 return Err(ModelError::NotNeighbours {
                     pair: index,
-                    left: pair.left,
-                    right: pair.right,
+                    left,
+                    right,
                     n_nodes: nodes.len(),
                 });
             }
             check_pair(index, pair)?;
-            let overlap = nodes[pair.left].initial_displacement
-                - nodes[pair.right].initial_displacement
-                - pair.gap;
+            let ahead = pair.relation.ahead(|node| nodes[node].initial_displacement);
+            let overlap = ahead - pair.gap();
             if overlap > 0.0 {
                 return Err(ModelError::OverlapsAtStart {
                     pair: index,
@@ -177,8 +174,8 @@ impl<Column: RestoringForce> Row<Column> {
                     approach_speed: approaches.of(index, rate),
                 };
                 if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
-                    states[pair.left].force_from_right = -force;
-                    states[pair.right].force_from_left = force;
+                    states[pair.left()].force_from_right = -force;
+                    states[pair.right()].force_from_left = force;
                 }
             }
         }
@@ -186,10 +183,9 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Reduced mass of a pair \[kg\].
     pub fn reduced_mass(&self, pair: &Pair) -> f64 {
-        reduced_mass(
-            self.nodes[pair.left].inverse_mass,
-            self.nodes[pair.right].inverse_mass,
-        )
+        let mobility = |node: usize| self.nodes[node].inverse_mass;
+        let [left, right] = pair.relation.points().map(|point| point.mobility(mobility));
+        reduced_mass(left, right)
     }
 }
 
@@ -245,11 +241,11 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
 }
 
 fn check_pair(index: usize, pair: &Pair) -> Result<(), ModelError> {
-    if !(pair.gap >= 0.0 && pair.gap.is_finite()) {
+    if !(pair.gap() >= 0.0 && pair.gap().is_finite()) {
         return Err(ModelError::Pair {
             pair: index,
             field: "gap",
-            found: pair.gap,
+            found: pair.gap(),
             allowed: "a finite number >= 0",
         });
     }

@@ -72,12 +72,12 @@ impl Collisions {
     pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
         let mut pair_of_left = vec![None; n_structures];
         for (index, pair) in pairs.iter().enumerate() {
-            pair_of_left[pair.left] = Some(index);
+            pair_of_left[pair.left()] = Some(index);
         }
         Self {
             pair_of_left,
             seen: vec![[(0.0, 0.0); 2]; n_structures],
-            gaps: pairs.iter().map(|pair| pair.gap).collect(),
+            gaps: pairs.iter().map(|pair| pair.gap()).collect(),
             travel: None,
             open: vec![None; pairs.len()],
             plastic: pairs.iter().map(is_plastic).collect(),

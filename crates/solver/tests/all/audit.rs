@@ -221,7 +221,7 @@ fn limit_no_overlap_is_without_a_force() {
         )
     };
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
-    between[1].gap = 1e-7;
+    between[1].gap() = 1e-7;
     let row = Row::new(
         vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
         between,
@@ -233,7 +233,7 @@ fn limit_no_overlap_is_without_a_force() {
         for step in 0..=10 {
             for (left, pair) in row.pairs().iter().enumerate() {
                 let states = [left, left + 1].map(|index| histories.of(index).states[step]);
-                let overlap = states[0].displacement - states[1].displacement - pair.gap;
+                let overlap = states[0].displacement - states[1].displacement - pair.gap();
                 assert_eq!(
                     overlap > 0.0,
                     states[0].force_from_right < 0.0,

@@ -77,12 +77,7 @@ pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<
 /// Pairs between all neighbours, with one gap and one law.
 pub(crate) fn pairs(n: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
     (1..n)
-        .map(|right| Pair {
-            left: right - 1,
-            right,
-            gap,
-            law,
-        })
+        .map(|right| Pair::of_floors(right - 1, right, gap, law))
         .collect()
 }
 

@@ -18,15 +18,15 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
     const N_STEPS: usize = 20_000;
     // Columns that hardly hold it: what remains is mass, spring and dashpot of the contact.
     let structure = Node::structure(MASS, 0.0, Elastic { stiffness: 1.0 });
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.0,
-        law: ContactLaw::KelvinVoigt(KelvinVoigt {
+    let pair = Pair::of_floors(
+        0,
+        1,
+        0.0,
+        ContactLaw::KelvinVoigt(KelvinVoigt {
             impact_stiffness: STIFFNESS,
             impact_damping_ratio: damping_ratio,
         }),
-    };
+    );
     let row = Row::new(
         vec![structure, Node::wall(Elastic { stiffness: 1.0 })],
         vec![pair],

@@ -87,7 +87,7 @@ impl Overlap {
         let mut gaps = vec![f64::INFINITY; n];
         for pair in row.pairs() {
             if matches!(pair.law, ContactLaw::Stereomechanical(_)) {
-                gaps[pair.left] = pair.gap;
+                gaps[pair.left()] = pair.gap();
             }
         }
         Self {

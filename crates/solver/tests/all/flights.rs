@@ -79,12 +79,7 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
     };
     let n = case.structures.len();
     let nodes = case.structures.iter().chain(others).copied().map(node);
-    let pair = |left: usize| Pair {
-        left,
-        right: left + 1,
-        gap: case.gap,
-        law: case.law,
-    };
+    let pair = |left: usize| Pair::of_floors(left, left + 1, case.gap, case.law);
     let pairs: Vec<_> = (0..n - 1).map(pair).collect();
     let mut row = Row::new(nodes.collect(), pairs).expect("the row is valid");
     if apart == Apart::Late {
@@ -179,12 +174,7 @@ fn extreme_a_touch_between_two_samples_is_not_flown_over() {
         n_steps: 39,
     };
     let run = |gap: f64| {
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap,
-            law: VISCOELASTIC,
-        };
+        let pair = Pair::of_floors(0, 1, gap, VISCOELASTIC);
         let structure = node([0.08, 0.05, f64::INFINITY]);
         let nodes = vec![structure, Node::wall(structure.column)];
         let row = Row::new(nodes, vec![pair]).expect("the row is valid");
@@ -221,12 +211,7 @@ fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
     let ground: Vec<f64> = (0..900).map(shaking).collect();
     let uncertainty = |arrival: f64| {
         let nodes = [[1.0, 0.02, f64::INFINITY], [0.9, 0.02, f64::INFINITY]].map(node);
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap: 0.1,
-            law: VISCOELASTIC,
-        };
+        let pair = Pair::of_floors(0, 1, 0.1, VISCOELASTIC);
         let row = Row::new(nodes.to_vec(), vec![pair]).expect("the row is valid");
         let row = row.delayed(vec![arrival; 2]).expect("they are valid");
         let clock = Clock {

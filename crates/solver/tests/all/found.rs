@@ -91,12 +91,7 @@ impl Random {
             ContactLaw::Stereomechanical(Stereomechanical { restitution })
         };
         let left = right - 1;
-        Pair {
-            left,
-            right,
-            gap,
-            law,
-        }
+        Pair::of_floors(left, right, gap, law)
     }
 
     /// A row of 1 to 6 and a record with samples every 0.02 s.
@@ -187,12 +182,7 @@ fn issue_a_parting_at_another_event_was_gone_past() {
         };
         Node::structure(mass, 2.0 * ratio * omega * mass, column)
     };
-    let pair = |left: usize, gap: f64, law: ContactLaw| Pair {
-        left,
-        right: left + 1,
-        gap,
-        law,
-    };
+    let pair = |left: usize, gap: f64, law: ContactLaw| Pair::of_floors(left, left + 1, gap, law);
     let nodes = vec![
         node(683_390.819_104_801_4, 0.054_029_371_412_105_114, 0.0),
         node(173.765_426_887_458_76, 0.325_640_712_577_910_5, 0.0),

@@ -41,11 +41,8 @@ fn row(structures: &[[f64; 4]], contacts: &[(f64, f64)]) -> Row<Bilinear> {
         };
         Node::structure(mass, damping, column)
     };
-    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| Pair {
-        left,
-        right: left + 1,
-        gap,
-        law: impulsive(restitution),
+    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| {
+        Pair::of_floors(left, left + 1, gap, impulsive(restitution))
     };
     Row::new(
         structures.iter().map(node).collect(),

@@ -66,11 +66,8 @@ impl Case {
                 ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
             }
         };
-        let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair {
-            left,
-            right: left + 1,
-            gap: gap * units.length,
-            law,
+        let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| {
+            Pair::of_floors(left, left + 1, gap * units.length, law)
         };
         Row::new(
             self.structures

@@ -39,12 +39,7 @@ fn extreme_rows_that_cannot_be() {
     messages.push(bad(|node| node.initial_velocity = f64::INFINITY).to_string());
     messages.push(bad(|node| (node.inverse_mass, node.initial_velocity) = (0.0, 1.0)).to_string());
 
-    let pair = |left, right, gap| Pair {
-        left,
-        right,
-        gap,
-        law: STEREOMECHANICAL,
-    };
+    let pair = |left, right, gap| Pair::of_floors(left, right, gap, STEREOMECHANICAL);
     messages.push(row(vec![weak; 3], vec![pair(0, 2, 0.1)]).to_string());
     messages.push(row(vec![weak; 3], vec![pair(1, 2, 0.1), pair(0, 1, 0.1)]).to_string());
     messages.push(row(vec![weak; 2], vec![pair(0, 1, -0.1)]).to_string());

@@ -22,11 +22,8 @@ fn impulsive(restitution: f64) -> ContactLaw {
 
 /// Pairs of neighbours from the left, by gap and law.
 fn pairs(contacts: &[(f64, ContactLaw)]) -> Vec<Pair> {
-    let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair {
-        left,
-        right: left + 1,
-        gap,
-        law,
+    let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| {
+        Pair::of_floors(left, left + 1, gap, law)
     };
     contacts.iter().enumerate().map(pair).collect()
 }

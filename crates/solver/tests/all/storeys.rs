@@ -65,12 +65,7 @@ fn limit_floors_face_their_neighbours() {
     };
     let towers = [uniform(3, 1e5, column), uniform(2, 3e5, column)];
     let (row, levels) = row(&towers, damping, |_, _, [left, right]| {
-        Some(Pair {
-            left,
-            right,
-            gap: 0.01,
-            law,
-        })
+        Some(Pair::of_floors(left, right, 0.01, law))
     });
     assert_eq!(levels.of(0), [0, 2, 4]);
     assert_eq!(row.pairs().len(), 2);

@@ -65,14 +65,7 @@ pub(crate) fn facing(
     gap: f64,
     law: ContactLaw,
 ) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
-    move |_, _, [left, right]| {
-        Some(Pair {
-            left,
-            right,
-            gap,
-            law,
-        })
-    }
+    move |_, _, [left, right]| Some(Pair::of_floors(left, right, gap, law))
 }
 
 /// Elastic towers of unequal storeys.

@@ -116,15 +116,10 @@ impl Case {
         for left in 0..counts.len() - 1 {
             for (storey, (a, b)) in levels.facing(left).enumerate() {
                 let (gap, law) = self.between[left][storey];
-                pairs.push(Pair {
-                    left: a,
-                    right: b,
-                    gap,
-                    law,
-                });
+                pairs.push(Pair::of_floors(a, b, gap, law));
             }
         }
-        pairs.sort_by_key(|pair| pair.left);
+        pairs.sort_by_key(|pair| pair.left());
         Row::new(nodes, pairs).expect("a valid row")
     }
 }
@@ -134,9 +129,9 @@ fn overlap(row: &Row<Columns>, dense: &Histories) -> f64 {
     let impulsive = |pair: &&Pair| matches!(pair.law, ContactLaw::Stereomechanical(_));
     let pairs = row.pairs().iter().filter(impulsive);
     pairs.fold(0.0, |most, pair| {
-        let sides = [pair.left, pair.right].map(|node| &dense.of(node).states);
+        let sides = [pair.left(), pair.right()].map(|node| &dense.of(node).states);
         let overlaps = sides[0].iter().zip(sides[1]);
-        let overlaps = overlaps.map(|(a, b)| a.displacement - b.displacement - pair.gap);
+        let overlaps = overlaps.map(|(a, b)| a.displacement - b.displacement - pair.gap());
         overlaps.fold(most, f64::max)
     })
 }

@@ -78,12 +78,7 @@ pub(crate) fn towers<Column: Hysteretic>(
     let buildings: Vec<_> = TOWERS.iter().map(build).collect();
     let (row, levels) = row(&buildings, DAMPING, |_, _, [left, right]| {
         let gap = 0.01;
-        law.map(|law| Pair {
-            left,
-            right,
-            gap,
-            law,
-        })
+        law.map(|law| Pair::of_floors(left, right, gap, law))
     });
     let moving = |(index, node): (usize, &Node<Column>)| {
         let (building, storey) = levels.place(index);
@@ -270,12 +265,7 @@ fn balances_at_random<Column: Hysteretic>(
     let buildings: Vec<_> = towers.iter().map(build).collect();
     let (row, _) = row(&buildings, DAMPING, |_, _, [left, right]| {
         let gap = 0.005;
-        Some(Pair {
-            left,
-            right,
-            gap,
-            law,
-        })
+        Some(Pair::of_floors(left, right, gap, law))
     });
     let limits = row.buildings().map(|building| {
         let modes = row.modes(building).expect("a building");

@@ -42,9 +42,9 @@ fn limit_recorders_of_one_run_agree_on_every_level() {
             let alone = |node| {
                 row.pairs()
                     .iter()
-                    .filter(move |it| it.left == node || it.right == node)
+                    .filter(move |it| it.left() == node || it.right() == node)
             };
-            for node in [pair.left, pair.right] {
+            for node in [pair.left(), pair.right()] {
                 let got = momentum.of(node);
                 let once = alone(node).count() > 1 || (got / booked - 1.0).abs() < 1e-12;
                 assert!(once, "{node}: {got} {booked}");

@@ -38,12 +38,7 @@ pub(crate) fn towers(law: ContactLaw) -> (Row<Elastic>, Vec<usize>) {
     let buildings: Vec<_> = TOWERS.iter().map(build).collect();
     let (row, levels) = row(&buildings, DAMPING, |_, _, [left, right]| {
         let gap = 0.01;
-        Some(pounding_solver::Pair {
-            left,
-            right,
-            gap,
-            law,
-        })
+        Some(pounding_solver::Pair::of_floors(left, right, gap, law))
     });
     let of = (0..levels.n_nodes()).map(|node| levels.place(node).0);
     (row, of.collect())
@@ -78,7 +73,7 @@ fn limit_a_building_out_of_reach_that_is_shaken_later_changes_nothing() {
     // The row travels, and what is shaken at once must not notice; neither must the one that is shaken later.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
-        near_and_far[1].gap = 10.0;
+        near_and_far[1].gap() = 10.0;
         let nodes = vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)];
         let three = Row::new(nodes, near_and_far).expect("it is valid");
         let three = three.delayed(vec![0.0, 0.0, 0.377]).expect("it is valid");
@@ -102,8 +97,8 @@ fn limit_towers_beside_one_that_is_shaken_later_keep_their_bits() {
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let (row, of) = towers(law);
         let mut far = row.pairs().to_vec();
-        for pair in far.iter_mut().filter(|pair| of[pair.right] == 2) {
-            pair.gap = 10.0;
+        for pair in far.iter_mut().filter(|pair| of[pair.right()] == 2) {
+            pair.gap() = 10.0;
         }
         let far = Row::new(row.nodes().to_vec(), far).expect("it is valid");
         let arrivals = of.iter().map(|of| if *of == 2 { 0.123 } else { 0.0 });

@@ -34,12 +34,7 @@ fn row(stiffness: f64) -> Row<Elastic> {
         ..Node::structure(3e5, 0.0, Elastic { stiffness: 2e7 })
     };
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.6 });
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.0,
-        law,
-    };
+    let pair = Pair::of_floors(0, 1, 0.0, law);
     Row::new(vec![left, right], vec![pair]).expect("a row")
 }
 

@@ -17,12 +17,7 @@ fn collisions(
     laws: &[ContactLaw],
     (step, ground): (f64, &[f64]),
 ) -> Vec<Collision> {
-    let pair = |(left, law): (usize, &ContactLaw)| Pair {
-        left,
-        right: left + 1,
-        gap: 0.0,
-        law: *law,
-    };
+    let pair = |(left, law): (usize, &ContactLaw)| Pair::of_floors(left, left + 1, 0.0, *law);
     let pairs = laws.iter().enumerate().map(pair).collect();
     let row = Row::new(nodes.to_vec(), pairs).expect("the row is valid");
     let excitation = Excitation::new(step, ground).expect("the record is finite");

@@ -139,8 +139,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 approach_speed: rate.max(0.0),
             };
             if let Some(contact) = pair.law.respond(&overlap) {
-                self.bodies[pair.left].from_right = -contact.force;
-                self.bodies[pair.right].from_left = contact.force;
+                self.bodies[pair.left()].from_right = -contact.force;
+                self.bodies[pair.right()].from_left = contact.force;
                 self.add_force(pair, contact.force, |body| &mut body.force);
             }
         }
@@ -170,7 +170,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let Some(law) = pair.law.impulsive() else {
                 continue;
             };
-            let [left, right] = [pair.left, pair.right].map(|one| self.seen(one));
+            let [left, right] = [pair.left(), pair.right()].map(|one| self.seen(one));
             let rate = left - right;
             let meets = match self.program.impacts {
                 Impacts::AnyOverlap => true,
@@ -182,15 +182,15 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let impulse = law.impulse(rate, self.reduced_mass(pair));
             self.add_force(pair, impulse / dt, |body| &mut body.next_force);
             let after = Velocities {
-                left: left - impulse / self.bodies[pair.left].mass,
-                right: right + impulse / self.bodies[pair.right].mass,
+                left: left - impulse / self.bodies[pair.left()].mass,
+                right: right + impulse / self.bodies[pair.right()].mass,
             };
-            self.bodies[pair.left].velocities[1] = after.left;
-            self.bodies[pair.right].velocities[1] = after.right;
+            self.bodies[pair.left()].velocities[1] = after.left;
+            self.bodies[pair.right()].velocities[1] = after.right;
             self.hits.push(Impact {
                 pair: index,
-                left: pair.left,
-                right: pair.right,
+                left: pair.left(),
+                right: pair.right(),
                 time,
                 impulse,
                 before: Velocities { left, right },
@@ -216,8 +216,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         force: f64,
         on: impl Fn(&mut Body<Column::Memory>) -> &mut f64,
     ) {
-        *on(&mut self.bodies[pair.right]) += force;
-        let left = on(&mut self.bodies[pair.left]);
+        *on(&mut self.bodies[pair.right()]) += force;
+        let left = on(&mut self.bodies[pair.left()]);
         *left = match self.program.forces {
             MiddleForce::Replaced => -force,
             MiddleForce::Added => *left - force,
@@ -227,12 +227,12 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     /// Deformation of a pair \[m\] at the step before, at this one or at the next.
     fn deformation(&self, pair: &Pair, at: usize) -> f64 {
         let of = |structure: usize| self.bodies[structure].displacements[at];
-        of(pair.left) - of(pair.right) - pair.gap
+        of(pair.left()) - of(pair.right()) - pair.gap()
     }
 
     fn reduced_mass(&self, pair: &Pair) -> f64 {
         let [left, right] =
-            [pair.left, pair.right].map(|structure| self.row.nodes()[structure].inverse_mass);
+            [pair.left(), pair.right()].map(|structure| self.row.nodes()[structure].inverse_mass);
         reduced_mass(left, right)
     }
 

@@ -24,7 +24,7 @@ pub(super) fn panels(seen: &Seen<'_>) -> Vec<Panel> {
 
 fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
     let facing = seen.prepared.floors().facing()[pair];
-    let gap = seen.prepared.pairs()[pair].gap;
+    let gap = seen.prepared.pairs()[pair].gap();
     let curve = |floor: usize, shift: f64| {
         let states = seen.motion.states(drawn(seen.prepared.floors(), floor));
         seen.curve(|row| 1e3 * (states[row].displacement + shift))
@@ -43,7 +43,7 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
 }
 
 fn title(seen: &Seen<'_>, pair: usize) -> String {
-    let gap = brief(1e3 * seen.prepared.pairs()[pair].gap, 4);
+    let gap = brief(1e3 * seen.prepared.pairs()[pair].gap(), 4);
     format!("{}, {gap} mm", names(seen, pair))
 }
 

@@ -21,7 +21,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         let mut hit = false;
         for (index, pair) in self.row.pairs().iter().enumerate() {
             self.jumps.touching[index] = false;
-            let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
+            let (left, right) = (&bodies[pair.left()], &bodies[pair.right()]);
             let deformation = ground.deformation(pair, left.displacement - right.displacement);
             // Structures of which one does not sub-step meet at whole nodes only.
             if fine && !(left.fine && right.fine) {
@@ -89,13 +89,13 @@ impl<Column: RestoringForce> Run<'_, Column> {
         }
         let mut any = false;
         for pair in self.row.pairs() {
-            let (left, right) = (&self.bodies[pair.left], &self.bodies[pair.right]);
+            let (left, right) = (&self.bodies[pair.left()], &self.bodies[pair.right()]);
             let now = left.start.displacement - right.start.displacement;
             let next = left.displacement - right.displacement;
             let overlaps = |ground: Ground<'_>, ahead: f64| ground.deformation(pair, ahead) > 0.0;
             if overlaps(grounds[0], now) || overlaps(grounds[1], next) {
-                self.bodies[pair.left].fine = true;
-                self.bodies[pair.right].fine = true;
+                self.bodies[pair.left()].fine = true;
+                self.bodies[pair.right()].fine = true;
                 any = true;
             }
         }
@@ -132,8 +132,8 @@ fn rate<Memory>(left: &Body<Memory>, right: &Body<Memory>, steps: [f64; 2]) -> f
 fn push<Memory>(bodies: &mut [Body<Memory>], pair: &Pair, force: f64, steps: [f64; 2]) {
     let [left, right] = steps;
     let excess = 0.5 * force;
-    bodies[pair.left].excess.1 = -excess * (left - left.min(right));
-    bodies[pair.right].excess.0 = excess * (right - left.min(right));
-    bodies[pair.left].force_from_right = -force;
-    bodies[pair.right].force_from_left = force;
+    bodies[pair.left()].excess.1 = -excess * (left - left.min(right));
+    bodies[pair.right()].excess.0 = excess * (right - left.min(right));
+    bodies[pair.left()].force_from_right = -force;
+    bodies[pair.right()].force_from_left = force;
 }

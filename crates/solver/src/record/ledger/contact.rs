@@ -91,7 +91,7 @@ pub struct PairTerms {
 impl Contact {
     pub(super) fn new(pair: &Pair) -> Self {
         Self {
-            gap: pair.gap,
+            gap: pair.gap(),
             ..Self::default()
         }
     }

@@ -106,8 +106,8 @@ impl<'a> Ledger<'a> {
     pub fn new<Column: Hysteretic>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
         let mut pairs_of = vec![[None; 2]; row.nodes().len()];
         for (index, pair) in row.pairs().iter().enumerate() {
-            pairs_of[pair.left][1] = Some(index);
-            pairs_of[pair.right][0] = Some(index);
+            pairs_of[pair.left()][1] = Some(index);
+            pairs_of[pair.right()][0] = Some(index);
         }
         Self {
             excitation,

@@ -57,12 +57,7 @@ fn side_by_side<Column: Hysteretic>(
     law: ContactLaw,
 ) -> (Row<Column>, Levels) {
     towers::row(towers, DAMPING, |building, _, [left, right]| {
-        (right == left + 1).then_some(Pair {
-            left,
-            right,
-            gap: gaps[building],
-            law,
-        })
+        (right == left + 1).then_some(Pair::of_floors(left, right, gaps[building], law))
     })
 }
 

@@ -290,7 +290,8 @@ fn story(
     let Some((pair, time)) = exact.first_of(wrong, second) else {
         return Vec::new();
     };
-    let Pair { gap, law, .. } = &prepared.pairs()[pair];
+    let Pair { relation, law } = &prepared.pairs()[pair];
+    let gap = &relation.offset;
     let [left, right] = prepared.floors().names(pair);
     let first = format!(
         "first at {time:.9} s, pair {pair}: {left} and {right}, {}, gap {gap} m",

@@ -90,8 +90,8 @@ impl Numbers {
         }
         let pinched = |floor| {
             let all = || prepared.pairs().iter().zip(&pairs);
-            let left = all().find(|(pair, _)| pair.right == floor);
-            let right = all().find(|(pair, _)| pair.left == floor);
+            let left = all().find(|(pair, _)| pair.right() == floor);
+            let right = all().find(|(pair, _)| pair.left() == floor);
             left.zip(right)
                 .is_some_and(|((_, left), (_, right))| are_at_once(left, right))
         };
@@ -100,7 +100,7 @@ impl Numbers {
         let acceleration = prepared.record().peak().1.abs();
         let mass = |floor: usize| Some(prepared.floors().all()[floor].made_of?.mass_kg);
         let shaking = prepared.pairs().iter().map(|pair| {
-            let masses = [pair.left, pair.right].into_iter().filter_map(mass);
+            let masses = [pair.left(), pair.right()].into_iter().filter_map(mass);
             acceleration * masses.fold(f64::INFINITY, f64::min)
         });
         Self {

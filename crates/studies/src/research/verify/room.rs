@@ -26,10 +26,10 @@ fn leaves_no_room(prepared: &Simulation, walls: &[bool], (wall, time): (usize, f
     let (mut node, mut room) = (wall, 0.0);
     let right_of = |node: usize| {
         let mut pairs = prepared.pairs().iter();
-        pairs.find(|pair| pair.left == node && !pair.law.is_compliant())
+        pairs.find(|pair| pair.left() == node && !pair.law.is_compliant())
     };
     while let Some(pair) = right_of(node) {
-        (node, room) = (pair.right, room + pair.gap);
+        (node, room) = (pair.right(), room + pair.gap());
         if walls[node] {
             return travel.opening([wall, node], time).displacement >= room - ROUNDING;
         }

@@ -1,0 +1,201 @@
+//! Which points of a row can meet, and what happens where they do.
+
+use pounding_contact::ContactLaw;
+
+/// A point of a building that moves with one of its floors, or between two of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Point {
+    /// On a floor, or on a wall.
+    Floor(usize),
+    /// On the columns between two floors.
+    Share(Share),
+}
+
+/// A point on columns, at rest relative to none of the floors that they join.
+///
+/// Its displacement is that of the base, and of the way to the other floor a part `lean`. Floors that move alike so give exactly what
+/// they share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Share {
+    /// The nearer floor; `None` is the ground.
+    pub base: Option<usize>,
+    /// The other floor; `None` is the ground.
+    pub other: Option<usize>,
+    /// Part of the other floor \[–\], 0 < lean ≤ 1/2.
+    pub lean: f64,
+}
+
+/// Two points that can meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Relation {
+    /// The point on the left.
+    pub left: Point,
+    /// The point on the right.
+    pub right: Point,
+    /// How far they stand apart at rest \[m\].
+    pub offset: f64,
+}
+
+/// Two points that can touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// The points; they stand apart by the gap at rest g \[m\], ≥ 0.
+    pub relation: Relation,
+    /// What happens while they touch.
+    pub law: ContactLaw,
+}
+
+impl Pair {
+    /// Two floors of one level, or a floor and a wall, with a gap g \[m\], ≥ 0.
+    pub fn of_floors(left: usize, right: usize, gap: f64, law: ContactLaw) -> Self {
+        Self {
+            relation: Relation::of_floors(left, right, gap),
+            law,
+        }
+    }
+
+    /// The floor on the left: of a point on columns the nearer one.
+    pub fn left(&self) -> usize {
+        self.relation.left.floor()
+    }
+
+    /// The floor on the right.
+    pub fn right(&self) -> usize {
+        self.relation.right.floor()
+    }
+
+    /// Gap at rest g \[m\], ≥ 0.
+    pub fn gap(&self) -> f64 {
+        self.relation.offset
+    }
+}
+
+impl From<usize> for Point {
+    fn from(floor: usize) -> Self {
+        Self::Floor(floor)
+    }
+}
+
+impl Point {
+    /// The point between two floors of a building that has a part `upper_part` of the upper one's displacement, from 0 to 1, and
+    /// the rest of the lower one's; `None` as the lower one is the ground.
+    ///
+    /// Returns `None` where that is the ground itself.
+    pub fn between(lower: Option<usize>, upper: usize, upper_part: f64) -> Option<Self> {
+        if upper_part == 1.0 {
+            return Some(Self::Floor(upper));
+        }
+        if upper_part == 0.0 {
+            return lower.map(Self::Floor);
+        }
+        let (base, other, lean) = if upper_part >= 0.5 {
+            (Some(upper), lower, 1.0 - upper_part)
+        } else {
+            (lower, Some(upper), upper_part)
+        };
+        Some(Self::Share(Share { base, other, lean }))
+    }
+
+    /// A floor that it moves with, wholly or most of all floors.
+    pub fn floor(self) -> usize {
+        match self {
+            Self::Floor(floor) => floor,
+            // A share of the ground alone is no point of a row.
+            Self::Share(Share { base, other, .. }) => base.or(other).unwrap_or(usize::MAX),
+        }
+    }
+
+    /// Whether it moves with a floor.
+    pub fn is_floor(self) -> bool {
+        matches!(self, Self::Floor(_))
+    }
+
+    /// What a point has of a quantity that floors have: displacement, velocity, acceleration.
+    #[inline]
+    pub fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
+        match self {
+            Self::Floor(floor) => quantity(floor),
+            Self::Share(Share { base, other, lean }) => {
+                let [base, other] = [base, other].map(|floor| floor.map_or(0.0, &quantity));
+                base + lean * (other - base)
+            }
+        }
+    }
+
+    /// The floors that carry it, the nearer one first, and their parts of a force on it.
+    #[inline]
+    pub fn parts(self) -> impl Iterator<Item = (usize, f64)> + Clone {
+        let parts = match self {
+            Self::Floor(floor) => [Some((floor, 1.0)), None],
+            Self::Share(Share { base, other, lean }) => [
+                base.map(|floor| (floor, 1.0 - lean)),
+                other.map(|floor| (floor, lean)),
+            ],
+        };
+        parts.into_iter().flatten()
+    }
+
+    /// Gives floors what they carry of a force on the point \[N\], or of an impulse \[N·s\].
+    #[inline]
+    pub fn spread(self, force: f64, mut give: impl FnMut(usize, f64)) {
+        match self {
+            Self::Floor(floor) => give(floor, force),
+            Self::Share(Share { base, other, lean }) => {
+                let to_other = lean * force;
+                if let Some(base) = base {
+                    give(base, force - to_other);
+                }
+                if let Some(other) = other {
+                    give(other, to_other);
+                }
+            }
+        }
+    }
+
+    /// Velocity of the point that a unit impulse on it causes \[1/kg\].
+    #[inline]
+    pub fn mobility(self, inverse_mass: impl Fn(usize) -> f64) -> f64 {
+        match self {
+            Self::Floor(floor) => inverse_mass(floor),
+            Self::Share(_) => self
+                .parts()
+                .map(|(floor, part)| part * part * inverse_mass(floor))
+                .sum(),
+        }
+    }
+}
+
+impl Relation {
+    /// Two floors of one level, or a floor and a wall.
+    pub fn of_floors(left: usize, right: usize, offset: f64) -> Self {
+        Self {
+            left: left.into(),
+            right: right.into(),
+            offset,
+        }
+    }
+
+    /// How far the left point is ahead of the right one, in a quantity of floors.
+    #[inline]
+    pub fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
+        self.left.of(&quantity) - self.right.of(&quantity)
+    }
+
+    /// Both points.
+    #[inline]
+    pub fn points(&self) -> [Point; 2] {
+        [self.left, self.right]
+    }
+
+    /// Whether both move with floors.
+    pub fn is_level(&self) -> bool {
+        self.left.is_floor() && self.right.is_floor()
+    }
+
+    /// Its row of the matrix G: what a force of 1 N between both points does to the floors, the left ones pushed to the left.
+    #[inline]
+    pub fn pushes(&self) -> impl Iterator<Item = (usize, f64)> {
+        let left = self.left.parts().map(|(floor, part)| (floor, -part));
+        left.chain(self.right.parts())
+    }
+}
