@@ -221,7 +221,7 @@ fn limit_no_overlap_is_without_a_force() {
         )
     };
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
-    between[1].gap() = 1e-7;
+    between[1].relation.offset = 1e-7;
     let row = Row::new(
         vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
         between,

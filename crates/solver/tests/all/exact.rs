@@ -346,7 +346,7 @@ fn limit_a_yield_force_never_reached_and_a_gap_too_wide_change_no_bit() {
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let lean = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.02, law)).unwrap();
         let mut between = pairs(3, 0.02, law);
-        between[1].gap() = 10.0;
+        between[1].relation.offset = 10.0;
         let high = |s: (f64, f64, f64)| yielding((s.0, s.1, 1e12));
         let rich = Row::new(vec![high(WEAK), high(STIFF), high(WEAK)], between).unwrap();
         let lean = run(Exact::default(), &lean, &ground(), clock(0.01, 10.0));

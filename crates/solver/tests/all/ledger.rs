@@ -119,7 +119,7 @@ fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
     // The middle mass sub-steps with its left neighbour and is driven into the right one, which does not: at the node
     // where they meet, the same force acted for half a sub-step on one and for half a step on the other.
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
-    between[1].gap() = 1e-6;
+    between[1].relation.offset = 1e-6;
     let row = Row::new(
         vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
         between,

@@ -60,7 +60,7 @@ fn limit_a_structure_out_of_reach_changes_nothing() {
     // The third structure is far away, then absent: the colliding pair must not notice, and neither must the third.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
-        near_and_far[1].gap() = 10.0;
+        near_and_far[1].relation.offset = 10.0;
         let three = Row::new(
             vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)],
             near_and_far,

@@ -73,7 +73,7 @@ fn limit_a_building_out_of_reach_that_is_shaken_later_changes_nothing() {
     // The row travels, and what is shaken at once must not notice; neither must the one that is shaken later.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
-        near_and_far[1].gap() = 10.0;
+        near_and_far[1].relation.offset = 10.0;
         let nodes = vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)];
         let three = Row::new(nodes, near_and_far).expect("it is valid");
         let three = three.delayed(vec![0.0, 0.0, 0.377]).expect("it is valid");
@@ -98,7 +98,7 @@ fn limit_towers_beside_one_that_is_shaken_later_keep_their_bits() {
         let (row, of) = towers(law);
         let mut far = row.pairs().to_vec();
         for pair in far.iter_mut().filter(|pair| of[pair.right()] == 2) {
-            pair.gap() = 10.0;
+            pair.relation.offset = 10.0;
         }
         let far = Row::new(row.nodes().to_vec(), far).expect("it is valid");
         let arrivals = of.iter().map(|of| if *of == 2 { 0.123 } else { 0.0 });
