@@ -104,11 +104,11 @@ pub use model::relation::{Pair, Point, Relation, Share};
 pub use model::row::Row;
 pub use model::support::{Floor, Support};
 pub use model::travel::{Opening, Travel};
-pub use record::recorder::{Impact, Recorder, Touch, Velocities};
+pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
     LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms,
     TransferredMomentum,
 };
-pub use span::{Flight, Motion, Path, Series, Span, State, Weighed};
+pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
 pub use work::Work;

@@ -1,9 +1,12 @@
 mod flight;
+mod push;
 mod series;
 
 use crate::quadrature::{self, EIGHT, SIXTEEN};
 pub use flight::Expansion;
 pub use flight::Flight;
+pub use push::Push;
+pub(crate) use push::Pushes;
 pub use series::Series;
 pub use series::value;
 pub(crate) use series::{Power, rise};
@@ -57,6 +60,8 @@ pub struct Span<'a> {
     pub below: Option<[Motion; 2]>,
     /// What is known between the ends.
     pub path: Path<'a>,
+    /// What every pair at the floor does to it; their sums are in the states and impulses.
+    pub pushes: &'a [Push<'a>],
 }
 
 /// Displacement and velocity: of a floor relative to the ground, or of a storey, whose drift it then is.

@@ -11,7 +11,7 @@ use crate::exact::columns::Branch;
 use crate::exact::contact::Link;
 use crate::exact::look_ahead::CARRIED;
 use crate::exact::member::Member;
-use crate::{Flight, Path, Recorder, Span, State};
+use crate::{Flight, Path, Push, Recorder, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
 pub const LONGEST: f64 = 0.999;
@@ -281,6 +281,11 @@ impl<R: Recorder> Run<'_, R> {
                 ..member.state
             };
             self.work.segments += 1;
+            let mut pushes = [Push::default(); 2];
+            let incidents = self.incidence.at(structure);
+            for (push, at) in pushes.iter_mut().zip(incidents) {
+                *push = at.into();
+            }
             self.recorder.span(&Span {
                 structure,
                 start_time: clock.absolute(interval.from),
@@ -291,6 +296,7 @@ impl<R: Recorder> Run<'_, R> {
                 impulse_from_right: 0.0,
                 below: None,
                 path: Path::Flight(flight),
+                pushes: &pushes[..incidents.len()],
             });
             (member.state, member.hysteretic_force) = (ahead.state, ahead.hysteretic_force);
         }

@@ -8,7 +8,7 @@ use crate::exact::contact::Link;
 use crate::exact::member::Member;
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};
-use crate::{Motion, Path, Recorder, Span, State};
+use crate::{Motion, Path, Push, Recorder, Span, State};
 
 impl<R: Recorder> Run<'_, R> {
     /// Ends the piece of a body now: reports its spans and brings its state here.
@@ -161,6 +161,22 @@ impl<R: Recorder> Run<'_, R> {
         let below = storey.map(|storey| &self.members[storey.below]);
         let impulse = |pair| integral(force(pair), body.power, x);
         let (start_time, end_time) = (body.start.absolute(), self.clock.absolute(time));
+        let mut pushes = [Push::default(); 2];
+        let incidents = self.incidence.at(node);
+        for (push, at) in pushes.iter_mut().zip(incidents) {
+            let (side, starts, ends) = if at.on_left {
+                let forces = (member.state.force_from_right, end.force_from_right);
+                (right, -forces.0, -forces.1)
+            } else {
+                (left, member.state.force_from_left, end.force_from_left)
+            };
+            *push = Push {
+                forces: [starts, ends],
+                impulse: impulse(side),
+                series: force(side),
+                ..Push::from(at)
+            };
+        }
         let span = Span {
             structure: node,
             start_time,
@@ -194,6 +210,7 @@ impl<R: Recorder> Run<'_, R> {
                     force_from_right: force(right),
                 }),
             },
+            pushes: &pushes[..incidents.len()],
         };
         self.recorder.span(&span);
     }

@@ -38,6 +38,7 @@ use crate::budget::Guard;
 use crate::error::require;
 use crate::model::excitation::Segment;
 use crate::model::ground::Ground;
+use crate::model::incidence::Incidence;
 use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
 use crate::roots::SHORTEST_WAY;
@@ -116,6 +117,8 @@ struct Run<'a, R> {
     contacts: Vec<Contact>,
     /// Node on the left of every pair.
     lefts: Vec<usize>,
+    /// Which pairs meet which nodes.
+    incidence: &'a Incidence,
     /// Pair between a node and its right neighbour.
     pair_right_of: Vec<Option<usize>>,
     gaps: Vec<f64>,
@@ -190,6 +193,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         members,
         contacts,
         lefts: row.pairs().iter().map(|pair| pair.left()).collect(),
+        incidence: row.incidence(),
         pair_right_of,
         gaps: row.pairs().iter().map(|pair| pair.gap()).collect(),
         bodies: vec![Body::at_start(); n],

@@ -10,7 +10,7 @@ use crate::exact::storey::rate_of_drift;
 use crate::exact::{CHATTER, Run, bounces_are_over};
 use crate::roots::CAPACITY;
 use crate::span::Power;
-use crate::{Impact, Recorder, RunError, Velocities};
+use crate::{Impact, Recorder, RunError, Struck, Velocities};
 
 /// Impacts of a pair without coming to rest after which a run gives up: with e = 1 neighbours that press bounce for ever.
 ///
@@ -241,10 +241,21 @@ impl<R: Recorder> Run<'_, R> {
         };
         contact.hit = time;
         let index = pair - hit.first;
+        let struck = |floor: usize, part: f64| {
+            let before = hit.before[index + floor - left];
+            let velocities = [before, self.members[floor].state.velocity];
+            Some(Struck {
+                floor,
+                part,
+                velocities,
+            })
+        };
+        let floors = [struck(left, -1.0), struck(left + 1, 1.0), None, None];
         let impact = Impact {
             pair,
             left,
             right: left + 1,
+            floors,
             time: self.clock.absolute(time),
             impulse: hit.impulses[index],
             before: Velocities {

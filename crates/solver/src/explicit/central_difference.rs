@@ -31,7 +31,7 @@ use crate::error::require;
 use crate::impact::impacts::Impacts;
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
@@ -139,6 +139,8 @@ struct Run<'a, Column: RestoringForce> {
     /// States at a node with velocity jumps.
     states: Vec<State>,
     jumps: Impacts,
+    /// Of each the impulse is the excess of a whole step until its span ends.
+    pushes: Pushes,
     approaches: Approaches,
     work: Work,
 }
@@ -231,6 +233,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             states: bodies.iter().map(|body| body.start).collect(),
             bodies,
             jumps: Impacts::new(row),
+            pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
             work: Work::default(),
         }
@@ -297,6 +300,9 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 let mut span = Span::step::<R, _>(index, times, ends, weights, loads);
                 span.impulse_from_left -= body.excess.0;
                 span.impulse_from_right -= body.excess.1;
+                let slots = self.row.incidence().slots_at(index);
+                self.pushes.end(slots.clone(), weights.0);
+                span.pushes = self.pushes.of(slots);
                 recorder.span(&span);
             }
             body.start = end;

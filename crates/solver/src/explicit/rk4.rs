@@ -10,7 +10,7 @@
 use crate::impact::impacts::Impacts;
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{
     Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };
@@ -74,6 +74,7 @@ struct Scratch<Memory> {
     slopes: Vec<(f64, f64)>,
     /// What acts on each structure in the stages.
     loads: Vec<[Load; 4]>,
+    pushes: Pushes,
     approaches: Approaches,
 }
 
@@ -117,6 +118,7 @@ impl<Memory: Copy> Scratch<Memory> {
             stages: states.clone(),
             slopes: vec![(0.0, 0.0); states.len()],
             loads: vec![[nothing; 4]; states.len()],
+            pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
             states,
             memories,
@@ -133,6 +135,7 @@ impl<Memory: Copy> Scratch<Memory> {
     ) {
         self.stages.copy_from_slice(&self.states);
         self.slopes.fill((0.0, 0.0));
+        self.pushes.begin();
         self.weigh_stage(row, 0, ground[0]);
         for (stage, ahead, ground) in [
             (1, 0.5 * dt, ground[1]),
@@ -143,7 +146,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 stage.displacement = state.displacement + ahead * stage.velocity;
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
-            row.push(&mut self.stages, &mut self.approaches, ground);
+            self.push(row, ground);
             for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
                 // What the columns would remember of a stage is forgotten.
                 let drift = row.drift(index, &self.stages);
@@ -153,6 +156,12 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
+    /// Gives the stage under way its pounding forces.
+    fn push<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: Ground<'_>) {
+        let (pushes, approaches) = (&mut self.pushes, &mut self.approaches);
+        row.push(&mut self.stages, pushes, approaches, ground);
+    }
+
     /// Gives a stage its accelerations, from equilibrium, adds its slopes and keeps its loads.
     fn weigh_stage<Column: RestoringForce>(
         &mut self,
@@ -160,6 +169,7 @@ impl<Memory: Copy> Scratch<Memory> {
         index: usize,
         ground: Ground<'_>,
     ) {
+        self.pushes.add(WEIGHTS[index]);
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
             let load = row.load(node, &self.stages, ground.under(node));
             let stage = &mut self.stages[node];
@@ -186,7 +196,8 @@ impl<Memory: Copy> Scratch<Memory> {
             end.displacement = start.displacement + sixth * slopes.0;
             end.velocity = start.velocity + sixth * slopes.1;
         }
-        row.push(&mut self.stages, &mut self.approaches, ground);
+        self.pushes.scale(sixth);
+        self.push(row, ground);
         self.approaches
             .forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {
@@ -210,7 +221,11 @@ impl<Memory: Copy> Scratch<Memory> {
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
             let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
             let span = Span::step::<R, _>(structure, times, [*start, *end], weights, loads);
-            recorder.span(&span.over(row.below(structure, [starts, ends])));
+            let slots = row.incidence().slots_at(structure);
+            recorder.span(&Span {
+                pushes: self.pushes.of(slots),
+                ..span.over(row.below(structure, [starts, ends]))
+            });
         }
         self.states.copy_from_slice(&self.stages);
         Ok(())

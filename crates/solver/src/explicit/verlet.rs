@@ -24,7 +24,7 @@ use storeys::Storeys;
 use crate::impact::impacts::{Impacts, impulsive};
 use crate::model::approach::Approaches;
 use crate::model::ground::{Ground, Shaking};
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{
     Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };
@@ -93,6 +93,8 @@ struct Scratch<Memory> {
     /// States at the instant under way.
     ends: Vec<State>,
     impacts: Impacts,
+    /// Of each the impulse is that of the force at the end of its span, until that is reported.
+    pushes: Pushes,
     /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
     closings: Vec<f64>,
     approaches: Approaches,
@@ -159,6 +161,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scrat
         ends: states.clone(),
         states,
         impacts: Impacts::new(row),
+        pushes: Pushes::new(row.incidence()),
         closings: vec![f64::INFINITY; row.pairs().len()],
         approaches: Approaches::new(row.pairs().len()),
         storeys: Storeys::of(row),
@@ -189,7 +192,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row.pairs(), instant, step.at(instant).0);
+            self.gather(row, instant, step.at(instant).0);
             self.finish(row, step, instant, work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
@@ -213,7 +216,13 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
-    fn gather(&mut self, pairs: &[Pair], instant: f64, ground: Ground<'_>) {
+    fn gather<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        instant: f64,
+        ground: Ground<'_>,
+    ) {
+        let pairs = row.pairs();
         for body in &mut self.bodies {
             body.due = false;
         }
@@ -223,25 +232,28 @@ impl<Memory: Copy> Scratch<Memory> {
         for ((pair, touching), closing) in pairs.iter().zip(&mut impacts.touching).zip(closings) {
             *touching = *closing <= instant;
             if *touching {
-                self.bodies[pair.left()].due = true;
-                self.bodies[pair.right()].due = true;
+                for (floor, _) in pair.relation.pushes() {
+                    self.bodies[floor].due = true;
+                }
             }
         }
         let mut grown = true;
         while std::mem::take(&mut grown) {
-            for (pair, touching) in pairs.iter().zip(&mut self.impacts.touching) {
+            let marks = self.impacts.touching.iter_mut();
+            for ((index, pair), touching) in pairs.iter().enumerate().zip(marks) {
                 let (left, right) = (self.bodies[pair.left()].due, self.bodies[pair.right()].due);
                 let deformation = ground.deformation_of(pair, &self.ends);
                 let closed = if impulsive(pair).is_some() {
                     deformation >= 0.0
                 } else {
-                    deformation > 0.0 || self.states[pair.left()].force_from_right < 0.0
+                    deformation > 0.0 || self.pushes.pushed(row.incidence(), index)
                 };
                 if (left || right) && closed {
                     grown |= !(left && right);
                     *touching = impulsive(pair).is_some();
-                    self.bodies[pair.left()].due = true;
-                    self.bodies[pair.right()].due = true;
+                    for (floor, _) in pair.relation.pushes() {
+                        self.bodies[floor].due = true;
+                    }
                 }
             }
             if let Some(storeys) = &self.storeys {
@@ -260,8 +272,13 @@ impl<Memory: Copy> Scratch<Memory> {
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let (ground, time) = step.at(instant);
-        row.push(&mut self.ends, &mut self.approaches, ground);
-        self.share(row.pairs(), instant);
+        row.push(
+            &mut self.ends,
+            &mut self.pushes,
+            &mut self.approaches,
+            ground,
+        );
+        self.share(row, instant);
         if self.storeys.is_some() {
             return self.finish_storeys(row, step, instant, work, recorder);
         }
@@ -289,11 +306,15 @@ impl<Memory: Copy> Scratch<Memory> {
                 Load::at(state, forces, ground)
             });
             let (times, ends) = ((start_time, time), [*start, *end]);
+            let slots = row.incidence().slots_at(structure);
+            self.pushes.start(slots.clone(), 0.5 * h);
             recorder.span(&Span {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
+                pushes: self.pushes.of(slots.clone()),
                 ..Span::step::<R, _>(structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
             });
+            self.pushes.go_on(slots);
             self.states[structure] = *end;
             body.since = instant;
         }
@@ -304,17 +325,24 @@ impl<Memory: Copy> Scratch<Memory> {
     ///
     /// A pair's force acts for half the time since both of its structures last had a state, on both: one of them may
     /// have been hit by its other neighbour since.
-    fn share(&mut self, pairs: &[Pair], instant: f64) {
+    fn share<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64) {
         for body in &mut self.bodies {
             body.impulses = (0.0, 0.0);
         }
-        for pair in pairs {
-            let since = self.bodies[pair.left()]
-                .since
-                .max(self.bodies[pair.right()].since);
-            let half = 0.5 * (instant - since);
-            self.bodies[pair.left()].impulses.1 = half * self.ends[pair.left()].force_from_right;
-            self.bodies[pair.right()].impulses.0 = half * self.ends[pair.right()].force_from_left;
+        for pair in 0..row.pairs().len() {
+            let [left, right] = row.pairs()[pair].relation.points();
+            let since = |floor: usize| self.bodies[floor].since;
+            let half = 0.5 * (instant - since(left.floor()).max(since(right.floor())));
+            let force = self.pushes.ends(row.incidence(), pair, half);
+            if force == 0.0 {
+                continue;
+            }
+            left.spread(force, |floor, force| {
+                self.bodies[floor].impulses.1 -= half * force
+            });
+            right.spread(force, |floor, force| {
+                self.bodies[floor].impulses.0 += half * force
+            });
         }
     }
 }
@@ -323,17 +351,15 @@ impl<Memory: Copy> Scratch<Memory> {
 /// or is closed from the start.
 fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
     let since = bodies[pair.left()].since.max(bodies[pair.right()].since);
-    let at = |index: usize| {
-        let (state, h) = (&states[index], since - bodies[index].since);
-        (
-            state.displacement + h * (state.velocity + 0.5 * h * state.acceleration),
-            state.velocity + h * state.acceleration,
-            0.5 * state.acceleration,
-        )
-    };
-    let (left, right) = (at(pair.left()), at(pair.right()));
-    let (mut gap, mut rate) = (pair.gap() - (left.0 - right.0), left.1 - right.1);
-    let mut curvature = left.2 - right.2;
+    let h = |floor: usize| since - bodies[floor].since;
+    let ahead = pair.relation.ahead(|floor| {
+        let (state, h) = (&states[floor], h(floor));
+        state.displacement + h * (state.velocity + 0.5 * h * state.acceleration)
+    });
+    let faster = |floor: usize| states[floor].velocity + h(floor) * states[floor].acceleration;
+    let bends = |floor: usize| 0.5 * states[floor].acceleration;
+    let (mut gap, mut rate) = (pair.gap() - ahead, pair.relation.ahead(faster));
+    let mut curvature = pair.relation.ahead(bends);
     if let Shaking::Delayed(_) = step.shaking {
         let ground = step.at(since).0;
         let opening = ground.opening(pair);

@@ -14,7 +14,7 @@ use pounding_contact::Stereomechanical;
 
 use crate::impact::rounds::{Rounds, Touching};
 use crate::model::ground::Ground;
-use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
+use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Struck, Velocities};
 
 /// Scratch of the rule, allocated once per run.
 pub(crate) struct Impacts {
@@ -170,21 +170,32 @@ impl Impacts {
     ) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
-                let (left, right) = (pair.left(), pair.right());
+                let before = |floor: usize| self.before[floor];
+                let after = |floor: usize| states[floor].velocity;
+                let mut floors = [None; 4];
+                for (place, (floor, part)) in floors.iter_mut().zip(pair.relation.pushes()) {
+                    let velocities = [before(floor), after(floor)];
+                    *place = Some(Struck {
+                        floor,
+                        part,
+                        velocities,
+                    });
+                }
+                let points = pair.relation.points();
+                let [before, after] = [
+                    points.map(|point| point.of(before)),
+                    points.map(|point| point.of(after)),
+                ];
+                let velocities = |[left, right]: [f64; 2]| Velocities { left, right };
                 recorder.impact(&Impact {
                     pair: index,
-                    left,
-                    right,
+                    left: pair.left(),
+                    right: pair.right(),
+                    floors,
                     time,
                     impulse,
-                    before: Velocities {
-                        left: self.before[left],
-                        right: self.before[right],
-                    },
-                    after: Velocities {
-                        left: states[left].velocity,
-                        right: states[right].velocity,
-                    },
+                    before: velocities(before),
+                    after: velocities(after),
                     opening_rate: ground.opening(pair).velocity,
                 });
             }
@@ -202,8 +213,9 @@ fn strike<Column: RestoringForce>(
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {
         // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
-        net[pair.left()] -= impulse;
-        net[pair.right()] += impulse;
+        let [left, right] = pair.relation.points();
+        left.spread(*impulse, |floor, impulse| net[floor] -= impulse);
+        right.spread(*impulse, |floor, impulse| net[floor] += impulse);
     }
     for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
         state.velocity += node.inverse_mass * *net;

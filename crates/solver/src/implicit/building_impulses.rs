@@ -57,7 +57,7 @@ impl Joint {
             clusters.join(pairs.map(|(_, pair)| (pair.left(), pair.right())));
             for first in 0..clusters.buildings.len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
-                if clusters.gather(first, joins) && clusters.has_storeys() {
+                if clusters.gather(row.incidence(), first, joins) && clusters.is_general() {
                     lacked |= self.settle(row, &mut clusters, (contacts, scratch), slopes);
                 }
             }
@@ -86,7 +86,7 @@ impl Joint {
         for (allowed, node) in joined.profile.vector.iter_mut().zip(joined.nodes) {
             *allowed = joined.masses[*node] * trials[*node].allowed_residual();
         }
-        joined.solve(row, trials);
+        joined.solve(row, trials, &scratch.pairs);
         for (open, node) in joined.profile.vector.iter().zip(joined.nodes) {
             self.uncertain[*node] = slopes.velocity * open;
             // No impulse moves a floor more than if it were free.
@@ -106,7 +106,7 @@ impl Joint {
             let pair = &row.pairs()[index];
             let vector = &mut joined.profile.vector;
             vector.fill(0.0);
-            for (node, impulse) in [(pair.left(), -1.0), (pair.right(), 1.0)] {
+            for (node, impulse) in pair.relation.pushes() {
                 if !row.nodes()[node].is_wall() {
                     vector[joined.place[node]] = impulse;
                 }
@@ -115,8 +115,8 @@ impl Joint {
             for (other, &index) in self.pairs.iter().enumerate() {
                 let pair = &row.pairs()[index];
                 let velocity = |node: usize| joined.profile.vector[joined.place[node]];
-                let taken = velocity(pair.right()) - velocity(pair.left());
-                self.problem.set(other, by, taken);
+                let [left, right] = pair.relation.points().map(|point| point.of(velocity));
+                self.problem.set(other, by, right - left);
             }
         }
         self.replace(row, contacts, scratch);

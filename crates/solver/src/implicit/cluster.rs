@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use crate::implicit::equation::Cluster;
-use crate::implicit::trial::Trial;
+use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::profile::Profile;
-use crate::{Pair, RestoringForce, Row};
+use crate::{RestoringForce, Row};
 
 /// Structures of one storey that stand side by side; each touches the next.
 pub(crate) struct Line {
@@ -34,6 +34,7 @@ impl Cluster for Line {
         &mut self,
         _: &Row<Column>,
         trials: &mut [Trial<Column::Memory>],
+        _: &[PairTrial],
     ) {
         let cluster = &mut trials[self.nodes.clone()];
         for index in 1..cluster.len() {
@@ -77,6 +78,7 @@ impl Cluster for Alone<'_> {
         &mut self,
         _: &Row<Column>,
         trials: &mut [Trial<Column::Memory>],
+        _: &[PairTrial],
     ) {
         for floors in self.floors.windows(2) {
             let under = &trials[floors[0]];
@@ -124,12 +126,13 @@ impl Cluster for Joined<'_> {
         &mut self,
         row: &Row<Column>,
         trials: &mut [Trial<Column::Memory>],
+        pairs: &[PairTrial],
     ) {
         let nodes = self.nodes.iter();
         for (force, node) in self.profile.vector.iter_mut().zip(nodes) {
             *force = -self.masses[*node] * trials[*node].residual;
         }
-        self.solve(row, trials);
+        self.solve(row, trials, pairs);
         for (correction, node) in self.profile.vector.iter().zip(self.nodes) {
             trials[*node].correction = *correction;
             trials[*node].acceleration += correction;
@@ -146,6 +149,7 @@ impl Joined<'_> {
         &mut self,
         row: &Row<Column>,
         trials: &[Trial<Column::Memory>],
+        pairs: &[PairTrial],
     ) {
         self.profile.clear();
         for (place, &node) in self.nodes.iter().enumerate() {
@@ -156,21 +160,25 @@ impl Joined<'_> {
                 self.profile.add(place, below, mass * trial.below);
             }
         }
-        for pair in self.pairs {
-            let pair_of = &row.pairs()[*pair];
-            let (left, right) = (pair_of.left(), pair_of.right());
-            if couples(row, &row.pairs()[*pair]) {
-                let element = self.masses[right] * trials[right].lower;
-                self.profile
-                    .add(self.place[left], self.place[right], element);
+        for &pair in self.pairs {
+            let (relation, tangent) = (&row.pairs()[pair].relation, pairs[pair].tangent);
+            for (index, (one, part)) in relation.pushes().enumerate() {
+                for (other, of_other) in relation.pushes().skip(index + 1) {
+                    let [own, inverse_mass] = [self.masses[other], row.nodes()[other].inverse_mass];
+                    if couples(row, one, other) {
+                        let element = part * of_other * (own * (inverse_mass * tangent));
+                        self.profile
+                            .add(self.place[one], self.place[other], element);
+                    }
+                }
             }
         }
         self.profile.solve();
     }
 }
 
-/// Whether the floors of a pair move each other; a wall stays.
-pub(crate) fn couples<Column: RestoringForce>(row: &Row<Column>, pair: &Pair) -> bool {
+/// Whether two floors move each other; a wall stays.
+pub(crate) fn couples<Column: RestoringForce>(row: &Row<Column>, one: usize, other: usize) -> bool {
     let is_wall = |node: usize| row.nodes()[node].is_wall();
-    !is_wall(pair.left()) && !is_wall(pair.right())
+    !is_wall(one) && !is_wall(other)
 }

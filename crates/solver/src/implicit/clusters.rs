@@ -1,6 +1,7 @@
 //! Which buildings move together: those that pairs join.
 
 use crate::implicit::cluster::{Joined, Line, couples};
+use crate::model::incidence::{Incidence, Incident};
 use crate::model::profile::Profile;
 use crate::{Node, RestoringForce, Row};
 
@@ -12,8 +13,6 @@ pub(crate) struct Buildings {
     floors: Vec<usize>,
     /// Where the floors of each building start, and where the last ones end.
     starts: Vec<usize>,
-    /// Of every node the pair with its right neighbour.
-    pairs: Vec<Option<usize>>,
 }
 
 impl Buildings {
@@ -23,7 +22,6 @@ impl Buildings {
             of: vec![0; n],
             floors: Vec::with_capacity(n),
             starts: vec![0],
-            pairs: vec![None; n],
         };
         let grounded = |node: &usize| row.nodes()[*node].support.below().is_none();
         for ground_floor in (0..n).filter(grounded) {
@@ -34,9 +32,6 @@ impl Buildings {
                 floor = row.above(node);
             }
             buildings.starts.push(buildings.floors.len());
-        }
-        for (index, pair) in row.pairs().iter().enumerate() {
-            buildings.pairs[pair.left()] = Some(index);
         }
         buildings
     }
@@ -84,14 +79,20 @@ pub(crate) struct Clusters {
     place: Vec<usize>,
     /// Mass of every node \[kg\]; 1 for a wall, whose equation says that it stays.
     masses: Vec<f64>,
+    /// Whether the pairs of the row are a chain.
+    is_chain: bool,
     /// Its matrix.
     profile: Profile,
 }
 
 impl Clusters {
-    /// Of a row with buildings of several storeys; nothing for other rows, whose clusters are [lines](Line).
+    /// Of a row with buildings of several storeys, or whose pairs are no chain; nothing for other rows, whose clusters are
+    /// [lines](Line).
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        (0..row.nodes().len()).find(|node| row.above(*node).is_some())?;
+        let has_storeys = (0..row.nodes().len()).any(|node| row.above(node).is_some());
+        if !has_storeys && row.is_chain() {
+            return None;
+        }
         let buildings = Buildings::new(row);
         let mass = |node: &Node<Column>| {
             if node.is_wall() {
@@ -112,6 +113,7 @@ impl Clusters {
             pushing: Vec::with_capacity(row.pairs().len()),
             place: vec![0; n],
             masses: row.nodes().iter().map(mass).collect(),
+            is_chain: row.is_chain(),
             profile: Profile::with_capacity(n, n * (width + 1)),
             buildings,
         })
@@ -152,7 +154,12 @@ impl Clusters {
     }
 
     /// Gathers the cluster that begins with a building; true if there is one, of more than a building alone.
-    pub(crate) fn gather(&mut self, first: usize, is_taken: impl Fn(usize) -> bool) -> bool {
+    pub(crate) fn gather(
+        &mut self,
+        incidence: &Incidence,
+        first: usize,
+        is_taken: impl Fn(usize) -> bool,
+    ) -> bool {
         if !self.joined[first] || self.earlier[first] != first {
             return false;
         }
@@ -171,16 +178,20 @@ impl Clusters {
         }
         self.pairs.clear();
         for &node in &self.nodes {
-            let pair = self.buildings.pairs[node];
-            self.pairs.extend(pair.filter(|pair| is_taken(*pair)));
+            // Of the floors that carry the left point of a pair, the first to come takes it.
+            for Incident { pair, .. } in incidence.at(node).iter().filter(|at| at.on_left) {
+                if is_taken(*pair) && !self.pairs.contains(pair) {
+                    self.pairs.push(*pair);
+                }
+            }
         }
         true
     }
 
-    /// Whether the cluster gathered last has a building of several storeys.
-    pub(crate) fn has_storeys(&self) -> bool {
+    /// Whether the cluster gathered last is more than a [`Line`]: it has a building of several storeys, or may branch.
+    pub(crate) fn is_general(&self) -> bool {
         let building = |node: &usize| self.buildings.height(self.buildings.of[*node]);
-        self.nodes.iter().any(|node| building(node) > 1)
+        !self.is_chain || self.nodes.iter().any(|node| building(node) > 1)
     }
 
     /// The cluster gathered last, if no building of it has several storeys: they stand side by side and each touches the next,
@@ -190,7 +201,7 @@ impl Clusters {
             let (first, last) = (indices.first()?, indices.last()?);
             Some(*first..*last + 1)
         };
-        if self.has_storeys() {
+        if self.is_general() {
             return None;
         }
         Some(Line {
@@ -218,10 +229,13 @@ impl Clusters {
             }
         }
         for pair in &self.pushing {
-            let pair = &row.pairs()[*pair];
-            if couples(row, pair) {
-                self.profile
-                    .join(self.place[pair.left()], self.place[pair.right()]);
+            let relation = &row.pairs()[*pair].relation;
+            for (index, (one, _)) in relation.pushes().enumerate() {
+                for (other, _) in relation.pushes().skip(index + 1) {
+                    if couples(row, one, other) {
+                        self.profile.join(self.place[one], self.place[other]);
+                    }
+                }
             }
         }
         self.profile.lay_out();

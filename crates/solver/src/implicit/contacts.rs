@@ -45,7 +45,7 @@ impl Contacts {
 
     /// Rate of deformation of a pair at the end of the step \[m/s\].
     pub(crate) fn rate<Memory>(&self, index: usize, pair: &Pair, trials: &[Trial<Memory>]) -> f64 {
-        trials[pair.left()].velocity - trials[pair.right()].velocity + self.opening_rates[index]
+        pair.relation.ahead(|floor| trials[floor].velocity) + self.opening_rates[index]
     }
 
     /// Chooses the pairs that take part in the step ahead.
@@ -90,8 +90,9 @@ impl Contacts {
     ) {
         self.net.fill(0.0);
         for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
-            self.net[pair.left()] -= impulse;
-            self.net[pair.right()] += impulse;
+            let [left, right] = pair.relation.points();
+            left.spread(*impulse, |floor, impulse| self.net[floor] -= impulse);
+            right.spread(*impulse, |floor, impulse| self.net[floor] += impulse);
         }
         let dt = slopes.time_step;
         let bodies = scratch.states.iter().zip(&mut scratch.trials);
@@ -119,13 +120,14 @@ impl Contacts {
     ) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
-        let [left, right] = [pair.left(), pair.right()].map(|node| {
+        let open = |node: usize| {
             let (trial, mobility) = (&trials[node], self.mobilities[node]);
             let pushed = mobility * (self.net[node].abs() + impulse);
             let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
             let terms = terms + self.opening_rates[index].abs();
             uncertain(node) + ROUNDING * terms
-        });
+        };
+        let [left, right] = pair.relation.points().map(|point| point.of(open));
         let rate = self.rate(index, pair, trials);
         let lacking = rate + self.bounce[index];
         let allowed = TOLERANCE * (rate.abs() + self.bounce[index]) + (left + right);

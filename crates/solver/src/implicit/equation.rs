@@ -1,6 +1,6 @@
 //! What a step solves: how its unknowns follow from accelerations, and which floors find their equilibrium together.
 
-use crate::implicit::trial::Trial;
+use crate::implicit::trial::{PairTrial, Trial};
 use crate::{RestoringForce, Row};
 
 /// What a method's step looks like to Newton: how displacement and velocity follow the acceleration.
@@ -41,5 +41,6 @@ pub(crate) trait Cluster {
         &mut self,
         row: &Row<Column>,
         trials: &mut [Trial<Column::Memory>],
+        pairs: &[PairTrial],
     );
 }

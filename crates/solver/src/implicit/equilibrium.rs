@@ -3,9 +3,9 @@
 use pounding_contact::Overlap;
 
 use crate::implicit::equation::{Cluster, Slopes};
-use crate::implicit::trial::Trial;
+use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::ground::Ground;
-use crate::{Floor, Node, Pair, RestoringForce, Row, Support, Work};
+use crate::{Floor, Node, RestoringForce, Row, Support, Work};
 
 /// Relative rounding of a displacement, a velocity or a deformation: each goes through up to four operations.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -16,7 +16,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 #[inline]
 pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
-    trials: &mut [Trial<Column::Memory>],
+    (trials, pairs): (&mut [Trial<Column::Memory>], &mut [PairTrial]),
     cluster: &C,
     (slopes, ground): (Slopes, Ground<'_>),
     work: &mut Work,
@@ -48,7 +48,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     }
     work.force_evaluations += n_nodes;
     for pair in cluster.pairs() {
-        couple(row, &row.pairs()[pair], trials, slopes, ground);
+        couple(row, pair, trials, &mut pairs[pair], (slopes, ground));
     }
     let mut sum = 0.0;
     for index in cluster.nodes() {
@@ -143,49 +143,61 @@ fn stand<Column: RestoringForce>(
 /// Adds the pounding force of one pair.
 fn couple<Column: RestoringForce>(
     row: &Row<Column>,
-    pair: &Pair,
+    index: usize,
     trials: &mut [Trial<Column::Memory>],
-    slopes: Slopes,
-    ground: Ground<'_>,
+    known: &mut PairTrial,
+    (slopes, ground): (Slopes, Ground<'_>),
 ) {
-    let (left, right) = (&trials[pair.left()], &trials[pair.right()]);
-    let deformation = ground.deformation(pair, left.displacement - right.displacement);
+    let pair = &row.pairs()[index];
+    (known.force, known.tangent) = (0.0, 0.0);
+    let ahead = pair.relation.ahead(|floor| trials[floor].displacement);
+    let deformation = ground.deformation(pair, ahead);
     // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
-    let near = deformation > 0.0 || left.approach_speed.is_some();
-    if near && pair.law.is_compliant() {
-        let rate = ground.rate(pair, left.velocity - right.velocity);
-        let overlap = Overlap {
-            deformation,
-            rate,
-            reduced_mass: row.reduced_mass(pair),
-            // A building alone sees no pair; those that overlap then were marked, with their speed.
-            approach_speed: left.approach_speed.unwrap_or(0.0),
-        };
-        let contact = if deformation > 0.0 {
-            pair.law.respond(&overlap)
+    let near = deformation > 0.0 || known.approach_speed.is_some();
+    if !(near && pair.law.is_compliant()) {
+        return;
+    }
+    let faster = pair.relation.ahead(|floor| trials[floor].velocity);
+    let overlap = Overlap {
+        deformation,
+        rate: ground.rate(pair, faster),
+        reduced_mass: row.reduced_mass(pair),
+        // A building alone sees no pair; those that overlap then were marked, with their speed.
+        approach_speed: known.approach_speed.unwrap_or(0.0),
+    };
+    let contact = if deformation > 0.0 {
+        pair.law.respond(&overlap)
+    } else {
+        pair.law.before_touch(&overlap)
+    };
+    let Some(contact) = contact else {
+        return;
+    };
+    let [left, right] = pair.relation.points();
+    let displaced = |floor: usize| trials[floor].displacement.abs();
+    let fast = |floor: usize| trials[floor].velocity.abs();
+    let (displaced, fast, grounds) = (
+        left.of(displaced) + right.of(displaced) + pair.gap(),
+        left.of(fast) + right.of(fast),
+        ground.extent(pair),
+    );
+    let rounding = ROUNDING
+        * (contact.stiffness * (displaced + grounds.displacement)
+            + contact.damping * (fast + grounds.velocity));
+    let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
+    (known.force, known.tangent) = (contact.force, tangent);
+    for (floor, part) in pair.relation.pushes() {
+        let (inverse_mass, trial) = (row.nodes()[floor].inverse_mass, &mut trials[floor]);
+        let (size, off) = (part.abs(), -inverse_mass * tangent);
+        // A floor of a line has at most these two.
+        if part < 0.0 {
+            trial.force_from_right -= size * contact.force;
+            trial.upper = off;
         } else {
-            pair.law.before_touch(&overlap)
-        };
-        let Some(contact) = contact else {
-            return;
-        };
-        let (displaced, fast, grounds) = (
-            left.displacement.abs() + right.displacement.abs() + pair.gap(),
-            left.velocity.abs() + right.velocity.abs(),
-            ground.extent(pair),
-        );
-        let rounding = ROUNDING
-            * (contact.stiffness * (displaced + grounds.displacement)
-                + contact.damping * (fast + grounds.velocity));
-        let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
-        let node = |index: usize| row.nodes()[index].inverse_mass;
-        let left = &mut trials[pair.left()];
-        left.force_from_right = -contact.force;
-        left.upper = -node(pair.left()) * tangent;
-        left.push(node(pair.left()), contact.force, (tangent, rounding));
-        let right = &mut trials[pair.right()];
-        right.force_from_left = contact.force;
-        right.lower = -node(pair.right()) * tangent;
-        right.push(node(pair.right()), contact.force, (tangent, rounding));
+            trial.force_from_left += size * contact.force;
+            trial.lower = off;
+        }
+        let own = (size * tangent, rounding);
+        trial.push(size * inverse_mass, contact.force, own);
     }
 }

@@ -191,8 +191,8 @@ impl Solution {
             if self.is_in_line(index) {
                 let rate = self.contacts.rate(index, pair, trials);
                 // Without the impulses found so far, which are to be replaced.
-                let demand =
-                    rate + self.contacts.bounce[index] + (taken(pair.right()) - taken(pair.left()));
+                let taken = taken(pair.right()) - taken(pair.left());
+                let demand = rate + self.contacts.bounce[index] + taken;
                 self.together.push((index, pair.left()), demand);
             }
         }

@@ -9,10 +9,10 @@ use crate::implicit::cluster::{Alone, Line};
 use crate::implicit::clusters::Clusters;
 use crate::implicit::equation::{Cluster, Failure, Slopes};
 use crate::implicit::newton::{self};
-use crate::implicit::trial::{TOLERANCE, Trial};
+use crate::implicit::trial::{PairTrial, TOLERANCE, Trial};
 use crate::model::approach::speed;
 use crate::model::ground::Ground;
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{
     Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };
@@ -64,6 +64,9 @@ pub(crate) struct Scratch<Memory> {
     /// State at its end, before impacts.
     pub(crate) ends: Vec<State>,
     pub(crate) trials: Vec<Trial<Memory>>,
+    /// The same of the pairs.
+    pub(crate) pairs: Vec<PairTrial>,
+    pub(crate) pushes: Pushes,
     /// Which pairs overlap during the step.
     pub(crate) touching: Vec<bool>,
     /// Nothing in a row of structures of one storey.
@@ -141,6 +144,8 @@ pub(crate) fn begin<Column: RestoringForce>(
         ends: states.clone(),
         states,
         trials,
+        pairs: vec![PairTrial::default(); row.pairs().len()],
+        pushes: Pushes::new(row.incidence()),
         touching: vec![false; row.pairs().len()],
         clusters: Clusters::new(row),
         impacts: Impacts::new(row),
@@ -160,6 +165,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     let Scratch {
         states,
         trials,
+        pairs,
         touching,
         clusters,
         ..
@@ -167,6 +173,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     let mut equation = Equation {
         row,
         trials,
+        pairs,
         step: (slopes, ground[1]),
         time,
         work,
@@ -187,13 +194,13 @@ pub(crate) fn balance<Column: RestoringForce>(
             }
         }
     }
-    for pair in row.pairs() {
+    for (pair, known) in row.pairs().iter().zip(&mut *equation.pairs) {
         if ground[0].deformation_of(pair, states) <= 0.0 {
-            equation.trials[pair.left()].approach_speed = None;
+            known.approach_speed = None;
         }
     }
     touching.fill(false);
-    while mark_overlaps(row, equation.trials, touching, ground[1]) {
+    while equation.mark_overlaps(touching) {
         match clusters {
             None => equation.solve_lines(touching)?,
             Some(clusters) => equation.solve_clusters(clusters, touching)?,
@@ -206,6 +213,7 @@ pub(crate) fn balance<Column: RestoringForce>(
 struct Equation<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     trials: &'a mut [Trial<Column::Memory>],
+    pairs: &'a mut [PairTrial],
     /// The step and the ground at its end.
     step: (Slopes, Ground<'a>),
     time: f64,
@@ -215,7 +223,8 @@ struct Equation<'a, Column: RestoringForce> {
 impl<Column: RestoringForce> Equation<'_, Column> {
     #[inline]
     fn solve<C: Cluster>(&mut self, mut cluster: C) -> Result<(), RunError> {
-        newton::solve(self.row, self.trials, &mut cluster, self.step, self.work)
+        let (trials, pairs) = (&mut *self.trials, &mut *self.pairs);
+        newton::solve(self.row, trials, pairs, &mut cluster, self.step, self.work)
             .map_err(|failure| self.error(failure, &cluster))
     }
 
@@ -252,7 +261,8 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     ) -> Result<(), RunError> {
         clusters.join(marked(self.row, touching));
         for building in 0..clusters.buildings.len() {
-            if clusters.gather(building, |pair| touching[pair]) {
+            let incidence = self.row.incidence();
+            if clusters.gather(incidence, building, |pair| touching[pair]) {
                 match clusters.line() {
                     Some(line) => self.solve(line)?,
                     None => self.solve(clusters.joined(self.row, |_| true))?,
@@ -260,6 +270,28 @@ impl<Column: RestoringForce> Equation<'_, Column> {
             }
         }
         Ok(())
+    }
+
+    /// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
+    ///
+    /// Those that touch first approach as they do without each other's force.
+    fn mark_overlaps(&mut self, touching: &mut [bool]) -> bool {
+        let (trials, ground) = (&*self.trials, self.step.1);
+        let mut grown = false;
+        for (index, pair) in self.row.pairs().iter().enumerate() {
+            if touching[index] || !pair.law.is_compliant() {
+                continue;
+            }
+            let ahead = pair.relation.ahead(|floor| trials[floor].displacement);
+            if ground.deformation(pair, ahead) > 0.0 {
+                let faster = pair.relation.ahead(|floor| trials[floor].velocity);
+                let rate = ground.rate(pair, faster);
+                speed(&mut self.pairs[index].approach_speed, rate);
+                touching[index] = true;
+                grown = true;
+            }
+        }
+        grown
     }
 
     /// Why a run ends that did not find the equilibrium of a cluster.
@@ -286,37 +318,13 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     }
 }
 
-/// Both nodes of the pairs that are marked.
+/// A floor on either side of the pairs that are marked.
 pub(crate) fn marked<Column: RestoringForce>(
     row: &Row<Column>,
     marks: &[bool],
 ) -> impl Iterator<Item = (usize, usize)> {
     let pairs = row.pairs().iter().zip(marks);
     pairs.filter_map(|(pair, marked)| marked.then_some((pair.left(), pair.right())))
-}
-
-/// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
-///
-/// Those that touch first approach as they do without each other's force.
-fn mark_overlaps<Column: RestoringForce>(
-    row: &Row<Column>,
-    trials: &mut [Trial<Column::Memory>],
-    touching: &mut [bool],
-    ground: Ground<'_>,
-) -> bool {
-    let mut grown = false;
-    for (pair, touching) in row.pairs().iter().zip(touching) {
-        let ahead = trials[pair.left()].displacement - trials[pair.right()].displacement;
-        let deformation = ground.deformation(pair, ahead);
-        if pair.law.is_compliant() && !*touching && deformation > 0.0 {
-            let faster = trials[pair.left()].velocity - trials[pair.right()].velocity;
-            let rate = ground.rate(pair, faster);
-            speed(&mut trials[pair.left()].approach_speed, rate);
-            *touching = true;
-            grown = true;
-        }
-    }
-    grown
 }
 
 /// Takes over the states at the end of a step.
@@ -396,12 +404,27 @@ pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     mut weighed: impl FnMut(usize, [&[State]; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) {
     let times = (clock.time(step - 1), clock.time(step));
+    let (pushes, incidence) = (&mut scratch.pushes, row.incidence());
+    for (pair, known) in scratch.pairs.iter().enumerate() {
+        let force = if scratch.touching[pair] {
+            known.force
+        } else {
+            0.0
+        };
+        for slot in incidence.slots_of(pair) {
+            pushes.at(*slot).forces[1] = force;
+        }
+    }
     let all: [&[State]; 2] = [&scratch.states, &scratch.ends];
     for (node, (start, end)) in all[0].iter().zip(all[1]).enumerate() {
         let (weights, loads) = weighed(node, all);
         let mut span = Span::step::<R, N>(node, times, [*start, *end], weights, loads);
         span.below = row.below(node, all);
+        let slots = incidence.slots_at(node);
+        pushes.weigh(slots.clone(), weights);
+        span.pushes = pushes.of(slots.clone());
         recorder.span(&span);
+        pushes.go_on(slots);
     }
     std::mem::swap(&mut scratch.states, &mut scratch.ends);
     for trial in &mut scratch.trials {

@@ -8,7 +8,7 @@
 
 use crate::implicit::equation::{Cluster, Failure, Slopes};
 use crate::implicit::equilibrium::residual;
-use crate::implicit::trial::Trial;
+use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::ground::Ground;
 use crate::{Node, RestoringForce, Row, Work};
 
@@ -23,11 +23,12 @@ const MAX_HALVINGS: u32 = 30;
 pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
+    pairs: &mut [PairTrial],
     cluster: &mut C,
     step: (Slopes, Ground<'_>),
     work: &mut Work,
 ) -> Result<(), Failure> {
-    let mut merit = residual(row, trials, cluster, step, work);
+    let mut merit = residual(row, (trials, pairs), cluster, step, work);
     let mut iterations = 0;
     // A motion that died out to less than 1e-150 m leaves residuals whose squares underflow: none can fall further.
     while merit != 0.0 && !is_balanced(trials, cluster) {
@@ -40,10 +41,10 @@ pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
         }
         iterations += 1;
         work.newton_iterations += 1;
-        cluster.correct(row, trials);
+        cluster.correct(row, trials, pairs);
         let mut halvings = 0;
         loop {
-            let tried = residual(row, trials, cluster, step, work);
+            let tried = residual(row, (trials, pairs), cluster, step, work);
             // Balanced within rounding, the merit may no longer fall. Not a number never passes.
             if tried < merit || is_balanced(trials, cluster) {
                 merit = tried;

@@ -7,6 +7,17 @@ use crate::{Response, State};
 /// Rounding of those terms leaves about 1e-15; what rounding of displacements and velocities leaves is added.
 pub(crate) const TOLERANCE: f64 = 1e-12;
 
+/// One pair during a step.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct PairTrial {
+    /// Approach speed of the present contact \[m/s\]; nothing while apart.
+    pub(crate) approach_speed: Option<f64>,
+    /// Its force at the end of the step \[N\], ≥ 0.
+    pub(crate) force: f64,
+    /// How that changes with the acceleration at which the points close \[kg\].
+    pub(crate) tangent: f64,
+}
+
 /// One floor during a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trial<Memory> {
@@ -23,8 +34,6 @@ pub(crate) struct Trial<Memory> {
     pub(crate) velocity: f64,
     /// The answer there of the columns below the floor.
     pub(crate) response: Response<Memory>,
-    /// Approach speed of the present contact with the right neighbour \[m/s\]; nothing while apart.
-    pub(crate) approach_speed: Option<f64>,
     /// Memory of the columns at the start of the step.
     pub(crate) memory: Memory,
     /// Pounding force from the left neighbour \[N\].
@@ -64,7 +73,6 @@ impl<Memory: Copy> Trial<Memory> {
                 tangent: 0.0,
                 memory,
             },
-            approach_speed: None,
             memory,
             force_from_left: 0.0,
             force_from_right: 0.0,

@@ -11,6 +11,7 @@ pub(crate) mod damping;
 pub(crate) mod dashpots;
 pub(crate) mod excitation;
 pub(crate) mod ground;
+pub(crate) mod incidence;
 pub(crate) mod levels;
 pub(crate) mod mixed;
 pub(crate) mod modes;

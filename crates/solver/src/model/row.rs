@@ -1,7 +1,11 @@
 use crate::model::approach::Approaches;
 use crate::model::ground::{Ground, Shaking};
+use crate::model::incidence::Incidence;
 use crate::model::node::floors_above;
-use crate::{Clock, Excitation, ModelError, Node, Pair, RestoringForce, State, Travel};
+use crate::span::Pushes;
+use crate::{
+    Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, Share, State, Travel,
+};
 use pounding_contact::{ContactForce, Overlap, reduced_mass};
 
 /// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
@@ -14,6 +18,8 @@ pub struct Row<Column> {
     /// For every node the floor that stands on it.
     above: Vec<Option<usize>>,
     pairs: Vec<Pair>,
+    /// Which of them meet which nodes.
+    incidence: Incidence,
     /// When the ground motion arrives at every node \[s\]; nothing where it does so everywhere at t = 0.
     arrivals: Option<Vec<f64>>,
 }
@@ -35,6 +41,7 @@ impl<Column: RestoringForce> Row<Column> {
             nodes,
             above: Vec::new(),
             pairs,
+            incidence: Incidence::default(),
             arrivals: None,
         };
         unchecked.checked()
@@ -65,17 +72,7 @@ impl<Column: RestoringForce> Row<Column> {
         }
         floors_above(nodes, &mut self.above)?;
         for (index, pair) in pairs.iter().enumerate() {
-            let (left, right) = (pair.left(), pair.right());
-            let in_order = index == 0 || pairs[index - 1].left() < left;
-            let neighbours = right == left + 1 && right < nodes.len();
-            if !in_order || !neighbours || (nodes[left].is_wall() && nodes[right].is_wall()) {
-                return Err(ModelError::NotNeighbours {
-                    pair: index,
-                    left,
-                    right,
-                    n_nodes: nodes.len(),
-                });
-            }
+            self.check_points(index, pair)?;
             check_pair(index, pair)?;
             let ahead = pair.relation.ahead(|node| nodes[node].initial_displacement);
             let overlap = ahead - pair.gap();
@@ -86,7 +83,59 @@ impl<Column: RestoringForce> Row<Column> {
                 });
             }
         }
+        self.incidence.renew(nodes.len(), pairs);
         Ok(self)
+    }
+
+    /// Both points of a pair move with floors of the row, of two buildings, and one of them at least may move.
+    fn check_points(&self, index: usize, pair: &Pair) -> Result<(), ModelError> {
+        let refused = ModelError::NotNeighbours {
+            pair: index,
+            left: pair.left(),
+            right: pair.right(),
+            n_nodes: self.nodes.len(),
+        };
+        let points = pair.relation.points();
+        let is_sound = |point: Point| match point {
+            Point::Floor(floor) => floor < self.nodes.len(),
+            Point::Share(Share { base, other, lean }) => {
+                let floors = [base, other].into_iter().flatten();
+                let stands = |floor: usize| {
+                    self.nodes
+                        .get(floor)
+                        .map(|node| (node.is_wall(), node.support.below()))
+                };
+                let (lower, upper) = if base < other {
+                    (base, other)
+                } else {
+                    (other, base)
+                };
+                let is_storey = upper.and_then(stands) == Some((false, lower));
+                lean > 0.0 && lean <= 0.5 && floors.count() > 0 && is_storey
+            }
+        };
+        if !points.into_iter().all(is_sound) {
+            return Err(refused);
+        }
+        let base = |point: Point| {
+            let mut floor = point.floor();
+            while let Some(below) = self.nodes[floor].support.below() {
+                floor = below;
+            }
+            floor
+        };
+        let [left, right] = points.map(base);
+        if left == right || (self.nodes[left].is_wall() && self.nodes[right].is_wall()) {
+            return Err(refused);
+        }
+        Ok(())
+    }
+
+    /// Whether the pairs are a chain: of floors, each with the node before the next, in order.
+    pub fn is_chain(&self) -> bool {
+        let follows = |pair: &Pair| pair.relation.is_level() && pair.right() == pair.left() + 1;
+        let rises = |pairs: &[Pair]| pairs[0].left() < pairs[1].left();
+        self.pairs.iter().all(follows) && self.pairs.windows(2).all(rises)
     }
 
     /// The same row, at whose nodes the ground motion arrives one after the other: after these times \[s\], ≥ 0, one for
@@ -141,6 +190,11 @@ impl<Column: RestoringForce> Row<Column> {
         &self.pairs
     }
 
+    /// Which pairs meet which nodes.
+    pub(crate) fn incidence(&self) -> &Incidence {
+        &self.incidence
+    }
+
     /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
     pub fn above(&self, node: usize) -> Option<usize> {
         self.above[node]
@@ -156,9 +210,11 @@ impl<Column: RestoringForce> Row<Column> {
     pub(crate) fn push(
         &self,
         states: &mut [State],
+        pushes: &mut Pushes,
         approaches: &mut Approaches,
         ground: Ground<'_>,
     ) {
+        pushes.forget_ends();
         for state in states.iter_mut() {
             (state.force_from_left, state.force_from_right) = (0.0, 0.0);
         }
@@ -174,8 +230,14 @@ impl<Column: RestoringForce> Row<Column> {
                     approach_speed: approaches.of(index, rate),
                 };
                 if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
-                    states[pair.left()].force_from_right = -force;
-                    states[pair.right()].force_from_left = force;
+                    pushes.act(self, (index, force), |floor, on_left, force| {
+                        let state = &mut states[floor];
+                        if on_left {
+                            state.force_from_right -= force;
+                        } else {
+                            state.force_from_left += force;
+                        }
+                    });
                 }
             }
         }

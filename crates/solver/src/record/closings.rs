@@ -215,6 +215,7 @@ mod tests {
             impulse_from_right: 0.0,
             below: None,
             path: Path::Cubic(Weighed::default()),
+            pushes: &[],
         }
     }
 

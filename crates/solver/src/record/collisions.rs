@@ -1,5 +1,5 @@
 use crate::sum::Sum;
-use crate::{Impact, Pair, Path, Recorder, Span, Touch, Travel};
+use crate::{Impact, Pair, Path, Point, Push, Recorder, Relation, Span, Touch, Travel};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it.
 ///
@@ -35,12 +35,10 @@ pub struct Collision {
 /// Records the collisions of every pair, in the order in which they begin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collisions {
-    /// For each node, the pair it is the left neighbour of.
-    pair_of_left: Vec<Option<usize>>,
     /// For each node, when and where its last two spans ended, the last one first: of two neighbours either may be told first.
     seen: Vec<[(f64, f64); 2]>,
     /// Gap of every pair.
-    gaps: Vec<f64>,
+    relations: Vec<Relation>,
     /// How the ground motion travels; nothing where all are shaken at once.
     travel: Option<Travel>,
     /// For each pair, its collision that goes on, or the impact that rest may follow.
@@ -70,14 +68,9 @@ struct Open {
 impl Collisions {
     /// For a row of `n_structures`, that is nodes, walls included, with these pairs, of any level.
     pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
-        let mut pair_of_left = vec![None; n_structures];
-        for (index, pair) in pairs.iter().enumerate() {
-            pair_of_left[pair.left()] = Some(index);
-        }
         Self {
-            pair_of_left,
             seen: vec![[(0.0, 0.0); 2]; n_structures],
-            gaps: pairs.iter().map(|pair| pair.gap()).collect(),
+            relations: pairs.iter().map(|pair| pair.relation).collect(),
             travel: None,
             open: vec![None; pairs.len()],
             plastic: pairs.iter().map(is_plastic).collect(),
@@ -104,20 +97,78 @@ impl Collisions {
     ///
     /// Where both have not been seen at that instant they are apart: what touches is followed at common instants.
     fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
-        let ends = self.seen[span.structure + 1].into_iter();
-        let mut together = ends.filter(|(time, _)| time.total_cmp(&span.start_time).is_eq());
-        let Some((time, displacement)) = together.next() else {
-            return false;
+        let relation = &self.relations[pair];
+        let start = span.start_time;
+        let then = |floor: usize| {
+            if floor == span.structure {
+                return Some(span.start.displacement);
+            }
+            let mut ends = self.seen[floor].into_iter();
+            let end = ends.find(|(time, _)| time.total_cmp(&start).is_eq());
+            end.map(|(_, displacement)| displacement)
         };
-        let ahead = span.start.displacement - displacement;
+        if !relation.pushes().all(|(floor, _)| then(floor).is_some()) {
+            return false;
+        }
+        let ahead = relation.ahead(|floor| then(floor).unwrap_or(0.0));
         let ahead = match &self.travel {
             None => ahead,
             Some(travel) => {
-                let nodes = [span.structure, span.structure + 1];
-                ahead + travel.opening(nodes, time).displacement
+                let nodes = relation.points().map(Point::floor);
+                ahead + travel.opening(nodes, start).displacement
             }
         };
-        ahead - self.gaps[pair] > 0.0
+        ahead - relation.offset > 0.0
+    }
+
+    /// What a pair does over a span of the floor on its left.
+    fn push(&mut self, span: &Span<'_>, push: &Push<'_>) {
+        let pair = push.pair;
+        let [start, end] = push.forces;
+        let nothing = push.is_none();
+        let begins = start == 0.0 && end > 0.0;
+        let ends = |open: Open| {
+            if self.impulsive[pair] {
+                // Rest follows an impact at once; a step knows at its end.
+                let end = self.found[open.index].end;
+                return nothing && !(self.steps && span.start_time <= end);
+            }
+            // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
+            (nothing || begins) && !self.overlaps(pair, span)
+        };
+        if self.open[pair].is_some_and(ends) {
+            self.open[pair] = None;
+        }
+        if nothing {
+            return;
+        }
+        let mut open = match self.open[pair] {
+            Some(open) => open,
+            None => self.begin(pair, span, start),
+        };
+        if self.steps {
+            open.impulse.value += push.impulse;
+        } else {
+            open.impulse = open.impulse.plus(push.impulse);
+        }
+        self.open[pair] = Some(open);
+        let collision = &mut self.found[open.index];
+        collision.impulse = open.impulse.rounded();
+        if end > 0.0 || !matches!(span.path, Path::Cubic(_)) {
+            collision.end = span.end_time;
+        }
+        // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
+        let known = if start == 0.0 && end == 0.0 && span.duration() > 0.0 {
+            push.impulse / span.duration()
+        } else {
+            end
+        };
+        // A floor that is hit presses a damped neighbour harder at once: the force jumps between two spans.
+        for (force, time) in [(start, span.start_time), (known, span.end_time)] {
+            if collision.peak_force.is_some_and(|peak| force > peak) {
+                (collision.peak_force, collision.peak_force_time) = (Some(force), Some(time));
+            }
+        }
     }
 
     /// A pair begins to press with this force in a span.
@@ -164,53 +215,10 @@ impl Recorder for Collisions {
     fn span(&mut self, span: &Span<'_>) {
         let seen = &mut self.seen[span.structure];
         *seen = [(span.end_time, span.end.displacement), seen[0]];
-        let Some(pair) = self.pair_of_left[span.structure] else {
-            return;
-        };
-        let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
-        let nothing = start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0;
-        let begins = start == 0.0 && end > 0.0;
         self.steps = matches!(span.path, Path::Cubic(_));
-        let ends = |open: Open| {
-            if self.impulsive[pair] {
-                // Rest follows an impact at once; a step knows at its end.
-                let end = self.found[open.index].end;
-                return nothing && !(self.steps && span.start_time <= end);
-            }
-            // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
-            (nothing || begins) && !self.overlaps(pair, span)
-        };
-        if self.open[pair].is_some_and(ends) {
-            self.open[pair] = None;
-        }
-        if nothing {
-            return;
-        }
-        let mut open = match self.open[pair] {
-            Some(open) => open,
-            None => self.begin(pair, span, start),
-        };
-        if self.steps {
-            open.impulse.value -= span.impulse_from_right;
-        } else {
-            open.impulse = open.impulse.plus(-span.impulse_from_right);
-        }
-        self.open[pair] = Some(open);
-        let collision = &mut self.found[open.index];
-        collision.impulse = open.impulse.rounded();
-        if end > 0.0 || !matches!(span.path, Path::Cubic(_)) {
-            collision.end = span.end_time;
-        }
-        // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
-        let known = if start == 0.0 && end == 0.0 && span.duration() > 0.0 {
-            -span.impulse_from_right / span.duration()
-        } else {
-            end
-        };
-        // A floor that is hit presses a damped neighbour harder at once: the force jumps between two spans.
-        for (force, time) in [(start, span.start_time), (known, span.end_time)] {
-            if collision.peak_force.is_some_and(|peak| force > peak) {
-                (collision.peak_force, collision.peak_force_time) = (Some(force), Some(time));
+        for push in span.pushes {
+            if push.on_left && self.relations[push.pair].left.floor() == span.structure {
+                self.push(span, push);
             }
         }
     }

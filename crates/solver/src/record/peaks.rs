@@ -198,6 +198,7 @@ mod tests {
             end: state(0.55 * 0.55 - 0.55, 0.1, 10.0 * 0.55 * (0.55 - 0.5)),
             impulse_from_left: 0.0,
             impulse_from_right: 0.0,
+            pushes: &[],
             below: Some([motion(0.0, -0.5), motion(-0.275, -0.5)]),
             path,
         }
@@ -240,6 +241,7 @@ mod tests {
         let mut peaks = Peaks::new(1);
         peaks.span(&Span {
             below: None,
+            pushes: &[],
             ..step
         });
         assert_eq!(peaks.of(0).storey_drift, None);

@@ -10,22 +10,35 @@ pub struct Velocities {
     pub right: f64,
 }
 
+/// A floor that an impact strikes.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Struck {
+    /// Its node.
+    pub floor: usize,
+    /// Part of the impulse that it gets \[–\]: negative on the left of the pair, which is pushed to the left.
+    pub part: f64,
+    /// Velocities before and after everything that happens at this instant \[m/s\].
+    pub velocities: [f64; 2],
+}
+
 /// An impulsive impact of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
     /// Index of the pair in its row.
     pub pair: usize,
-    /// Index of the left structure.
+    /// Index of the left structure; of a point between two floors the nearer one.
     pub left: usize,
     /// Index of the right structure.
     pub right: usize,
+    /// The floors that carry both points, two at least.
+    pub floors: [Option<Struck>; 4],
     /// Instant \[s\].
     pub time: f64,
     /// Impulse P \[N·s\], ≥ 0; the left structure gets −P, the right one +P.
     pub impulse: f64,
-    /// Velocities before everything that happens at this instant.
+    /// Velocities of both points before everything that happens at this instant.
     pub before: Velocities,
-    /// Velocities after everything that happens at this instant.
+    /// Velocities of both points after everything that happens at this instant.
     pub after: Velocities,
     /// Rate at which the grounds of both move towards each other \[m/s\]: with the difference of the velocities, which are
     /// relative to them, it is the rate of deformation. 0 where the ground motion arrives at both at once.
@@ -33,6 +46,11 @@ pub struct Impact {
 }
 
 impl Impact {
+    /// The floors that it strikes.
+    pub fn struck(&self) -> impl Iterator<Item = Struck> + Clone {
+        self.floors.into_iter().flatten()
+    }
+
     /// Rates of deformation of the pair before and after \[m/s\], positive while approaching.
     pub fn rates(&self) -> [f64; 2] {
         [self.before, self.after].map(|at| at.left - at.right + self.opening_rate)
@@ -132,6 +150,7 @@ impl Span<'_> {
             impulse_from_right: weigh(|load| load.from_right),
             below: None,
             path: Path::Cubic(weighed),
+            pushes: &[],
         }
     }
 }

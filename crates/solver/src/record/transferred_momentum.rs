@@ -70,15 +70,16 @@ impl Recorder for TransferredMomentum {
     }
 
     fn impact(&mut self, impact: &Impact) {
-        self.add(impact.left, -impact.impulse, impact.time);
-        self.add(impact.right, impact.impulse, impact.time);
+        for struck in impact.struck() {
+            self.add(struck.floor, struck.part * impact.impulse, impact.time);
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{State, Velocities, Weighed};
+    use crate::{State, Struck, Velocities, Weighed};
 
     fn step(start: f64, end: f64, impulse_from_left: f64) -> Span<'static> {
         Span {
@@ -91,6 +92,7 @@ mod tests {
             impulse_from_right: 0.0,
             below: None,
             path: Path::Cubic(Weighed::default()),
+            pushes: &[],
         }
     }
 
@@ -103,6 +105,15 @@ mod tests {
             pair: 1,
             left: 1,
             right: 2,
+            floors: [(1, -1.0), (2, 1.0), (0, 0.0), (0, 0.0)].map(|(floor, part)| {
+                let velocities = [0.0; 2];
+                let struck = Struck {
+                    floor,
+                    part,
+                    velocities,
+                };
+                (part != 0.0).then_some(struck)
+            }),
             time,
             impulse,
             before: velocities,

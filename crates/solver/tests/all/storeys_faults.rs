@@ -1,6 +1,8 @@
 //! The ledger finds what a method reports wrongly of a building: each fault is put into a good run, and each must show.
 
-use pounding_solver::{Excitation, Hysteretic, Impact, Ledger, LedgerError, Path, Recorder, Span};
+use pounding_solver::{
+    Excitation, Hysteretic, Impact, Ledger, LedgerError, Path, Push, Recorder, Span,
+};
 
 use crate::common::{RK4, clock, ground};
 use crate::storeys_ledger::{DAMPING, TOWERS, bilinear, elastic, plastic, smooth};
@@ -19,6 +21,10 @@ fn step(span: &Span<'_>) -> Span<'static> {
     let Path::Cubic(weighed) = span.path else {
         panic!("a step: {span:?}");
     };
+    let pushes = span.pushes.iter().map(|push| Push {
+        series: &[],
+        ..*push
+    });
     Span {
         structure: span.structure,
         start_time: span.start_time,
@@ -29,6 +35,7 @@ fn step(span: &Span<'_>) -> Span<'static> {
         impulse_from_right: span.impulse_from_right,
         below: span.below,
         path: Path::Cubic(weighed),
+        pushes: pushes.collect::<Vec<_>>().leak(),
     }
 }
 

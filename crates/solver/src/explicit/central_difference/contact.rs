@@ -5,7 +5,8 @@ use pounding_contact::Overlap;
 use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::ground::Ground;
-use crate::{Pair, Recorder, RestoringForce};
+use crate::span::Pushes;
+use crate::{Recorder, RestoringForce, Row};
 
 impl<Column: RestoringForce> Run<'_, Column> {
     /// Contact at a node, each pair alone; true when an impulsive pair is closed and may jump.
@@ -13,16 +14,20 @@ impl<Column: RestoringForce> Run<'_, Column> {
     /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
     /// earlier was negative.
     pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>) -> bool {
-        let bodies = &mut self.bodies;
-        for body in bodies.iter_mut().filter(|body| body.fine || !fine) {
-            (body.force_from_left, body.force_from_right) = (0.0, 0.0);
-            body.excess = (0.0, 0.0);
+        let (row, bodies) = (self.row, &mut self.bodies);
+        for (index, body) in bodies.iter_mut().enumerate() {
+            if body.fine || !fine {
+                (body.force_from_left, body.force_from_right) = (0.0, 0.0);
+                body.excess = (0.0, 0.0);
+                self.pushes.go_on(row.incidence().slots_at(index));
+            }
         }
         let mut hit = false;
         for (index, pair) in self.row.pairs().iter().enumerate() {
             self.jumps.touching[index] = false;
             let (left, right) = (&bodies[pair.left()], &bodies[pair.right()]);
-            let deformation = ground.deformation(pair, left.displacement - right.displacement);
+            let ahead = pair.relation.ahead(|floor| bodies[floor].displacement);
+            let deformation = ground.deformation(pair, ahead);
             // Structures of which one does not sub-step meet at whole nodes only.
             if fine && !(left.fine && right.fine) {
                 continue;
@@ -42,9 +47,17 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
                 // The grounds' own is that half way back.
                 let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
-                let rate = ground
-                    .earlier(half_back)
-                    .rate(pair, rate(left, right, steps));
+                let (fine, [by_left, by_right]) = ([left.fine, right.fine], steps);
+                let [left, right] = pair.relation.points();
+                let [left, right] =
+                    [left, right].map(|point| point.of(|floor| bodies[floor].increment));
+                // Backward difference of the deformation.
+                let faster = if fine[0] == fine[1] {
+                    (left - right) / by_left
+                } else {
+                    left / by_left - right / by_right
+                };
+                let rate = ground.earlier(half_back).rate(pair, faster);
                 let overlap = Overlap {
                     deformation,
                     rate,
@@ -52,7 +65,12 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     approach_speed: self.approaches.of(index, rate),
                 };
                 if let Some(contact) = pair.law.respond(&overlap) {
-                    push(bodies, pair, contact.force, steps);
+                    push(
+                        row,
+                        (index, contact.force),
+                        steps,
+                        (bodies, &mut self.pushes),
+                    );
                 }
             }
         }
@@ -89,13 +107,15 @@ impl<Column: RestoringForce> Run<'_, Column> {
         }
         let mut any = false;
         for pair in self.row.pairs() {
-            let (left, right) = (&self.bodies[pair.left()], &self.bodies[pair.right()]);
-            let now = left.start.displacement - right.start.displacement;
-            let next = left.displacement - right.displacement;
+            let now = pair
+                .relation
+                .ahead(|floor| self.bodies[floor].start.displacement);
+            let next = pair.relation.ahead(|floor| self.bodies[floor].displacement);
             let overlaps = |ground: Ground<'_>, ahead: f64| ground.deformation(pair, ahead) > 0.0;
             if overlaps(grounds[0], now) || overlaps(grounds[1], next) {
-                self.bodies[pair.left()].fine = true;
-                self.bodies[pair.right()].fine = true;
+                for (floor, _) in pair.relation.pushes() {
+                    self.bodies[floor].fine = true;
+                }
                 any = true;
             }
         }
@@ -119,21 +139,34 @@ fn refine_buildings<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) 
     }
 }
 
-/// Backward difference of the deformation \[m/s\], for steps of these lengths.
-fn rate<Memory>(left: &Body<Memory>, right: &Body<Memory>, steps: [f64; 2]) -> f64 {
-    if left.fine == right.fine {
-        (left.increment - right.increment) / steps[0]
-    } else {
-        left.increment / steps[0] - right.increment / steps[1]
+/// Gives the floors of a pair its force; on all of them it acts for half of the shorter step.
+fn push<Column: RestoringForce>(
+    row: &Row<Column>,
+    (pair, force): (usize, f64),
+    [left, right]: [f64; 2],
+    (bodies, pushes): (&mut [Body<Column::Memory>], &mut Pushes),
+) {
+    let shorter = left.min(right);
+    let late = |on_left: bool| {
+        if on_left {
+            left - shorter
+        } else {
+            right - shorter
+        }
+    };
+    pushes.act(row, (pair, force), |floor, on_left, force| {
+        let body = &mut bodies[floor];
+        let excess = 0.5 * force * late(on_left);
+        if on_left {
+            body.force_from_right -= force;
+            body.excess.1 -= excess;
+        } else {
+            body.force_from_left += force;
+            body.excess.0 += excess;
+        }
+    });
+    for slot in row.incidence().slots_of(pair) {
+        let push = pushes.at(*slot);
+        push.impulse = 0.5 * force * late(push.on_left);
     }
-}
-
-/// Gives a pair its force; on both neighbours it acts for half of the shorter step.
-fn push<Memory>(bodies: &mut [Body<Memory>], pair: &Pair, force: f64, steps: [f64; 2]) {
-    let [left, right] = steps;
-    let excess = 0.5 * force;
-    bodies[pair.left()].excess.1 = -excess * (left - left.min(right));
-    bodies[pair.right()].excess.0 = excess * (right - left.min(right));
-    bodies[pair.left()].force_from_right = -force;
-    bodies[pair.right()].force_from_left = force;
 }

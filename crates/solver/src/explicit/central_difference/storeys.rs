@@ -7,7 +7,7 @@ use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State};
 
 /// What only rows in which floors stand on floors need; all of it building by building.
@@ -71,6 +71,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 bodies: &mut self.bodies,
                 coefficients,
                 solutions: &mut storeys.solutions[range.clone()],
+                pushes: &mut self.pushes,
                 is_finite: true,
             };
             // All floors of a building stand on one ground.
@@ -104,6 +105,8 @@ struct Building<'a, Column: RestoringForce> {
     bodies: &'a mut [Body<Column::Memory>],
     coefficients: &'a [FloorCoefficients],
     solutions: &'a mut [Solution],
+    /// Of the whole row.
+    pushes: &'a mut Pushes,
     /// Whether all next displacements are finite numbers.
     is_finite: bool,
 }
@@ -252,7 +255,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
 
     /// Reports the span of a floor that ends at a node, in a state and over a floor of a velocity.
     fn report<R: Recorder>(
-        &self,
+        &mut self,
         level: usize,
         end: State,
         below_velocity: f64,
@@ -283,9 +286,12 @@ impl<Column: RestoringForce> Building<'_, Column> {
         let times = (body.start_time, time);
         let span = Span::step::<R, _>(index, times, [body.start, end], weights, loads);
         let (from_left, from_right) = body.excess;
+        let slots = self.row.incidence().slots_at(index);
+        self.pushes.end(slots.clone(), weights.0);
         recorder.span(&Span {
             impulse_from_left: span.impulse_from_left - from_left,
             impulse_from_right: span.impulse_from_right - from_right,
+            pushes: self.pushes.of(slots),
             ..span.over(below)
         });
     }

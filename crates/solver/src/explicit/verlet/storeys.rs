@@ -6,7 +6,7 @@
 use super::{Body, Scratch, Step};
 use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
-use crate::span::Load;
+use crate::span::{Load, Pushes};
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// What only rows in which floors stand on floors need.
@@ -71,6 +71,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 bodies: &mut self.bodies,
                 states: &mut self.states,
                 ends: &mut self.ends,
+                pushes: &mut self.pushes,
                 span: (instant - since, [start, end]),
             };
             if let Some(structure) = building.diverged() {
@@ -98,6 +99,7 @@ struct Building<'a, Column: RestoringForce> {
     bodies: &'a mut [Body<Column::Memory>],
     states: &'a mut [State],
     ends: &'a mut [State],
+    pushes: &'a mut Pushes,
     /// Length of the span \[s\]; ground acceleration \[m/s²\] and time \[s\] at both ends.
     span: (f64, [(f64, f64); 2]),
 }
@@ -174,12 +176,16 @@ impl<Column: RestoringForce> Building<'_, Column> {
             let times = (start_time, end_time);
             let weights = (0.5 * h, [1.0, 1.0]);
             let body = &mut self.bodies[index];
+            let slots = self.row.incidence().slots_at(index);
+            self.pushes.start(slots.clone(), 0.5 * h);
             recorder.span(&Span {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
+                pushes: self.pushes.of(slots.clone()),
                 ..Span::step::<R, _>(index, times, [start, end], weights, loads)
                     .over(self.row.below(index, [self.states, self.ends]))
             });
+            self.pushes.go_on(slots);
             self.states[index] = end;
             body.since = instant;
         }

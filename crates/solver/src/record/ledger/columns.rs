@@ -199,6 +199,7 @@ mod tests {
             impulse_from_left: 0.0,
             impulse_from_right: 0.0,
             below: None,
+            pushes: &[],
             path,
         }
     }

@@ -1,7 +1,7 @@
-//! What happens between the two structures of a pair.
+//! What happens between the two points of a pair.
 
 use super::LedgerError;
-use crate::Pair;
+use crate::{Pair, Relation};
 
 /// Rounding that energies of a contact are forgiven, relative to the works on both structures.
 const ROUNDING: f64 = 1e-12;
@@ -9,11 +9,11 @@ const ROUNDING: f64 = 1e-12;
 const PULL: f64 = 1e-9;
 
 /// Everything that is booked of one pair.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
-    gap: f64,
-    /// Left and right structure.
-    sides: [Side; 2],
+    relation: Relation,
+    /// The floors that carry both points, in the order of [`Relation::pushes`].
+    sides: [Side; 4],
     /// Instant of the last impact, until the pair has come apart \[s\].
     hit: Option<f64>,
     /// Impulse of impulsive impacts \[N·s\].
@@ -25,14 +25,19 @@ pub(super) struct Contact {
     worst: Option<Touching>,
 }
 
+/// A floor that carries a point of the pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Side {
-    /// End of the last span, and the displacement there, of a ground that moves on its own included.
+    floor: usize,
+    /// Part of the force that it gets \[–\], negative on the left; 0 of no floor.
+    part: f64,
+    /// End of the last span, and the displacement there and that of a ground that moves on its own.
     time: f64,
     displacement: f64,
+    ground: f64,
     /// Whether it was pushed in that span.
     pushed_last: bool,
-    /// Impulse of compliant contact on this structure \[N·s\].
+    /// Impulse of compliant contact of the pair as this floor had it \[N·s\].
     impulse: f64,
     /// Sum of the magnitudes of those impulses \[N·s\].
     pushed: f64,
@@ -61,8 +66,9 @@ struct Touching {
 pub(super) struct Push {
     /// Start and end \[s\].
     pub(super) times: (f64, f64),
-    /// Displacement at the end \[m\], with that of a ground that moves on its own.
+    /// Displacement at the end \[m\], and that of a ground that moves on its own.
     pub(super) displacement: f64,
+    pub(super) ground: f64,
     /// Whether the motion is known between the ends.
     pub(super) exact: bool,
     /// Force at both ends \[N\].
@@ -90,19 +96,57 @@ pub struct PairTerms {
 
 impl Contact {
     pub(super) fn new(pair: &Pair) -> Self {
+        let mut sides = [Side::default(); 4];
+        for (side, (floor, part)) in sides.iter_mut().zip(pair.relation.pushes()) {
+            (side.floor, side.part) = (floor, part);
+        }
         Self {
-            gap: pair.gap(),
-            ..Self::default()
+            relation: pair.relation,
+            sides,
+            hit: None,
+            impacts: 0.0,
+            impact_loss: 0.0,
+            loss: 0.0,
+            collision: None,
+            worst: None,
         }
     }
 
+    pub(super) fn relation(&self) -> Relation {
+        self.relation
+    }
+
+    /// Its floors.
+    fn sides(&self) -> impl Iterator<Item = &Side> + Clone {
+        self.sides.iter().filter(|side| side.part != 0.0)
+    }
+
+    /// Impulse of compliant contact on the floors of its left point and of its right one \[N·s\]. What the ground carries of it is
+    /// taken for as much as the floors had in its place.
+    fn impulses(&self) -> [f64; 2] {
+        let on = |is_on: fn(f64) -> bool| {
+            let sides = self.sides().filter(|side| is_on(side.part));
+            let given = sides.clone().map(|side| side.part * side.impulse);
+            let parts = sides.map(|side| side.part.abs());
+            given.sum::<f64>() / parts.sum::<f64>()
+        };
+        [on(|part| part < 0.0), on(|part| part > 0.0)]
+    }
+
+    /// Whether all its floors have been seen at one instant.
+    fn is_together(&self) -> bool {
+        let times = || self.sides().map(|side| side.time);
+        let first = times().fold(f64::INFINITY, f64::min);
+        times().all(|time| time <= first)
+    }
+
     pub(super) fn terms(&self) -> PairTerms {
-        let [left, right] = self.sides;
+        let [left, right] = self.impulses();
         PairTerms {
             impact: self.impact_loss,
             contact: self.loss,
-            impulse: self.impacts + right.impulse,
-            imbalance: left.impulse + right.impulse,
+            impulse: self.impacts + right,
+            imbalance: left + right,
         }
     }
 
@@ -122,20 +166,22 @@ impl Contact {
     ///
     /// A motion known between its nodes separates after an impact or rests; in a step the overlap has to go.
     fn separate(&mut self, exact: bool) {
-        let [left, right] = &self.sides;
         let Some(hit) = self.hit else {
             return;
         };
-        let together = left.time <= right.time && right.time <= left.time;
-        if left.time.max(right.time) > hit && (exact || (together && self.is_apart())) {
+        let last = self.sides().map(|side| side.time).fold(0.0, f64::max);
+        if last > hit && (exact || (self.is_together() && self.is_apart())) {
             self.hit = None;
         }
     }
 
     /// Whether the neighbours do not overlap; both have been seen at one instant.
     fn is_apart(&self) -> bool {
-        let [left, right] = &self.sides;
-        left.displacement - right.displacement <= self.gap
+        let side = |floor: usize| self.sides().find(|side| side.floor == floor);
+        let moved = |floor: usize| side(floor).map_or(0.0, |side| side.displacement);
+        let ground = |floor: usize| side(floor).map_or(0.0, |side| side.ground);
+        let [left, right] = self.relation.points().map(|point| ground(point.floor()));
+        self.relation.ahead(moved) + (left - right) <= self.relation.offset
     }
 
     /// Books the span of a side, 0 for the left structure and 1 for the right one.
@@ -143,25 +189,24 @@ impl Contact {
     pub(super) fn push(
         &mut self,
         pair: usize,
-        index: usize,
+        floor: usize,
         push: &Push,
     ) -> Result<(), LedgerError> {
+        let place = self.sides().position(|side| side.floor == floor);
+        let index = place.unwrap_or_default();
         let side = &mut self.sides[index];
-        (side.time, side.displacement) = (push.times.1, push.displacement);
+        side.time = push.times.1;
+        (side.displacement, side.ground) = (push.displacement, push.ground);
         // Some methods push once more after parting, others between the ends of a span only.
         side.pushed_last = push.impulse != 0.0 || push.forces != (0.0, 0.0);
         if side.pushed_last {
-            side.impulse += if index == 0 {
-                -push.impulse
-            } else {
-                push.impulse
-            };
+            side.impulse += push.impulse;
             side.pushed += push.impulse.abs();
             side.momentum = push.momentum;
             let pushed = side.pushed;
-            let [left, right] = &self.sides;
             // A wall has no momentum.
-            let magnitude = pushed + self.impacts + left.momentum.max(right.momentum);
+            let momentum = self.sides().map(|side| side.momentum).fold(0.0, f64::max);
+            let magnitude = pushed + self.impacts + momentum;
             let side = &mut self.sides[index];
             side.work += push.work;
             self.loss -= push.work;
@@ -177,9 +222,8 @@ impl Contact {
             pulls(pair, push, magnitude)?;
         }
         self.separate(push.exact);
-        let [left, right] = &self.sides;
-        // A collision is weighed where both sides have been seen.
-        if left.time <= right.time && right.time <= left.time {
+        // A collision is weighed where all its floors have been seen.
+        if self.is_together() {
             self.meet();
         }
         Ok(())
@@ -195,12 +239,12 @@ impl Contact {
             side.work = 0.0;
         }
         let pushed = self.sides.iter().any(|side| side.pushed_last);
-        if pushed || works != [0.0, 0.0] {
-            let taken = -(works[0] + works[1]);
+        if pushed || works != [0.0; 4] {
+            let taken = -works.iter().sum::<f64>();
             collision.n_spans += 1;
             collision.taken += taken.max(0.0);
             collision.given += (-taken).max(0.0);
-            collision.exchanged += works[0].abs() + works[1].abs();
+            collision.exchanged += works.iter().map(|work| work.abs()).sum::<f64>();
         }
         // A clamped law lets go of neighbours that overlap, and may give back later what it took.
         if pushed || !self.is_apart() {
@@ -229,16 +273,12 @@ impl Contact {
 
     /// Both structures must have got opposite impulses.
     pub(super) fn balanced(&self, pair: usize) -> Result<(), LedgerError> {
-        let [left, right] = self.sides;
-        let allowed = PULL * (left.pushed + right.pushed);
-        if (left.impulse + right.impulse).abs() <= allowed {
+        let [left, right] = self.impulses();
+        let allowed = PULL * self.sides().map(|side| side.pushed).sum::<f64>();
+        if (left + right).abs() <= allowed {
             Ok(())
         } else {
-            Err(LedgerError::Imbalance {
-                pair,
-                left: left.impulse,
-                right: right.impulse,
-            })
+            Err(LedgerError::Imbalance { pair, left, right })
         }
     }
 }
@@ -286,15 +326,21 @@ mod tests {
         let push = |impulse: f64, duration: f64| Push {
             times: (0.75, 0.75 + duration),
             displacement: 0.0,
+            ground: 0.0,
             exact: true,
             forces: (1e-104, 5e-104),
             impulse,
             momentum: 1e4,
             work: 0.0,
         };
-        let mut contact = Contact::default();
+        let law =
+            pounding_contact::ContactLaw::Stereomechanical(pounding_contact::Stereomechanical {
+                restitution: 0.0,
+            });
+        let pair = Pair::of_floors(0, 1, 0.0, law);
+        let mut contact = Contact::new(&pair);
         assert_eq!(contact.push(7, 0, &push(-4e-120, 0.0)), Ok(()));
-        let pull = Contact::default().push(7, 0, &push(-1.0, 0.01));
+        let pull = Contact::new(&pair).push(7, 0, &push(-1.0, 0.01));
         let Err(LedgerError::Tension { pair: 7, found, .. }) = pull else {
             panic!("{pull:?}");
         };

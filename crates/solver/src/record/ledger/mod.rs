@@ -17,7 +17,9 @@ use account::Account;
 use buildings::Buildings;
 use contact::{Contact, Push};
 use largest::{Balances, Largest};
+use opening::{opening_part, work_of};
 
+use crate::model::incidence::{Incidence, Incident};
 use crate::span::Expansion;
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span, Travel};
 
@@ -48,8 +50,8 @@ pub struct Ledger<'a> {
     accounts: Vec<Account>,
     buildings: Buildings,
     contacts: Vec<Contact>,
-    /// For each structure, the pairs with its left and with its right neighbour.
-    pairs_of: Vec<[Option<usize>; 2]>,
+    /// Which pairs meet which floors.
+    incidence: Incidence,
     /// The impacts since some pair was last hit that has not come apart yet.
     meeting: Option<Meeting>,
     /// Pairs that have not come apart since their last impact.
@@ -104,11 +106,6 @@ const LOOKED_AT_PER_PIECE: usize = 16;
 impl<'a> Ledger<'a> {
     /// For a run of this row under this excitation.
     pub fn new<Column: Hysteretic>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
-        let mut pairs_of = vec![[None; 2]; row.nodes().len()];
-        for (index, pair) in row.pairs().iter().enumerate() {
-            pairs_of[pair.left()][1] = Some(index);
-            pairs_of[pair.right()][0] = Some(index);
-        }
         Self {
             excitation,
             travel: row.travel(excitation),
@@ -117,7 +114,7 @@ impl<'a> Ledger<'a> {
                 .collect(),
             buildings: Buildings::new(row),
             contacts: row.pairs().iter().map(Contact::new).collect(),
-            pairs_of,
+            incidence: row.incidence().clone(),
             meeting: None,
             n_meeting: 0,
             largest: Largest::default(),
@@ -252,37 +249,32 @@ impl<'a> Ledger<'a> {
         let outcome = account.flowed(hysteretic, span);
         self.judge(outcome);
         self.buildings.see(span.structure, span.end_time);
-        let pairs = self.pairs_of[span.structure];
-        let [left, right] = pairs;
-        self.n_meeting -= self.count(pairs);
+        self.n_meeting -= self.count_at(span.structure);
         let ground = self.travel.as_ref().map_or(0.0, |travel| {
             travel.ground(span.structure, span.end_time).displacement
         });
         let momentum = self.accounts[span.structure].momentum_magnitude();
-        let push = |forces, impulse, work| Push {
-            times: (span.start_time, span.end_time),
-            displacement: span.end.displacement + ground,
-            exact: !matches!(span.path, Path::Cubic(_)),
-            forces,
-            impulse,
-            momentum,
-            work,
-        };
-        if let Some(pair) = left {
-            let forces = (span.start.force_from_left, span.end.force_from_left);
-            let open = self.opened(span, span.structure - 1);
-            let push = push(forces, span.impulse_from_left, works.from_left - open);
-            let outcome = self.contacts[pair].push(pair, 1, &push);
+        for (index, push) in span.pushes.iter().enumerate() {
+            let open = self.opened(span, index);
+            let together = if push.on_left {
+                works.from_right
+            } else {
+                works.from_left
+            };
+            let push_on = Push {
+                times: (span.start_time, span.end_time),
+                displacement: span.end.displacement,
+                ground,
+                exact: !matches!(span.path, Path::Cubic(_)),
+                forces: (push.forces[0], push.forces[1]),
+                impulse: push.impulse,
+                momentum,
+                work: work_of(span, push, together) - open,
+            };
+            let outcome = self.contacts[push.pair].push(push.pair, span.structure, &push_on);
             self.judge(outcome);
         }
-        if let Some(pair) = right {
-            let forces = (-span.start.force_from_right, -span.end.force_from_right);
-            let open = self.opened(span, span.structure);
-            let push = push(forces, -span.impulse_from_right, works.from_right - open);
-            let outcome = self.contacts[pair].push(pair, 0, &push);
-            self.judge(outcome);
-        }
-        self.n_meeting += self.count(pairs);
+        self.n_meeting += self.count_at(span.structure);
         if self.meeting.is_some() && self.n_meeting == 0 {
             let ended = self.meeting.take();
             self.judge(ended.map_or(Ok(()), |meeting| meeting.judge()));
@@ -348,9 +340,9 @@ impl<'a> Ledger<'a> {
     }
 
     /// Counts the pairs of a structure that meet, before and after something happened to them.
-    fn count(&self, pairs: [Option<usize>; 2]) -> usize {
-        let meets = |pair: &usize| self.contacts[*pair].meets();
-        pairs.iter().flatten().filter(|pair| meets(pair)).count()
+    fn count_at(&self, floor: usize) -> usize {
+        let meets = |at: &&Incident| self.contacts[at.pair].meets();
+        self.incidence.at(floor).iter().filter(meets).count()
     }
 }
 
@@ -391,16 +383,20 @@ impl Recorder for Ledger<'_> {
     fn impact(&mut self, impact: &Impact) {
         let (before, after) = (impact.before, impact.after);
         let impulse = impact.impulse;
-        self.accounts[impact.left].impact(-impulse, before.left, after.left);
-        self.accounts[impact.right].impact(impulse, before.right, after.right);
+        for struck in impact.struck() {
+            let [before, after] = struck.velocities;
+            self.accounts[struck.floor].impact(struck.part * impulse, before, after);
+        }
         let rates = impact.rates();
         let loss = 0.5 * impulse * (rates[0] + rates[1]);
-        for structure in [impact.left, impact.right] {
-            self.accounts[structure].open_impact(0.5 * impulse * impact.opening_rate);
+        for struck in impact.struck() {
+            let part = opening_part(impact.struck().map(|other| other.part), struck.part);
+            self.accounts[struck.floor].open_impact(part * impulse * impact.opening_rate);
         }
-        self.n_meeting -= self.count([Some(impact.pair), None]);
+        let met = usize::from(self.contacts[impact.pair].meets());
         self.contacts[impact.pair].impact(impact.time, impulse, loss);
-        self.n_meeting += self.count([Some(impact.pair), None]);
+        let meets = usize::from(self.contacts[impact.pair].meets());
+        self.n_meeting += meets - met;
         if impulse < 0.0 {
             self.judge(Err(LedgerError::PullingImpact {
                 pair: impact.pair,

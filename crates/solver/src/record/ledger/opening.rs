@@ -1,49 +1,86 @@
 //! The work that grounds which move towards each other do through contact.
 
 use super::Ledger;
+use crate::span::{Push, value};
 use crate::{Path, Span, State};
 
 impl Ledger<'_> {
-    /// Books and returns half the work of grounds that move towards each other, done through the compliant contact of a left
-    /// structure and its right neighbour over a span of one of them.
+    /// Books and returns what a floor has of the work of grounds that move towards each other, done through the compliant contact of a
+    /// pair over a span of it.
     ///
     /// Of a step it is the impulse times what they came closer by over its duration.
-    pub(super) fn opened(&mut self, span: &Span<'_>, left: usize) -> f64 {
-        let Some(travel) = &self.travel else {
+    pub(super) fn opened(&mut self, span: &Span<'_>, push: usize) -> f64 {
+        let (Some(travel), push) = (&self.travel, &span.pushes[push]) else {
             return 0.0;
         };
-        let nodes = [left, left + 1];
-        let on_left = span.structure == left;
-        let force = |state: &State| {
-            if on_left {
-                -state.force_from_right
-            } else {
-                state.force_from_left
-            }
-        };
-        let impulse = if on_left {
-            -span.impulse_from_right
-        } else {
-            span.impulse_from_left
-        };
-        if impulse == 0.0 {
+        if push.impulse == 0.0 {
             return 0.0;
         }
+        let relation = self.contacts[push.pair].relation();
+        let nodes = relation.points().map(crate::Point::floor);
         let work = match span.path {
             Path::Cubic(_) => {
                 let [start, end] = [span.start_time, span.end_time]
                     .map(|time| travel.opening(nodes, time).displacement);
-                impulse * ((end - start) / span.duration())
+                push.impulse * ((end - start) / span.duration())
             }
             Path::Series(_) | Path::Flight(_) => {
+                let force = force_of(span, push);
                 let power = |time: f64, state: &State| {
-                    [force(state) * travel.opening(nodes, time).velocity]
+                    [force(time, state) * travel.opening(nodes, time).velocity]
                 };
                 let [work] = span.integrate(power);
                 work
             }
         };
-        self.accounts[span.structure].open_contact(0.5 * work);
-        0.5 * work
+        let own = push.given(1.0);
+        let part = opening_part(relation.pushes().map(|(_, part)| part), own);
+        self.accounts[span.structure].open_contact(part * work);
+        part * work
     }
+}
+
+/// What a floor has of the work of both grounds, of the parts of the force that all floors of the pair get and of its own: those on
+/// either side have half of it together.
+pub(super) fn opening_part(parts: impl Iterator<Item = f64>, own: f64) -> f64 {
+    let on_side = parts.filter(|part| (*part < 0.0) == (own < 0.0));
+    0.5 * own.abs() / on_side.map(f64::abs).sum::<f64>()
+}
+
+/// Work of a push on its floor \[J\], of what all on its side do together, `together`.
+pub(super) fn work_of(span: &Span<'_>, push: &Push<'_>, together: f64) -> f64 {
+    if is_alone(span, push) {
+        return together;
+    }
+    match span.path {
+        Path::Cubic(_) => {
+            let mean = 0.5 * (span.start.velocity + span.end.velocity);
+            mean * push.given(push.impulse)
+        }
+        Path::Series(_) | Path::Flight(_) => {
+            let force = force_of(span, push);
+            let [work] =
+                span.integrate(|time, state| [push.given(force(time, state)) * state.velocity]);
+            work
+        }
+    }
+}
+
+/// Force of a pair over a span that is known between its ends, at an instant and in the state there \[N\].
+fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) -> f64 {
+    let is_alone = is_alone(span, push);
+    move |time, state| match span.path {
+        Path::Series(series) if !is_alone => value(push.series, series.x(time)),
+        _ if push.on_left => -state.force_from_right,
+        _ => state.force_from_left,
+    }
+}
+
+/// Whether no other pair pushes the floor to the same side, and it carries all of the force.
+fn is_alone(span: &Span<'_>, push: &Push<'_>) -> bool {
+    let on_side = span
+        .pushes
+        .iter()
+        .filter(|other| other.on_left == push.on_left);
+    push.part == 1.0 && on_side.count() == 1
 }

@@ -122,6 +122,7 @@ fn report(
             impulse_from_left: 0.0,
             impulse_from_right: 0.0,
             below: None,
+            pushes: &[],
             path: Path::Series(Series {
                 origin: start_time,
                 power: Power::One,
