@@ -41,8 +41,8 @@ pub enum ModelError {
     },
     /// A pair that does not join a node with its right neighbour, in order.
     #[error(
-        "pairs[{pair}]: joins nodes {left} and {right}; allowed are neighbours (left, left + 1) of {n_nodes} nodes, \
-         in order from left to right, at least one of them not a wall"
+        "pairs[{pair}]: joins nodes {left} and {right}; allowed are points of two buildings of {n_nodes} nodes, at least \
+         one of them not a wall"
     )]
     NotNeighbours {
         /// Index of the pair.

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use insta::assert_snapshot;
 use pounding_solver::{
     Bilinear, BoucWen, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path,
-    Recorder, Row, SimultaneousImpacts, Smoothness, Span,
+    Push, Recorder, Row, SimultaneousImpacts, Smoothness, Span,
 };
 
 use crate::common::{
@@ -26,9 +26,29 @@ impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S
     const READS_WEIGHED: bool = true;
 
     fn span(&mut self, span: &Span<'_>) {
-        let mut span = *span;
-        (self.span)(&mut span);
-        self.ledger.span(&span);
+        let mut faulty = *span;
+        (self.span)(&mut faulty);
+        // Each floor has one pair on either side, which makes all of the force there.
+        let (start, end) = (&faulty.start, &faulty.end);
+        let pushes = span.pushes.iter().map(|push| {
+            let (forces, impulse) = if push.on_left {
+                let forces = [start, end].map(|state| -state.force_from_right);
+                (forces, -faulty.impulse_from_right)
+            } else {
+                let forces = [start, end].map(|state| state.force_from_left);
+                (forces, faulty.impulse_from_left)
+            };
+            Push {
+                forces,
+                impulse,
+                ..*push
+            }
+        });
+        let pushes: Vec<_> = pushes.collect();
+        self.ledger.span(&Span {
+            pushes: &pushes,
+            ..faulty
+        });
     }
 
     fn impact(&mut self, impact: &Impact) {
