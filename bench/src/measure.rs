@@ -10,8 +10,10 @@ use crate::lanes;
 /// What a benchmark gives, or why it gives nothing.
 pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// Wall times of runs \[s\], a list for each number in the order: runs take turns in it, so that what else the machine does meets all of
-/// them, and every other round goes backwards. There are rounds for as long as the patience lasts, and no fewer than the least.
+/// Wall times of runs \[s\], a list for each number in the order.
+///
+/// A round runs the whole order, every other round backwards: other work of the machine meets all runs. Rounds go on until the patience
+/// ends, and there are at least as many as `least`.
 pub(crate) fn in_turn(
     order: &[usize],
     (least, patience): (usize, Duration),

@@ -1,9 +1,9 @@
 //! The loop of exactly two buildings, written for the vectors of the machine: what lanes are measured by.
 //!
-//! It has the equations of the central difference method and knows what it runs: how many storeys there are, that structures of one storey
-//! are elastic and others bilinear, that the right building is no taller, and one law at every level. Floors are solved for each alone. The
-//! dashpots between them then cost a product and a sum per floor on the way down, and again on the way up. No more than that waits for the
-//! floor before.
+//! It has the equations of the central difference method and knows its scenes: the number of storeys, one law at every level, and a right
+//! building that is no taller. Structures of one storey are elastic, storeys of others bilinear. Floors are solved for each alone. The
+//! dashpots between them then cost a product and a sum per floor on the way down, and again on the way up. Only these wait for the floor
+//! before.
 
 #![expect(
     clippy::inline_always,
@@ -21,7 +21,7 @@ use crate::scenes::{GROUP, Group, numbers};
 /// the impulses at each level.
 pub(super) type Found = Vec<[f64; GROUP]>;
 
-/// What the loop does beside its motion, and how.
+/// Numbers that the loop keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Keeps {
     /// Peaks and impulses.
@@ -44,8 +44,9 @@ fn lanes<S: Simd>(_: S) -> usize {
     <S::f64s as SimdBase<S>>::LEN
 }
 
-/// Runs a group of scenes of `L` and `R` storeys through accelerations of the ground \[m/s²\] at steps \[s\], with so many vectors in step,
-/// which do not wait for each other.
+/// Runs a group of scenes of `L` and `R` storeys through accelerations of the ground \[m/s²\] at steps \[s\].
+///
+/// `IN_STEP` vectors of scenes make each step together and do not wait for each other.
 pub(super) fn run<const L: usize, const R: usize, const IN_STEP: usize>(
     level: Level,
     (group, law): (&Group<L, R>, ContactLaw),

@@ -83,7 +83,7 @@ pub(super) fn clock(time_step: f64) -> Clock {
     }
 }
 
-/// What is compared of a scene by the exact method at a tolerance, and its collisions; nothing where it fails.
+/// The numbers to compare of a scene by the exact method at a tolerance, and its collisions; `None` if it fails.
 pub(super) fn solved<Column: Hysteretic>(
     row: &Row<Column>,
     tops: [usize; 2],
