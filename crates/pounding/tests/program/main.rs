@@ -9,6 +9,7 @@ mod certificates;
 mod directions;
 mod documents;
 mod errors;
+mod examples;
 mod explain;
 mod exports;
 mod finite;
