@@ -5,7 +5,8 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use crate::lanes;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
 
 /// What a benchmark gives, or why it gives nothing.
 pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -67,7 +68,7 @@ impl Table {
         let before = fs::read_to_string(root.join(path)).unwrap_or_default();
         let by_machine = header.starts_with("instructions,");
         let own = if by_machine {
-            format!("{},", lanes::instructions())
+            format!("{},", instructions())
         } else {
             String::new()
         };
@@ -79,6 +80,18 @@ impl Table {
         keep(root, path, csv.as_bytes())?;
         println!("\n{title}:\n{csv}\nkept in {path}");
         Ok(())
+    }
+}
+
+/// The widest instructions of this machine that tables tell apart.
+fn instructions() -> &'static str {
+    fn lanes<S: Simd>(_: S) -> usize {
+        <S::f64s as SimdBase<S>>::LEN
+    }
+    match dispatch!(Level::new(), simd => lanes(simd)) {
+        8 => "AVX-512",
+        4 => "AVX2",
+        _ => "others",
     }
 }
 
@@ -119,7 +132,7 @@ mod tests {
             table.write(&root, &[time.into()]).unwrap();
         }
         let text = fs::read_to_string(root.join(table.path)).unwrap();
-        let own = lanes::instructions();
+        let own = instructions();
         fs::remove_dir_all(root).unwrap();
         assert_eq!(text, format!("instructions,time\nnone,1\n{own},3\n"));
     }

@@ -30,20 +30,6 @@ pub(super) enum Keeps {
     Nothing,
 }
 
-/// The widest instructions of this machine that results distinguish.
-pub(crate) fn instructions() -> &'static str {
-    match dispatch!(Level::new(), simd => lanes(simd)) {
-        8 => "AVX-512",
-        4 => "AVX2",
-        _ => "others",
-    }
-}
-
-#[inline(always)]
-fn lanes<S: Simd>(_: S) -> usize {
-    <S::f64s as SimdBase<S>>::LEN
-}
-
 /// Runs a group of scenes of `L` and `R` storeys through accelerations of the ground \[m/s²\] at steps \[s\].
 ///
 /// `IN_STEP` vectors of scenes make each step together and do not wait for each other.
@@ -97,7 +83,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
         ground: &[f64],
     ) -> Found {
         let mut found = vec![[0.0; GROUP]; 2 * (L + R) + R];
-        let lanes = lanes(self.simd);
+        let lanes = V::<S>::LEN;
         for first in (0..GROUP).step_by(IN_STEP * lanes) {
             let mut scenes: [Scenes<S, L, R>; IN_STEP] = std::array::from_fn(
                 #[inline(always)]
@@ -134,7 +120,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
         Scenes {
             left,
             right,
-            gap: V::<S>::from_slice(simd, &group.gaps[first..first + lanes(simd)]),
+            gap: V::<S>::from_slice(simd, &group.gaps[first..first + V::<S>::LEN]),
             pairs,
             pushed: false,
         }

@@ -8,7 +8,6 @@ use std::path::Path;
 use std::time::Duration;
 
 use by_hand::Keeps;
-pub(crate) use by_hand::instructions;
 use fearless_simd::Level;
 use pounding_contact::ContactLaw;
 use pounding_lanes::{SceneSums, SideBySide};
