@@ -93,9 +93,10 @@ fn reference_a_sweep_with_an_accuracy() {
     1.0 % asked: exact
 
     Sweep     4 runs
-    Accuracy  1.0 % asked: exact: for so many runs nothing that keeps 95 % of a
-              sample of them within it costs less. It has no errors but those of
-              rounding; none were measured. All columns: sweep.json.accuracy.csv
+    Accuracy  1.0 % asked: exact: by the estimate of their costs nothing that keeps
+              95 % of a sample of the runs within it is cheaper. It has no errors
+              but those of rounding; none were measured. All columns:
+              sweep.json.accuracy.csv
     Results   sweep.json.csv: 4 rows, none failed
     ");
 }

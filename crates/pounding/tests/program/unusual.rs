@@ -169,7 +169,7 @@ fn issue_enough_is_said_with_its_cautions() {
     let largest = found["gaps"][0]["required_m"]["largest"]
         .as_f64()
         .expect("a width");
-    let enough = soft.replace("gap_m = 0.21", &format!("gap_m = {:.4}", 1.01 * largest));
+    let enough = soft.replace("gap_m = 0.21", &format!("gap_m = {:.6}", 1.01 * largest));
     fs::write(work.join("scene.toml"), enough).expect("it can be written");
     let said = flat(&pounding(&work, &scaled));
     let [caution, answer, margin] = [
