@@ -107,4 +107,4 @@ pub use spectrum::{
 };
 pub use statistics::wilson;
 pub use suite::lines;
-pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in, whether_it_shakes};
+pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

@@ -298,13 +298,14 @@ fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         .into_iter()
         .flat_map(Separation::numbers)
         .map(|(name, _)| name);
-    let header = ["record", "reversed", "left", "right", "level"].into_iter();
+    let header = ["record", "event", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
     let header: Vec<&str> = header.collect();
     let row = |line: &Line, one: &Separation| {
         let [left, right] = names(scene, one.left);
         let mut row: Vec<Cell> = vec![
             line.motion.as_str().into(),
+            (line.event + 1).into(),
             line.reversed.into(),
             left.into(),
             right.into(),
@@ -314,18 +315,22 @@ fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         row.push(Cell::default());
         row
     };
-    let refused = |name: &str, reversed: Cell, reason: &str| {
-        let mut row = vec![name.into(), reversed];
+    let refused = |name: &str, [event, reversed]: [Cell; 2], reason: &str| {
+        let mut row = vec![name.into(), event, reversed];
         row.resize(header.len() - 1, Cell::default());
         row.push(reason.into());
         row
     };
     let rows = lines.iter().flat_map(|line| match &line.found {
         Ok((found, _)) => found.iter().map(|one| row(line, one)).collect(),
-        Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
+        Err(reason) => {
+            let run = [(line.event + 1).into(), line.reversed.into()];
+            vec![refused(&line.motion, run, reason)]
+        }
     });
+    let none = || [Cell::default(), Cell::default()];
     let left_out = records.left_out.iter();
-    let left_out = left_out.map(|one| refused(&one.name, Cell::default(), &one.reason.sentence()));
+    let left_out = left_out.map(|one| refused(&one.name, none(), &one.reason.sentence()));
     csv_text(&header, rows.chain(left_out))
 }
 
@@ -350,6 +355,7 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     json_text(&json!({
         "scene": scene,
         "unusual": unusual(lines),
+        "records": records.json(),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))
