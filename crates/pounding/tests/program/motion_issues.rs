@@ -269,3 +269,43 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     Notes     --component takes one, by its name, a part of it, or its number
     ");
 }
+
+/// Links that lead nowhere and folders were passed over, a README was told of all formats, copies were records, events were not counted, and
+/// `q_U.csv` was horizontal, which `gap` left out.
+#[cfg(unix)]
+#[test]
+fn issue_a_folder_is_read_as_others_read_it() {
+    let folder = folder_with("motion_folder", &["esm.asc"]);
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("written");
+    for (index, name) in ["q_E.csv", "q_N.csv", "q_U.csv"].into_iter().enumerate() {
+        let line = |step: usize| {
+            let rate = 0.2 + 0.05 * index as f64;
+            format!(
+                "{},{}\n",
+                0.02 * step as f64,
+                0.1 * libm::sin(rate * step as f64)
+            )
+        };
+        let lines: String = (0..200).map(line).collect();
+        write(name, &format!("time_s,acceleration_g\n{lines}"));
+    }
+    fs::copy(folder.join("q_E.csv"), folder.join("the same.csv")).expect("a copy");
+    write("README", "Some words.\n");
+    fs::create_dir(folder.join("more")).expect("made");
+    std::os::unix::fs::symlink("/nowhere", folder.join("lost.csv")).expect("a link");
+    let text = printed(&motion(&folder, &["info", "."])).to_string();
+    let said = text.lines().skip_while(|line| !line.starts_with("Records"));
+    let said: Vec<&str> = said.take_while(|line| !line.is_empty()).collect();
+    assert_snapshot!(said.join("\n"), @"");
+    let json = json_of(&motion(&folder, &["info", ".", "--json"]));
+    let of = |name: &str| {
+        let mut motions = json["motions"].as_array().expect("a list").iter();
+        motions.find(|one| one["file"] == name).expect(name)
+    };
+    assert_eq!(of("./q_E.csv")["event"], of("./q_N.csv")["event"]);
+    assert_eq!(of("./q_U.csv")["direction"], "vertical");
+    let copy = &of("./the same.csv")["left_out"];
+    assert_eq!(copy, "copy (of q_E.csv), each record counts once");
+    assert_eq!(json["records"]["files"], 8);
+    assert_eq!(json["records"]["events"], 2);
+}

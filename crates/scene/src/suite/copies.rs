@@ -9,7 +9,7 @@ use super::{Motion, Read, ReasonKind};
 /// Least correlation of two motions that are one \[–\].
 const ONE: f64 = 0.99;
 
-/// The same of motions with few swings: pulses whose periods are 4 to 9 % apart correlate by 0.99, records with many swings do
+/// The same of motions with few swings: pulses whose periods are 4 to 9 % apart correlate by more than 0.99, records with many swings do
 /// not where their periods are 1 % apart.
 const ONE_PULSE: f64 = 0.9999;
 
