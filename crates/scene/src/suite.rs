@@ -260,6 +260,9 @@ fn whether_it_shakes(
     several: bool,
 ) -> Result<Option<Direction>, Reason> {
     match &channel.site {
+        Site::Ground if named.in_borehole && !several => {
+            return Err(ReasonKind::Borehole.saying("by its name"));
+        }
         Site::Ground => {}
         Site::Borehole(place) => return Err(ReasonKind::Borehole.saying(place)),
         Site::Structure(place) => return Err(ReasonKind::Structure.saying(place)),

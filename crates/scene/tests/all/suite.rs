@@ -332,6 +332,32 @@ fn issue_a_record_at_many_scales_is_one_line() {
     );
 }
 
+/// The lower sensors of KiK-net, and verticals whose word stands first, shook rows.
+#[test]
+fn issue_names_of_boreholes_and_verticals() {
+    let mut folder = Folder::new();
+    for (rate, name) in [
+        (5.0, "IWTH25.EW1.csv"),
+        (5.7, "IWTH25.EW2.csv"),
+        (6.4, "IWTH25.NS2.csv"),
+        (7.1, "UD_filtered.csv"),
+    ] {
+        folder = folder.with(name, motion(rate));
+    }
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["IWTH25.EW2.csv", "IWTH25.NS2.csv"]);
+    assert_eq!(suite.n_events, 1);
+    assert_eq!(
+        left_out(&suite),
+        [
+            ("IWTH25.EW1.csv", ReasonKind::Borehole),
+            ("UD_filtered.csv", ReasonKind::VerticalByName)
+        ]
+    );
+    let said = suite.remarks(false).join("\n");
+    assert!(said.contains("IWTH25.EW1.csv (by its name)"), "{said}");
+}
+
 #[path = "../../../../fuzz/src/folder.rs"]
 mod fuzzed;
 
