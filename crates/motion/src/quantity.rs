@@ -55,7 +55,7 @@ impl Quantity {
             return Some(Self::Spectrum);
         }
         // `.d` beside `.a` and `.v`.
-        if capitals.ends_with(".D") {
+        if capitals.strip_suffix(".D").is_some() {
             return Some(Self::Displacement);
         }
         let is_made_for = |(_, piece): (usize, &str)| {

@@ -70,7 +70,7 @@ impl Place {
                 && (!self.may_be_town || other.direction() == Some(Direction::Vertical))
                 && !clashes(other)
         };
-        !self.is_listed(group) && !clashes(self) && group.iter().any(|other| pairs(other))
+        !self.is_listed(group) && !clashes(self) && group.iter().any(pairs)
     }
 
     /// Whether it is of the lower sensor at a station of KiK-net.
@@ -298,7 +298,7 @@ fn of_number(digits: &str, before: &str, inner: &str) -> (Option<Way>, Option<u1
         return (Some(Way::Channel), None);
     }
     let is_long = digits.len() == 3 || (digits.len() == 2 && inner.is_empty());
-    let is_round = |number: u16| digits.len() <= 3 && number % 90 == 0;
+    let is_round = |number: u16| digits.len() <= 3 && number.is_multiple_of(90);
     let azimuth = number.filter(|number| is_round(*number) || (is_long && !is_in(COUNTED)));
     let way = azimuth.map(|degrees| Way::Level(COMPASS, degrees % 360));
     (way, azimuth)
