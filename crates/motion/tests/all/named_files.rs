@@ -45,11 +45,8 @@ fn check(cases: &str) {
     }
 }
 
-/// Verticals shook rows, and components were events of their own, unless the word stood at the end of the name.
-#[test]
-fn issue_words_for_directions_wherever_they_stand() {
-    check(
-        "E.csv, N.csv, Z.csv = 0 0 V
+/// Words for directions at all places.
+const WHEREVER: &str = "E.csv, N.csv, Z.csv = 0 0 V
 UD.csv = V
 UP.csv, a.csv = V 0
 V.csv = V
@@ -130,8 +127,12 @@ Kobe 000.csv, Kobe 090.csv, Kobe up.csv = 0 0 V
 kobe_ew_filt.csv, kobe_ns_filt.csv, kobe_ud_filt.csv = 0 0 V
 acc_x.csv, acc_y.csv, acc_z.csv = 0 0 V
 x_acc.csv, y_acc.csv, z_acc.csv = 0 0 V
-A_E_1.csv, A_N_1.csv, A_E_2.csv, A_N_2.csv = 0 0 1 1",
-    );
+A_E_1.csv, A_N_1.csv, A_E_2.csv, A_N_2.csv = 0 0 1 1";
+
+/// Verticals shook rows, and components were events of their own, unless the word stood at the end of the name.
+#[test]
+fn issue_words_for_directions_wherever_they_stand() {
+    check(WHEREVER);
 }
 
 /// Stations in the east and in the west of a place were two components of one record.
