@@ -142,7 +142,7 @@ fn issue_vertical_components_shake_no_row() {
         ("RSN6_ELC-DWN.AT2", at2("")),
         ("RSN6_NIGH11UD.AT2", at2("")),
         ("column_z.txt", column.into()),
-        ("column_u.txt", column.into()),
+        ("column_u.txt", "10\n20\n-30\n6\n".into()),
         ("ABCH01.EW2", knet.replace("N-S", "5")),
         ("ABCH01.UD2", knet.replace("N-S", "6")),
         ("ABC001.UD", knet.replace("N-S", "U-D")),

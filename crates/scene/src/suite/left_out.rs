@@ -60,7 +60,7 @@ pub enum ReasonKind {
     Copy,
     /// Vertical, by the name that the file gives its component.
     Vertical,
-    /// Vertical, by the end of the file's name.
+    /// Vertical, by the name of the file.
     VerticalByName,
     /// Nothing that any reader knows, such as a README.
     NoRecord,
@@ -102,7 +102,7 @@ impl ReasonKind {
             Self::VerticalByName => [
                 "vertical component",
                 "vertical components",
-                "by the end of the file's name; rename a horizontal one",
+                "by the name of the file; rename a horizontal one",
             ],
             Self::NoRecord => ["file that is no record", "files that are no records", ""],
         }

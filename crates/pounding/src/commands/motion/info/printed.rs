@@ -72,7 +72,7 @@ fn direction(found: &Found) -> String {
     match &found.placed {
         Ok((Some(_), _)) => "horizontal".into(),
         Ok((None, _)) => {
-            "not told, by the file or by the end of its name: it counts as horizontal".into()
+            "not told, by the file or by its name: it counts as horizontal".into()
         }
         Err(reason) => format!("shakes no row of a folder: {}", reason.sentence()),
     }
