@@ -83,8 +83,11 @@ fn are_of_one_record(one: &Motion, other: &Motion, several: &BTreeSet<String>) -
     let [own, others] = [&one.identity, &other.identity];
     let same = |a: &Option<String>, b: &Option<String>| Some(a.as_ref()? == b.as_ref()?);
     let station = same(&own.station, &others.station);
+    if station == Some(false) {
+        return false;
+    }
     let time = same_time(own.time.as_deref(), others.time.as_deref());
-    if station == Some(false) || time == Some(false) {
+    if time == Some(false) {
         return false;
     }
     let event = same(&own.event, &others.event);

@@ -71,9 +71,7 @@ const NOTES: &str = "PGV and PGD without correction of the baseline; Arias inten
 fn direction(found: &Found) -> String {
     match &found.placed {
         Ok((Some(_), _)) => "horizontal".into(),
-        Ok((None, _)) => {
-            "not told, by the file or by its name: it counts as horizontal".into()
-        }
+        Ok((None, _)) => "not told, by the file or by its name: it counts as horizontal".into(),
         Err(reason) => format!("shakes no row of a folder: {}", reason.sentence()),
     }
 }
