@@ -89,7 +89,7 @@ fn reference_what_is_unusual_is_gathered_by_its_kind() {
     let doubts = prepared(&text).doubts();
     let of = |name: &'static str| doubts.iter().map(move |doubt| (name, doubt));
     let said = Implausible::lines(of("one").chain(of("two")));
-    insta::assert_snapshot!(said.join("\n"), @"structures[1].building.storeys[1].mass_kg and 2 more: found 200 kg, usual is 1e3 to 1e9 kg for a floor");
+    insta::assert_snapshot!(said.join("\n"), @"structures[1].building.storeys[1].mass_kg and 2 more: found 200 kg, usual is 1e4 to 1e9 kg for a floor");
 }
 
 /// Eight structures without gaps, e = 0.3, come to rest together some hundred times in ten seconds. An independent route and the exact method
