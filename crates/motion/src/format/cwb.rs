@@ -30,7 +30,7 @@ pub(super) const READER: Reader = Reader {
             .is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION"))
             || n_keys.count() > 1
     },
-    components: components,
+    components,
     read,
     identity: |file| {
         let said = |key: &str| said(header(file), key).map(|(_, value)| value);

@@ -169,7 +169,11 @@ impl Draft {
         let is_called = match &self.scale {
             Scale::Unknown => false,
             Scale::Unit(stated) => calls_acceleration(&stated.text),
-            _ => true,
+            Scale::Several(_)
+            | Scale::Acceleration
+            | Scale::Velocity(_)
+            | Scale::Displacement(_)
+            | Scale::Counts(_) => true,
         };
         let is_told =
             is_called || !matches!(format, Format::Plain | Format::Eqsig) || declared.acceleration;
