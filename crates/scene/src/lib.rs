@@ -90,12 +90,12 @@ pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 pub use judge::response::{
-    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY,
+    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY, Often,
 };
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
-pub use simulation::floors::{Floor, FloorAtColumn, FloorPair, Floors, StoreyProperties};
+pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, OnRow, PairOutcome, Recorders, RunResult,
     Simulation, StepSizes, Trial, Values, alone_because, holding, in_scene, least_opening,

@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use pounding_text::{percent, short};
 
-use crate::{FloorAtColumn, RunResult, Simulation};
+use crate::{RunResult, Simulation};
 
 /// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
 pub const MOST_DRIFT: f64 = 0.025;
@@ -26,7 +26,7 @@ pub struct Excess {
     pub kind: ExcessKind,
     /// The floor in the order of the row; the storey is the one below it.
     pub floor: usize,
-    /// Its name.
+    /// Its name; of levels that are left out theirs.
     pub name: String,
     /// How much it is, in the unit of the kind.
     pub found: f64,
@@ -37,6 +37,10 @@ pub struct Excess {
 pub enum ExcessKind {
     /// How far a floor and the column of the neighbour beside it move together at most, beyond the gap between them \[m\].
     AtColumn,
+    /// How far a floor and the column beside it move together at most, where no contact tells the gap \[m\].
+    BesideColumn,
+    /// How far two floors of a level that a contact leaves out move together at most, beyond the gap between them \[m\].
+    LeftOut,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -47,6 +51,54 @@ pub enum ExcessKind {
     Ductility,
     /// Drift at the end over the height of the storey \[–\].
     ResidualDrift,
+}
+
+/// A kind of response over several runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Often {
+    /// The worst of all runs.
+    pub worst: Excess,
+    /// Number of runs in which it is too much.
+    pub runs: usize,
+    /// Number of all runs.
+    pub of: usize,
+}
+
+impl Excess {
+    /// Responses over several runs, the most harmful kind first: the worst of every kind, and in how many runs.
+    pub fn gathered(runs: &[&[Self]]) -> Vec<Often> {
+        let mut all: Vec<Often> = Vec::new();
+        for one in runs.iter().copied().flatten() {
+            match all.iter_mut().find(|known| known.worst.kind == one.kind) {
+                Some(known) => {
+                    known.runs += 1;
+                    if known.worst.found < one.found {
+                        known.worst = one.clone();
+                    }
+                }
+                None => all.push(Often {
+                    worst: one.clone(),
+                    runs: 1,
+                    of: runs.len(),
+                }),
+            }
+        }
+        all.sort_by_key(|one| one.worst.kind);
+        all
+    }
+
+    /// It in a few words.
+    pub fn brief(&self) -> String {
+        let colon = if self.kind.is_unwatched() { "" } else { ":" };
+        format!("{}{colon} {}", self.name, self.kind.brief(self.found))
+    }
+}
+
+impl Often {
+    /// The worst in a few words, and in how many runs.
+    pub fn brief(&self) -> String {
+        format!("{}, in {} of {} runs", self.worst.brief(), self.runs, self.of)
+    }
 }
 
 impl Simulation {
@@ -71,42 +123,9 @@ impl Simulation {
                 }
             }
         }
-        if let Some(excess) = self.at_columns(result) {
-            worst.push(excess);
-        }
+        worst.extend(self.unwatched(result));
         worst.sort_by_key(|one| one.kind);
         worst
-    }
-
-    /// The floor that reaches farthest into the column of a neighbour, which no contact models. Both may move apart when they are
-    /// farthest: what does not close the gap by this measure does not close it.
-    fn at_columns(&self, result: &RunResult) -> Option<Excess> {
-        let floors = self.floors();
-        let contacts = self.scene().contacts.as_deref()?;
-        let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
-        let openings = self.openings();
-        let reach = |one: &FloorAtColumn| {
-            let foot = one.below.map_or(0.0, peak);
-            let column = foot + one.along * (peak(one.above) - foot);
-            let bases = openings.get(one.gap).map_or(0.0, |one| one.distance.abs());
-            Some(peak(one.floor) + column + bases - contacts.get(one.gap)?.gap_m)
-        };
-        let meets = |one: &FloorAtColumn| {
-            let mut facing = floors.facing().iter();
-            facing
-                .any(|pair| pair.contact == one.gap && [pair.left, pair.right].contains(&one.floor))
-        };
-        let all = floors.at_columns();
-        let all = all.iter().filter(|one| !meets(one));
-        let beyond = all.filter_map(|one| Some((one.floor, reach(one)?)));
-        let beyond = beyond.filter(|(_, reach)| *reach >= ExcessKind::AtColumn.most());
-        let (floor, found) = beyond.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        Some(Excess {
-            kind: ExcessKind::AtColumn,
-            floor,
-            name: floors.all()[floor].name.clone(),
-            found,
-        })
     }
 
     /// The largest drift or ductility of a run over its limit, by which directions of shaking are compared, and where it is.
@@ -169,9 +188,9 @@ impl Simulation {
 
 impl ExcessKind {
     /// What is not yet too much.
-    fn most(self) -> f64 {
+    pub(super) fn most(self) -> f64 {
         match self {
-            Self::AtColumn => 0.0,
+            Self::AtColumn | Self::BesideColumn | Self::LeftOut => 0.0,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => MOST_STABILITY[0],
             Self::Drift => MOST_DRIFT,
@@ -184,14 +203,34 @@ impl ExcessKind {
     fn strains(self) -> bool {
         match self {
             Self::Displacement | Self::Drift | Self::Ductility => true,
-            Self::AtColumn | Self::Stability | Self::ResidualDrift => false,
+            Self::AtColumn
+            | Self::BesideColumn
+            | Self::LeftOut
+            | Self::Stability
+            | Self::ResidualDrift => false,
         }
+    }
+
+    /// What may touch and is not modelled.
+    pub(super) const UNWATCHED: [Self; 3] = [Self::AtColumn, Self::BesideColumn, Self::LeftOut];
+
+    /// Whether something may touch that no contact models: a column, or floors of a level that is left out.
+    pub fn is_unwatched(self) -> bool {
+        Self::UNWATCHED.contains(&self)
+    }
+
+    /// Whether an answer about gaps rests on it and should not: the model follows stability and what is left of drift, which ask
+    /// for more than it knows.
+    pub fn is_caution(self) -> bool {
+        self.strains() || self.is_unwatched()
     }
 
     /// A number of this kind in a few words.
     pub fn brief(self, found: f64) -> String {
         match self {
-            Self::AtColumn => format!("{} mm into a column", short(1e3 * found)),
+            Self::AtColumn => "may hit a column, which is not modelled".into(),
+            Self::BesideColumn => "stands beside a column, which is not modelled".into(),
+            Self::LeftOut => "may touch, and were not looked at".into(),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),
@@ -200,38 +239,53 @@ impl ExcessKind {
         }
     }
 
-    /// What a number of this kind says.
-    pub fn says(self, found: f64) -> String {
+    /// What a number of this kind says, and `often`: in how many runs.
+    fn says(self, found: f64, often: &str) -> String {
+        let [often, worst] = if often.is_empty() {
+            [String::new(), String::new()]
+        } else {
+            [format!("{often} "), format!("{often}, at worst ")]
+        };
         match self {
-            Self::AtColumn => format!(
-                "faces columns of its neighbour between floors, and both together may move {} mm farther than the gap: a floor that hits a \
-                 column can bring a building down, and is not modelled",
+            Self::AtColumn | Self::BesideColumn => format!(
+                "faces columns of its neighbour between floors; {often}both together may move up to {} mm{}: a floor that hits a column can \
+                 bring a building down, and is not modelled",
+                short(1e3 * found),
+                if self == Self::AtColumn {
+                    " farther than the gap"
+                } else {
+                    ""
+                }
+            ),
+            Self::LeftOut => format!(
+                "not looked at, because `levels` of the contact leaves them out; {often}both neighbours together may move up to {} mm farther \
+                 than the gap",
                 short(1e3 * found)
             ),
             Self::Displacement => format!(
-                "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
+                "{worst}drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)
             ),
             Self::Stability if found > MOST_STABILITY[1] => format!(
-                "stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
+                "{worst}stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
                  storey down",
                 short(found)
             ),
             Self::Stability => format!(
-                "stability coefficient P Δ/(V h) = {}, above 0.1 (EN 1998-1, 4.4.2.2): gravity, which the model leaves out, adds to the drift",
+                "{worst}stability coefficient P Δ/(V h) = {}, above 0.1 (EN 1998-1, 4.4.2.2): gravity, which the model leaves out, adds to the drift",
                 short(found)
             ),
             Self::Drift => format!(
-                "drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+                "{worst}drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
                  decide",
                 percent(found)
             ),
             Self::Ductility => format!(
-                "ductility demand of {}, above 6: columns lose strength, which the model leaves out",
+                "{worst}ductility demand of {}, above 6: columns lose strength, which the model leaves out",
                 short(found)
             ),
             Self::ResidualDrift => format!(
-                "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): repair hardly pays",
+                "{worst}drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): repair hardly pays",
                 percent(found)
             ),
         }
@@ -240,7 +294,15 @@ impl ExcessKind {
 
 impl Display for Excess {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        write!(to, "{}: {}", self.name, self.kind.says(self.found))
+        write!(to, "{}: {}", self.name, self.kind.says(self.found, ""))
+    }
+}
+
+impl Display for Often {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        let Excess { kind, name, found, .. } = &self.worst;
+        let often = format!("in {} of {} runs", self.runs, self.of);
+        write!(to, "{name}: {}", kind.says(*found, &often))
     }
 }
 
@@ -300,8 +362,8 @@ mod tests {
             &excesses(Some(0.8), 0.01, None),
             &[(ExcessKind::Stability, theta)],
         );
-        assert!(ExcessKind::Stability.says(0.2).contains("EN 1998-1"));
-        assert!(ExcessKind::Stability.says(0.3).contains("ASCE 7-16"));
+        assert!(ExcessKind::Stability.says(0.2, "").contains("EN 1998-1"));
+        assert!(ExcessKind::Stability.says(0.3, "").contains("ASCE 7-16"));
     }
 
     /// The lower of two equal storeys carries both floors: θ = 2 m g/(k h), the upper one half of that.

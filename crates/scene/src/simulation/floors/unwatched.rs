@@ -1,0 +1,134 @@
+//! Floors that no contact lets touch what stands beside them: columns of a neighbour between its floors, or floors of a level that
+//! `levels` leaves out.
+
+use std::collections::BTreeSet;
+
+use super::{EQUAL_HEIGHTS, Floors};
+
+/// A floor and what stands beside it in the neighbouring building, which no contact lets touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unwatched {
+    /// Index of the gap between both, from the left.
+    pub gap: usize,
+    /// The floor, by its place in the row; of two floors of a level the left one.
+    pub floor: usize,
+    /// The floor below the column; `None` if the column stands on the ground.
+    pub below: Option<usize>,
+    /// The floor above the column, or the floor of the same level.
+    pub above: usize,
+    /// Where along the column the floor is \[–\], from 0 at its foot to 1 at its head, where the floor above is level with it.
+    pub along: f64,
+}
+
+impl Unwatched {
+    /// Whether it faces a floor, and no column.
+    pub fn is_level(&self) -> bool {
+        self.along >= 1.0
+    }
+}
+
+impl Floors {
+    /// Every floor beside a column that faces no floor of that neighbour, up to the lower roof of the two, where heights are given; and
+    /// every two floors of a level that contacts leave out. A wall stands only where its contact lets it be touched.
+    pub fn unwatched(&self) -> Vec<Unwatched> {
+        let watched: BTreeSet<_> = self.facing.iter().map(|one| (one.left, one.right)).collect();
+        let mut all = Vec::new();
+        for gap in 0..self.structures.len().saturating_sub(1) {
+            let facing: Vec<_> = self.levels.facing(gap).collect();
+            let meets = |one: &Unwatched| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
+            all.extend(self.beside_columns(gap).filter(|one| !meets(one)));
+            let moves = |floor: usize| !self.all[floor].is_wall();
+            let left_out = facing.iter().filter(|(left, right)| {
+                let is_asked = !watched.is_empty() && moves(*left) && moves(*right);
+                is_asked && !watched.contains(&(*left, *right))
+            });
+            all.extend(left_out.map(|(left, right)| Unwatched {
+                gap,
+                floor: *left,
+                below: None,
+                above: *right,
+                along: 1.0,
+            }));
+        }
+        all
+    }
+
+    /// "levels 2 to 4, 6 of A and B", if the contact in a gap leaves levels out.
+    pub fn left_out(&self, gap: usize) -> Option<String> {
+        let all = self.unwatched().into_iter();
+        let all = all.filter(|one| one.gap == gap && one.is_level());
+        let mut runs: Vec<[usize; 2]> = Vec::new();
+        for level in all.map(|one| self.levels.level(one.floor) + 1) {
+            match runs.last_mut() {
+                Some([_, last]) if *last + 1 == level => *last = level,
+                Some(_) | None => runs.push([level; 2]),
+            }
+        }
+        let s = match runs[..] {
+            [] => return None,
+            [[one, last]] if one == last => "",
+            _ => "s",
+        };
+        let said = runs.iter().map(|[first, last]| match last - first {
+            0 => first.to_string(),
+            _ => format!("{first} to {last}"),
+        });
+        let said = said.collect::<Vec<_>>().join(", ");
+        let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
+        Some(format!("level{s} {said} of {left} and {right}"))
+    }
+
+    /// Of every two neighbours without floors of one level, that no width is known that they need.
+    pub fn says_no_level(&self) -> Vec<String> {
+        let gaps = 0..self.structures.len().saturating_sub(1);
+        let moves = |one: usize| self.levels.of(one).iter().any(|floor| !self.all[*floor].is_wall());
+        let none = gaps.filter(|gap| {
+            (moves(*gap) || moves(gap + 1)) && self.levels.facing(*gap).next().is_none()
+        });
+        none.map(|gap| {
+            let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
+            format!("No floors of {left} and {right} face each other: the width that they need is not known.")
+        })
+        .collect()
+    }
+
+    /// Whether floors of both sides of a gap stand equally high up to the lower roof, by the heights that the scene gives.
+    pub(crate) fn are_level(&self, gap: usize) -> bool {
+        let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
+        known == [true; 2] && self.beside_columns(gap).next().is_none()
+    }
+
+    /// Heights of the floors of a structure, from the ground up; `None` if some are not known, and of a wall.
+    fn heights_of(&self, structure: usize) -> Option<Vec<f64>> {
+        let floors = self.of_structure(structure).iter();
+        floors.map(|floor| self.all[*floor].elevation_m).collect()
+    }
+
+    /// Floors of both sides of a gap whose heights are those of no floor of the other.
+    fn beside_columns(&self, gap: usize) -> impl Iterator<Item = Unwatched> {
+        let sides = [(gap, gap + 1), (gap + 1, gap)].into_iter();
+        sides.flat_map(move |(own, other)| self.beside_columns_of(gap, own, other))
+    }
+
+    fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<Unwatched> {
+        let (Some(heights), Some(others)) = (self.heights_of(own), self.heights_of(other)) else {
+            return Vec::new();
+        };
+        let beside = |(floor, height): (&usize, &f64)| {
+            let next = others
+                .iter()
+                .position(|one| *one >= height - EQUAL_HEIGHTS)?;
+            let foot = next.checked_sub(1);
+            let low = foot.map_or(0.0, |foot| others[foot]);
+            (others[next] > height + EQUAL_HEIGHTS).then(|| Unwatched {
+                gap,
+                floor: *floor,
+                below: foot.map(|foot| self.of_structure(other)[foot]),
+                above: self.of_structure(other)[next],
+                along: (height - low) / (others[next] - low),
+            })
+        };
+        let own = self.of_structure(own).iter().zip(&heights);
+        own.filter_map(beside).collect()
+    }
+}
