@@ -127,7 +127,9 @@ impl AssessmentReport {
 
     /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
     fn answer(&self, gap: &GapAssessment) -> String {
-        let beside = gap.beside_columns.filter(|width| gap.own.is_none_or(|own| own < *width));
+        let beside = gap
+            .beside_columns
+            .filter(|width| gap.own.is_none_or(|own| own < *width));
         let answer = self.answer_of_floors(gap, beside.is_some());
         beside.map_or(answer.clone(), |width| {
             let width = millimetres_up(width);
@@ -140,8 +142,16 @@ impl AssessmentReport {
         let (runs, samples) = (self.assessment.runs, self.sample());
         let needed = gap.required.largest();
         let [most, all] = [gap.required.p84(), needed].map(|width| millimetres(gap.built(width)));
-        let of = if besides { ", of floors that face floors" } else { "" };
-        let is_enough = if besides { "is enough for floors that face floors" } else { "is enough" };
+        let of = if besides {
+            ", of floors that face floors"
+        } else {
+            ""
+        };
+        let is_enough = if besides {
+            "is enough for floors that face floors"
+        } else {
+            "is enough"
+        };
         match gap.own {
             None => format!(
                 "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all{of}."
@@ -175,7 +185,9 @@ impl AssessmentReport {
                 let of_most = if most == all || gap.built(gap.required.p84()) <= own {
                     format!("{all} mm would be enough for all{of}")
                 } else {
-                    format!("{most} mm would be enough for 84 % of the {samples}s, {all} mm for all{of}")
+                    format!(
+                        "{most} mm would be enough for 84 % of the {samples}s, {all} mm for all{of}"
+                    )
                 };
                 format!(
                     "{} mm is not enough between {left} and {right}: they touch in {}. {of_most}.",

@@ -97,7 +97,12 @@ impl Excess {
 impl Often {
     /// The worst in a few words, and in how many runs.
     pub fn brief(&self) -> String {
-        format!("{}, in {} of {} runs", self.worst.brief(), self.runs, self.of)
+        format!(
+            "{}, in {} of {} runs",
+            self.worst.brief(),
+            self.runs,
+            self.of
+        )
     }
 }
 
@@ -300,7 +305,9 @@ impl Display for Excess {
 
 impl Display for Often {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        let Excess { kind, name, found, .. } = &self.worst;
+        let Excess {
+            kind, name, found, ..
+        } = &self.worst;
         let often = format!("in {} of {} runs", self.runs, self.of);
         write!(to, "{name}: {}", kind.says(*found, &often))
     }

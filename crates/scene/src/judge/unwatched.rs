@@ -1,4 +1,4 @@
-//! What may touch in a run and is not modelled: floors beside columns, and levels that contacts leave out.
+//! Touches that a run may miss, because no contact models them: of floors beside columns, and at levels that contacts leave out.
 
 use std::collections::BTreeMap;
 
@@ -54,8 +54,8 @@ impl Simulation {
     }
 }
 
-/// How far a floor and what stands beside it move together at most \[m\]: both may move apart when they are farthest, so that what does not
-/// close the gap by this measure does not close it.
+/// The sum of the peaks of a floor and of the column or floor next to it \[m\]. A gap that is wider stays open; a narrower one may, if both
+/// peak at different times.
 fn together(one: &Unwatched, result: &RunResult, openings: &[Opening]) -> f64 {
     let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
     let foot = one.below.map_or(0.0, peak);

@@ -1,11 +1,10 @@
-//! Floors that no contact lets touch what stands beside them: columns of a neighbour between its floors, or floors of a level that
-//! `levels` leaves out.
+//! Floors whose touches no contact models: floors beside columns of a neighbour, and levels that `levels` leaves out.
 
 use std::collections::BTreeSet;
 
 use super::{EQUAL_HEIGHTS, Floors};
 
-/// A floor and what stands beside it in the neighbouring building, which no contact lets touch.
+/// A floor and the column or floor next to it in the neighbouring building, if no contact models their touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unwatched {
     /// Index of the gap between both, from the left.
@@ -28,35 +27,63 @@ impl Unwatched {
 }
 
 impl Floors {
-    /// Every floor beside a column that faces no floor of that neighbour, up to the lower roof of the two, where heights are given; and
-    /// every two floors of a level that contacts leave out. A wall stands only where its contact lets it be touched.
+    /// Floors beside columns, up to the lower roof of two neighbours whose heights are given, and floors of levels that contacts leave out.
+    /// A wall stands only at the levels of its contact.
     pub fn unwatched(&self) -> Vec<Unwatched> {
-        let watched: BTreeSet<_> = self.facing.iter().map(|one| (one.left, one.right)).collect();
-        let mut all = Vec::new();
-        for gap in 0..self.structures.len().saturating_sub(1) {
-            let facing: Vec<_> = self.levels.facing(gap).collect();
-            let meets = |one: &Unwatched| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
-            all.extend(self.beside_columns(gap).filter(|one| !meets(one)));
-            let moves = |floor: usize| !self.all[floor].is_wall();
-            let left_out = facing.iter().filter(|(left, right)| {
-                let is_asked = !watched.is_empty() && moves(*left) && moves(*right);
-                is_asked && !watched.contains(&(*left, *right))
-            });
-            all.extend(left_out.map(|(left, right)| Unwatched {
-                gap,
-                floor: *left,
-                below: None,
-                above: *right,
-                along: 1.0,
-            }));
-        }
+        let gaps = 0..self.structures.len().saturating_sub(1);
+        gaps.flat_map(|gap| self.unwatched_in(gap)).collect()
+    }
+
+    fn unwatched_in(&self, gap: usize) -> Vec<Unwatched> {
+        let facing: Vec<_> = self.levels.facing(gap).collect();
+        let meets = |one: &Unwatched| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
+        let mut all: Vec<_> = self.beside_columns(gap);
+        all.retain(|one| !meets(one));
+        let moves = |floor: usize| !self.all[floor].is_wall();
+        let is_watched = |left: usize| {
+            let found = self.facing.binary_search_by_key(&left, |one| one.left);
+            found.is_ok() || self.facing.is_empty()
+        };
+        let left_out = facing
+            .iter()
+            .filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left));
+        all.extend(left_out.map(|(left, right)| Unwatched {
+            gap,
+            floor: *left,
+            below: None,
+            above: *right,
+            along: 1.0,
+        }));
         all
+    }
+
+    /// What no contact models, whether or not it comes within reach: floors beside columns, and levels that are left out.
+    pub fn says_unwatched(&self) -> Vec<String> {
+        let all = self.unwatched();
+        let mut beside = all.iter().filter(|one| !one.is_level());
+        let beside = beside.next().map(|first| {
+            let more = match beside.count() {
+                0 => "faces".into(),
+                n => format!("and {n} more face"),
+            };
+            let name = &self.all[first.floor].name;
+            format!("{name} {more} columns of a neighbour between floors, which is not modelled")
+        });
+        let gaps: BTreeSet<usize> = all
+            .iter()
+            .filter(|one| one.is_level())
+            .map(|one| one.gap)
+            .collect();
+        let left_out = gaps.into_iter().filter_map(|gap| self.left_out(gap));
+        let left_out =
+            left_out.map(|levels| format!("{levels}: not looked at (`levels` of the contact)"));
+        beside.into_iter().chain(left_out).collect()
     }
 
     /// "levels 2 to 4, 6 of A and B", if the contact in a gap leaves levels out.
     pub fn left_out(&self, gap: usize) -> Option<String> {
-        let all = self.unwatched().into_iter();
-        let all = all.filter(|one| one.gap == gap && one.is_level());
+        let all = self.unwatched_in(gap).into_iter();
+        let all = all.filter(Unwatched::is_level);
         let mut runs: Vec<[usize; 2]> = Vec::new();
         for level in all.map(|one| self.levels.level(one.floor) + 1) {
             match runs.last_mut() {
@@ -81,7 +108,12 @@ impl Floors {
     /// Of every two neighbours without floors of one level, that no width is known that they need.
     pub fn says_no_level(&self) -> Vec<String> {
         let gaps = 0..self.structures.len().saturating_sub(1);
-        let moves = |one: usize| self.levels.of(one).iter().any(|floor| !self.all[*floor].is_wall());
+        let moves = |one: usize| {
+            self.levels
+                .of(one)
+                .iter()
+                .any(|floor| !self.all[*floor].is_wall())
+        };
         let none = gaps.filter(|gap| {
             (moves(*gap) || moves(gap + 1)) && self.levels.facing(*gap).next().is_none()
         });
@@ -95,7 +127,7 @@ impl Floors {
     /// Whether floors of both sides of a gap stand equally high up to the lower roof, by the heights that the scene gives.
     pub(crate) fn are_level(&self, gap: usize) -> bool {
         let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
-        known == [true; 2] && self.beside_columns(gap).next().is_none()
+        known == [true; 2] && self.beside_columns(gap).is_empty()
     }
 
     /// Heights of the floors of a structure, from the ground up; `None` if some are not known, and of a wall.
@@ -105,9 +137,11 @@ impl Floors {
     }
 
     /// Floors of both sides of a gap whose heights are those of no floor of the other.
-    fn beside_columns(&self, gap: usize) -> impl Iterator<Item = Unwatched> {
+    fn beside_columns(&self, gap: usize) -> Vec<Unwatched> {
         let sides = [(gap, gap + 1), (gap + 1, gap)].into_iter();
-        sides.flat_map(move |(own, other)| self.beside_columns_of(gap, own, other))
+        sides
+            .flat_map(|(own, other)| self.beside_columns_of(gap, own, other))
+            .collect()
     }
 
     fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<Unwatched> {

@@ -186,6 +186,7 @@ pub(super) fn json(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         "schema_version": SCHEMA_VERSION,
         "scene": scene,
         "unusual": super::unusual(lines),
+        "warnings": super::warnings(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))
