@@ -190,9 +190,8 @@ type Widths = Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 /// What the widths rest on and should not, a sentence for each kind.
 fn warnings(lines: &[Widths]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let runs: Vec<&[Excess]> = found.map(|(_, excesses, _)| excesses.as_slice()).collect();
-    let beyond = Excess::gathered(&runs).into_iter();
-    let beyond = beyond.filter(|one| one.worst.kind.is_caution());
+    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
+    let beyond = beyond.filter(|one| one.kind.is_caution());
     beyond.map(|one| one.to_string()).collect()
 }
 

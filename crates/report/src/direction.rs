@@ -160,7 +160,8 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let pairs = prepared.pairs().len();
     let excesses = prepared.excesses(result);
     let unwatched = excesses.iter().filter(|one| one.kind.is_unwatched());
-    let unwatched: String = unwatched.map(|one| format!("; {}", one.brief())).collect();
+    let unwatched: Vec<String> = unwatched.map(|one| format!("; {}", one.brief())).collect();
+    let unwatched = unwatched.concat();
     if let Some(said) = prepared.floors().says_no_contact() {
         return format!("{said}{unwatched}");
     }

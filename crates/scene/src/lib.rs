@@ -90,7 +90,7 @@ pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 pub use judge::response::{
-    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY, Often,
+    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY,
 };
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};

@@ -69,11 +69,9 @@ impl Expected {
     /// What may touch in either direction and is not modelled.
     fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
-        let runs: Vec<Vec<Excess>> = runs.map(|run| prepared.excesses(run)).collect();
-        let runs: Vec<&[Excess]> = runs.iter().map(Vec::as_slice).collect();
-        let all = Excess::gathered(&runs).into_iter();
-        let all = all.filter(|one| one.worst.kind.is_unwatched());
-        all.map(|one| one.worst.to_string()).collect()
+        let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
+        let all = all.filter(|one| one.kind.is_unwatched());
+        all.map(|one| one.to_string()).collect()
     }
 
     /// What is expected of a pair that does not touch in the direction of the scene.

@@ -20,9 +20,9 @@ Examples:
 
 The gaps and contact laws of the scene do not matter: the width is the largest
 closing of the gap while every structure stands alone, by the exact method, at
-the level that needs most of all at which floors face each other. Levels count
-that `levels` of a contact leaves out, except beside walls. Floors beside columns
-count with the sum of both peaks.
+the level that needs most of all at which floors face each other. Levels that
+`levels` of a contact leaves out count, except beside walls. Floors beside
+columns get a line in Result: the sum of both peaks.
 
 Components of one record are one event, and count with the larger width.
 Verticals, velocities, copies, and records in boreholes or on structures are
@@ -107,9 +107,8 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
 /// What the widths rest on and should not: motion beyond its model, and floors that face no floor.
 fn warnings(scene: &Scene, lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let runs: Vec<&[Excess]> = found.map(|(_, excesses, _)| excesses.as_slice()).collect();
-    let beyond = Excess::gathered(&runs).into_iter();
-    let beyond = beyond.filter(|one| one.worst.kind.is_caution());
+    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
+    let beyond = beyond.filter(|one| one.kind.is_caution());
     let no_level = Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level());
     beyond.map(|one| one.to_string()).chain(no_level).collect()
 }

@@ -1,6 +1,6 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_scene::{DesignSpectrum, Excess, Implausible, LEAST_SHARE, Often, USUAL_FACTORS};
+use pounding_scene::{DesignSpectrum, Excess, Implausible, LEAST_SHARE, USUAL_FACTORS};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport};
@@ -30,7 +30,7 @@ impl AssessmentReport {
     /// What the answer rests on and should not, in a sentence before it, whether or not the gap is enough.
     pub fn cautions(&self) -> Option<String> {
         let beyond = self.excesses().into_iter();
-        let beyond = beyond.filter(|one| one.worst.kind.is_caution());
+        let beyond = beyond.filter(|one| one.kind.is_caution());
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
         let least = self.fit.as_ref().map(|fit| fit.least().0);
         said.extend(least.filter(|share| *share < LEAST_SHARE).map(|share| {
@@ -105,15 +105,14 @@ impl AssessmentReport {
     }
 
     /// Responses beyond the model or beyond codes, over all runs.
-    fn excesses(&self) -> Vec<Often> {
+    fn excesses(&self) -> Vec<Excess> {
         let runs = self.motions.iter();
-        let runs: Vec<&[Excess]> = runs.map(|one| one.run.excesses.as_slice()).collect();
-        Excess::gathered(&runs)
+        Excess::gathered(runs.map(|one| &one.run.excesses))
     }
 
     /// Whether something may touch that nobody looked at.
     pub(super) fn leaves_out(&self) -> bool {
         let mut all = self.excesses().into_iter();
-        all.any(|one| one.worst.kind.is_unwatched())
+        all.any(|one| one.kind.is_unwatched())
     }
 }

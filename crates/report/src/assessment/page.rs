@@ -162,9 +162,10 @@ fn touching(report: &AssessmentReport) -> String {
     let hit = report.hit();
     if hit.is_empty() {
         let why = report.floors.says_no_contact();
-        let none = match report.leaves_out() {
-            true => "No floors that were looked at touch.",
-            false => "Nothing touches.",
+        let none = if report.leaves_out() {
+            "No floors that were looked at touch."
+        } else {
+            "Nothing touches."
         };
         let why = why.map_or_else(|| none.into(), sentence);
         return format!("<p>{why}</p>\n");

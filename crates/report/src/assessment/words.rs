@@ -127,38 +127,30 @@ impl AssessmentReport {
 
     /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
     fn answer(&self, gap: &GapAssessment) -> String {
-        let beside = gap
-            .beside_columns
-            .filter(|width| gap.own.is_none_or(|own| own < *width));
-        let answer = self.answer_of_floors(gap, beside.is_some());
-        beside.map_or(answer.clone(), |width| {
+        let answer = self.answer_of_floors(gap);
+        gap.beside_columns.map_or(answer.clone(), |width| {
             let width = millimetres_up(width);
             format!("{answer} Floors beside columns may need {width} mm, the sum of both peaks.")
         })
     }
 
-    fn answer_of_floors(&self, gap: &GapAssessment, besides: bool) -> String {
+    fn answer_of_floors(&self, gap: &GapAssessment) -> String {
         let [left, right] = self.gap_names(gap);
         let (runs, samples) = (self.assessment.runs, self.sample());
         let needed = gap.required.largest();
-        let [most, all] = [gap.required.p84(), needed].map(|width| millimetres(gap.built(width)));
-        let of = if besides {
-            ", of floors that face floors"
-        } else {
-            ""
-        };
-        let is_enough = if besides {
-            "is enough for floors that face floors"
-        } else {
-            "is enough"
-        };
+        let [most, all] = [gap.built(gap.required.p84()), gap.proposal()].map(millimetres);
         match gap.own {
             None => format!(
-                "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all{of}."
+                "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
             ),
             Some(own) if gap.touching == 0 && own >= needed => format!(
-                "{} mm {is_enough} between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
+                "{} mm is enough {}between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
+                if own < gap.largest() {
+                    "for floors that face floors "
+                } else {
+                    ""
+                },
                 millimetres_up(needed),
                 margin(own, gap)
             ),
@@ -182,15 +174,15 @@ impl AssessmentReport {
                 self.touch_in(gap)
             ),
             Some(own) => {
-                let of_most = if most == all || gap.built(gap.required.p84()) <= own {
-                    format!("{all} mm would be enough for all{of}")
+                let most = if most == all || gap.built(gap.required.p84()) <= own {
+                    format!("{all} mm would be enough for all")
                 } else {
                     format!(
-                        "{most} mm would be enough for 84 % of the {samples}s, {all} mm for all{of}"
+                        "{most} mm would be enough for 84 % of the {samples}s, {all} mm for all"
                     )
                 };
                 format!(
-                    "{} mm is not enough between {left} and {right}: they touch in {}. {of_most}.",
+                    "{} mm is not enough between {left} and {right}: they touch in {}. {most}.",
                     millimetres(own),
                     self.touch_in(gap)
                 )
@@ -269,7 +261,12 @@ impl AssessmentReport {
 /// How much wider a gap is than the widest needed, if that is less than the spread of the widths from run to run, the standard
 /// deviation of their logarithms: then another motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
-    let more = own / gap.required.largest();
+    let widths = [gap.largest(), gap.required.largest()];
+    let more = own
+        / widths
+            .into_iter()
+            .find(|width| *width <= own)
+            .unwrap_or(own);
     match gap.required.dispersion() {
         Some(spread) if libm::log(more) < spread => format!(
             " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",

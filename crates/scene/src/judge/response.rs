@@ -30,6 +30,8 @@ pub struct Excess {
     pub name: String,
     /// How much it is, in the unit of the kind.
     pub found: f64,
+    /// In how many of how many runs, if it is the worst of several.
+    pub often: Option<[usize; 2]>,
 }
 
 /// A kind of response that is judged.
@@ -53,83 +55,82 @@ pub enum ExcessKind {
     ResidualDrift,
 }
 
-/// A kind of response over several runs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Often {
-    /// The worst of all runs.
-    pub worst: Excess,
-    /// Number of runs in which it is too much.
-    pub runs: usize,
-    /// Number of all runs.
-    pub of: usize,
-}
-
 impl Excess {
     /// Responses over several runs, the most harmful kind first: the worst of every kind, and in how many runs.
-    pub fn gathered(runs: &[&[Self]]) -> Vec<Often> {
-        let mut all: Vec<Often> = Vec::new();
-        for one in runs.iter().copied().flatten() {
-            match all.iter_mut().find(|known| known.worst.kind == one.kind) {
-                Some(known) => {
-                    known.runs += 1;
-                    if known.worst.found < one.found {
-                        known.worst = one.clone();
-                    }
-                }
-                None => all.push(Often {
-                    worst: one.clone(),
-                    runs: 1,
-                    of: runs.len(),
-                }),
-            }
+    pub fn gathered(runs: impl IntoIterator<Item: AsRef<[Self]>>) -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut of = 0;
+        for run in runs {
+            all.extend_from_slice(run.as_ref());
+            of += 1;
         }
-        all.sort_by_key(|one| one.worst.kind);
+        let mut worst = Self::worst(all.clone());
+        for one in &mut worst {
+            let of_kind = all.iter().filter(|other| other.kind == one.kind);
+            one.often = Some([of_kind.count(), of]);
+        }
+        worst
+    }
+
+    /// The worst of every kind, the most harmful kind first; of equal ones the first.
+    fn worst(mut all: Vec<Self>) -> Vec<Self> {
+        all.sort_by(|one, other| {
+            let by_kind = one.kind.cmp(&other.kind);
+            by_kind.then(other.found.total_cmp(&one.found))
+        });
+        all.dedup_by_key(|one| one.kind);
         all
     }
 
     /// It in a few words.
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
-        format!("{}{colon} {}", self.name, self.kind.brief(self.found))
+        let limit = match self.kind {
+            ExcessKind::Displacement => ", above 0.3 m",
+            ExcessKind::Drift => ", above 2.5 %",
+            ExcessKind::Ductility => ", above 6",
+            ExcessKind::AtColumn
+            | ExcessKind::BesideColumn
+            | ExcessKind::LeftOut
+            | ExcessKind::Stability
+            | ExcessKind::ResidualDrift => "",
+        };
+        let brief = self.kind.brief(self.found);
+        let often = self.often();
+        let comma = if often.is_empty() { "" } else { ", " };
+        format!("{}{colon} {brief}{limit}{comma}{often}", self.name)
     }
-}
 
-impl Often {
-    /// The worst in a few words, and in how many runs.
-    pub fn brief(&self) -> String {
-        format!(
-            "{}, in {} of {} runs",
-            self.worst.brief(),
-            self.runs,
-            self.of
-        )
+    /// "in 4 of 4 runs"; empty of one run.
+    fn often(&self) -> String {
+        self.often
+            .map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
     }
 }
 
 impl Simulation {
     /// What of a run is beyond its model or what codes allow, at the worst floor of every kind, the most harmful kind first.
     pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
-        let mut worst: Vec<Excess> = Vec::new();
-        for floor in 0..self.floors().all().len() {
-            for (kind, found) in self.judged(result, floor) {
-                if found <= kind.most() || found.is_nan() {
-                    continue;
-                }
-                let excess = Excess {
-                    kind,
-                    floor,
-                    name: self.floors().all()[floor].name.clone(),
-                    found,
-                };
-                match worst.iter_mut().find(|one| one.kind == kind) {
-                    Some(known) if known.found < found => *known = excess,
-                    Some(_) => (),
-                    None => worst.push(excess),
-                }
+        let floors = self.floors();
+        let mut all = self.unwatched(result);
+        for (floor, one) in floors.all().iter().enumerate() {
+            let judged = self.judged(result, floor).into_iter();
+            let beyond = judged.filter(|(kind, found)| *found > kind.most());
+            all.extend(beyond.map(|(kind, found)| Excess {
+                kind,
+                floor,
+                name: one.name.clone(),
+                found,
+                often: None,
+            }));
+        }
+        let mut worst = Excess::worst(all);
+        for one in &mut worst {
+            if one.kind == ExcessKind::LeftOut {
+                let levels = floors.left_out(floors.all()[one.floor].structure);
+                one.name = levels.unwrap_or_default();
             }
         }
-        worst.extend(self.unwatched(result));
-        worst.sort_by_key(|one| one.kind);
         worst
     }
 
@@ -150,6 +151,7 @@ impl Simulation {
                 floor,
                 name,
                 found,
+                often: None,
             },
         ))
     }
@@ -193,7 +195,7 @@ impl Simulation {
 
 impl ExcessKind {
     /// What is not yet too much.
-    pub(super) fn most(self) -> f64 {
+    fn most(self) -> f64 {
         match self {
             Self::AtColumn | Self::BesideColumn | Self::LeftOut => 0.0,
             Self::Displacement => MOST_UNKNOWN,
@@ -216,12 +218,9 @@ impl ExcessKind {
         }
     }
 
-    /// What may touch and is not modelled.
-    pub(super) const UNWATCHED: [Self; 3] = [Self::AtColumn, Self::BesideColumn, Self::LeftOut];
-
     /// Whether something may touch that no contact models: a column, or floors of a level that is left out.
     pub fn is_unwatched(self) -> bool {
-        Self::UNWATCHED.contains(&self)
+        matches!(self, Self::AtColumn | Self::BesideColumn | Self::LeftOut)
     }
 
     /// Whether an answer about gaps rests on it and should not: the model follows stability and what is left of drift, which ask
@@ -299,17 +298,8 @@ impl ExcessKind {
 
 impl Display for Excess {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        write!(to, "{}: {}", self.name, self.kind.says(self.found, ""))
-    }
-}
-
-impl Display for Often {
-    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        let Excess {
-            kind, name, found, ..
-        } = &self.worst;
-        let often = format!("in {} of {} runs", self.runs, self.of);
-        write!(to, "{name}: {}", kind.says(*found, &often))
+        let said = self.kind.says(self.found, &self.often());
+        write!(to, "{}: {said}", self.name)
     }
 }
 

@@ -7,37 +7,28 @@ use pounding_solver::Opening;
 use crate::{Excess, ExcessKind, RunResult, Simulation, Unwatched};
 
 impl Simulation {
-    /// The floors that reach farthest beyond a gap towards what no contact lets them touch.
-    pub(super) fn unwatched(&self, result: &RunResult) -> impl Iterator<Item = Excess> {
-        let (floors, contacts) = (self.floors(), self.scene().contacts.as_deref());
+    /// What may touch and no contact models: how far beyond the gap, or without contacts how far together.
+    pub(super) fn unwatched(&self, result: &RunResult) -> Vec<Excess> {
+        let floors = self.floors();
         let openings = self.openings();
         let judged = |one: Unwatched| {
-            let together = together(&one, result, &openings);
-            let Some(contacts) = contacts else {
-                return Some((ExcessKind::BesideColumn, together, one));
+            let contacts = self.scene().contacts.as_deref();
+            let kind = match contacts {
+                None => ExcessKind::BesideColumn,
+                Some(_) if one.is_level() => ExcessKind::LeftOut,
+                Some(_) => ExcessKind::AtColumn,
             };
-            let kind = if one.is_level() {
-                ExcessKind::LeftOut
-            } else {
-                ExcessKind::AtColumn
-            };
-            Some((kind, together - contacts.get(one.gap)?.gap_m, one))
-        };
-        let all = floors.unwatched().into_iter().filter_map(judged);
-        let all: Vec<_> = all
-            .filter(|(kind, found, _)| *found >= kind.most())
-            .collect();
-        ExcessKind::UNWATCHED.into_iter().filter_map(move |kind| {
-            let of_kind = all.iter().filter(|one| one.0 == kind);
-            let (_, found, one) = of_kind.max_by(|one, other| one.1.total_cmp(&other.1))?;
-            let left_out = one.is_level().then(|| floors.left_out(one.gap)).flatten();
-            Some(Excess {
+            let gap = contacts.map_or(0.0, |all| all[one.gap].gap_m);
+            Excess {
                 kind,
                 floor: one.floor,
-                name: left_out.unwrap_or_else(|| floors.all()[one.floor].name.clone()),
-                found: *found,
-            })
-        })
+                name: floors.all()[one.floor].name.clone(),
+                found: together(&one, result, &openings) - gap,
+                often: None,
+            }
+        };
+        let all = floors.unwatched().into_iter().map(judged);
+        all.filter(|one| one.found >= 0.0).collect()
     }
 
     /// The width by gaps that keeps floors beside columns from them, by the same measure \[m\].

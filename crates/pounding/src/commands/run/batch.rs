@@ -196,8 +196,7 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
 /// Responses beyond the model or codes over all runs.
 fn warnings(lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let runs: Vec<&[Excess]> = found.map(|found| found.excesses.as_slice()).collect();
-    let all = Excess::gathered(&runs);
+    let all = Excess::gathered(found.map(|found| &found.excesses));
     all.iter().map(ToString::to_string).collect()
 }
 

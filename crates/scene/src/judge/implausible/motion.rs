@@ -107,28 +107,25 @@ impl Shaking<'_> {
         let gravity = self.used.gravity_m_per_s2;
         let peak = self.record.peak().1.abs() / self.scale / gravity;
         let declared = origin.file.unit();
-        let is_weak = file.unit.is_some() && (0.02..*CHOSEN_PEAKS.start()).contains(&peak);
-        let in_unit =
-            |unit: AccelerationUnit| peak * unit.to_si(1.0, gravity) / declared.to_si(1.0, gravity);
+        let in_unit = |unit: &AccelerationUnit| {
+            peak * unit.to_si(1.0, gravity) / declared.to_si(1.0, gravity)
+        };
         // The plain units: thousandths and tenths of g are no slip.
-        let others = AccelerationUnit::ALL.into_iter().take(3);
-        let other = others
-            .filter(|_| is_weak)
-            .find(|unit| CHOSEN_PEAKS.contains(&in_unit(*unit)));
-        if let Some(other) = other {
-            let found = format!(
-                "a peak of {} g, with the unit {} as declared; in {} the values would peak at {} g",
-                two_digits(peak),
-                declared.symbol(),
-                other.symbol(),
-                two_digits(in_unit(other))
-            );
-            doubts.unless_far(
-                (false, peak),
-                RECORD,
-                (found, "0.1 to 1.5 g, where the unit is declared"),
-            );
-        }
+        let mut others = AccelerationUnit::ALL[..3].iter();
+        let other = others.find(|unit| CHOSEN_PEAKS.contains(&in_unit(unit)));
+        let is_weak = (0.02..*CHOSEN_PEAKS.start()).contains(&peak);
+        let Some(other) = other.filter(|_| is_weak && file.unit.is_some()) else {
+            return;
+        };
+        let found = format!(
+            "a peak of {} g, with the unit {} as declared; in {} the values would peak at {} g",
+            two_digits(peak),
+            declared.symbol(),
+            other.symbol(),
+            two_digits(in_unit(other))
+        );
+        let usual = "0.1 to 1.5 g, where the unit is declared";
+        doubts.unless_far((false, peak), RECORD, (found, usual));
     }
 
     /// Of a record alone: a formula may leave the ground moving on purpose.

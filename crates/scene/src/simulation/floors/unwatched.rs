@@ -1,7 +1,5 @@
 //! Floors whose touches no contact models: floors beside columns of a neighbour, and levels that `levels` leaves out.
 
-use std::collections::BTreeSet;
-
 use super::{EQUAL_HEIGHTS, Floors};
 
 /// A floor and the column or floor next to it in the neighbouring building, if no contact models their touches.
@@ -57,69 +55,46 @@ impl Floors {
         all
     }
 
-    /// What no contact models, whether or not it comes within reach: floors beside columns, and levels that are left out.
-    pub fn says_unwatched(&self) -> Vec<String> {
+    /// Says that floors face what no contact models, whether or not it comes within reach.
+    pub fn says_unwatched(&self) -> Option<String> {
         let all = self.unwatched();
-        let mut beside = all.iter().filter(|one| !one.is_level());
-        let beside = beside.next().map(|first| {
-            let more = match beside.count() {
-                0 => "faces".into(),
-                n => format!("and {n} more face"),
-            };
-            let name = &self.all[first.floor].name;
-            format!("{name} {more} columns of a neighbour between floors, which is not modelled")
-        });
-        let gaps: BTreeSet<usize> = all
-            .iter()
-            .filter(|one| one.is_level())
-            .map(|one| one.gap)
-            .collect();
-        let left_out = gaps.into_iter().filter_map(|gap| self.left_out(gap));
-        let left_out =
-            left_out.map(|levels| format!("{levels}: not looked at (`levels` of the contact)"));
-        beside.into_iter().chain(left_out).collect()
+        let first = &self.all[all.first()?.floor].name;
+        Some(format!(
+            "floors that face a column, or a floor that `levels` leaves out: {}, the first {first}; neither is modelled",
+            all.len()
+        ))
     }
 
-    /// "levels 2 to 4, 6 of A and B", if the contact in a gap leaves levels out.
+    /// "levels 2 to 4 of A and B", if the contact in a gap leaves levels out.
     pub fn left_out(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap).into_iter();
         let all = all.filter(Unwatched::is_level);
-        let mut runs: Vec<[usize; 2]> = Vec::new();
-        for level in all.map(|one| self.levels.level(one.floor) + 1) {
-            match runs.last_mut() {
-                Some([_, last]) if *last + 1 == level => *last = level,
-                Some(_) | None => runs.push([level; 2]),
-            }
-        }
-        let s = match runs[..] {
-            [] => return None,
-            [[one, last]] if one == last => "",
-            _ => "s",
-        };
-        let said = runs.iter().map(|[first, last]| match last - first {
-            0 => first.to_string(),
-            _ => format!("{first} to {last}"),
-        });
-        let said = said.collect::<Vec<_>>().join(", ");
+        let levels: Vec<usize> = all.map(|one| self.levels.level(one.floor) + 1).collect();
         let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
-        Some(format!("level{s} {said} of {left} and {right}"))
+        let levels = match levels[..] {
+            [] => return None,
+            [one] => format!("level {one}"),
+            [first, .., last] if last - first + 1 == levels.len() => {
+                format!("levels {first} to {last}")
+            }
+            _ => {
+                let all: Vec<String> = levels.iter().map(ToString::to_string).collect();
+                format!("levels {}", all.join(", "))
+            }
+        };
+        Some(format!("{levels} of {left} and {right}"))
     }
 
-    /// Of every two neighbours without floors of one level, that no width is known that they need.
+    /// Says that two neighbours have no floors of one level, so that no width is known that they need.
     pub fn says_no_level(&self) -> Vec<String> {
-        let gaps = 0..self.structures.len().saturating_sub(1);
-        let moves = |one: usize| {
-            self.levels
-                .of(one)
-                .iter()
-                .any(|floor| !self.all[*floor].is_wall())
-        };
-        let none = gaps.filter(|gap| {
-            (moves(*gap) || moves(gap + 1)) && self.levels.facing(*gap).next().is_none()
-        });
-        none.map(|gap| {
-            let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
-            format!("No floors of {left} and {right} face each other: the width that they need is not known.")
+        let names = self.structures.windows(2).enumerate();
+        // Between two walls nothing moves.
+        let none = names.filter(|(gap, _)| self.levels.facing(*gap).next().is_none());
+        none.map(|(_, names)| {
+            format!(
+                "No floors of {} face each other: the width that they need is not known.",
+                names.join(" and ")
+            )
         })
         .collect()
     }
@@ -138,10 +113,8 @@ impl Floors {
 
     /// Floors of both sides of a gap whose heights are those of no floor of the other.
     fn beside_columns(&self, gap: usize) -> Vec<Unwatched> {
-        let sides = [(gap, gap + 1), (gap + 1, gap)].into_iter();
-        sides
-            .flat_map(|(own, other)| self.beside_columns_of(gap, own, other))
-            .collect()
+        let of = |own, other| self.beside_columns_of(gap, own, other);
+        [of(gap, gap + 1), of(gap + 1, gap)].concat()
     }
 
     fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<Unwatched> {
