@@ -99,11 +99,11 @@ fn limit_fields_have_one_name() {
     let mut compared = 0;
     for row in reader.records() {
         let row = row.expect("a row");
-        if (&row[0], &row[2], &row[4]) != ("column.txt", "left", "right") {
+        if (&row[0], &row[3], &row[5]) != ("column.txt", "left", "right") {
             continue;
         }
         let pair = &run["pairs"][0];
-        let (quantity, value) = (&row[6], row[7].parse::<f64>().ok());
+        let (quantity, value) = (&row[7], row[8].parse::<f64>().ok());
         let nested = quantity
             .split_once('_')
             .filter(|(of, _)| pair[of].is_object());

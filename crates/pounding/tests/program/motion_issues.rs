@@ -258,7 +258,8 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
     Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
 
-    No row    Chan 2: Up: vertical component, by the name in the file
+    Records   1 file: 1 motion of 1 event, 1 component of used files left out
+              1 vertical component, by the name in the file: csmip.v2 Chan 2: Up
 
     Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
               offset of the baseline, or a record cut short; PGV and PGD are those
@@ -296,7 +297,15 @@ fn issue_a_folder_is_read_as_others_read_it() {
     let text = printed(&motion(&folder, &["info", "."])).to_string();
     let said = text.lines().skip_while(|line| !line.starts_with("Records"));
     let said: Vec<&str> = said.take_while(|line| !line.is_empty()).collect();
-    assert_snapshot!(said.join("\n"), @"");
+    assert_snapshot!(said.join("\n"), @"
+    Records   8 files, 3 used and 5 left out: 3 motions of 2 events
+              lost.csv: cannot be read: No such file or directory (os error 2)
+              1 folder, give each as a folder of its own: more
+              1 copy, each record counts once: the same.csv (of q_E.csv)
+              1 vertical component, by the end of the file's name; rename a
+              horizontal one: q_U.csv
+              1 file that is no record: README
+    ");
     let json = json_of(&motion(&folder, &["info", ".", "--json"]));
     let of = |name: &str| {
         let mut motions = json["motions"].as_array().expect("a list").iter();
