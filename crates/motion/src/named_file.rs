@@ -5,13 +5,16 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 
 mod place;
+mod quantity;
 mod way;
 
 use place::Place;
 pub(crate) use place::{is_parted, pieces, without_marks};
 use way::Way;
 
-use crate::{Direction, Quantity};
+pub use quantity::Quantity;
+
+use crate::Direction;
 
 /// A `NamedFile` holds the facts that the name of a file tells.
 ///

@@ -20,7 +20,7 @@ const FOOT: &str = "FOUNDATION FOOTING VAULT SHELTER";
 /// Words of a place below the ground, in capitals.
 const BOREHOLE: &str = "BOREHOLE DOWNHOLE";
 
-/// Words of a place below the ground if a depth stands beside them, in capitals: `30m deep`.
+/// Words of a place below the ground if the text has a depth, in capitals: `30m deep`.
 const DEPTH: &str = "HOLE DEPTH DEEP";
 
 /// Words of a place on a structure, in capitals.
@@ -36,7 +36,7 @@ const STREET: &str = "ST STREET AVE AVENUE RD ROAD BLVD DR DRIVE HWY";
 /// Words of the land, in capitals, which has tops, crests and arches too.
 const LAND: &str = "MOUNTAIN MT MTN HILL HILLS RIDGE PEAK MESA CLIFF BLUFF SLOPE CANYON ROCK";
 
-/// Words of a floor, in capitals, which need a number before or behind them: `10TH FLOOR`, `FLOOR 3`.
+/// Words of a floor, in capitals, that need a number before or behind them: `10TH FLOOR`, `FLOOR 3`.
 const FLOOR: &str = "FLOOR FLR FL STORY STOREY LEVEL PISO NIVEL";
 
 /// Numbers of floors above the lowest, in capitals.

@@ -5,11 +5,20 @@ use std::ops::RangeInclusive;
 
 use pounding_text::{short, two_digits};
 
+use crate::AccelerationUnit;
+
 /// Usual time steps of strong motion \[s\].
 const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
 
 /// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
 const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
+
+/// Standard gravity \[m/s²\].
+const GRAVITY: f64 = 9.806_65;
+
+/// Below it a declared unit is held against others \[g\], where the peak would be this.
+const WEAK: f64 = 0.1;
+const STRONG: RangeInclusive<f64> = 0.1..=2.0;
 
 /// Part of the peak that resampling may take without a word.
 const USUAL_LOSS: f64 = 1e-3;
@@ -29,6 +38,15 @@ pub enum Unusual {
     Peak {
         /// Largest magnitude, in multiples of 9.80665 m/s² \[g\].
         found: f64,
+    },
+    /// A weak peak in a unit that is declared, which would be usual in another one.
+    DeclaredUnit {
+        /// Largest magnitude as declared \[g\].
+        found: f64,
+        /// The other unit.
+        other: AccelerationUnit,
+        /// Largest magnitude in that \[g\].
+        instead: f64,
     },
     /// Values that are all zero.
     Zero {
@@ -83,6 +101,26 @@ impl Unusual {
         step.into_iter().chain(peak)
     }
 
+    /// What a declared unit makes of the values, if the peak \[g\] is weak and usual of strong motion in another unit.
+    pub(crate) fn of_unit(declared: AccelerationUnit, peak: f64) -> Option<Self> {
+        let in_declared = |other: AccelerationUnit| {
+            if other == declared {
+                1.0
+            } else {
+                other.to_si(1.0, GRAVITY) / declared.to_si(1.0, GRAVITY)
+            }
+        };
+        let others = AccelerationUnit::ALL[..3].iter();
+        let mut others = others.map(|other| (*other, peak * in_declared(*other)));
+        let (other, instead) = others.find(|(_, peak)| STRONG.contains(peak))?;
+        USUAL_PEAKS.contains(&peak).then_some(())?;
+        (peak < WEAK).then_some(Self::DeclaredUnit {
+            found: peak,
+            other,
+            instead,
+        })
+    }
+
     /// What resampling took off the peak, if that is much.
     pub(crate) fn of_resampling(lost: f64) -> Option<Self> {
         (lost > USUAL_LOSS).then_some(Self::Resampled { lost })
@@ -97,10 +135,24 @@ impl Unusual {
     pub fn found(&self) -> String {
         match self {
             Self::TimeStep { found } => format!("a time step of {found} s in the file"),
+            // Two digits would round it to what is usual.
+            Self::Peak { found } if (0.0195..0.02).contains(found) => {
+                format!("a peak of {found:.4} g in the file")
+            }
             Self::Peak { found } if *found < 1.0 => {
                 format!("a peak of {} g in the file", two_digits(*found))
             }
             Self::Peak { found } => format!("a peak of {found:.1} g in the file"),
+            Self::DeclaredUnit {
+                found,
+                other,
+                instead,
+            } => format!(
+                "a peak of {} g as declared; in {} the values would peak at {} g",
+                two_digits(*found),
+                other.symbol(),
+                two_digits(*instead)
+            ),
             Self::Zero { found } => format!("{found} values in the file that are all zero"),
             Self::OneSigned {
                 found,
@@ -140,6 +192,7 @@ impl Unusual {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",
             Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
+            Self::DeclaredUnit { .. } => "a strong motion; look once more at its unit",
             Self::Zero { .. } => "shaking",
             Self::OneSigned { .. } => {
                 "shaking both ways; a spectrum, a column of times or an offset has one sign"

@@ -95,7 +95,7 @@ pub use judge::response::{
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
-pub use simulation::floors::{Floor, FloorAtColumn, FloorPair, Floors, StoreyProperties};
+pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, OnRow, PairOutcome, Recorders, RunResult,
     Simulation, StepSizes, Trial, Values, alone_because, holding, in_scene, least_opening,

@@ -247,9 +247,15 @@ impl Sweep {
         Simulation::shaken(&scene, motion).ok()
     }
 
-    /// What is said of pounding if the scene has no contact; `None` if it has one.
-    pub fn says_no_contact(&self) -> Option<&'static str> {
-        self.first_row()?.floors().says_no_contact()
+    /// What is said of pounding if the scene has no contact, and of floors that no contact lets touch what is beside them.
+    pub fn says_of_contact(&self) -> Vec<String> {
+        let Some(row) = self.first_row() else {
+            return Vec::new();
+        };
+        let none = row.floors().says_no_contact().map(String::from);
+        none.into_iter()
+            .chain(row.floors().says_unwatched())
+            .collect()
     }
 
     /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.

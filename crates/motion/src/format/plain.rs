@@ -120,7 +120,9 @@ fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
     let stated = above.into_iter().chain(layout.said.counts.iter().cloned());
     let mut stated: Vec<Stated<usize>> = stated.collect();
     stated.sort_by_key(|count| count.value.abs_diff(held.n_read));
-    let count = stated.into_iter().next()?;
+    // A number without a key may count something else, such as the `8 values` of a line.
+    let is_of_all = |count: &Stated<usize>| count.value > held.n_read / 2;
+    let count = stated.into_iter().find(is_of_all)?;
     Some(Stated {
         value: count.value + held.values.len() - held.n_read,
         ..count

@@ -147,7 +147,7 @@ impl<'n> Name<'n> {
         }
     }
 
-    /// The words of each piece, the last piece first: its ends, the longest first, with its number and without it.
+    /// The words of each piece, the last piece first: its ends, the longest first, with and without its number.
     fn places(&self) -> Vec<Place> {
         let mut places = Vec::new();
         for (index, (_, piece)) in self.pieces.iter().enumerate().rev() {
@@ -290,7 +290,7 @@ fn number_of<'w>(inner: &str, word: &'w str) -> Option<&'w str> {
     (is_apart && is_number(digits)).then_some(digits)
 }
 
-/// What a number is: that of a channel, an azimuth, or one that counts files.
+/// The way and the azimuth of a number: it is that of a channel, an azimuth, or counts files.
 fn of_number(digits: &str, before: &str, inner: &str) -> (Option<Way>, Option<u16>) {
     let is_in = |words: &str| words.split(' ').any(|word| word == before);
     let number: Option<u16> = digits.parse().ok().filter(|number| *number <= 360);
@@ -299,7 +299,8 @@ fn of_number(digits: &str, before: &str, inner: &str) -> (Option<Way>, Option<u1
     }
     let is_long = digits.len() == 3 || (digits.len() == 2 && inner.is_empty());
     let is_round = |number: u16| digits.len() <= 3 && number.is_multiple_of(90);
-    let azimuth = number.filter(|number| is_round(*number) || (is_long && !is_in(COUNTED)));
+    let azimuth = number
+        .filter(|number| is_round(*number) || (is_long && !before.is_empty() && !is_in(COUNTED)));
     let way = azimuth.map(|degrees| Way::Level(COMPASS, degrees % 360));
     (way, azimuth)
 }

@@ -145,11 +145,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
     let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
     lines.push(paragraph("Sweep", &runs(sweep, &parts)));
-    lines.extend(
-        sweep
-            .says_no_contact()
-            .map(|said| paragraph("Contact", said)),
-    );
+    let contact = sweep.says_of_contact();
+    if !contact.is_empty() {
+        lines.push(paragraph("Contact", &contact.join("\n")));
+    }
     lines.extend(
         sweep
             .suite()

@@ -32,6 +32,7 @@ mod summaries;
 mod sweep_refusals;
 mod sweeps;
 mod unusual;
+mod unwatched;
 mod written;
 
 use std::fs;

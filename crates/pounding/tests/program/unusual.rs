@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::{Ended, folder, pounding};
 
 /// Two structures 210 mm apart.
-const TWO: &str = r#"
+pub(crate) const TWO: &str = r#"
 name = "two"
 record.file = "records/good.csv"
 structures = [
@@ -19,7 +19,7 @@ contacts = [{ gap_m = 0.21, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 "#;
 
 /// Floors at 3 and 6.5 m beside floors at 3, 7 and 11 m; only the lowest may touch.
-const STAGGERED: &str = r#"
+pub(crate) const STAGGERED: &str = r#"
 name = "staggered"
 record.file = "records/good.csv"
 structures = [
@@ -30,7 +30,7 @@ contacts = [{ gap_m = 0.05, levels = [1], law.stereomechanical.restitution = 0.5
 "#;
 
 /// Samples of ten seconds, which swing faster and die away: so fast, and times a factor.
-fn record(speed: f64, factor: f64) -> String {
+pub(crate) fn record(speed: f64, factor: f64) -> String {
     let sample = |index: u32| {
         let time = 0.01 * f64::from(index);
         let envelope = (time / 2.0).min(1.0) * libm::exp(-0.25 * (time - 2.0).max(0.0));
@@ -42,7 +42,7 @@ fn record(speed: f64, factor: f64) -> String {
 }
 
 /// A folder with a scene, and records that are sound unless `spoilt`: one in cm/s² called m/s², and one of zeros.
-fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
+pub(crate) fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
     fs::create_dir(work.join("records")).expect("it can be made");
@@ -63,7 +63,7 @@ fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
     work
 }
 
-fn flat(ended: &Ended) -> String {
+pub(crate) fn flat(ended: &Ended) -> String {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     ended
         .stdout
@@ -72,7 +72,7 @@ fn flat(ended: &Ended) -> String {
         .join(" ")
 }
 
-const OF_FOLDERS: [&[&str]; 3] = [
+pub(crate) const OF_FOLDERS: [&[&str]; 3] = [
     &["assess", "scene.toml", "--records", "records"],
     &["gap", "scene.toml", "--records", "records"],
     &["run", "scene.toml", "--records", "records", "--both"],
@@ -173,7 +173,7 @@ fn issue_enough_is_said_with_its_cautions() {
     fs::write(work.join("scene.toml"), enough).expect("it can be written");
     let said = flat(&pounding(&work, &scaled));
     let [caution, answer, margin] = [
-        "Caution: b in ",
+        "Caution: b: drift of ",
         " mm is enough between a and b: they touch in none of 4 runs",
         "The margin of 1.0 % is less than the spread of the widths (σ ln ",
     ]
@@ -234,7 +234,7 @@ fn issue_floors_beside_columns_are_not_silent() {
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
     for words in [
         "may hit a column, which is not modelled",
-        "faces columns of its neighbour between floors, and both together may move",
+        "faces columns of its neighbour between floors; both together may move up to",
     ] {
         assert!(said.contains(words), "{words}: {said}");
     }
@@ -245,7 +245,7 @@ fn issue_floors_beside_columns_are_not_silent() {
     );
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
     assert!(
-        said.starts_with("Warnings a, floor 2 faces columns of a neighbour"),
+        said.starts_with("Warnings a, floor 2: faces columns of its neighbour"),
         "{said}"
     );
     let wide = STAGGERED.replace("gap_m = 0.05", "gap_m = 1.5");

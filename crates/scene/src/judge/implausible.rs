@@ -240,11 +240,11 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     storeys::doubt(index, building, doubts);
     for (storey, one) in building.storeys.iter().enumerate() {
         doubts.unless_far(
-            ((1e3..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
+            ((1e4..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
             place(&format!(".storeys[{storey}].mass_kg")),
             (
                 format!("{} kg", digits(one.mass_kg)),
-                "1e3 to 1e9 kg for a floor",
+                "1e4 to 1e9 kg for a floor",
             ),
         );
     }
@@ -275,11 +275,11 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].sdof.{field}");
     let (mass, period, ratio) = (sdof.mass_kg, sdof.period(), sdof.damping_ratio());
     doubts.unless_far(
-        ((1e3..=1e9).contains(&mass), mass / 1e6),
+        ((1e4..=1e9).contains(&mass), mass / 1e6),
         place("mass_kg"),
         (
             format!("{} kg", digits(mass)),
-            "1e3 to 1e9 kg for a building",
+            "1e4 to 1e9 kg for a building",
         ),
     );
     doubts.unless_far(

@@ -23,7 +23,7 @@ fn events_of(files: &[(&str, &str)]) -> Vec<usize> {
         folder = folder.with(name, text);
     }
     let suite = folder.suite();
-    assert_eq!(suite.left_out, []);
+    assert_eq!(suite.left_out, [], "all are used");
     suite.motions.iter().map(|one| one.event).collect()
 }
 

@@ -98,9 +98,9 @@ impl Name<'_> {
     /// Whether it is the axis of a spectrum. A `T` in capitals is a period where spectral values stand beside it.
     fn is_axis(&self) -> bool {
         let name = self.capitals();
-        ["PERIOD", "FREQ", "HZ"]
-            .iter()
-            .any(|start| name.starts_with(start))
+        ["FREQ", "HZ"].iter().any(|start| name.starts_with(start))
+            || name.contains("PERIOD")
+            || self.text.contains("周期")
             || self.unit.eq_ignore_ascii_case("hz")
     }
 
@@ -108,7 +108,13 @@ impl Name<'_> {
         let name = self.capitals();
         let mut words = name.split(|letter: char| !letter.is_ascii_alphabetic());
         let first = words.next().unwrap_or_default();
-        SPECTRAL.contains(&first) || first.starts_with("SAROT") || name.contains("SPECTR")
+        let joined = name.replace('_', "");
+        SPECTRAL.contains(&first)
+            || SPECTRAL.contains(&joined.as_str())
+            || ["SAROT", "ROTD", "GMROT"]
+                .iter()
+                .any(|start| joined.starts_with(start))
+            || name.contains("SPECTR")
     }
 }
 
@@ -133,7 +139,11 @@ pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let is_spectrum = if values.is_empty() {
         first.is_spectral() && !first.unit.is_empty()
     } else {
-        first.is_axis() || (!is_history && values.iter().any(tells))
+        let is_period =
+            |name: &Name<'_>| name.is_axis() || (name.text == "T" && !name.unit.is_empty());
+        first.is_axis()
+            || (!is_history && values.iter().any(tells))
+            || (first.is_spectral() && values.iter().any(is_period))
     };
     let is_fourier = names.iter().any(|name| {
         let name = name.capitals();

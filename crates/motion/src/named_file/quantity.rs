@@ -1,4 +1,4 @@
-//! What the values of a file are, by its name.
+//! Accelerations, velocities, displacements or spectra: what the name of a file says.
 
 use crate::named_file::{is_parted, pieces, without_marks};
 
@@ -35,6 +35,13 @@ const WORDS: [(Quantity, &str); 4] = [
     ),
 ];
 
+/// Ends of names, in capitals: of ESM, where SA and SD are no places, and `.d` beside `.a` and `.v`.
+const ENDS: [(&str, Quantity); 3] = [
+    (".SA.ASC", Quantity::Spectrum),
+    (".SD.ASC", Quantity::Spectrum),
+    (".D", Quantity::Displacement),
+];
+
 /// Begins of words beside which a spectrum is what a record was made for: `matched_to_spectrum`.
 const MADE_FOR: [&str; 8] = [
     "MATCH", "COMPAT", "CONSIST", "HISTOR", "SITE", "SCALE", "FIT", "ADJUST",
@@ -43,20 +50,13 @@ const MADE_FOR: [&str; 8] = [
 impl Quantity {
     /// The quantity of the last word for one.
     ///
-    /// A spectrum is told by the end of a name alone: `PSA_000` is a station, `spectrum_matched_E` a record.
+    /// Only the end of a name tells a spectrum: `PSA_000` is a station, `spectrum_matched_E` a record.
     pub(crate) fn of_name(name: &str) -> Option<Self> {
         let name = without_marks(name);
         let capitals = name.to_ascii_uppercase();
-        // ESM's names. Elsewhere SA and SD are places.
-        if [".SA.ASC", ".SD.ASC"]
-            .iter()
-            .any(|end| capitals.ends_with(end))
-        {
-            return Some(Self::Spectrum);
-        }
-        // `.d` beside `.a` and `.v`.
-        if capitals.strip_suffix(".D").is_some() {
-            return Some(Self::Displacement);
+        let mut ends = ENDS.iter().filter(|(end, _)| capitals.ends_with(end));
+        if let Some((_, quantity)) = ends.next() {
+            return Some(*quantity);
         }
         let is_made_for = |(_, piece): (usize, &str)| {
             piece == "TO" || MADE_FOR.iter().any(|word| piece.starts_with(word))
