@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 
+mod pieces;
 mod place;
 mod quantity;
 mod way;
 
 use place::Place;
-pub(crate) use place::{is_parted, pieces, without_marks};
 use way::Way;
 
 pub use quantity::Quantity;

@@ -163,8 +163,13 @@ impl Suite {
                 Entry::Other(other) => left_out.push(other),
             }
         }
-        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
-        let named = NamedFile::of_all(&names);
+        // Names are compared with others of their folder, whose files stand together.
+        let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
+        let named = folders.flat_map(|files| {
+            let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+            NamedFile::of_all(&names)
+        });
+        let named: Vec<NamedFile> = named.collect();
         let read: Vec<_> = (files.par_iter().zip(named))
             .map(|(file, named)| of_file(file, named, declared))
             .collect();

@@ -111,7 +111,7 @@ impl Draft {
                 return Err(ReadError::DeclaredPerCount { found: per_count });
             }
         }
-        let in_g = ratio(unit, AccelerationUnit::StandardGravity);
+        let in_g = unit.worth_in(AccelerationUnit::StandardGravity);
         let peak = largest * per_count.map_or(1.0, f64::abs) * in_g;
         let of_list = self.time_step.is_none().then_some(time_step);
         let is_declared = declared
@@ -317,7 +317,7 @@ impl Draft {
         };
         let stated = &peak.stated;
         let of_header = peak.unit.unwrap_or(unit);
-        let factor = ratio(of_header, unit);
+        let factor = of_header.worth_in(unit);
         let allowed = stated.value.abs() * factor;
         // Old programs cut digits off instead of rounding: one unit of the last digit each.
         let mut slack = peak.digit * factor + self.digit + 1e-9 * allowed;
@@ -364,14 +364,6 @@ const MOST_DIFFERENT: f64 = 0.2;
 
 /// Values of g differ between programs by less than this part: 978 to 983 cm/s².
 const GRAVITY_SPREAD: f64 = 5e-3;
-
-/// What one of the first unit is in the second.
-fn ratio(from: AccelerationUnit, to: AccelerationUnit) -> f64 {
-    if from == to {
-        return 1.0;
-    }
-    from.to_si(1.0, 9.806_65) / to.to_si(1.0, 9.806_65)
-}
 
 pub(super) fn reading(what: &'static str, place: Option<Place>, found: &str) -> Reading {
     Reading {

@@ -2,8 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::way::{COMPASS, Way, is_number, is_of_kiknet, uncounted};
-use crate::{Direction, Quantity};
+use super::pieces::{is_number, is_parted, pieces, uncounted, without_marks};
+use super::quantity::Quantity;
+use super::way::{COMPASS, Way, is_of_kiknet};
+use crate::Direction;
 
 /// Words before the number of a channel, in capitals: `Comp1` and `Comp2` are of one record.
 const CHANNELS: &str = "COMP COMPONENT CH CHAN CHANNEL DIR DIRECTION";
@@ -85,52 +87,6 @@ impl Place {
             && (has_code || group.iter().any(is_upper))
             && !self.is_listed(group)
     }
-}
-
-/// The pieces of a name between its separators, each with its place.
-pub(crate) fn pieces(name: &str) -> impl Iterator<Item = (usize, &str)> {
-    let separates = |letter: char| letter.is_ascii_punctuation() || letter == ' ';
-    name.split(separates).scan(0, |next, piece| {
-        let at = *next;
-        *next += piece.len() + 1;
-        Some((at, piece))
-    })
-}
-
-/// A name without the marks of copies: ` (1)` and ` - Copy`.
-pub(crate) fn without_marks(name: &str) -> Cow<'_, str> {
-    let (base, ending) = name.split_at(name.rfind('.').unwrap_or(name.len()));
-    let kept = [unmarked(base), unmarked(ending)].concat();
-    if kept == name {
-        Cow::Borrowed(name)
-    } else {
-        Cow::Owned(kept)
-    }
-}
-
-fn unmarked(part: &str) -> &str {
-    let number = part.strip_suffix(')').map(uncounted);
-    let kept = number.and_then(|part| part.strip_suffix('(')).or_else(|| {
-        let part = uncounted(part).trim_end();
-        let (at, last) = pieces(part).last()?;
-        let copy = ["copy", "copie", "kopie", "copia"];
-        let is_copy = copy.iter().any(|word| last.eq_ignore_ascii_case(word));
-        is_copy.then(|| &part[..at])
-    });
-    match kept.map(|kept| kept.trim_end_matches([' ', '-', '_'])) {
-        Some(kept) if !kept.is_empty() => unmarked(kept),
-        _ => part,
-    }
-}
-
-/// Whether another word begins at a place of a piece: behind a digit, or where small letters and capitals meet.
-pub(crate) fn is_parted(piece: &str, at: usize) -> bool {
-    let ends = (piece[..at].chars().next_back(), piece[at..].chars().next());
-    let (Some(before), Some(first)) = ends else {
-        return false;
-    };
-    let is_case = before.is_alphabetic() && before.is_lowercase() != first.is_lowercase();
-    first.is_alphabetic() && (before.is_ascii_digit() || is_case)
 }
 
 /// A name in its pieces.

@@ -1,6 +1,6 @@
 //! Accelerations, velocities, displacements or spectra: what the name of a file says.
 
-use crate::named_file::{is_parted, pieces, without_marks};
+use super::pieces::{is_parted, pieces, without_marks};
 
 /// A `Quantity` is what a file holds, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! Words for the direction of a component.
 
+use super::pieces::is_number;
 use crate::direction::is_channel_end;
 
 /// How a component lies by a word.
@@ -113,13 +114,4 @@ pub(super) fn is_of_kiknet(word: &str) -> bool {
     let words = ["NS", "EW", "UD"];
     let digit = words.iter().find_map(|start| word.strip_prefix(start));
     digit.is_some_and(|digit| digit.len() == 1 && is_number(digit))
-}
-
-pub(super) fn is_number(word: &str) -> bool {
-    !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit())
-}
-
-/// A text without the digits at its end.
-pub(super) fn uncounted(text: &str) -> &str {
-    text.trim_end_matches(|letter: char| letter.is_ascii_digit())
 }

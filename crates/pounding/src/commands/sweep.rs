@@ -6,7 +6,7 @@ mod task;
 
 use std::path::{Path, PathBuf};
 
-use pounding::scene::Method;
+use pounding::scene::{Method, Suite};
 use pounding::sweep::{
     ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside,
 };
@@ -152,7 +152,7 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     lines.extend(
         sweep
             .suite()
-            .map(|suite| super::suite::records::<()>(suite, &[], false)),
+            .map(|suite| paragraph("Records", &said_of(suite))),
     );
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
@@ -173,6 +173,12 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     let joined = joined.map_err(|error| error.to_string())?;
     lines.push(result(&joined, out));
     answer(lines.concat(), &joined)
+}
+
+/// What is said of the records of a folder. A sweep has no options for what files do not say: its scene says it.
+fn said_of(suite: &Suite) -> String {
+    let said = suite.said(false).join("\n");
+    said.replace("(--details)", "(`run --records --details` names them)")
 }
 
 /// The table of a sweep that names none: beside it, with its whole name, so that no two sweeps share one.

@@ -158,6 +158,41 @@ fn issue_unusual_scenes_stand_before_every_answer() {
     );
 }
 
+/// Only the first value of what varies was doubted, and options were advised that `sweep` does not have.
+#[test]
+fn issue_all_that_a_sweep_varies_is_doubted() {
+    let work = workplace("unusual_sweep", TWO, false);
+    fs::write(work.join("records/bare.txt"), "0.1\n-0.2\n0.1\n").expect("it can be written");
+    for (vary, found) in [
+        (
+            r#"{ field = "contacts[0].gap_m", values = [0.2, 50] }"#,
+            "found 50 m",
+        ),
+        (
+            r#"{ field = "record.scale", values = [1, 100] }"#,
+            "found a peak of 37.32 g",
+        ),
+        (
+            r#"{ field = "structures[0].sdof.damping.ratio", grid = { from = 0.05, to = 5, count = 3 } }"#,
+            "which is 500 %",
+        ),
+    ] {
+        let words = format!(
+            "scene = \"scene.toml\"\nrecords = \"records\"\nsummary = {{}}\nvary = [{vary}]\n"
+        );
+        fs::write(work.join("sweep.toml"), words).expect("it can be written");
+        let said = flat(&pounding(&work, &["sweep", "sweep.toml", "--overwrite"]));
+        assert!(
+            said.starts_with("Unusual ") && said.contains(found),
+            "{vary}: {said}"
+        );
+        assert!(
+            said.contains("bare.txt") && !said.contains("--time-step"),
+            "{said}"
+        );
+    }
+}
+
 /// "250 mm is enough … and need 247.6 mm at most", without the caution that "not enough" had, and with a margin far below the spread.
 #[test]
 fn issue_enough_is_said_with_its_cautions() {
@@ -194,11 +229,8 @@ fn issue_enough_is_said_with_its_cautions() {
     );
 }
 
-/// The direction with the larger pounding force led, and the other one, in which the building drifts beyond all limits, was warned of by
-/// nobody: "Warnings none". A pulse throws a building against a wall, and reversed far away from it.
-#[test]
-fn issue_both_directions_are_judged() {
-    let beside_a_wall = r#"
+/// A pulse throws a building against a wall, and reversed far away from it.
+pub(crate) const BESIDE_A_WALL: &str = r#"
 name = "beside a wall"
 record.generated.half_sine = { amplitude_m_per_s2 = -4, duration_s = 0.5, time_step_s = 0.01 }
 structures = [
@@ -207,7 +239,12 @@ structures = [
 ]
 contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 "#;
-    let work = workplace("unusual_directions", beside_a_wall, false);
+
+/// The direction with the larger pounding force led, and the other one, in which the building drifts beyond all limits, was warned of by
+/// nobody: "Warnings none".
+#[test]
+fn issue_both_directions_are_judged() {
+    let work = workplace("unusual_directions", BESIDE_A_WALL, false);
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
     let [first, second] = [
         "Answer reversed, worse for the buildings (tower: ",
@@ -220,7 +257,7 @@ contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
     assert!(first < second, "{said}");
     assert!(!said.contains("Warnings none"), "{said}");
     assert!(said.contains(" reversed: tower: drift of "), "{said}");
-    let mirrored = beside_a_wall.replace("record.gen", "record.reversed = true\nrecord.gen");
+    let mirrored = BESIDE_A_WALL.replace("record.gen", "record.reversed = true\nrecord.gen");
     fs::write(work.join("scene.toml"), mirrored).expect("it can be written");
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
     let first = "Answer reversed, as in the scene, worse for the buildings (tower: ";

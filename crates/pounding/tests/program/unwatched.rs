@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::pounding;
-use crate::unusual::{OF_FOLDERS, STAGGERED, TWO, flat, record, workplace};
+use crate::unusual::{BESIDE_A_WALL, OF_FOLDERS, STAGGERED, TWO, flat, record, workplace};
 
 /// Two buildings with floors at 3, 6 and 9 m. Only the lowest may touch.
 const LEVEL: &str = r#"
@@ -85,13 +85,6 @@ fn issue_levels_that_are_left_out_are_named() {
             !said.contains("no floors touch") && !said.contains("Nothing touches"),
             "{said}"
         );
-    }
-    for arguments in [
-        &["run", "scene.toml"][..],
-        &["check", "scene.toml"],
-        OF_FOLDERS[0],
-        OF_FOLDERS[2],
-    ] {
         let warnings = json(&work, arguments)["warnings"].to_string();
         assert!(warnings.contains(named), "{arguments:?}: {warnings}");
     }
@@ -235,16 +228,7 @@ fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
             "{arguments:?}: {said}"
         );
     }
-    let thrown = r#"
-name = "thrown against a wall, or away from it"
-record.generated.half_sine = { amplitude_m_per_s2 = -4, duration_s = 0.5, time_step_s = 0.01 }
-structures = [
-  { sdof = { name = "tower", mass_kg = 2e5, period_s = 1.0, height_m = 4, damping.ratio = 0.02, yield_displacement_m = 0.02 } },
-  { wall = {} },
-]
-contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
-"#;
-    fs::write(work.join("scene.toml"), thrown).expect("it can be written");
+    fs::write(work.join("scene.toml"), BESIDE_A_WALL).expect("it can be written");
     let warnings = json(&work, &["run", "scene.toml"])["warnings"].to_string();
     assert!(
         warnings.contains("reversed: tower: drift of "),

@@ -7,7 +7,7 @@ use super::{Motion, Read};
 
 /// Largest difference between the times of components of one record \[s\]: some formats leave out the fraction of a second, and
 /// channels begin one after the other.
-const SAME_TIME: i64 = 10;
+const SAME_TIME: u64 = 10;
 
 /// Numbers the events of the motions that shake rows, from 0 in the order of the motions. Returns how many there are, and the
 /// motions of two events that are alike but for a factor: each two of them are one event from then on.
@@ -105,7 +105,7 @@ fn same_time(one: Option<&str>, other: Option<&str>) -> Option<bool> {
     let (one, other) = (one?, other?);
     let is_date = |text: &str| text.bytes().filter(u8::is_ascii_digit).count() >= 8;
     match (seconds(one), seconds(other)) {
-        (Some(one), Some(other)) => Some(one.abs_diff(other) <= SAME_TIME.unsigned_abs()),
+        (Some(one), Some(other)) => Some(one.abs_diff(other) <= SAME_TIME),
         (None, None) if is_date(one) && is_date(other) => Some(one == other),
         _ => None,
     }

@@ -1,16 +1,10 @@
 //! What looks wrong in a ground motion: in its file, and in how a scene uses it.
 
-use pounding_motion::{AccelerationUnit, Direction, Record};
+use pounding_motion::{AccelerationUnit, Direction, Record, Unusual};
 
 use super::{Doubts, Implausible, RECORD, USUAL_FACTORS};
-use crate::{GroundMotion, Origin, RecordUse, Source};
-use pounding_text::{digits, short, two_digits};
-
-/// Peak accelerations of strong motion \[m/s²\]: from 0.02 g, which moves no building much, to 3 g.
-const USUAL_PEAKS: std::ops::RangeInclusive<f64> = 0.2..=30.0;
-
-/// Those of records that are chosen for buildings \[g\]: from 0.1 g, below which a declared unit is doubted, to 1.5 g, which few exceed.
-const CHOSEN_PEAKS: std::ops::RangeInclusive<f64> = 0.1..=1.5;
+use crate::{GroundMotion, Origin, RecordUse};
+use pounding_text::{digits, short};
 
 impl GroundMotion {
     /// What looks wrong in the motion itself, whatever row it shakes: in its file, and if it is used `as_it_is`, in how it is used.
@@ -50,15 +44,18 @@ impl Shaking<'_> {
         let is_told = self.doubt_the_file(doubts);
         let (peak, factor) = (self.record.peak().1.abs(), self.scale);
         let is_scaled = factor.to_bits() != 1.0_f64.to_bits();
+        let worth =
+            AccelerationUnit::MetrePerSecondSquared.worth_in(AccelerationUnit::StandardGravity);
+        let in_g = peak * worth;
         doubts.unless_far(
             (
-                USUAL_PEAKS.contains(&peak) || (is_told && !is_scaled),
+                Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled),
                 peak / 2.5,
             ),
             RECORD,
             (
-                format!("a peak of {} m/s²", digits(peak)),
-                "0.2 to 30 m/s²; its unit and scale decide it",
+                format!("a peak of {} g", short(in_g)),
+                "0.02 to 3 g; its unit and scale decide it",
             ),
         );
         doubts.unless_far(
@@ -72,7 +69,6 @@ impl Shaking<'_> {
                 "0.25 to 4: a record that needs more belongs to another earthquake",
             ),
         );
-        self.doubt_the_declared_unit(doubts);
         self.doubt_the_baseline(doubts);
     }
 
@@ -97,35 +93,6 @@ impl Shaking<'_> {
             ),
         );
         !unusual.is_empty()
-    }
-
-    /// A weak motion in a declared unit that would be a usual one in another.
-    fn doubt_the_declared_unit(&self, doubts: &mut Doubts) {
-        let (Source::File(file), Some(origin)) = (&self.used.source, self.origin) else {
-            return;
-        };
-        let gravity = self.used.gravity_m_per_s2;
-        let peak = self.record.peak().1.abs() / self.scale / gravity;
-        let declared = origin.file.unit();
-        let in_unit = |unit: &AccelerationUnit| {
-            peak * unit.to_si(1.0, gravity) / declared.to_si(1.0, gravity)
-        };
-        // The plain units: thousandths and tenths of g are no slip.
-        let mut others = AccelerationUnit::ALL[..3].iter();
-        let other = others.find(|unit| CHOSEN_PEAKS.contains(&in_unit(unit)));
-        let is_weak = (0.02..*CHOSEN_PEAKS.start()).contains(&peak);
-        let Some(other) = other.filter(|_| is_weak && file.unit.is_some()) else {
-            return;
-        };
-        let found = format!(
-            "a peak of {} g, with the unit {} as declared; in {} the values would peak at {} g",
-            two_digits(peak),
-            declared.symbol(),
-            other.symbol(),
-            two_digits(in_unit(other))
-        );
-        let usual = "0.1 to 1.5 g, where the unit is declared";
-        doubts.unless_far((false, peak), RECORD, (found, usual));
     }
 
     /// Of a record alone: a formula may leave the ground moving on purpose.
