@@ -110,7 +110,7 @@ fn reference_run_under_a_folder() {
 }
 
 /// An AT2 file of PEER with this component behind the last comma of its title.
-fn at2(component: &str) -> String {
+pub(crate) fn at2(component: &str) -> String {
     // Each component moves on its own: copies would be left out.
     let own = component
         .bytes()
@@ -377,75 +377,4 @@ fn limit_many_scenes_are_printed_in_blocks() {
     for block in blocks {
         assert!(block.contains("  peak force [kN]"), "{block}");
     }
-}
-
-/// The paragraph under a heading, its words with one blank between; empty where there is none.
-fn under(text: &str, heading: &str) -> String {
-    let lines = text.lines().skip_while(|line| !line.starts_with(heading));
-    let mut lines = lines.take_while(|line| !line.is_empty());
-    let first = lines.next().unwrap_or_default();
-    // What follows is indented, also where no blank line parts paragraphs.
-    let others = lines.take_while(|line| line.starts_with(' '));
-    let words = std::iter::once(first)
-        .chain(others)
-        .flat_map(str::split_whitespace);
-    words.collect::<Vec<_>>().join(" ")
-}
-
-/// Of a motion whose direction nothing tells nothing was said, and a sweep ended at a file of a folder that it could not read.
-#[test]
-fn issue_directions_that_nothing_tells_are_said() {
-    let folder = suite("untold");
-    for (name, direction) in [("A-ELC180.AT2", ", 180"), ("A-ELC-1.AT2", ", 1 Up")] {
-        fs::write(folder.join("records").join(name), at2(direction)).expect("a file");
-    }
-    let sweep =
-        "scene = \"towers.toml\"\nrecords = \"records\"\noutputs.pairs = [\"collisions\"]\n";
-    fs::write(folder.join("sweep.toml"), sweep).expect("a file");
-    let said = |arguments: &[&str]| {
-        let text = printed(&pounding(&folder, arguments)).to_string();
-        under(&text, "Records")
-    };
-    let gap = said(&["gap", "towers.toml", "--records", "records"]);
-    assert!(
-        gap.starts_with("Records 5 files, 3 used and 2 left out: 3 motions of 3 events"),
-        "{gap}"
-    );
-    assert!(gap.contains("direction not told"), "{gap}");
-    assert!(gap.ends_with("column.txt, pulse.csv"), "{gap}");
-    assert!(
-        gap.contains("1 vertical component, by the name in the file: A-ELC-1.AT2 (1 Up)"),
-        "{gap}"
-    );
-    assert!(gap.contains("spectra.V3"), "{gap}");
-    // All leave out the same, and say so alike.
-    assert_eq!(
-        said(&["run", "towers.toml", "--records", "records", "--no-error"]),
-        gap
-    );
-    assert_eq!(said(&["sweep", "sweep.toml"]), gap);
-    let info = pounding(
-        &folder,
-        &[
-            "motion",
-            "info",
-            "records",
-            "--unit",
-            "cm_per_s2",
-            "--time-step",
-            "0.02",
-        ],
-    );
-    assert_eq!(under(printed(&info), "Records"), gap);
-    let json = pounding(
-        &folder,
-        &["gap", "towers.toml", "--records", "records", "--json"],
-    );
-    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
-    let motions = json["motions"].as_array().expect("a list");
-    let shaken = motions.iter().filter(|one| one.get("refused").is_none());
-    let names: Vec<_> = shaken.map(|one| one["record"].as_str()).collect();
-    assert!(names.contains(&Some("A-ELC180.AT2")), "{names:?}");
-    let left_out = json["left_out"].to_string();
-    assert!(left_out.contains("A-ELC-1.AT2"), "{left_out}");
 }
