@@ -364,12 +364,18 @@ fn issue_decimal_commas_and_backslashes_are_named() {
             "name = \"two\"",
             "name = \"two\"\nduration_s = 10,5",
         ),
+        said(
+            "thousands.toml",
+            "name = \"two\"",
+            "name = \"two\"\nduration_s = 1.000,5",
+        ),
         said("quake.toml", "records/good.csv", "records\\quake.csv"),
         pounding(&work, &["check", "scene.json"]).stderr,
     ];
     insta::assert_snapshot!(said.concat(), @r"
     error: comma.toml, line 8, column 27: found `0,21` with a decimal comma, allowed is a decimal point: `0.21`
     error: line.toml, line 3, column 16: found `10,5` with a decimal comma, allowed is a decimal point: `10.5`
+    error: thousands.toml, line 3, column 19: found `1.000,5` with a decimal comma, allowed is a decimal point: `1000.5`
     error: quake.toml, line 3, column 24: found a backslash in double quotes, where it begins an escape such as \n, allowed is / in its place, or single quotes: 'records\quake.csv'
     error: scene.json, line 1, column 42: found `0,05` with a decimal comma, allowed is a decimal point: `0.05`
     ");

@@ -89,6 +89,14 @@ impl Name<'_> {
         Other::of_unit(&self.unit.to_ascii_lowercase()).or(by_name)
     }
 
+    /// Whether it is a sensor in a borehole: KiK-net numbers it 1, and the one above it at the ground 2.
+    pub(super) fn is_below(&self, names: &[Self]) -> bool {
+        let (below, at_ground) = (["NS1", "EW1", "UD1"], ["NS2", "EW2", "UD2"]);
+        let is = |at: usize| names.iter().any(|name| name.capitals() == at_ground[at]);
+        let at = below.iter().position(|known| *known == self.capitals());
+        at.is_some_and(is)
+    }
+
     /// Whether the column counts rows, or holds no component.
     pub(super) fn is_no_component(&self) -> bool {
         let name = self.text.to_ascii_lowercase();
@@ -183,6 +191,7 @@ pub(super) fn of_columns<'t>(titles: &[Line<'t>], n_columns: usize) -> Option<Ve
 
 fn named_in<'t>(line: Line<'t>, text: &str) -> Vec<Name<'t>> {
     let text = text.trim_start_matches('#').trim();
+    let text = text.trim_end_matches([',', ' ']);
     let fields: Vec<String> = if text.contains([',', '\t']) {
         text.split([',', '\t']).map(str::to_owned).collect()
     } else {
