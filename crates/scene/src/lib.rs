@@ -95,7 +95,7 @@ pub use judge::response::{
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
-pub use simulation::floors::{Floor, FloorAtColumn, FloorPair, Floors, StoreyProperties};
+pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, PairOutcome, Recorders, RunResult,
     Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
@@ -106,4 +106,4 @@ pub use spectrum::{
 };
 pub use statistics::wilson;
 pub use suite::lines;
-pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in, whether_it_shakes};
+pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

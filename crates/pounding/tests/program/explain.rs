@@ -25,6 +25,9 @@ fn issue_words_of_newcomers_are_explained() {
     for (word, says) in [
         ("p-delta", "not modelled"),
         ("P-Δ", "not modelled"),
+        ("pdelta", "not modelled"),
+        ("base isolator", "first storey"),
+        ("event", "components and copies"),
         ("bumper", "pressed flat"),
         ("link", "not modelled"),
         ("isolator", "first storey"),

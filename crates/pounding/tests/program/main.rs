@@ -33,6 +33,7 @@ mod summaries;
 mod sweep_refusals;
 mod sweeps;
 mod unusual;
+mod unwatched;
 mod written;
 
 use std::fs;

@@ -13,7 +13,7 @@ pub enum Fault {
     #[error("not TOML: {0}")]
     Toml(String),
     /// A number with a decimal comma.
-    #[error("found `{found}` with a decimal comma, allowed is a decimal point: `{}`", found.replacen(',', ".", 1))]
+    #[error("found `{found}` with a decimal comma, allowed is a decimal point: `{}`", found.replace('.', "").replace(',', "."))]
     DecimalComma {
         /// The number.
         found: String,
@@ -221,7 +221,11 @@ fn decimal_comma(text: &str) -> Option<String> {
     let (whole, rest) = text.split_once(',')?;
     let is_number = |text: &str| {
         let digits = text.trim_start_matches(['+', '-']);
-        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        let mut parts = digits.split('.');
+        let is_digits =
+            |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        // Points may part thousands: `500.000,0`.
+        parts.next().is_some_and(is_digits) && parts.all(|part| part.len() == 3 && is_digits(part))
     };
     let end = rest.find(|letter: char| !letter.is_ascii_digit());
     let part = &rest[..end.unwrap_or(rest.len())];
