@@ -361,13 +361,12 @@ fn issue_names_of_boreholes_and_verticals() {
 /// NS1 and EW1 of a table of KiK-net are in the borehole, and shook rows.
 #[test]
 fn issue_columns_of_boreholes_shake_nothing() {
-    let mut table =
-        "Time (s),NS1 (gal),EW1 (gal),UD1 (gal),NS2 (gal),EW2 (gal),UD2 (gal)\n".to_owned();
-    for row in 0..60 {
-        let value = |rate: f64| 100.0 * (rate * f64::from(row) * 0.02).sin();
-        let values = [5.0, 5.7, 6.4, 7.1, 7.8, 8.5].map(|rate| format!("{:.4}", value(rate)));
-        table += &format!("{:.2},{}\n", f64::from(row) * 0.02, values.join(","));
-    }
+    let header = "Time (s),NS1 (gal),EW1 (gal),UD1 (gal),NS2 (gal),EW2 (gal),UD2 (gal)\n";
+    let row = |row: usize| {
+        let values = [5.0, 5.7, 6.4, 7.1, 7.8, 8.5].map(|rate| format!("{:.6}", value(rate, row)));
+        format!("{:.2},{}\n", row as f64 * 0.02, values.join(","))
+    };
+    let table = header.to_owned() + &(0..300).map(row).collect::<String>();
     let suite = Folder::new().with("IWTH25.csv", table).suite();
     assert_eq!(names(&suite), ["IWTH25.csv NS2", "IWTH25.csv EW2"]);
     assert_eq!(suite.n_events, 1);

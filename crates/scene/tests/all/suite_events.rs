@@ -91,14 +91,8 @@ fn issue_times_far_apart_are_two_events() {
 /// Station and event in the comments of the project's own CSV were not read.
 #[test]
 fn issue_comments_of_a_csv_tell_the_event() {
-    let csv = |event: &str, rate: f64| {
-        let row = |row: i32| {
-            let time = 0.02 * f64::from(row);
-            format!("{time:.2},{:.5}\n", 0.3 * (rate * time).sin())
-        };
-        let rows: String = (0..60).map(row).collect();
-        format!("# Station: ABC\n# Event: {event}\ntime_s,acceleration_g\n{rows}")
-    };
+    let csv =
+        |event: &str, rate: f64| format!("# Station: ABC\n# Event: {event}\n{}", motion(rate));
     let folder = Folder::new()
         .with("first.csv", csv("Chile", 5.0))
         .with("second.csv", csv("Chile", 5.7))

@@ -125,7 +125,7 @@ fn issue_empty_columns_of_a_spreadsheet_are_left_out() {
 #[test]
 fn issue_the_number_of_the_rows_may_stand_above_them() {
     let rows = "0.00 0.1\n0.02 -0.25\n0.04 0.05\n";
-    let found = accelerogram(&format!("3\n{rows}"), &IN_G);
+    let found = accelerogram(format!("3\n{rows}"), &IN_G);
     assert_eq!(found.values(), [0.1, -0.25, 0.05]);
     assert_snapshot!(refusal(format!("4\n{rows}"), &IN_G), @"the values end at line 4 after 3 of them, but the header declares 4; fetch the file again, or correct the header if the values are complete");
     assert_snapshot!(refusal(format!("1\n{rows}"), &IN_G), @"line 2 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
