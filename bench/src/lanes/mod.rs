@@ -12,7 +12,9 @@ use std::time::{Duration, Instant};
 
 use by_hand::{GROUP, Group};
 pub(super) use by_hand::{Law, STOREYS, instructions};
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_contact::{
+    Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
+};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row,
@@ -78,11 +80,18 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 
 /// Impacts, and the element.
 fn laws() -> Result<[Law; 2], String> {
-    let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
+    let asked = (RESTITUTION, Calibration::Exact);
+    let mut element = LawName::NonlinearViscoelastic
+        .calibrated(STIFFNESS, asked, &FreePair::UNIT)
         .map_err(|error| error.to_string())?;
+    let numbers: Vec<_> = element
+        .parameters()
+        .into_iter()
+        .map(|(_, number)| *number)
+        .collect();
     Ok([
         Law::Stereomechanical(RESTITUTION),
-        Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio),
+        Law::Viscoelastic(numbers[0], numbers[1]),
     ])
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Bilinear, Clock, Collisions, Elastic, Exact, Excitation, Hysteretic, Integrator, Levels, Node,
@@ -111,17 +111,18 @@ pub(super) fn solved<Column: Hysteretic>(
 impl<'a> Scenes<'a> {
     /// The scenes of all kinds: those of structures are the same with both laws as far as they touch.
     pub(super) fn of_all_kinds(ground: &'a [f64]) -> Result<[Self; 3], String> {
-        let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact);
-        let element = element.map_err(|error| error.to_string())?;
+        let asked = (RESTITUTION, Calibration::Exact);
+        let compliant =
+            LawName::NonlinearViscoelastic.calibrated(STIFFNESS, asked, &FreePair::UNIT);
+        let compliant = compliant.map_err(|error| error.to_string())?;
         let impact = ContactLaw::Stereomechanical(Stereomechanical {
             restitution: RESTITUTION,
         });
         let excitation = Excitation::new(GROUND_STEP, ground).map_err(|error| error.to_string())?;
-        let compliant = ContactLaw::NonlinearViscoelastic(element);
         Ok([
             Self::of_structures((Kind::Impulsive, impact), excitation)?,
             Self::of_structures((Kind::Compliant, compliant), excitation)?,
-            Self::of_towers(element, excitation)?,
+            Self::of_towers(compliant, excitation)?,
         ])
     }
 
@@ -153,13 +154,15 @@ impl<'a> Scenes<'a> {
     }
 
     /// Those of the loop by hand that touch.
-    fn of_towers(
-        element: NonlinearViscoelastic,
-        excitation: Excitation<'a>,
-    ) -> Result<Self, String> {
+    fn of_towers(mut element: ContactLaw, excitation: Excitation<'a>) -> Result<Self, String> {
         let words = |error: pounding_solver::ModelError| error.to_string();
         let levels = Levels::new(&STOREYS);
-        let law = Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio);
+        let numbers: Vec<_> = element
+            .parameters()
+            .into_iter()
+            .map(|(_, number)| *number)
+            .collect();
+        let law = Law::Viscoelastic(numbers[0], numbers[1]);
         let groups = towers::groups();
         let all = groups
             .iter()

@@ -6,7 +6,7 @@
 //!
 //! Near a = 0 these are differences of nearly equal numbers; with φ(x) = ½ − xψ(x) they are not.
 
-use crate::form::{Action, Form, Term};
+use crate::form::{Action, Form, Power};
 use crate::search::root;
 
 /// Arguments below this go by series.
@@ -22,16 +22,9 @@ const SMALL: f64 = 0.25;
 pub const SLOWEST_APPROACH: f64 = 1e-3;
 
 /// The force: `spring` (1 + aδ̇/v₀), v₀ not below [`SLOWEST_APPROACH`].
-pub(crate) fn form(spring: Term, factor: f64, speed: f64, action: Action) -> Form {
-    let damper = Term {
-        coefficient: spring.coefficient * factor / speed.max(SLOWEST_APPROACH),
-        power: spring.power,
-    };
-    Form {
-        spring,
-        damper,
-        action,
-    }
+pub(crate) fn form(spring: (f64, Power), factor: f64, speed: f64, action: Action) -> Form {
+    let damper = spring.0 * factor / speed.max(SLOWEST_APPROACH);
+    Form::new(spring, (damper, spring.1), action)
 }
 
 /// 2φ(a): part of the kinetic energy \[–\] that is stored at the largest deformation.
