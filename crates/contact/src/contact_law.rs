@@ -17,8 +17,7 @@ pub enum Clamp {
 impl FreeImpact {
     /// Integrates the collision of a free pair under a law.
     ///
-    /// Returns `None` for an impulsive law, and where the damping is so strong that the return takes more than twenty thousand
-    /// steps. Takes about a millisecond.
+    /// Returns `None` for an impulsive law, and where [`FreeImpact::of_form`] does.
     pub fn of(law: &ContactLaw, pair: &FreePair) -> Option<Self> {
         Self::of_form(&law.form(pair.reduced_mass, pair.approach_speed)?, pair)
     }

@@ -51,11 +51,14 @@ pub struct Name {
     pub name: &'static str,
     /// Name, as figures and documents print it.
     pub label: &'static str,
-    /// The literature's formula for the damping, where it gives one: in words, and of an e in (0, 1\].
-    pub formula: Option<(&'static str, fn(f64) -> f64)>,
+    /// The literature's formula for the damping, where it gives one.
+    pub formula: Option<Formula>,
     /// Source.
     pub citation: &'static str,
 }
+
+/// A formula in words, and the damping that it gives for an e in (0, 1\].
+pub type Formula = (&'static str, fn(f64) -> f64);
 
 /// The damping that delivers an e to a free pair, exactly.
 #[derive(Debug, Clone, Copy)]
@@ -71,6 +74,12 @@ pub enum Exact {
 }
 
 impl Exact {
+    /// The e that a damped law can deliver: it takes infinite damping to e = 0.
+    pub const ABOVE_0: Range = Range {
+        words: "more than 0, up to 1",
+        holds: |e| e > 0.0 && e <= 1.0,
+    };
+
     /// The e that it delivers.
     pub(crate) const fn allowed(self) -> Range {
         match self {
@@ -79,11 +88,7 @@ impl Exact {
                 words: "1: this law has no damping",
                 holds: |e| (1.0..=1.0).contains(&e),
             },
-            // It takes infinite damping to e = 0.
-            Self::Any(_) => Range {
-                words: "more than 0, up to 1",
-                holds: |e| e > 0.0 && e <= 1.0,
-            },
+            Self::Any(_) => Self::ABOVE_0,
             Self::Pair(_, allowed) => allowed,
         }
     }

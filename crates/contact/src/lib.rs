@@ -29,7 +29,7 @@
 //! Where to start: [`ContactLaw`], the law of a pair; [`LawName`], the list with sources and calibrations; [`FreePair`] and
 //! [`FreeImpact`], two bodies that collide and nothing else.
 
-mod approach_damper;
+pub mod approach_damper;
 mod calibration;
 mod contact_law;
 mod form;
@@ -41,7 +41,7 @@ mod laws;
 mod number;
 mod oscillator;
 mod overlap;
-mod parameter;
+pub mod parameter;
 mod search;
 mod words;
 
@@ -51,7 +51,7 @@ pub use contact_law::Clamp;
 pub use form::{Action, Form, Power, Term};
 pub use free_impact::FreeImpact;
 pub use free_pair::FreePair;
-pub use law::{About, Exact, Law, Name};
+pub use law::{About, Exact, Formula, Law, Name};
 pub use laws::*;
 pub use number::Number;
 pub use overlap::{ContactForce, Overlap, reduced_mass};

@@ -64,7 +64,7 @@ impl Range {
 }
 
 /// e \[–\]: the parameter of an impulsive law, and what a compliant one is asked to deliver.
-pub(crate) const RESTITUTION: Parameter = Parameter {
+pub const RESTITUTION: Parameter = Parameter {
     name: "restitution",
     unit: "–",
     meaning: "coefficient of restitution e",
@@ -76,7 +76,7 @@ pub(crate) const RESTITUTION: Parameter = Parameter {
     usual: 0.65,
 };
 /// k \[N/m\] of a linear spring.
-pub(crate) const LINEAR: Parameter = Parameter {
+pub const LINEAR: Parameter = Parameter {
     name: "impact_stiffness_n_per_m",
     unit: "N/m",
     meaning: "stiffness k of a linear spring",
@@ -85,7 +85,7 @@ pub(crate) const LINEAR: Parameter = Parameter {
     usual: 9.35e7,
 };
 /// β̄ \[N/m^1.5\] of a Hertz spring.
-pub(crate) const HERTZ: Parameter = Parameter {
+pub const HERTZ: Parameter = Parameter {
     name: "impact_stiffness_n_per_m1_5",
     unit: "N/m^1.5",
     meaning: "stiffness β̄ of a Hertz spring",
@@ -94,7 +94,7 @@ pub(crate) const HERTZ: Parameter = Parameter {
     usual: 2.75e9,
 };
 /// ξ̄ \[–\] of a damper in parts of the critical one.
-pub(crate) const RATIO: Parameter = Parameter {
+pub const RATIO: Parameter = Parameter {
     name: "impact_damping_ratio",
     unit: "–",
     meaning: "damping ratio ξ of the contact",
@@ -103,7 +103,7 @@ pub(crate) const RATIO: Parameter = Parameter {
     usual: 0.35,
 };
 /// a \[–\] of a damper that knows the approach speed, 1 + aδ̇/v₀.
-pub(crate) const FACTOR: Parameter = Parameter {
+pub const FACTOR: Parameter = Parameter {
     name: "impact_damping_factor",
     unit: "–",
     meaning: "damping factor a",

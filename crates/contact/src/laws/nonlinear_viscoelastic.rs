@@ -1,3 +1,8 @@
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
 use std::f64::consts::PI;
 
 use crate::form::{Action, Form, Power};
