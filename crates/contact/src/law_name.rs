@@ -58,24 +58,22 @@ impl LawName {
         (e, calibration): (f64, Calibration),
         pair: &FreePair,
     ) -> Result<ContactLaw, CalibrationError> {
-        let (about, named, law) = (self.about(), self.named(), self.name());
-        about.exact.allowed().check(RESTITUTION.name, e)?;
-        let damping = match (about.exact, calibration) {
-            (Exact::Parameter, _) => e,
-            (Exact::Elastic, _) => 0.0,
-            (Exact::Any(damping), Calibration::Exact) => damping(e),
-            (Exact::Pair(damping, _), Calibration::Exact) => damping(stiffness, e, pair),
-            (Exact::Any(_) | Exact::Pair(..), Calibration::Literature) => {
-                let (_, damping) = named.formula.ok_or(CalibrationError::NoFormula { law })?;
-                damping(e)
-            }
+        let (exact, law) = (self.about().exact, self.name());
+        let is_damped = matches!(exact, Exact::Any(_) | Exact::Pair(..));
+        let formula = (is_damped && calibration == Calibration::Literature).then(|| {
+            let formula = self.named().formula;
+            formula.ok_or(CalibrationError::NoFormula { law })
+        });
+        let formula = formula.transpose()?;
+        exact.allowed().check(RESTITUTION.name, e)?;
+        let damping = match (formula, exact) {
+            (Some((_, damping)), _) | (None, Exact::Any(damping)) => damping(e),
+            (None, Exact::Pair(damping, _)) => damping(stiffness, e, pair),
+            (None, Exact::Parameter) => e,
+            (None, Exact::Elastic) => 0.0,
         };
-        let numbers = self
-            .stiffness()
-            .map(|_| stiffness)
-            .into_iter()
-            .chain([damping]);
-        let law = self.with(numbers);
+        let stiffness = self.stiffness().map(|_| stiffness);
+        let law = self.with(stiffness.into_iter().chain([damping]));
         law.check()?;
         Ok(law)
     }

@@ -71,6 +71,36 @@ impl<'de> Deserialize<'de> for ContactLaw {
     }
 }
 
+/// Reads a word of a kind, one of those that are known; gives its place among them.
+struct Word<'a>(&'static str, &'a [&'static str]);
+
+impl<'de> DeserializeSeed<'de> for Word<'_> {
+    type Value = usize;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<usize, D::Error> {
+        from.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Word<'_> {
+    type Value = usize;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} identifier", self.0)
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<usize, E> {
+        let Self(kind, known) = self;
+        let place = known.iter().position(|name| *name == word);
+        place.ok_or_else(|| {
+            let known = known.join("`, `");
+            E::custom(format!(
+                "unknown {kind} `{word}`, expected one of `{known}`"
+            ))
+        })
+    }
+}
+
 /// Reads the name of a law, then its settings.
 struct Named;
 
@@ -82,10 +112,9 @@ impl<'de> Visitor<'de> for Named {
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<ContactLaw, A::Error> {
-        let (name, settings) = access.variant::<String>()?;
-        let law = LawName::forces().find(|law| law.name() == name);
-        let law = law.ok_or_else(|| A::Error::unknown_variant(&name, ContactLaw::NAMES))?;
-        settings.newtype_variant_seed(Settings(law))
+        let (index, settings) = access.variant_seed(Word("variant", ContactLaw::NAMES))?;
+        let law = LawName::forces().nth(index);
+        settings.newtype_variant_seed(Settings(law.expect("a name for every law")))
     }
 }
 
@@ -116,12 +145,7 @@ impl<'de> Visitor<'de> for Settings {
         }
         let mut seen = vec![false; known.len()];
         let (mut numbers, mut calibration) = (vec![None; known.len()], None);
-        while let Some(word) = map.next_key::<String>()? {
-            let Some(index) = known.iter().position(|name| *name == word) else {
-                let known = known.join("`, `");
-                let message = format!("unknown field `{word}`, expected one of `{known}`");
-                return Err(A::Error::custom(message));
-            };
+        while let Some(index) = map.next_key_seed(Word("field", &known))? {
             let name = known[index];
             if std::mem::replace(&mut seen[index], true) {
                 return Err(A::Error::duplicate_field(name));

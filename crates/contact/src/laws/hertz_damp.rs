@@ -5,7 +5,7 @@ use crate::{Parameter, approach_damper};
 
 /// Hertz-damp: a Hertz spring times a factor of the rate, F = max(0, β̄ δ^1.5 (1 + a δ̇/v₀)), v₀ the approach speed.
 ///
-/// One force with four [`HertzDampFormula`]s for a. In a free impact the factor stays above 0; the clamp acts where
+/// One force with four formulas of the literature for a. In a free impact the factor stays above 0; the clamp acts where
 /// something else drives the pair apart faster than v₀/a. Slower touches count as
 /// touches at 1 mm/s.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
