@@ -24,8 +24,8 @@ impl FreeImpact {
 }
 
 impl ContactLaw {
-    /// The law with so many times its stiffness, and its other parameters as they are: of laws whose damping is a ratio or a factor \[–\]
-    /// the same restitution. The damping of [`crate::KuwabaraKono`] grows with the stiffness; an impulsive law has none.
+    /// The law with its stiffness, and what grows with it ([`crate::Parameter::stiffens`]), times a factor. Laws whose damping is a ratio
+    /// or a factor \[–\] keep their restitution. An impulsive law stays as it is.
     #[must_use]
     pub fn stiffened(mut self, factor: f64) -> Self {
         for (parameter, number) in self.parameters() {

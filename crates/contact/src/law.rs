@@ -1,6 +1,6 @@
 use crate::{Form, FreePair, Parameter, Range};
 
-/// What a law of the literature is: its parameters, its force and its facts.
+/// A law of the literature: its parameters, its force and its facts.
 ///
 /// Everything else follows from it: checks, the words of files and their schema, lists, calibration, sweeps.
 pub trait Law: Copy + Default {
@@ -10,7 +10,7 @@ pub trait Law: Copy + Default {
     /// The parameters with their numbers, the stiffness first and the damping last.
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)>;
 
-    /// The force, for a reduced mass \[kg\] and an approach speed \[m/s\]; nothing for an impulsive law.
+    /// The force, for a reduced mass \[kg\] and an approach speed \[m/s\]; `None` if the law is impulsive.
     fn form(&self, reduced_mass: f64, approach_speed: f64) -> Option<Form>;
 
     /// Coefficient of restitution \[–\] delivered to a free pair, where it depends on the law alone.

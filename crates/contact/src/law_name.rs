@@ -29,7 +29,7 @@ impl LawName {
         law.parameters().into_iter().map(|(row, _)| row).collect()
     }
 
-    /// The law's stiffness; nothing for the impulsive law, which has none.
+    /// The law's stiffness; `None` if the law is impulsive.
     pub fn stiffness(self) -> Option<&'static Parameter> {
         let is_impulsive = matches!(self.about().exact, Exact::Parameter);
         self.parameters().first().copied().filter(|_| !is_impulsive)

@@ -7,7 +7,7 @@ pub struct Parameter {
     pub name: &'static str,
     /// Unit, – where it has none.
     pub unit: &'static str,
-    /// What it is, with its symbol.
+    /// Its meaning, with its symbol.
     pub meaning: &'static str,
     /// The values allowed.
     pub allowed: Range,

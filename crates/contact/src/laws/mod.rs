@@ -62,8 +62,8 @@ macro_rules! laws {
                 match self { $(Self::$Law(law) => law.parameters()),+ }
             }
 
-            /// The force of a compliant law as a form, for a reduced mass \[kg\] and an approach speed \[m/s\]; nothing for an
-            /// impulsive one.
+            /// The force of a compliant law as a form, for a reduced mass \[kg\] and an approach speed \[m/s\]; `None` if
+            /// the law is impulsive.
             pub fn form(&self, reduced_mass: f64, approach_speed: f64) -> Option<Form> {
                 match self { $(Self::$Law(law) => law.form(reduced_mass, approach_speed)),+ }
             }
@@ -71,7 +71,7 @@ macro_rules! laws {
             /// Coefficient of restitution that the law delivers to a free pair, exactly \[–\].
             ///
             /// Laws with δ̇/v₀ deliver it from [`crate::SLOWEST_APPROACH`] on, and more to slower pairs.
-            /// Nothing for [`KuwabaraKono`], whose e depends on the pair: [`crate::FreeImpact`] finds it.
+            /// `None` if e depends on the pair, as for [`KuwabaraKono`]: [`crate::FreeImpact`] finds it.
             pub fn restitution(&self) -> Option<f64> {
                 match self { $(Self::$Law(law) => law.restitution()),+ }
             }
