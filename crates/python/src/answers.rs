@@ -169,7 +169,7 @@ pub(crate) fn certify(
     time_step: Option<f64>,
     method: Option<&str>,
 ) -> PyResult<String> {
-    let names = LawName::ALL.map(|law| law.name()).join("`, `");
+    let names = LawName::ALL.map(LawName::name).join("`, `");
     let named = LawName::from_name(law);
     let law = named.ok_or_else(|| format!("law: found `{law}`, allowed are `{names}`"));
     let law = law.or_refused(py)?;

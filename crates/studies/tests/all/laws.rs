@@ -57,7 +57,7 @@ fn rows(files: &Files, table: &str) -> Vec<BTreeMap<String, String>> {
 
 #[test]
 fn limit_every_table_names_every_law() {
-    let laws: Vec<_> = LawName::ALL.map(|law| law.name()).into();
+    let laws: Vec<_> = LawName::ALL.map(LawName::name).into();
     for table in [
         "restitution.csv",
         "approach-speed.csv",

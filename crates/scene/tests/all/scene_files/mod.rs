@@ -142,9 +142,9 @@ fn extreme_values_that_cannot_be_converted() {
 #[test]
 fn extreme_fields_of_laws() {
     let law = |to: &str| refusal(&changed("law.stereomechanical.restitution = 0.65", to));
-    assert_snapshot!(law("law.stereomechanical.e = 0.65"), @"scene.toml, line 24, column 21: contacts[0].law.stereomechanical.e: found the field `e`, allowed are `restitution`");
+    assert_snapshot!(law("law.stereomechanical.e = 0.65"), @"scene.toml, line 24, column 22: contacts[0].law.stereomechanical.e: found the field `e`, allowed are `restitution`");
     assert_snapshot!(law("law.hertz = [2e9]"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found a list, allowed is a table of fields");
-    assert_snapshot!(law("law.hertz = {}"), @"scene.toml, line 24, column 1: contacts[0].law.hertz: found no `impact_stiffness_n_per_m1_5`, which must be there; add it");
+    assert_snapshot!(law("law.hertz = {}"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found no `impact_stiffness_n_per_m1_5`, which must be there; add it");
 }
 
 #[test]
