@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 use pounding_lanes::RowsOf;
 use pounding_solver::{
     Bilinear, Collisions, Elastic, Hysteretic, Levels, Pair, Peaks, Row, RunError, Storey,
@@ -43,10 +43,11 @@ pub(crate) struct Group<const L: usize, const R: usize> {
 /// Impacts, and the nonlinear viscoelastic element.
 pub(crate) fn laws() -> Outcome<[ContactLaw; 2]> {
     let restitution = RESTITUTION;
-    let element = NonlinearViscoelastic::calibrated(STIFFNESS, restitution, Calibration::Exact)?;
+    let asked = (restitution, Calibration::Exact);
+    let element = LawName::NonlinearViscoelastic;
     Ok([
         ContactLaw::Stereomechanical(Stereomechanical { restitution }),
-        ContactLaw::NonlinearViscoelastic(element),
+        element.calibrated(STIFFNESS, asked, &FreePair::UNIT)?,
     ])
 }
 

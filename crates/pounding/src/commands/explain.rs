@@ -1,5 +1,7 @@
 //! `pounding explain`: what a word of the program means.
 
+use pounding::contact::LawName;
+
 use crate::text::paragraph;
 
 const EXAMPLES: &str = "\
@@ -76,7 +78,7 @@ fn not_known(asked: &str, entries: &[Entry]) -> String {
     )
 }
 
-/// The words of the page; a meaning goes on over lines that are set in.
+/// The words of the page, whose meanings go on over lines that are set in, and the contact laws.
 fn entries() -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for line in GLOSSARY.lines() {
@@ -95,5 +97,15 @@ fn entries() -> Vec<Entry> {
             last.meaning.push_str(text.trim());
         }
     }
+    let law = |law: LawName| Entry {
+        word: law.name().into(),
+        meaning: format!(
+            "contact law {}, {}. Source: {}. `pounding laws` prints its fields and formulas.",
+            law.named().label,
+            law.about().force,
+            law.named().citation
+        ),
+    };
+    entries.extend(LawName::ALL.map(law));
     entries
 }

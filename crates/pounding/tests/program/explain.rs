@@ -34,6 +34,7 @@ fn issue_words_of_newcomers_are_explained() {
         ("isolation", "first storey"),
         ("damper", "not modelled"),
         ("lanes", "vector"),
+        ("hunt_crossley", "Hunt & Crossley"),
     ] {
         let said = printed(&pounding(&folder, &["explain", word])).replace('\n', " ");
         let said = said.split_whitespace().collect::<Vec<_>>().join(" ");

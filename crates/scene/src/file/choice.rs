@@ -17,8 +17,13 @@ use crate::file::fault::TWO_CHOICES;
 
 /// A type of which a file chooses one variant.
 pub(super) trait Choice: DeserializeOwned + Serialize {
+    /// [`Self::examples`], where they are written by hand.
+    const EXAMPLES: &'static [&'static str] = &[];
+
     /// An example in JSON of every variant that needs settings.
-    const EXAMPLES: &'static [&'static str];
+    fn examples() -> Vec<String> {
+        Self::EXAMPLES.iter().copied().map(String::from).collect()
+    }
 }
 
 /// Reads a choice.
@@ -83,10 +88,10 @@ fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
 /// What is said of a word that needs settings.
 fn needs_settings<T: Choice>(word: &str) -> String {
     let begin = format!("{{\"{word}\":");
-    let mut examples = T::EXAMPLES.iter();
+    let mut examples = T::examples().into_iter();
     let example = examples.find(|example| example.starts_with(&begin));
     let example = example.map_or(String::new(), |json| {
-        format!(", such as {json} in JSON, {} in TOML", in_toml(json))
+        format!(", such as {json} in JSON, {} in TOML", in_toml(&json))
     });
     format!("found the word `{word}` alone, allowed is a table with its settings{example}")
 }
@@ -107,18 +112,9 @@ pub(super) fn also(schema: &mut Schema, way: Value) {
 }
 
 impl Choice for ContactLaw {
-    const EXAMPLES: &'static [&'static str] = &[
-        r#"{"stereomechanical": {"restitution": 0.65}}"#,
-        r#"{"linear_spring": {"impact_stiffness_n_per_m": 1e8}}"#,
-        r#"{"hertz": {"impact_stiffness_n_per_m1_5": 2.75e9}}"#,
-        r#"{"kelvin_voigt": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"modified_linear_viscoelastic": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
-        r#"{"hertz_damp": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
-        r#"{"modified_kelvin": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"pant_wijeyewickrema": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"kuwabara_kono": {"impact_stiffness_n_per_m1_5": 2.75e9, "impact_damping_n_s_per_m1_5": 1e6}}"#,
-    ];
+    fn examples() -> Vec<String> {
+        Self::examples().collect()
+    }
 }
 
 #[cfg(test)]
@@ -155,10 +151,10 @@ mod tests {
             assert_eq!(message, needs_settings::<T>(&word));
             assert!(message.contains("such as"), "{message}");
         }
-        for json in T::EXAMPLES {
-            let value: Value = serde_json::from_str(json).expect("JSON");
+        for json in T::examples() {
+            let value: Value = serde_json::from_str(&json).expect("JSON");
             assert!(Chosen::<T>::deserialize(value.clone()).is_ok(), "{json}");
-            let toml = format!("example = {}", in_toml(json));
+            let toml = format!("example = {}", in_toml(&json));
             let toml: Value = toml::from_str(&toml).expect("TOML");
             assert_eq!(toml["example"], value, "{json}");
         }

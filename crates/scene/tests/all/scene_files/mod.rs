@@ -140,6 +140,14 @@ fn extreme_values_that_cannot_be_converted() {
 }
 
 #[test]
+fn extreme_fields_of_laws() {
+    let law = |to: &str| refusal(&changed("law.stereomechanical.restitution = 0.65", to));
+    assert_snapshot!(law("law.stereomechanical.e = 0.65"), @"scene.toml, line 24, column 22: contacts[0].law.stereomechanical.e: found the field `e`, allowed are `restitution`");
+    assert_snapshot!(law("law.hertz = [2e9]"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found a list, allowed is a table of fields");
+    assert_snapshot!(law("law.hertz = {}"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found no `impact_stiffness_n_per_m1_5`, which must be there; add it");
+}
+
+#[test]
 fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal(&changed("mass_kg = 75e3", "mass_kg = \"75 t\"")), @r#"scene.toml, line 8, column 11: structures[0].sdof.mass_kg: found the text "75 t", allowed is a number"#);
     assert_snapshot!(refusal(&changed("damping.ratio = 0.05", "damping = 0.05")), @r#"scene.toml, line 10, column 11: structures[0].sdof.damping: found no choice, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
