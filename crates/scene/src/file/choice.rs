@@ -3,17 +3,20 @@
 //! A word alone stands for the table with nothing in it, `"exact"` for `{"exact": {}}`. Where the choice needs settings, the
 //! message shows them by an example.
 
-use std::fmt;
 use std::marker::PhantomData;
+use std::{fmt, iter};
 
 use pounding_contact::ContactLaw;
 use schemars::Schema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeOwned, Error, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::de::value::{MapAccessDeserializer, MapDeserializer};
+use serde::de::{
+    DeserializeOwned, DeserializeSeed, EnumAccess, Error, IntoDeserializer, MapAccess,
+    VariantAccess, Visitor,
+};
+use serde::{Deserialize, Deserializer, Serialize, forward_to_deserialize_any};
 use serde_json::{Value, json};
 
-use crate::file::fault::TWO_CHOICES;
+use super::refused::CHOICE;
 
 /// A type of which a file chooses one variant.
 pub(super) trait Choice: DeserializeOwned + Serialize {
@@ -46,20 +49,13 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     type Value = T;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("string or map")
+        out.write_str(CHOICE)
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
-        let whole = [json!(word), json!({ word: {} })];
-        let [alone, empty] = whole.map(serde_json::from_value::<T>);
-        alone.or(empty).map_err(|error| {
-            let message = error.to_string();
-            // The message lists the words that are known.
-            if message.starts_with("unknown variant") {
-                E::custom(message)
-            } else {
-                E::custom(needs_settings::<T>(word))
-            }
+        T::deserialize(Word {
+            word,
+            needs_settings: || E::custom(needs_settings::<T>(word)),
         })
     }
 
@@ -72,12 +68,68 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     }
 }
 
+/// A word alone: a variant that has no settings, or that can have all of them left out.
+struct Word<'w, F> {
+    word: &'w str,
+    /// What is said of another variant.
+    needs_settings: F,
+}
+
+impl<'de, E: Error, F: Fn() -> E> Deserializer<'de> for Word<'_, F> {
+    type Error = E;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        visitor.visit_enum(self)
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf option unit unit_struct newtype_struct seq
+        tuple tuple_struct map struct enum identifier ignored_any
+    }
+}
+
+impl<'de, E: Error, F: Fn() -> E> EnumAccess<'de> for Word<'_, F> {
+    type Error = E;
+    type Variant = Self;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), E> {
+        Ok((seed.deserialize(self.word.into_deserializer())?, self))
+    }
+}
+
+impl<'de, E: Error, F: Fn() -> E> VariantAccess<'de> for Word<'_, F> {
+    type Error = E;
+
+    fn unit_variant(self) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, _: T) -> Result<T::Value, E> {
+        Err((self.needs_settings)())
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _: usize, _: V) -> Result<V::Value, E> {
+        Err((self.needs_settings)())
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, E> {
+        let nothing = MapDeserializer::<_, E>::new(iter::empty::<(&str, &str)>());
+        let read = visitor.visit_map(nothing);
+        read.map_err(|_| (self.needs_settings)())
+    }
+}
+
 /// What is said of a choice and another word beside it.
 fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
     let choice = json!(choice);
     let table = choice.as_object().and_then(|table| table.keys().next());
     let first = table.map(String::as_str).or(choice.as_str());
-    format!("{TWO_CHOICES}`{}` and `{other}`", first.unwrap_or_default())
+    let first = first.unwrap_or_default();
+    format!("found both `{first}` and `{other}`, allowed is one of them; delete the other")
 }
 
 /// What is said of a word that needs settings.

@@ -8,38 +8,64 @@ enum Step<'p> {
     Item(usize),
 }
 
-/// The byte at which a field, for example `structures[1].sdof.mass_kg`, begins in a text that is good TOML.
-pub(crate) fn in_toml(text: &str, place: &str) -> Option<usize> {
+/// The bytes at which a field, for example `structures[1].sdof.mass_kg`, begins.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Spot {
+    /// Its name, or the item of a list.
+    pub(crate) name: usize,
+    /// Its value.
+    pub(crate) value: usize,
+}
+
+impl Spot {
+    /// Where a field stands in a text that is good JSON or TOML.
+    pub(crate) fn find(text: &str, is_json: bool, place: &str) -> Option<Self> {
+        if is_json {
+            in_json(text.as_bytes(), place)
+        } else {
+            in_toml(text, place)
+        }
+    }
+}
+
+fn in_toml(text: &str, place: &str) -> Option<Spot> {
     let table = DeTable::parse(text).ok()?;
     let root = DeValue::Table(table.into_inner());
-    let (mut value, mut start) = (&root, None);
+    let (mut value, mut spot) = (&root, None);
     for step in steps(place) {
-        (value, start) = match (step, value) {
+        let (name, found) = match (step, value) {
             (Step::Field(name), DeValue::Table(table)) => {
                 let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
-                (value.get_ref(), Some(key.span().start))
+                (key.span(), value)
             }
             (Step::Item(index), DeValue::Array(items)) => {
                 let item = items.get(index)?;
-                (item.get_ref(), Some(item.span().start))
+                (item.span(), item)
             }
             _ => return None,
         };
-    }
-    start
-}
-
-/// The same in a text that is good JSON.
-pub(crate) fn in_json(text: &[u8], place: &str) -> Option<usize> {
-    let mut reader = Json { text, at: 0 };
-    let mut start = None;
-    for step in steps(place) {
-        start = Some(match step {
-            Step::Field(name) => reader.field(name)?,
-            Step::Item(index) => reader.item(index)?,
+        value = found.get_ref();
+        spot = Some(Spot {
+            name: name.start,
+            value: found.span().start,
         });
     }
-    start
+    spot
+}
+
+fn in_json(text: &[u8], place: &str) -> Option<Spot> {
+    let mut reader = Json { text, at: 0 };
+    let mut spot = None;
+    for step in steps(place) {
+        let name = match step {
+            Step::Field(name) => reader.field(name)?,
+            Step::Item(index) => reader.item(index)?,
+        };
+        reader.blanks();
+        let value = reader.at;
+        spot = Some(Spot { name, value });
+    }
+    spot
 }
 
 fn steps(place: &str) -> impl Iterator<Item = Step<'_>> {
@@ -158,8 +184,8 @@ mod tests {
     #[test]
     fn reference_lines_of_fields() {
         let toml = |place: &str| {
-            let byte = in_toml(TOML, place)?;
-            Some(TOML[..byte].matches('\n').count() + 1)
+            let spot = in_toml(TOML, place)?;
+            Some(TOML[..spot.name].matches('\n').count() + 1)
         };
         for (place, expected) in [
             ("name", 1),
@@ -172,8 +198,8 @@ mod tests {
             assert_eq!(toml(place), Some(expected), "{place}");
         }
         let json = |place: &str| {
-            let byte = in_json(JSON.as_bytes(), place)?;
-            Some(JSON[..byte].matches('\n').count() + 1)
+            let spot = in_json(JSON.as_bytes(), place)?;
+            Some(JSON[..spot.name].matches('\n').count() + 1)
         };
         for (place, expected) in [
             ("name", 1),
