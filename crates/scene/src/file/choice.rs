@@ -9,11 +9,8 @@ use std::{fmt, iter};
 use pounding_contact::ContactLaw;
 use schemars::Schema;
 use serde::de::value::{MapAccessDeserializer, MapDeserializer};
-use serde::de::{
-    DeserializeOwned, DeserializeSeed, EnumAccess, Error, IntoDeserializer, MapAccess,
-    VariantAccess, Visitor,
-};
-use serde::{Deserialize, Deserializer, Serialize, forward_to_deserialize_any};
+use serde::de::{DeserializeOwned, Error, IntoDeserializer, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Value, json};
 
 use super::refused::CHOICE;
@@ -53,9 +50,13 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
-        T::deserialize(Word {
-            word,
-            needs_settings: || E::custom(needs_settings::<T>(word)),
+        if let Some(example) = example::<T>(word) {
+            return Err(E::custom(needs_settings(word, example)));
+        }
+        T::deserialize(word.into_deserializer()).or_else(|_: E| {
+            let nothing = MapDeserializer::new(iter::empty::<(&str, &str)>());
+            let table = MapDeserializer::new(iter::once((word, nothing)));
+            T::deserialize(MapAccessDeserializer::new(table))
         })
     }
 
@@ -68,61 +69,6 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     }
 }
 
-/// A word alone: a variant that has no settings, or that can have all of them left out.
-struct Word<'w, F> {
-    word: &'w str,
-    /// What is said of another variant.
-    needs_settings: F,
-}
-
-impl<'de, E: Error, F: Fn() -> E> Deserializer<'de> for Word<'_, F> {
-    type Error = E;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
-        visitor.visit_enum(self)
-    }
-
-    forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf option unit unit_struct newtype_struct seq
-        tuple tuple_struct map struct enum identifier ignored_any
-    }
-}
-
-impl<'de, E: Error, F: Fn() -> E> EnumAccess<'de> for Word<'_, F> {
-    type Error = E;
-    type Variant = Self;
-
-    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), E> {
-        Ok((seed.deserialize(self.word.into_deserializer())?, self))
-    }
-}
-
-impl<'de, E: Error, F: Fn() -> E> VariantAccess<'de> for Word<'_, F> {
-    type Error = E;
-
-    fn unit_variant(self) -> Result<(), E> {
-        Ok(())
-    }
-
-    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, _: T) -> Result<T::Value, E> {
-        Err((self.needs_settings)())
-    }
-
-    fn tuple_variant<V: Visitor<'de>>(self, _: usize, _: V) -> Result<V::Value, E> {
-        Err((self.needs_settings)())
-    }
-
-    fn struct_variant<V: Visitor<'de>>(
-        self,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, E> {
-        let nothing = MapDeserializer::<_, E>::new(iter::empty::<(&str, &str)>());
-        let read = visitor.visit_map(nothing);
-        read.map_err(|_| (self.needs_settings)())
-    }
-}
-
 /// What is said of a choice and another word beside it.
 fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
     let choice = json!(choice);
@@ -132,15 +78,19 @@ fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
     format!("found both `{first}` and `{other}`, allowed is one of them; delete the other")
 }
 
-/// What is said of a word that needs settings.
-fn needs_settings<T: Choice>(word: &str) -> String {
+/// How to say a choice that needs settings.
+fn example<T: Choice>(word: &str) -> Option<&'static str> {
     let begin = format!("{{\"{word}\":");
-    let mut examples = T::EXAMPLES.iter();
-    let example = examples.find(|example| example.starts_with(&begin));
-    let example = example.map_or(String::new(), |json| {
-        format!(", such as {json} in JSON, {} in TOML", in_toml(json))
-    });
-    format!("found the word `{word}` alone, allowed is a table with its settings{example}")
+    let mut examples = T::EXAMPLES.iter().copied();
+    examples.find(|example| example.starts_with(&begin))
+}
+
+/// What is said of the word alone.
+fn needs_settings(word: &str, json: &str) -> String {
+    let toml = in_toml(json);
+    format!(
+        "found the word `{word}` alone, allowed is a table with its settings, such as {json} in JSON, {toml} in TOML"
+    )
 }
 
 /// An example in TOML: keys stand without quotes before an equals sign.
@@ -179,7 +129,7 @@ mod tests {
     use serde::Deserialize;
     use serde_json::Value;
 
-    use super::{Choice, Chosen, in_toml, needs_settings};
+    use super::{Choice, Chosen, example, in_toml, needs_settings};
     use crate::file::structure::Named;
     use crate::{Damping, Generated, Ground, Method, ScaleTo};
 
@@ -204,8 +154,8 @@ mod tests {
                 continue;
             }
             let message = alone.err().expect("settings are needed").to_string();
-            assert_eq!(message, needs_settings::<T>(&word));
-            assert!(message.contains("such as"), "{message}");
+            let example = example::<T>(&word).expect("an example");
+            assert_eq!(message, needs_settings(&word, example));
         }
         for json in T::EXAMPLES {
             let value: Value = serde_json::from_str(json).expect("JSON");

@@ -1,5 +1,8 @@
 //! Where a field stands in a file: the line that a message names.
 
+use std::collections::BTreeMap;
+
+use serde_json::value::RawValue;
 use toml::de::{DeTable, DeValue};
 
 /// One step on the way to a field.
@@ -21,7 +24,7 @@ impl Spot {
     /// Where a field stands in a text that is good JSON or TOML.
     pub(crate) fn find(text: &str, is_json: bool, place: &str) -> Option<Self> {
         if is_json {
-            in_json(text.as_bytes(), place)
+            in_json(text, place)
         } else {
             in_toml(text, place)
         }
@@ -53,17 +56,27 @@ fn in_toml(text: &str, place: &str) -> Option<Spot> {
     spot
 }
 
-fn in_json(text: &[u8], place: &str) -> Option<Spot> {
-    let mut reader = Json { text, at: 0 };
+fn in_json(text: &str, place: &str) -> Option<Spot> {
+    let mut value: &RawValue = serde_json::from_str(text).ok()?;
     let mut spot = None;
     for step in steps(place) {
         let name = match step {
-            Step::Field(name) => reader.field(name)?,
-            Step::Item(index) => reader.item(index)?,
+            Step::Field(name) => {
+                let fields: BTreeMap<String, _> = serde_json::from_str(value.get()).ok()?;
+                value = fields.get(name).copied()?;
+                Some(format!("\"{name}\""))
+            }
+            Step::Item(index) => {
+                let items: Vec<_> = serde_json::from_str(value.get()).ok()?;
+                value = items.get(index).copied()?;
+                None
+            }
         };
-        reader.blanks();
-        let value = reader.at;
-        spot = Some(Spot { name, value });
+        let start = value.get().as_ptr().addr() - text.as_ptr().addr();
+        spot = Some(Spot {
+            name: name.map_or(Some(start), |name| text[..start].rfind(&name))?,
+            value: start,
+        });
     }
     spot
 }
@@ -74,103 +87,6 @@ fn steps(place: &str) -> impl Iterator<Item = Step<'_>> {
         Some(index) => index.parse().map_or(Step::Field(piece), Step::Item),
         None => Step::Field(piece),
     })
-}
-
-/// A walk through JSON that is known to be good; anything else gives nothing.
-struct Json<'t> {
-    text: &'t [u8],
-    at: usize,
-}
-
-impl<'t> Json<'t> {
-    /// Goes to the value of a field; the byte at which its name begins.
-    fn field(&mut self, name: &str) -> Option<usize> {
-        self.expect(b'{')?;
-        loop {
-            self.blanks();
-            let start = self.at;
-            let key = self.string()?;
-            self.expect(b':')?;
-            if key == name.as_bytes() {
-                return Some(start);
-            }
-            self.value()?;
-            self.expect(b',')?;
-        }
-    }
-
-    /// Goes to an item of a list; the byte at which it begins.
-    fn item(&mut self, index: usize) -> Option<usize> {
-        self.expect(b'[')?;
-        for _ in 0..index {
-            self.value()?;
-            self.expect(b',')?;
-        }
-        self.blanks();
-        Some(self.at)
-    }
-
-    fn peek(&self) -> Option<u8> {
-        self.text.get(self.at).copied()
-    }
-
-    fn blanks(&mut self) {
-        while self.peek().is_some_and(|byte| byte.is_ascii_whitespace()) {
-            self.at += 1;
-        }
-    }
-
-    fn expect(&mut self, byte: u8) -> Option<()> {
-        self.blanks();
-        let found = self.peek()? == byte;
-        self.at += usize::from(found);
-        found.then_some(())
-    }
-
-    /// Passes a string; what stands between its quotes.
-    fn string(&mut self) -> Option<&'t [u8]> {
-        self.expect(b'"')?;
-        let start = self.at;
-        while self.peek()? != b'"' {
-            self.at += if self.peek()? == b'\\' { 2 } else { 1 };
-        }
-        self.at += 1;
-        self.text.get(start..self.at - 1)
-    }
-
-    /// Passes a value.
-    fn value(&mut self) -> Option<()> {
-        let mut depth = 0_usize;
-        loop {
-            self.blanks();
-            match self.peek()? {
-                b'"' => {
-                    self.string()?;
-                }
-                b'{' | b'[' => {
-                    depth += 1;
-                    self.at += 1;
-                }
-                b'}' | b']' => {
-                    depth = depth.checked_sub(1)?;
-                    self.at += 1;
-                }
-                b',' | b':' => self.at += 1,
-                _ => self.word(),
-            }
-            if depth == 0 {
-                return Some(());
-            }
-        }
-    }
-
-    /// Passes a number or a word.
-    fn word(&mut self) {
-        let ends = |byte: u8| b",:]}".contains(&byte) || byte.is_ascii_whitespace();
-        while self.peek().is_some_and(|byte| !ends(byte)) {
-            self.at += 1;
-        }
-    }
 }
 
 #[cfg(test)]
@@ -198,7 +114,7 @@ mod tests {
             assert_eq!(toml(place), Some(expected), "{place}");
         }
         let json = |place: &str| {
-            let spot = in_json(JSON.as_bytes(), place)?;
+            let spot = in_json(JSON, place)?;
             Some(JSON[..spot.name].matches('\n').count() + 1)
         };
         for (place, expected) in [
@@ -225,11 +141,11 @@ mod tests {
             "list[1].a[9]",
             "list[x]",
         ] {
-            assert_eq!(in_json(JSON.as_bytes(), place), None, "{place}");
+            assert_eq!(in_json(JSON, place), None, "{place}");
             assert_eq!(in_toml(TOML, place), None, "{place}");
         }
         for length in 0..JSON.len() {
-            let _ = in_json(&JSON.as_bytes()[..length], "list[2].b.d");
+            let _ = in_json(&JSON[..length], "list[2].b.d");
         }
     }
 }

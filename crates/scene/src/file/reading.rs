@@ -100,8 +100,11 @@ pub fn is_json(text: &[u8], path: &Path) -> bool {
 /// # Errors
 /// [`Error::Form`], with the `path` that the text came from.
 pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, Error> {
-    let words = Words::of(text, path)?;
-    T::deserialize(&words.tree).map_err(|refused| words.error(refused, path))
+    // What some editors put before UTF-8.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let is_json = is_json(text, path);
+    let (words, tree) = tree_of(text, is_json).map_err(|said| form(said, text, path))?;
+    T::deserialize(&tree).map_err(|refused| form(blamed(words, is_json, refused), text, path))
 }
 
 /// Reads what is there in the words of JSON already.
@@ -110,80 +113,54 @@ fn of_words<T: DeserializeOwned>(words: &Value) -> Result<T, Refused> {
     T::deserialize(&tree.map_err(Refused::custom)?)
 }
 
-/// The text of a file, and what it says.
-struct Words<'t> {
-    text: &'t str,
-    is_json: bool,
-    tree: Tree,
+/// Line and column, field, and fault.
+type Said = (Option<(usize, usize)>, Option<String>, Fault);
+
+/// The text, and what it says.
+fn tree_of(text: &[u8], is_json: bool) -> Result<(&str, Tree), Said> {
+    let text = std::str::from_utf8(text).map_err(|error| {
+        let byte = error.valid_up_to();
+        (None, None, Fault::NotUtf8 { byte })
+    })?;
+    let mut place = String::new();
+    let grown = if is_json {
+        json(text, &mut place)
+    } else {
+        toml(text, &mut place)
+    };
+    let tree = grown.map_err(|((line, column), fault)| {
+        let place = (fault == Fault::Beyond).then_some(place);
+        let line_text = text.lines().nth(line - 1).filter(|_| place.is_none());
+        let common = line_text.and_then(|line| Fault::of_line(line, is_json));
+        (Some((line, column)), place, common.unwrap_or(fault))
+    })?;
+    Ok((text, tree))
 }
 
-impl<'t> Words<'t> {
-    fn of(bytes: &'t [u8], path: &Path) -> Result<Self, Error> {
-        // What some editors put before UTF-8.
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let of_text = |position, fault| Error::Form {
-            path: path.to_path_buf(),
-            position,
-            place: None,
-            fault: Box::new(of_record(bytes, path).unwrap_or(fault)),
-        };
-        let text = std::str::from_utf8(bytes).map_err(|error| {
-            let byte = error.valid_up_to();
-            of_text(None, Fault::NotUtf8 { byte })
-        })?;
-        let is_json = is_json(bytes, path);
-        let mut place = String::new();
-        let grown = if is_json {
-            json(text, &mut place)
-        } else {
-            toml(text, &mut place)
-        };
-        match grown {
-            Ok(tree) => Ok(Self {
-                text,
-                is_json,
-                tree,
-            }),
-            Err((position, Fault::Beyond)) => Err(Error::Form {
-                path: path.to_path_buf(),
-                position: Some(position),
-                place: Some(place),
-                fault: Box::new(Fault::Beyond),
-            }),
-            Err((position, fault)) => {
-                let line = text.lines().nth(position.0 - 1).unwrap_or_default();
-                let fault = Fault::of_line(line, is_json).unwrap_or(fault);
-                Err(of_text(Some(position), fault))
-            }
-        }
-    }
+/// What is said of words that are refused, with line and column of what is to blame; of a field that is not there those of the
+/// table that lacks it.
+fn blamed(text: &str, is_json: bool, refused: Refused) -> Said {
+    let mut ways = iter::successors(Some(refused.way()), |way| {
+        let (outer, _) = way.rsplit_once(['.', '['])?;
+        Some(outer)
+    });
+    let spot = ways.find_map(|way| Spot::find(text, is_json, way));
+    let spot = spot.unwrap_or_default();
+    let [name, value] = [spot.name, spot.value].map(|byte| line_and_column(text, byte));
+    let is_value = refused.blames == Blames::Value && name.0 == value.0;
+    let position = if is_value { value } else { name };
+    let place = refused.place().into();
+    (Some(position), Some(place), refused.into_fault())
+}
 
-    fn error(&self, refused: Refused, path: &Path) -> Error {
-        let is_record = of_record(self.text.as_bytes(), path);
-        let position = is_record.is_none().then(|| self.position(&refused));
-        let place = is_record.is_none().then(|| refused.place().into());
-        Error::Form {
-            path: path.to_path_buf(),
-            position,
-            place,
-            fault: Box::new(is_record.unwrap_or_else(|| refused.into_fault())),
-        }
-    }
-
-    /// Line and column of what is to blame; of a field that is not there those of the table that lacks it.
-    fn position(&self, refused: &Refused) -> (usize, usize) {
-        let mut ways = iter::successors(Some(refused.way()), |way| {
-            let (outer, _) = way.rsplit_once(['.', '['])?;
-            Some(outer)
-        });
-        let spot = ways.find_map(|way| Spot::find(self.text, self.is_json, way));
-        let spot = spot.unwrap_or_default();
-        let [name, value] = [spot.name, spot.value].map(|byte| line_and_column(self.text, byte));
-        if refused.blames == Blames::Value && name.0 == value.0 {
-            value
-        } else {
-            name
-        }
+fn form(said: Said, text: &[u8], path: &Path) -> Error {
+    let of_record = of_record(text, path).map(|fault| (None, None, fault));
+    let (position, place, fault) = of_record.unwrap_or(said);
+    Error::Form {
+        path: path.to_path_buf(),
+        position,
+        place,
+        fault: Box::new(fault),
     }
 }
 
@@ -201,30 +178,24 @@ fn of_record(text: &[u8], path: &Path) -> Option<Fault> {
     })
 }
 
-/// What a text is not, and where.
-type BadText = ((usize, usize), Fault);
-
 /// The words of JSON, or the place of a fault.
-fn json(text: &str, place: &mut String) -> Result<Tree, BadText> {
+fn json(text: &str, place: &mut String) -> Result<Tree, ((usize, usize), Fault)> {
     let mut reader = serde_json::Deserializer::from_str(text);
     let grown = Tree::grown(&mut reader, place);
     let grown = grown.and_then(|tree| reader.end().map(|()| tree));
     grown.map_err(|error| {
         let message = error.to_string();
-        // The message ends with the position.
-        let message = message
-            .rsplit_once(" at line ")
-            .map_or(&*message, |it| it.0);
-        let fault = match message {
-            "number out of range" => Fault::Beyond,
-            other => Fault::Json(other.into()),
+        let fault = match message.rsplit_once(" at line ") {
+            Some(("number out of range", _)) => Fault::Beyond,
+            Some((message, _)) => Fault::Json(message.into()),
+            None => Fault::Json(message),
         };
         ((error.line(), error.column()), fault)
     })
 }
 
 /// The words of TOML, or the place of a fault.
-fn toml(text: &str, place: &mut String) -> Result<Tree, BadText> {
+fn toml(text: &str, place: &mut String) -> Result<Tree, ((usize, usize), Fault)> {
     let grown = toml::Deserializer::parse(text).and_then(|reader| Tree::grown(reader, place));
     grown.map_err(|error| {
         let start = error.span().map_or(0, |span| span.start);
