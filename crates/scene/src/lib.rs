@@ -75,6 +75,7 @@ pub use file::error::Error;
 pub use file::fault::Fault;
 pub use file::motion_error::MotionError;
 pub use file::reading::{bytes, bytes_of, is_json, parse, position_in, read_file, record_bytes};
+pub use file::refused::Refused;
 pub use file::scene_error::SceneError;
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{

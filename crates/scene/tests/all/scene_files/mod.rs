@@ -161,10 +161,33 @@ fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal("structures: 2\n"), @"scene.toml, line 1, column 13: not TOML: key with no value, expected `=`");
 }
 
+/// TOML read the first two numbers of a range and dropped the others.
+#[test]
+fn issue_a_range_of_three_numbers_lost_one() {
+    let range =
+        "[neighbour.unknown]\nperiod_s = [0.2, 1, 2]\nmass_ratio = [0.5, 2]\n\n[[contacts]]";
+    assert_snapshot!(refusal(&changed("[[contacts]]", range)), @"scene.toml, line 23, column 12: neighbour.unknown.period_s: found a list of 3, allowed is a list of two");
+}
+
+#[test]
+fn extreme_fields_that_are_there_twice() {
+    let text = serde_json::to_string_pretty(&scene(TOML, "scene.toml")).expect("JSON");
+    let twice = text.replace(
+        "\"mass_kg\": 75000.0,",
+        "\"mass_kg\": 75000.0, \"mass_kg\": 1.0,",
+    );
+    let refused = Scene::parse(twice.as_bytes(), Path::new("scene.json"));
+    assert_snapshot!(refused.expect_err("two masses").to_string(), @"scene.json, line 11, column 15: structures[0].sdof: found `mass_kg` twice, allowed is once; delete one");
+}
+
 #[test]
 fn extreme_text_that_is_not_utf8() {
-    let refused = Scene::parse(b"name = \"T\xfcrkiye\"", Path::new("scene.toml"));
-    assert_snapshot!(refused.expect_err("Latin-1").to_string(), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
+    let refused = |text: &[u8], name: &str| {
+        let refused = Scene::parse(text, Path::new(name));
+        refused.expect_err("Latin-1").to_string()
+    };
+    assert_snapshot!(refused(b"name = \"T\xfcrkiye\"", "scene.toml"), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
+    assert_snapshot!(refused(b"{\"name\": \"T\xfcrkiye\"}", "scene.json"), @"scene.json: the text is not UTF-8 from byte 11 on; save it as UTF-8");
 }
 
 /// The schema allows no fields but those that it knows, among them those that are words only. That what ships keeps to it the tests
