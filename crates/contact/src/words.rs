@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::LazyLock;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{DeserializeSeed, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
@@ -24,6 +25,19 @@ impl LawName {
     fn damping(self) -> Option<&'static Parameter> {
         let is_damped = matches!(self.about().exact, Exact::Any(_));
         self.parameters().pop().filter(|_| is_damped)
+    }
+
+    /// The names of its settings: the parameters, then what may stand in place of the damping.
+    fn settings(self) -> Words {
+        static ALL: LazyLock<Vec<Vec<&str>>> = LazyLock::new(|| {
+            let all = LawName::ALL.into_iter().map(|law| {
+                let parameters = law.parameters().into_iter().map(|row| row.name);
+                let instead = law.damping().map(|_| [RESTITUTION.name, CALIBRATION]);
+                parameters.chain(instead.into_iter().flatten()).collect()
+            });
+            all.collect()
+        });
+        &ALL[self as usize]
     }
 }
 
@@ -71,10 +85,16 @@ impl<'de> Deserialize<'de> for ContactLaw {
     }
 }
 
-/// Reads a word of a kind, one of those that are known; gives its place among them.
-struct Word<'a>(&'static str, &'a [&'static str]);
+/// Words that are known.
+type Words = &'static [&'static str];
 
-impl<'de> DeserializeSeed<'de> for Word<'_> {
+/// Reads the name of a law or of a setting, one of those that are known; gives its place among them.
+enum Word {
+    Law,
+    Setting(Words),
+}
+
+impl<'de> DeserializeSeed<'de> for Word {
     type Value = usize;
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<usize, D::Error> {
@@ -82,21 +102,22 @@ impl<'de> DeserializeSeed<'de> for Word<'_> {
     }
 }
 
-impl Visitor<'_> for Word<'_> {
+impl Visitor<'_> for Word {
     type Value = usize;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{} identifier", self.0)
+        out.write_str("a name")
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<usize, E> {
-        let Self(kind, known) = self;
+        let known = match self {
+            Self::Law => ContactLaw::NAMES,
+            Self::Setting(known) => known,
+        };
         let place = known.iter().position(|name| *name == word);
-        place.ok_or_else(|| {
-            let known = known.join("`, `");
-            E::custom(format!(
-                "unknown {kind} `{word}`, expected one of `{known}`"
-            ))
+        place.ok_or_else(|| match self {
+            Self::Law => E::unknown_variant(word, known),
+            Self::Setting(_) => E::unknown_field(word, known),
         })
     }
 }
@@ -112,7 +133,7 @@ impl<'de> Visitor<'de> for Named {
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<ContactLaw, A::Error> {
-        let (index, settings) = access.variant_seed(Word("variant", ContactLaw::NAMES))?;
+        let (index, settings) = access.variant_seed(Word::Law)?;
         let law = LawName::forces().nth(index);
         settings.newtype_variant_seed(Settings(law.expect("a name for every law")))
     }
@@ -139,13 +160,10 @@ impl<'de> Visitor<'de> for Settings {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<ContactLaw, A::Error> {
         let law = self.0;
         let damping = law.damping().map(|damping| damping.name);
-        let mut known: Vec<_> = law.parameters().iter().map(|row| row.name).collect();
-        if damping.is_some() {
-            known.extend([RESTITUTION.name, CALIBRATION]);
-        }
+        let known = law.settings();
         let mut seen = vec![false; known.len()];
         let (mut numbers, mut calibration) = (vec![None; known.len()], None);
-        while let Some(index) = map.next_key_seed(Word("field", &known))? {
+        while let Some(index) = map.next_key_seed(Word::Setting(known))? {
             let name = known[index];
             if std::mem::replace(&mut seen[index], true) {
                 return Err(A::Error::duplicate_field(name));
