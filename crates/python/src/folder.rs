@@ -224,6 +224,10 @@ fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
             Column::texts(rows().map(|(line, _)| line.motion.clone())),
         ),
         (
+            "event",
+            Column::Counts(rows().map(|(line, _)| line.event as u64 + 1).collect()),
+        ),
+        (
             "reversed",
             Column::Flags(rows().map(|(line, _)| line.reversed).collect()),
         ),
