@@ -18,8 +18,9 @@
 //! Left out: whether numbers are right, which tests ask, and error against counted work, which `cargo xtask reproduce` measures.
 //! `cargo xtask check` times nothing. `docs/performance.md` explains the results.
 //!
-//! Where to start: `setting.rs`, the scenes of lanes and sweeps; `lanes/by_hand`, the loops that lanes are measured by;
-//! `peers/entrants.rs`, the list of other programs. `benches/` holds the loops that criterion times.
+//! Where to start: `measure.rs`, the way to time and to write a table; `scenes.rs`, what runs in lanes, by hand and by other programs;
+//! `lanes/by_hand.rs`, the loop that lanes are measured by; `peers/entrants.rs`, the list of other programs. `benches/` holds the loops
+//! that criterion times.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -27,26 +28,31 @@
 )]
 
 mod lanes;
+mod measure;
 mod peers;
 mod savings;
+mod scenes;
 mod setting;
 mod storeys;
 mod structures;
 mod sweeps;
 
-use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::Parser;
+use measure::{Outcome, Table};
 use pounding_studies::{Timed, Trade};
 use serde_json::Value;
 
 /// Where criterion puts what it measures, from the top folder.
 const MEASURED: &str = "target/criterion";
-/// Where the ratios are kept, from the top folder.
-const KEPT: &str = "results/wall-time.csv";
+const TABLE: Table = Table {
+    path: "results/wall-time.csv",
+    title: "Work and wall time over those of the central difference method",
+    header: "scene,method,setting,error,accurate_enough,work_ratio,wall_time_ratio",
+};
 
 /// What is timed; all but the peers without an option.
 #[derive(Debug, Parser)]
@@ -88,109 +94,68 @@ fn main() -> ExitCode {
     }
 }
 
-/// Times every method on the scenes of two structures and prints ratios to the central difference method.
-fn run(root: &Path) -> Result<(), String> {
-    let home = root.join(MEASURED);
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+/// Times every method on the scenes of two structures and keeps ratios to the central difference method; then all the rest.
+fn run(root: &Path) -> Outcome<()> {
     // The profile of the program: it is built already.
-    let arguments = [
-        "bench",
-        "--profile",
-        "dev",
-        "--package",
-        "pounding-bench",
-        "--bench",
-        "methods",
-    ];
-    let status = Command::new(cargo)
-        .args(arguments)
-        .env("CRITERION_HOME", &home)
-        .current_dir(root)
-        .status()
-        .map_err(|error| format!("cannot start cargo: {error}"))?;
-    if !status.success() {
-        return Err("the benchmark failed".into());
-    }
+    let bench = ["bench", "--profile", "dev", "--package", "pounding-bench"];
+    cargo(root, &[&bench[..], &["--bench", "methods"]].concat())?;
     let study = root.join("studies/trade.json");
-    let (completed, trade) = Trade::of_two_structures(&study).map_err(|error| error.to_string())?;
+    let (completed, trade) = Trade::of_two_structures(&study)?;
     let timed = trade.timed(&completed);
-    let csv = ratios(&timed, &home)?;
-    fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
-    println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
+    let mut lines = Vec::new();
+    for one in &timed {
+        let base = timed
+            .iter()
+            .find(|other| other.scene == one.scene && other.is_base);
+        let base = base.ok_or_else(|| format!("{}: no central difference method", one.scene))?;
+        let wall_time = seconds(one, root)? / seconds(base, root)?;
+        let work = one.work as f64 / base.work as f64;
+        let enough = if one.holds { "yes" } else { "no" };
+        let Timed {
+            scene,
+            method,
+            setting,
+            error,
+            ..
+        } = one;
+        lines.push(format!(
+            "\"{scene}\",{method},{setting},{error:.1e},{enough},{work:.3},{wall_time:.3}"
+        ));
+    }
+    TABLE.write(root, &lines)?;
     savings::run(root)?;
     storeys::run(root)?;
     lanes(root)
 }
 
 /// Times scenes side by side, sweeps of them, and rows of many structures.
-fn lanes(root: &Path) -> Result<(), String> {
+fn lanes(root: &Path) -> Outcome<()> {
     structures::run(root)?;
     lanes::run(root)?;
     sweeps::run(root)
 }
 
-/// The run of the same scene that others are compared with.
-fn base<'a>(timed: &'a [Timed<'a>], scene: &str) -> Result<&'a Timed<'a>, String> {
-    let mut of_scene = timed.iter().filter(|other| other.scene == scene);
-    of_scene
-        .find(|other| other.is_base)
-        .ok_or_else(|| format!("{scene}: no central difference method"))
-}
-
-/// For each scene, what the exact method needs for 1e-6 of what the central difference method needs for 1 %.
-fn comparison(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
-    let mut text = String::from("Exact method for 1e-6 against central difference for 1 %:\n");
-    for exact in timed.iter().filter(|one| one.is_exact) {
-        let base = base(timed, exact.scene)?;
-        let work = exact.work as f64 / base.work as f64;
-        let wall_time = seconds(exact, home)? / seconds(base, home)?;
-        let held = |one: &Timed<'_>| if one.holds { "" } else { ", not held" };
-        writeln!(
-            text,
-            "  {}: {work:.3} of the work, {wall_time:.3} of the wall time (errors {:.1e}{} and {:.1e}{}); a piece takes as \
-             long as {:.0} force evaluations",
-            exact.scene,
-            exact.error,
-            held(exact),
-            base.error,
-            held(base),
-            wall_time / work
-        )
-        .expect("a string takes all");
+/// Runs cargo in the top folder.
+fn cargo(root: &Path, arguments: &[&str]) -> Outcome<()> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    let command = command.args(arguments).current_dir(root);
+    let status = command
+        .env("CRITERION_HOME", root.join(MEASURED))
+        .status()?;
+    if status.success() {
+        return Ok(());
     }
-    Ok(text)
-}
-
-/// Ratios of work and wall time to the central difference method of the same scene, as CSV.
-fn ratios(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
-    let mut csv =
-        String::from("scene,method,setting,error,accurate_enough,work_ratio,wall_time_ratio\n");
-    for one in timed {
-        let base = base(timed, one.scene)?;
-        let wall_time = seconds(one, home)? / seconds(base, home)?;
-        let work = one.work as f64 / base.work as f64;
-        let enough = if one.holds { "yes" } else { "no" };
-        writeln!(
-            csv,
-            "\"{}\",{},{},{:.1e},{enough},{work:.3},{wall_time:.3}",
-            one.scene, one.method, one.setting, one.error
-        )
-        .expect("a string takes all");
-    }
-    Ok(csv)
+    Err(format!("cargo {} failed", arguments.join(" ")).into())
 }
 
 /// Wall time of a run \[s\].
-fn seconds(timed: &Timed<'_>, home: &Path) -> Result<f64, String> {
-    let path = home
-        .join(timed.scene)
-        .join(timed.method)
-        .join("new/estimates.json");
-    let fail = |error: String| format!("{}: {error}", path.display());
-    let text = fs::read_to_string(&path).map_err(|error| fail(error.to_string()))?;
-    let estimates: Value = serde_json::from_str(&text).map_err(|error| fail(error.to_string()))?;
+fn seconds(timed: &Timed<'_>, root: &Path) -> Outcome<f64> {
+    let of_run = root.join(MEASURED).join(timed.scene).join(timed.method);
+    let path = of_run.join("new/estimates.json");
+    let fail = |error: &str| format!("{}: {error}", path.display());
+    let text = fs::read_to_string(&path).map_err(|error| fail(&error.to_string()))?;
+    let estimates: Value = serde_json::from_str(&text)?;
     let median = estimates["median"]["point_estimate"].as_f64();
-    median
-        .map(|nanoseconds| 1e-9 * nanoseconds)
-        .ok_or_else(|| fail("no median in it".into()))
+    Ok(1e-9 * median.ok_or_else(|| fail("no median in it"))?)
 }

@@ -1,149 +1,91 @@
 //! What a structure costs in rows of 2 to 1000, beside one in a row of two.
 
-use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
-use pounding_solver::{Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row};
+use pounding_solver::{Elastic, Node, Pair, Row};
 
-use super::lanes;
-use super::setting::{
-    self, CLOCK, DAMPING, EXACT, GAPS, MASS, PERIODS, RECORDED, RESTITUTION, STEPPING,
+use crate::measure::{Outcome, Table, in_turn, ratio};
+use crate::scenes::{Beside as _, alone};
+use crate::setting::{CLOCK, GAPS, Ground, RESTITUTION, STEPPING, between, random, structure};
+
+const TABLE: Table = Table {
+    path: "results/bench/structures.csv",
+    title: "Time of a structure in a row of so many over that of one of two, impacts",
+    header: "instructions,run,structures,time_of_a_structure_over_one_of_two",
 };
+const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, 1000];
+/// Ways to run rows, with the structures in a round of each size and the number of sizes. The largest rows fill all lanes of any machine.
+/// The exact method would take minutes with rows of a thousand.
+const WAYS: [(&str, usize, usize); 3] = [
+    ("central difference in lanes", 16_000, 7),
+    ("central difference", 1000, 7),
+    ("exact", 1000, 6),
+];
+/// Rounds over the sizes, at least, and for how long.
+const ROUNDS: (usize, Duration) = (3, Duration::from_secs(6));
 
-/// Where the ratios are kept, from the top folder.
-const KEPT: &str = "results/bench/structures.csv";
-const HEADER: &str = "instructions,run,structures,time_of_a_structure_over_one_of_two";
-const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, MOST];
-const MOST: usize = 1000;
-/// Structures that run in a round of each size; rows of the largest then fill all lanes, of any machine.
-const IN_ROUND: usize = 16_000;
-/// Of these the part that runs one by one, and by the exact method: long rows of which it takes minutes.
-const ALONE: usize = 1000;
-const MOST_EXACT: usize = 300;
-/// Every way to run takes turns over the sizes for as long as this, at least thrice.
-const PATIENCE: Duration = Duration::from_secs(6);
-
-/// Rows of one size.
-struct Sized {
-    structures: usize,
-    rows: Vec<Row<Elastic>>,
-    /// Times for a structure \[s\].
-    times: Vec<f64>,
-}
-
-/// Times rows of all sizes in turn and writes medians of ratios.
-pub(super) fn run(root: &Path) -> Result<(), String> {
-    let words = |error: pounding_solver::ModelError| error.to_string();
-    let ground = setting::ground(root, CLOCK.time_step, CLOCK.n_steps)?;
-    let recorded = setting::ground(root, RECORDED, CLOCK.n_steps / 2)?;
-    let sampled = Excitation::new(CLOCK.time_step, &ground).map_err(words)?;
-    let recorded = Excitation::new(RECORDED, &recorded).map_err(words)?;
+/// Times rows of all sizes in turn and keeps medians of ratios.
+pub(super) fn run(root: &Path) -> Outcome<()> {
+    let ground = Ground::new(root)?;
+    let [stepping, exact] = ground.methods()?;
+    let beside = SideBySide::new(STEPPING, stepping.1, CLOCK)?;
+    let mut sums = SceneSums::default();
     let mut lines = Vec::new();
-    let beside = SideBySide::new(STEPPING, sampled, CLOCK).map_err(|error| error.to_string())?;
-    let mut tallies = SceneSums::default();
-    lines.extend(medians(
-        "central difference in lanes",
-        IN_ROUND,
-        MOST,
-        &mut |rows| {
-            let rows: Vec<_> = rows.iter().collect();
-            beside.run(
-                RowsOf::Elastic(&rows),
-                &vec![CLOCK.n_steps; rows.len()],
-                &mut tallies,
-            )
-        },
-    )?);
-    for (name, most, (integrator, excitation)) in [
-        (
-            "central difference",
-            MOST,
-            (Integrator::CentralDifference(STEPPING), sampled),
-        ),
-        ("exact", MOST_EXACT, (Integrator::Exact(EXACT), recorded)),
-    ] {
-        lines.extend(medians(name, ALONE, most, &mut |rows| {
-            rows.iter().all(|row| {
-                let n = row.nodes().len();
-                let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
-                let ran = integrator.run(row, excitation, CLOCK, &mut recorder);
-                black_box(recorder);
-                ran.is_ok()
-            })
-        })?);
-    }
-    let instructions = lanes::instructions().unwrap_or("others");
-    let csv = lanes::keep(&root.join(KEPT), HEADER, instructions, &lines)?;
-    println!(
-        "\nTime of a structure in a row of so many over that of one of two, impacts:\n{csv}\nkept in {KEPT}"
-    );
-    Ok(())
-}
-
-/// Lines of one way to run rows of so many structures in a round, up to a size.
-fn medians(
-    name: &str,
-    in_round: usize,
-    most: usize,
-    run: &mut dyn FnMut(&[Row<Elastic>]) -> bool,
-) -> Result<Vec<String>, String> {
-    let sizes = SIZES.into_iter().filter(|size| *size <= most);
-    let mut sizes = sizes
-        .map(|structures| sized(structures, in_round))
-        .collect::<Result<Vec<_>, _>>()?;
-    let begun = Instant::now();
-    while sizes[0].times.len() < 3 || begun.elapsed() < PATIENCE {
-        for one in &mut sizes {
-            let start = Instant::now();
-            if !run(&one.rows) {
-                return Err(format!("{name}: a row of {} does not run", one.structures));
+    for (way, (name, in_round, n_sizes)) in WAYS.into_iter().enumerate() {
+        let sizes = &SIZES[..n_sizes];
+        let drawn = sizes.iter().map(|size| rows(*size, in_round));
+        let drawn = drawn.collect::<Outcome<Vec<_>>>()?;
+        let order: Vec<usize> = (0..n_sizes).collect();
+        let times = in_turn(&order, ROUNDS, |size| {
+            let rows = &drawn[size];
+            match way {
+                0 => {
+                    let rows: Vec<_> = rows.iter().collect();
+                    let steps = vec![CLOCK.n_steps; rows.len()];
+                    if !beside.run(RowsOf::Elastic(&rows), &steps, &mut sums) {
+                        return Err("rows do not run side by side".into());
+                    }
+                }
+                _ => {
+                    for row in rows {
+                        alone(row, [stepping, exact][way - 1])?;
+                    }
+                }
             }
-            let time = start.elapsed().as_secs_f64();
-            one.times
-                .push(time / (one.structures * one.rows.len()) as f64);
+            Ok(())
+        })?;
+        for ((size, times_of), rows) in sizes.iter().zip(&times).zip(&drawn) {
+            let of_two = (drawn[0].len() * SIZES[0]) as f64 / (rows.len() * size) as f64;
+            let ratio = of_two * ratio(times_of, &times[0]);
+            lines.push(format!("{name},{size},{ratio:.2}"));
         }
     }
-    let line = |one: &Sized| {
-        let ratios = one.times.iter().zip(&sizes[0].times);
-        let mut ratios: Vec<f64> = ratios.map(|(time, two)| time / two).collect();
-        ratios.sort_by(f64::total_cmp);
-        format!("{name},{},{:.2}", one.structures, ratios[ratios.len() / 2])
-    };
-    Ok(sizes.iter().map(line).collect())
+    TABLE.write(root, &lines)
 }
 
-/// Rows of a size at random.
-fn sized(structures: usize, in_round: usize) -> Result<Sized, String> {
-    let mut random = setting::random();
-    let mut between = |range: [f64; 2]| setting::between(&mut random, range);
-    let mut row = |_| {
-        let node = |period: f64| {
-            let omega = 2.0 * std::f64::consts::PI / period;
-            let stiffness = MASS * omega * omega;
-            Node::structure(MASS, 2.0 * DAMPING * MASS * omega, Elastic { stiffness })
+/// Rows of a size at random, of so many structures together.
+fn rows(size: usize, in_round: usize) -> Outcome<Vec<Row<Elastic>>> {
+    let mut random = random();
+    let law = ContactLaw::Stereomechanical(Stereomechanical {
+        restitution: RESTITUTION,
+    });
+    let mut row = || {
+        let mut node = |_| {
+            let drawn = structure(&mut random);
+            Node::structure(drawn.mass, drawn.damping, Elastic::of(drawn.column))
         };
-        let nodes = (0..structures).map(|_| node(between(PERIODS))).collect();
-        let pair = |left| {
-            Pair::of_floors(
-                left,
-                left + 1,
-                between(GAPS),
-                ContactLaw::Stereomechanical(Stereomechanical {
-                    restitution: RESTITUTION,
-                }),
-            )
+        let nodes = (0..size).map(&mut node).collect();
+        let pair = |left| Pair {
+            left,
+            right: left + 1,
+            gap: between(&mut random, GAPS),
+            law,
         };
-        let pairs = (0..structures - 1).map(pair).collect();
-        Row::new(nodes, pairs).map_err(|error| error.to_string())
+        Row::new(nodes, (0..size - 1).map(pair).collect())
     };
-    Ok(Sized {
-        structures,
-        rows: (0..in_round.div_ceil(structures))
-            .map(&mut row)
-            .collect::<Result<_, _>>()?,
-        times: Vec::new(),
-    })
+    let rows = (0..in_round.div_ceil(size)).map(|_| row());
+    Ok(rows.collect::<Result<_, _>>()?)
 }

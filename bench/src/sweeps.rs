@@ -8,21 +8,27 @@ use std::time::{Duration, Instant};
 use pounding_solver::Clock;
 use serde_json::{Value, json};
 
-use super::{lanes, setting};
+use crate::measure::{Outcome, Table, median};
+use crate::{lanes, setting};
 
-/// Where the ratios are kept, from the top folder.
-const KEPT: &str = "results/bench/sweeps.csv";
+const TABLE: Table = Table {
+    path: "results/bench/sweeps.csv",
+    title: "Wall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads",
+    header: "instructions,keeps,runs,steps,threads,time_over_loop_by_hand,largest_memory_mb",
+};
 /// What is timed.
 const SWEEPS: [Sweep; 8] = [
-    Sweep::of(10_000, SHORT, Keeps::Rows, 5),
-    Sweep::of(100_000, SHORT, Keeps::Rows, 5),
-    Sweep::of(1_000_000, SHORT, Keeps::Rows, 3),
-    Sweep::of(10_000_000, SHORT, Keeps::Rows, 3),
-    Sweep::of(1_000_000, SHORT, Keeps::Summary, 5),
-    Sweep::of(1_000_000, LONG, Keeps::Summary, 5),
-    Sweep::of(10_000_000, SHORT, Keeps::Summary, 3),
-    Sweep::of(100_000_000, SHORT, Keeps::Summary, 1),
+    Sweep(10_000, SHORT, "rows", 5),
+    Sweep(100_000, SHORT, "rows", 5),
+    Sweep(1_000_000, SHORT, "rows", 3),
+    Sweep(10_000_000, SHORT, "rows", 3),
+    Sweep(1_000_000, SHORT, SUMMARY, 5),
+    Sweep(1_000_000, LONG, SUMMARY, 5),
+    Sweep(10_000_000, SHORT, SUMMARY, 3),
+    Sweep(100_000_000, SHORT, SUMMARY, 1),
 ];
+/// What a sweep keeps in place of a row for every run: statistics of all.
+const SUMMARY: &str = "summary";
 /// Ten seconds of the record, as in the other benchmarks.
 const SHORT: Clock = setting::CLOCK;
 /// Nearly all of it, in steps of half the length.
@@ -30,91 +36,42 @@ const LONG: Clock = Clock {
     time_step: 0.005,
     n_steps: 6000,
 };
-const HEADER: &str =
-    "instructions,keeps,runs,steps,threads,time_over_loop_by_hand,largest_memory_mb";
 /// How often a sweep that runs is asked for its memory.
 const LOOK: Duration = Duration::from_millis(2);
 
-/// So many runs of so many steps, and how often they are timed.
-struct Sweep {
-    runs: u64,
-    clock: Clock,
-    keeps: Keeps,
-    repeats: usize,
-}
-
-/// What is written: a row for every run, or statistics of all.
-#[derive(Clone, Copy, PartialEq)]
-enum Keeps {
-    Rows,
-    Summary,
-}
+/// So many runs of so many steps, what is written, and how often they are timed.
+struct Sweep(u64, Clock, &'static str, usize);
 
 /// Times sweeps and keeps the ratios.
-pub(super) fn run(root: &Path) -> Result<(), String> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut build = Command::new(cargo);
-    let build = build
-        .args(["build", "--package", "pounding"])
-        .current_dir(root)
-        .status();
-    if !build.is_ok_and(|status| status.success()) {
-        return Err("the program cannot be built".into());
-    }
-    let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
+pub(super) fn run(root: &Path) -> Outcome<()> {
+    super::cargo(root, &["build", "--package", "pounding"])?;
+    let own = std::env::current_exe()?;
     let (program, home) = (own.with_file_name("pounding"), own.with_file_name("sweeps"));
-    fs::create_dir_all(&home).map_err(|error| format!("{}: {error}", home.display()))?;
+    fs::create_dir_all(&home)?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let by_hand =
-        |clock| lanes::seconds_by_hand(root, threads, clock)?.ok_or(lanes::NO_LOOP.to_owned());
-    let instructions = lanes::instructions().ok_or(lanes::NO_LOOP)?;
     let mut lines = Vec::new();
     for sweep in &SWEEPS {
+        let Sweep(runs, clock, keeps, _) = sweep;
         // The loop by hand before and after: the speed of machines drifts.
-        let before = by_hand(sweep.clock)?;
+        let before = lanes::seconds_by_hand(root, threads, *clock)?;
         let (seconds, memory) = sweep.time(&program, &home, root)?;
-        let after = by_hand(sweep.clock)?;
-        let ratio = seconds / (0.5 * (before + after) * sweep.runs as f64);
-        let (runs, steps) = (sweep.runs, sweep.clock.n_steps);
-        let keeps = sweep.keeps.name();
-        let megabytes = memory.div_ceil(1000);
+        let after = lanes::seconds_by_hand(root, threads, *clock)?;
+        let ratio = seconds / (0.5 * (before + after) * *runs as f64);
+        let (steps, megabytes) = (clock.n_steps, memory.div_ceil(1000));
         lines.push(format!(
             "{keeps},{runs},{steps},{threads},{ratio:.2},{megabytes}"
         ));
     }
-    let csv = lanes::keep(&root.join(KEPT), HEADER, instructions, &lines)?;
-    println!(
-        "\nWall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads:\n{csv}\nkept in {KEPT}"
-    );
-    Ok(())
-}
-
-impl Keeps {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Rows => "rows",
-            Self::Summary => "summary",
-        }
-    }
+    TABLE.write(root, &lines)
 }
 
 impl Sweep {
-    const fn of(runs: u64, clock: Clock, keeps: Keeps, repeats: usize) -> Self {
-        Self {
-            runs,
-            clock,
-            keeps,
-            repeats,
-        }
-    }
-
     /// Median time \[s\], and the most memory \[kB\], of a program that runs it from a folder.
-    fn time(&self, program: &Path, home: &Path, root: &Path) -> Result<(f64, u64), String> {
+    fn time(&self, program: &Path, home: &Path, root: &Path) -> Outcome<(f64, u64)> {
         let file = home.join("sweep.json");
-        let text = self.text(root).to_string();
-        fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
+        fs::write(&file, self.text(root).to_string())?;
         let (mut times, mut memory) = (Vec::new(), 0);
-        for _ in 0..self.repeats {
+        for _ in 0..self.3 {
             let mut command = Command::new(program);
             command.arg("sweep").arg(&file);
             command
@@ -124,15 +81,14 @@ impl Sweep {
             times.push(seconds);
             memory = memory.max(most);
         }
-        times.sort_by(f64::total_cmp);
-        Ok((times[self.repeats / 2], memory))
+        Ok((median(times), memory))
     }
 
     /// The scenes of the other benchmarks, with what is the default.
     fn text(&self, root: &Path) -> Value {
         let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
         let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
-        let Clock { time_step, n_steps } = self.clock;
+        let Sweep(runs, Clock { time_step, n_steps }, keeps, _) = *self;
         let mut sweep = json!({
             "scene": {
                 "name": "pair",
@@ -147,10 +103,10 @@ impl Sweep {
                 {"field": "structures[1].sdof.period_s", "uniform": between(setting::PERIODS)},
                 {"field": "contacts[0].gap_m", "uniform": between(setting::GAPS)},
             ],
-            "samples": {"count": self.runs, "seed": 1, "method": "random"},
+            "samples": {"count": runs, "seed": 1, "method": "random"},
             "outputs": {"pairs": ["collisions", "total_impulse_n_s"]},
         });
-        if self.keeps == Keeps::Summary {
+        if keeps == SUMMARY {
             sweep["summary"] = json!({});
         }
         sweep
@@ -158,16 +114,16 @@ impl Sweep {
 }
 
 /// Wall time \[s\] of a program, and the most memory that it held \[kB\], where the system tells.
-fn timed(command: &mut Command) -> Result<(f64, u64), String> {
+fn timed(command: &mut Command) -> Outcome<(f64, u64)> {
     let start = Instant::now();
     let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());
-    let mut child = quiet.spawn().map_err(|error| error.to_string())?;
+    let mut child = quiet.spawn()?;
     let status = format!("/proc/{}/status", child.id());
     let mut memory = 0;
     loop {
-        if let Some(status) = child.try_wait().map_err(|error| error.to_string())? {
+        if let Some(status) = child.try_wait()? {
             if !status.success() {
-                return Err(format!("the sweep failed: {status}"));
+                return Err(format!("the sweep failed: {status}").into());
             }
             return Ok((start.elapsed().as_secs_f64(), memory));
         }

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// The folders of these crates, seen from this one.
-const SOURCES: [&str; 6] = [
+const SOURCES: [&str; 7] = [
     "../contact/src",
+    "../lanes/src",
     "../motion/src",
     "../scene/src",
     "../solver/src",

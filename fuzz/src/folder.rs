@@ -57,9 +57,13 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
         let suite = Suite::of(&[folder.to_path_buf()], &declared).expect("a folder");
         assert_eq!(suite.n_entries, shown, "an entry vanished");
         let told = |name: &&String| {
-            let begins = |said: &str| said.starts_with(name.as_str());
-            suite.motions.iter().any(|one| begins(&one.name))
-                || suite.left_out.iter().any(|one| begins(&one.name))
+            // A component has the name of its file before its own.
+            let is_of = |said: &str| {
+                let behind = said.strip_prefix(name.as_str());
+                behind.is_some_and(|behind| behind.is_empty() || behind.starts_with(' '))
+            };
+            suite.motions.iter().any(|one| is_of(&one.name))
+                || suite.left_out.iter().any(|one| is_of(&one.name))
         };
         assert!(
             names
@@ -68,24 +72,43 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
                 .all(|name| told(&name)),
             "{names:?}"
         );
-        assert!(
-            suite.n_events <= suite.motions.len(),
-            "more events than motions"
-        );
         let mut bytes = BTreeSet::new();
         let is_new = |one: &pounding_scene::Motion| {
-            bytes.insert((one.origin().sha256.clone(), one.name.len()))
+            bytes.insert((
+                one.origin().sha256.clone(),
+                one.component().map(str::to_owned),
+            ))
         };
         assert_eq!(
             suite.motions.iter().map(is_new).filter(|new| !new).count(),
             0,
             "a copy counts"
         );
-        for motion in &suite.motions {
-            assert!(motion.event < suite.n_events, "an event of its own");
-        }
+        let events: BTreeSet<usize> = suite.motions.iter().map(|one| one.event).collect();
+        assert!(
+            events.into_iter().eq(0..suite.n_events),
+            "an event without a motion"
+        );
+        copies_change_nothing(&suite, folder, &declared);
         assert!(!suite.said(true).is_empty(), "nothing is said");
     }
+}
+
+/// Copies every motion under a name that tells nothing and is longer than all others: motions and events stay.
+fn copies_change_nothing(suite: &Suite, folder: &Path, declared: &FileUse) {
+    let copy = |index: usize| folder.join(format!("{}{index}q", "copied again".repeat(4)));
+    for (index, motion) in suite.motions.iter().enumerate() {
+        fs::copy(&motion.path, copy(index)).expect("a disk");
+    }
+    let again = Suite::of(&[folder.to_path_buf()], declared).expect("a folder");
+    for index in 0..suite.motions.len() {
+        fs::remove_file(copy(index)).expect("it was made");
+    }
+    let of = |suite: &Suite| -> Vec<(String, usize)> {
+        let motions = suite.motions.iter();
+        motions.map(|one| (one.name.clone(), one.event)).collect()
+    };
+    assert_eq!(of(&again), of(suite), "a copy changes the events");
 }
 
 /// Makes the entries that the bytes name, and returns their names: two bytes name an entry, one says what it is.
@@ -117,6 +140,7 @@ fn made(bytes: &[u8], folder: &Path) -> BTreeSet<String> {
             3 => fs::write(&path, own),
             4 => fs::write(&path, list(own)),
             5 => fs::write(&path, at2(&name, own)),
+            6 => fs::write(&path, with_header(own)),
             _ => fs::write(&path, csv(own)),
         };
         if made.is_ok() {
@@ -141,6 +165,24 @@ fn values(own: &[u8]) -> impl Iterator<Item = f64> + '_ {
 fn list(own: &[u8]) -> String {
     let values: Vec<String> = values(own).map(|value| value.to_string()).collect();
     values.join("\n")
+}
+
+/// A list below a header that tells where and when; the first byte chooses one of a few.
+fn with_header(own: &[u8]) -> String {
+    let told = own.first().copied().unwrap_or(0);
+    let station = ["ABC", "Los Gatos", "1"][usize::from(told % 3)];
+    let event = ["Kobe, NS component", "Kobe, EW component", "Kobe"][usize::from(told / 3 % 3)];
+    let time = [
+        "2010-02-27T06:34:00.998",
+        "2010-02-27T06:34:01",
+        "2010-03-11T14:39:00",
+        "0.0",
+    ];
+    let time = time[usize::from(told / 9 % 4)];
+    let values = list(own);
+    format!(
+        "# Station: {station}\n# Event: {event}\n# Start time: {time}\n# dt = 0.02 s, unit: g\n{values}"
+    )
 }
 
 fn csv(own: &[u8]) -> String {

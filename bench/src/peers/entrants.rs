@@ -15,8 +15,20 @@ pub(super) struct Entrant {
     /// Name in figures.
     pub(super) label: &'static str,
     pub(super) knob: Knob,
-    /// The kinds of scenes that it runs.
-    pub(super) runs: &'static [Kind],
+}
+
+/// All who run the scenes of a kind.
+pub(super) fn entrants(kind: Kind) -> impl Iterator<Item = Entrant> {
+    let all = ENTRANTS
+        .iter()
+        .filter(move |(.., runs)| runs.contains(&kind));
+    all.map(|&(competitor, [tool, method, label], knob, _)| Entrant {
+        competitor,
+        tool,
+        method,
+        label,
+        knob,
+    })
 }
 
 /// What a ladder changes.
@@ -61,115 +73,35 @@ impl Knob {
     }
 }
 
-const fn entrant(
-    competitor: Competitor,
-    [tool, method, label]: [&'static str; 3],
-    knob: Knob,
-    runs: &'static [Kind],
-) -> Entrant {
-    Entrant {
-        competitor,
-        tool,
-        method,
-        label,
-        knob,
-        runs,
-    }
-}
-
 /// This project in tables.
 pub(super) const OURS: &str = "pounding";
 
-/// All of them, in the order of tables and legends.
-pub(super) const ENTRANTS: [Entrant; 15] = {
+const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
+const IMPULSIVE: &[Kind] = &[Kind::Impulsive];
+const COMPLIANT: &[Kind] = &[Kind::Compliant];
+const PRESSED: &[Kind] = &[Kind::Compliant, Kind::Towers];
+const ALL: &[Kind] = &[Kind::Impulsive, Kind::Compliant, Kind::Towers];
+
+/// Who competes, with tool, method and label, over which ladder, and on which scenes; in the order of tables and legends.
+#[rustfmt::skip]
+const ENTRANTS: [(Competitor, [&str; 3], Knob, &[Kind]); 15] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
-    const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
-    const IMPULSIVE: &[Kind] = &[Kind::Impulsive];
-    const COMPLIANT: &[Kind] = &[Kind::Compliant];
-    const PRESSED: &[Kind] = &[Kind::Compliant, Kind::Towers];
-    const ALL: &[Kind] = &[Kind::Impulsive, Kind::Compliant, Kind::Towers];
-    let stepping = "central_difference";
     [
-        entrant(
-            Ours,
-            [OURS, LANES, "Ours: central difference, lanes"],
-            TimeStep,
-            ALL,
-        ),
-        entrant(
-            Ours,
-            [OURS, EXACT_LANES, "Ours: exact, lanes"],
-            Nothing,
-            IMPULSIVE,
-        ),
-        entrant(
-            Ours,
-            [OURS, EXACT_LANES, "Ours: exact, lanes"],
-            OwnTolerance,
-            COMPLIANT,
-        ),
-        entrant(Ours, [OURS, EXACT, "Ours: exact"], Nothing, IMPULSIVE),
-        entrant(Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, PRESSED),
-        entrant(
-            Loop,
-            ["numba", stepping, "Numba: central difference"],
-            TimeStep,
-            STRUCTURES,
-        ),
-        entrant(
-            Loop,
-            ["numba", "velocity_verlet", "Numba: Verlet"],
-            TimeStep,
-            STRUCTURES,
-        ),
-        entrant(
-            Loop,
-            ["numba", "rk4", "Numba: Runge–Kutta"],
-            TimeStep,
-            STRUCTURES,
-        ),
-        entrant(
-            Loop,
-            ["c", stepping, "C: central difference"],
-            TimeStep,
-            STRUCTURES,
-        ),
-        entrant(
-            Scipy,
-            ["scipy", "DOP853", "SciPy: DOP853"],
-            Tolerance,
-            STRUCTURES,
-        ),
-        entrant(
-            Scipy,
-            ["scipy", "LSODA", "SciPy: LSODA"],
-            Tolerance,
-            STRUCTURES,
-        ),
-        entrant(
-            Scipy,
-            ["scipy", "Radau", "SciPy: Radau"],
-            Tolerance,
-            STRUCTURES,
-        ),
-        entrant(
-            Sundials,
-            ["sundials", "adams", "SUNDIALS: CVODE, Adams"],
-            Tolerance,
-            STRUCTURES,
-        ),
-        entrant(
-            Sundials,
-            ["sundials", "bdf", "SUNDIALS: CVODE, BDF"],
-            Tolerance,
-            STRUCTURES,
-        ),
-        entrant(
-            OpenSees,
-            ["opensees", "newmark", "OpenSees: Newmark"],
-            TimeStep,
-            PRESSED,
-        ),
+        (Ours, [OURS, LANES, "Ours: central difference, lanes"], TimeStep, ALL),
+        (Ours, [OURS, EXACT_LANES, "Ours: exact, lanes"], Nothing, IMPULSIVE),
+        (Ours, [OURS, EXACT_LANES, "Ours: exact, lanes"], OwnTolerance, COMPLIANT),
+        (Ours, [OURS, EXACT, "Ours: exact"], Nothing, IMPULSIVE),
+        (Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, PRESSED),
+        (Loop, ["numba", "central_difference", "Numba: central difference"], TimeStep, STRUCTURES),
+        (Loop, ["numba", "velocity_verlet", "Numba: Verlet"], TimeStep, STRUCTURES),
+        (Loop, ["numba", "rk4", "Numba: Runge–Kutta"], TimeStep, STRUCTURES),
+        (Loop, ["c", "central_difference", "C: central difference"], TimeStep, STRUCTURES),
+        (Scipy, ["scipy", "DOP853", "SciPy: DOP853"], Tolerance, STRUCTURES),
+        (Scipy, ["scipy", "LSODA", "SciPy: LSODA"], Tolerance, STRUCTURES),
+        (Scipy, ["scipy", "Radau", "SciPy: Radau"], Tolerance, STRUCTURES),
+        (Sundials, ["sundials", "adams", "SUNDIALS: CVODE, Adams"], Tolerance, STRUCTURES),
+        (Sundials, ["sundials", "bdf", "SUNDIALS: CVODE, BDF"], Tolerance, STRUCTURES),
+        (OpenSees, ["opensees", "newmark", "OpenSees: Newmark"], TimeStep, PRESSED),
     ]
 };

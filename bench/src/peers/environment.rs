@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use super::entrants::Entrant;
 use super::scenes::{Found, Measured};
+use crate::measure::Outcome;
 
 /// What is installed. Newer ones change what is measured: they are taken on purpose.
 const PACKAGES: [&str; 5] = [
@@ -32,11 +33,9 @@ const FILES: [(&str, &str); 8] = [
 ];
 
 /// Sets up the environment in a folder, or keeps the one that is there, and writes the sources and the scenes.
-pub(super) fn prepare(home: &Path, scenes: &Value) -> Result<(), String> {
-    let write = |name: &str, text: &str| {
-        fs::write(home.join(name), text).map_err(|error| format!("{name}: {error}"))
-    };
-    fs::create_dir_all(home).map_err(|error| format!("{}: {error}", home.display()))?;
+pub(super) fn prepare(home: &Path, scenes: &Value) -> Outcome<()> {
+    let write = |name: &str, text: &str| fs::write(home.join(name), text);
+    fs::create_dir_all(home)?;
     let wanted = PACKAGES.join("\n");
     let installed = fs::read_to_string(home.join("installed.txt")).unwrap_or_default();
     if installed != wanted {
@@ -46,20 +45,14 @@ pub(super) fn prepare(home: &Path, scenes: &Value) -> Result<(), String> {
         step(venv.args(["-m", "venv", "--clear"]).arg(&environment))
             .map_err(|said| no_python(&said))?;
         let pip = &mut Command::new(environment.join("bin/python"));
-        let pip = pip.args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-        ]);
-        step(pip.args(PACKAGES)).map_err(|said| no_network(&said))?;
+        let words = "-m pip install --quiet --disable-pip-version-check";
+        step(pip.args(words.split(' ')).args(PACKAGES)).map_err(|said| no_network(&said))?;
         write("installed.txt", &wanted)?;
     }
     for (name, text) in FILES {
         write(name, text)?;
     }
-    write("scenes.json", &scenes.to_string())
+    Ok(write("scenes.json", &scenes.to_string())?)
 }
 
 fn no_python(said: &str) -> String {
@@ -97,17 +90,15 @@ pub(super) struct Worker {
 
 impl Worker {
     /// Starts it; imports and what they compile take some seconds.
-    pub(super) fn start(home: &Path) -> Result<Self, String> {
-        let fail = |error: std::io::Error| format!("{}: {error}", home.display());
-        let log = fs::File::create(home.join("worker.log")).map_err(fail)?;
+    pub(super) fn start(home: &Path) -> Outcome<Self> {
+        let log = fs::File::create(home.join("worker.log"))?;
         let mut child = Command::new(home.join("env/bin/python"))
             .arg("worker.py")
             .current_dir(home)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(log)
-            .spawn()
-            .map_err(fail)?;
+            .spawn()?;
         let requests = child.stdin.take().ok_or("no way to ask")?;
         let answers = BufReader::new(child.stdout.take().ok_or("no way to answer")?);
         let mut worker = Self {
@@ -120,13 +111,11 @@ impl Worker {
         Ok(worker)
     }
 
-    fn read(&mut self, log: &Path) -> Result<Value, String> {
+    fn read(&mut self, log: &Path) -> Outcome<Value> {
         let mut line = String::new();
-        self.answers
-            .read_line(&mut line)
-            .map_err(|error| error.to_string())?;
-        let said = || format!("the Python process ended; {} says why", log.display());
-        serde_json::from_str(&line).map_err(|_| said())
+        self.answers.read_line(&mut line)?;
+        let said = |_| format!("the Python process ended; {} says why", log.display());
+        Ok(serde_json::from_str(&line).map_err(said)?)
     }
 
     /// Which programs there are, a line each.
@@ -151,26 +140,19 @@ impl Worker {
     }
 
     /// What a program found, or why it found nothing.
-    pub(super) fn ask(
-        &mut self,
-        entrant: &Entrant,
-        setting: f64,
-        law: &str,
-    ) -> Result<Measured, String> {
+    pub(super) fn ask(&mut self, entrant: &Entrant, setting: f64, law: &str) -> Outcome<Measured> {
         let request = json!({
             "tool": entrant.tool,
             "method": entrant.method,
             "setting": setting,
             "law": law,
         });
-        writeln!(self.requests, "{request}").map_err(|error| error.to_string())?;
+        writeln!(self.requests, "{request}")?;
         let answer = self.read(Path::new("worker.log"))?;
         let seconds = answer["seconds"].as_f64();
         let Some(seconds) = seconds else {
-            return Err(format!(
-                "{} {}: {}",
-                entrant.tool, entrant.method, answer["failed"]
-            ));
+            let (tool, method) = (entrant.tool, entrant.method);
+            return Err(format!("{tool} {method}: {}", answer["failed"]).into());
         };
         let number = |value: &Value| value.as_str().and_then(|text| text.parse().ok());
         let scene = |line: &Value| -> Found {

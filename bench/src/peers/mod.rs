@@ -16,48 +16,43 @@ use std::path::Path;
 
 use pounding_studies::work_precision_figure;
 
-use super::lanes;
+use crate::measure::{Outcome, Table, keep};
 use environment::Worker;
 use race::Raced;
 use scenes::Scenes;
 
-/// Where the table of all settings and the figure are kept, from the top folder: those of the last machine.
-const KEPT: [&str; 2] = ["results/bench/peers.csv", "results/bench/peers.png"];
-/// Where the table of error levels is kept, of one machine of each kind of instructions, and its head.
-const LEVELS: &str = "results/bench/peers-levels.csv";
-const HEADER: &str =
-    "instructions,law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours";
+/// All settings, and their figure: those of the last machine.
+const SETTINGS: Table = Table {
+    path: "results/bench/peers.csv",
+    title: "CPU time of a scene over that of central differences in lanes with steps of 0.01 s",
+    header: "law,tool,method,setting,error,cpu_time_ratio,over_ours_at_this_error",
+};
+const FIGURE: &str = "results/bench/peers.png";
+/// Error levels, of one machine of each kind of instructions.
+const LEVELS: Table = Table {
+    path: "results/bench/peers-levels.csv",
+    title: "Best of others over our cheapest method at an error",
+    header: "instructions,law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours",
+};
 
 /// Races all and keeps ratios and a figure.
-pub(super) fn run(root: &Path) -> Result<(), String> {
+pub(super) fn run(root: &Path) -> Outcome<()> {
     let ground = scenes::ground(root)?;
     let all = Scenes::of_all_kinds(&ground)?;
-    let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
-    let home = own.with_file_name("peers");
+    let home = std::env::current_exe()?.with_file_name("peers");
     environment::prepare(&home, &scenes::as_json(&all, &ground))?;
     let mut worker = Worker::start(&home)?;
     println!("{}", worker.present());
-    let raced: Vec<Raced> = all
-        .iter()
-        .map(|scenes| race::run(scenes, &mut worker))
-        .collect::<Result<_, _>>()?;
+    let raced = all.iter().map(|scenes| race::run(scenes, &mut worker));
+    let raced = raced.collect::<Outcome<Vec<Raced>>>()?;
     let panels: Vec<_> = raced.iter().map(report::panel).collect();
-    let unit = "lanes, 0.01 s";
-    let figure = work_precision_figure(&panels, unit).map_err(|error| error.to_string())?;
-    let files = [report::settings_csv(&raced).into_bytes(), figure];
-    for (path, bytes) in KEPT.into_iter().zip(files) {
-        let place = root.join(path);
-        std::fs::create_dir_all(place.parent().unwrap_or(root))
-            .and_then(|()| std::fs::write(&place, bytes))
-            .map_err(|error| format!("{path}: {error}"))?;
-    }
-    let instructions = lanes::instructions().unwrap_or("others");
-    let levels = report::levels(&raced);
-    let levels = lanes::keep(&root.join(LEVELS), HEADER, instructions, &levels)?;
-    println!(
-        "{}\n{levels}\nkept in {LEVELS}, {}",
-        report::checks(&raced),
-        KEPT.join(", ")
-    );
+    keep(
+        root,
+        FIGURE,
+        &work_precision_figure(&panels, "lanes, 0.01 s")?,
+    )?;
+    SETTINGS.write(root, &report::settings(&raced))?;
+    LEVELS.write(root, &report::levels(&raced))?;
+    report::check(&raced);
     Ok(())
 }

@@ -4,10 +4,13 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use cpu_time::ProcessTime;
-use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
-use pounding_solver::{CentralDifference, Exact, Hysteretic, Integrator, Row, SimultaneousImpacts};
+use pounding_lanes::{ExactSideBySide, SceneSums, SideBySide};
+use pounding_solver::{Elastic, Hysteretic, Row};
 
-use super::scenes::{Found, IN_LANES, Measured, Rows, SCENES, Scenes, clock, exact, solved};
+use super::scenes::{Found, IN_LANES, Measured, Rows, SCENES, Scenes, clock, solved};
+use crate::measure::Outcome;
+use crate::scenes::Beside;
+use crate::setting::{STEPPING, exact, recorded};
 
 /// Names of the methods in tables.
 pub(super) const LANES: &str = "central_difference_in_lanes";
@@ -18,58 +21,40 @@ pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 const LEAST: Duration = Duration::from_millis(20);
 
 /// Runs the scenes by a method at a setting and measures the CPU time of one.
-pub(super) fn measured(
-    scenes: &Scenes<'_>,
-    method: &str,
-    setting: f64,
-) -> Result<Measured, String> {
-    match method {
-        LANES => in_lanes(scenes, setting),
-        // The exact method keeps no time step; a clock says how long it runs.
-        EXACT_LANES => exact_in_lanes(scenes, setting),
-        EXACT => Ok(match &scenes.rows {
-            Rows::Structures(rows) => alone(scenes, rows, exact(setting)),
-            Rows::Towers(rows) => alone(scenes, rows, exact(setting)),
-        }),
-        _ => Err(format!(
-            "{method}: no such method; name one of those in own.rs"
-        )),
+pub(super) fn measured(scenes: &Scenes<'_>, method: &str, setting: f64) -> Outcome<Measured> {
+    match (method, &scenes.rows) {
+        (LANES, Rows::Structures(rows)) => in_lanes(scenes, rows, setting),
+        (LANES, Rows::Towers(rows)) => in_lanes(scenes, rows, setting),
+        (EXACT_LANES, Rows::Structures(rows)) => exact_in_lanes(scenes, rows, setting),
+        (EXACT, Rows::Structures(rows)) => Ok(alone(scenes, rows, setting)),
+        (EXACT, Rows::Towers(rows)) => Ok(alone(scenes, rows, setting)),
+        _ => Err(format!("{method} does not run these scenes; name one of those in own.rs").into()),
     }
 }
 
 /// Vectors full of scenes: those that are compared, and others like them.
-fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
+fn in_lanes<Column: Beside>(
+    scenes: &Scenes<'_>,
+    rows: &[Row<Column>],
+    time_step: f64,
+) -> Outcome<Measured> {
     let clock = clock(time_step);
-    let together = SideBySide::new(CentralDifference::default(), scenes.excitation, clock);
-    let together = together.map_err(|error| error.to_string())?;
-    let n_steps = [clock.n_steps; IN_LANES];
-    let run = |rows: RowsOf<'_>| {
-        beside(scenes, |tallies| {
-            together.run(rows, &n_steps, tallies);
-        })
-    };
-    Ok(match &scenes.rows {
-        Rows::Structures(rows) => run(RowsOf::Elastic(&rows.iter().collect::<Vec<_>>())),
-        Rows::Towers(rows) => run(RowsOf::Bilinear(&rows.iter().collect::<Vec<_>>())),
-    })
+    let together = SideBySide::new(STEPPING, scenes.excitation, clock)?;
+    let rows: Vec<_> = rows.iter().collect();
+    Ok(beside(scenes, |sums| {
+        together.run(Column::rows(&rows), &[clock.n_steps; IN_LANES], sums);
+    }))
 }
 
-/// The same by the exact method.
-fn exact_in_lanes(scenes: &Scenes<'_>, tolerance: f64) -> Result<Measured, String> {
-    let settings = Exact {
-        // The least that lanes take; with impacts it changes nothing.
-        tolerance: tolerance.max(1e-12),
-        simultaneous_impacts: SimultaneousImpacts::Together,
-    };
-    let together = ExactSideBySide::new(settings, scenes.excitation, clock(0.02));
-    let together = together.map_err(|error| error.to_string())?;
-    let Rows::Structures(rows) = &scenes.rows else {
-        return Err("the exact method runs towers one by one".into());
-    };
+/// The same by the exact method, which keeps no time step: a clock says how long it runs.
+fn exact_in_lanes(scenes: &Scenes<'_>, rows: &[Row<Elastic>], tolerance: f64) -> Outcome<Measured> {
+    // The least that lanes take; with impacts it changes nothing.
+    let settings = exact(tolerance.max(1e-12));
+    let together = ExactSideBySide::new(settings, scenes.excitation, recorded())?;
     let rows: Vec<_> = rows.iter().enumerate().collect();
-    Ok(beside(scenes, |tallies| {
-        tallies.begin(rows.len(), (2, 1));
-        together.run(&rows, tallies);
+    Ok(beside(scenes, |sums| {
+        sums.begin(rows.len(), (2, 1));
+        together.run(&rows, sums);
     }))
 }
 
@@ -87,7 +72,7 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
         let [left, right] = scenes
             .tops
             .map(|top| tallies.displacement(scene, top).abs());
-        let impulses = (0..scenes.n_pairs()).map(|pair| tallies.pair(scene, pair).impulse);
+        let impulses = (0..scenes.n_pairs).map(|pair| tallies.pair(scene, pair).impulse);
         [left, right, impulses.sum()]
     };
     Measured {
@@ -96,17 +81,16 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
     }
 }
 
-/// One scene after the other, each with its recorders.
+/// One scene after the other by the exact method, each with its recorders.
 fn alone<Column: Hysteretic>(
     scenes: &Scenes<'_>,
     rows: &[Row<Column>],
-    integrator: Integrator,
+    tolerance: f64,
 ) -> Measured {
-    let run = (integrator, clock(0.02));
     let mut found = Vec::new();
     let seconds = timed(|| {
         let one = |row| {
-            let solved = solved(row, scenes.tops, scenes.excitation, run);
+            let solved = solved(row, scenes.tops, scenes.excitation, tolerance);
             solved.map_or([f64::NAN; 3], |one| one.0)
         };
         found = rows[..SCENES].iter().map(one).collect();

@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use super::entrants::{ENTRANTS, Entrant, OURS};
+use super::entrants::{Entrant, OURS, entrants};
 use super::environment::Worker;
+use super::own;
 use super::scenes::{Measured, SCENES, Scenes};
-use super::{own, work};
+use crate::measure::{Outcome, median};
 
 /// A setting of an entrant.
 #[derive(Debug, Clone)]
@@ -45,7 +46,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 impl Rung {
     /// Median CPU time of a scene \[s\].
     pub(super) fn seconds(&self) -> f64 {
-        work::median(self.seconds.clone())
+        median(self.seconds.clone())
     }
 
     /// How long all measurements so far took, and one more \[s\].
@@ -73,7 +74,7 @@ fn measured(
     setting: f64,
     scenes: &Scenes<'_>,
     worker: &mut Worker,
-) -> Result<Measured, String> {
+) -> Outcome<Measured> {
     if entrant.tool == OURS {
         own::measured(scenes, entrant.method, setting)
     } else {
@@ -82,17 +83,15 @@ fn measured(
 }
 
 /// Races everybody on the scenes of a kind.
-pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, String> {
+pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Outcome<Raced> {
     let [law, title] = scenes.kind.names();
-    let takes_part = |entrant: &&Entrant| {
-        entrant.runs.contains(&scenes.kind) && (entrant.tool == OURS || worker.has(entrant.tool))
-    };
-    let entrants: Vec<&Entrant> = ENTRANTS.iter().filter(takes_part).collect();
+    let takes_part = |entrant: &Entrant| entrant.tool == OURS || worker.has(entrant.tool);
+    let entrants: Vec<Entrant> = entrants(scenes.kind).filter(takes_part).collect();
     let mut runs = Vec::new();
     for entrant in entrants {
         let mut rungs = Vec::new();
         for &setting in entrant.knob.ladder() {
-            let one = measured(entrant, setting, scenes, &mut *worker)?;
+            let one = measured(&entrant, setting, scenes, &mut *worker)?;
             rungs.push(Rung {
                 setting,
                 error: scenes.error(&one.found),
@@ -103,10 +102,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, Str
             }
         }
         println!("{}: {}, {} settings", law, entrant.label, rungs.len());
-        runs.push(Run {
-            entrant: *entrant,
-            rungs,
-        });
+        runs.push(Run { entrant, rungs });
     }
     for _ in 1..ROUNDS {
         for run in &mut runs {

@@ -1,7 +1,5 @@
 //! What the race says: every setting, error levels, the least error of everybody, and the figure.
 
-use std::fmt::Write as _;
-
 use pounding_studies::{Competitor, WorkPrecision};
 
 use super::race::{Raced, Run};
@@ -28,9 +26,8 @@ fn ratio(value: f64) -> String {
 }
 
 /// Every setting of everybody: error, CPU time over the unit, and over that of our cheapest method with the same error.
-pub(super) fn settings_csv(all: &[Raced]) -> String {
-    let mut csv =
-        String::from("law,tool,method,setting,error,cpu_time_ratio,over_ours_at_this_error\n");
+pub(super) fn settings(all: &[Raced]) -> Vec<String> {
+    let mut lines = Vec::new();
     for raced in all {
         let ours = points(raced, Run::is_ours);
         for run in &raced.runs {
@@ -39,8 +36,7 @@ pub(super) fn settings_csv(all: &[Raced]) -> String {
                 let over = work::cheapest(&ours, rung.error).map(|(_, own)| ratio(seconds / own));
                 let over = over.filter(|_| rung.error.is_finite()).unwrap_or_default();
                 let entrant = &run.entrant;
-                writeln!(
-                    csv,
+                lines.push(format!(
                     "{},{},{},{},{:.1e},{},{over}",
                     raced.law,
                     entrant.tool,
@@ -48,12 +44,11 @@ pub(super) fn settings_csv(all: &[Raced]) -> String {
                     entrant.knob.words(rung.setting),
                     rung.error,
                     ratio(seconds / raced.unit),
-                )
-                .expect("a string takes all");
+                ));
             }
         }
     }
-    csv
+    lines
 }
 
 /// At every error level our cheapest method, and the best package and the best compiled loop over it.
@@ -103,17 +98,15 @@ fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
 }
 
 /// The least error of everybody: whether all come to the same answer.
-pub(super) fn checks(all: &[Raced]) -> String {
-    let mut text = String::from("\nLeast error against the exact method, over all settings:\n");
+pub(super) fn check(all: &[Raced]) {
+    println!("\nLeast error against the exact method, over all settings:");
     for raced in all {
         for run in &raced.runs {
             let errors = run.rungs.iter().map(|rung| rung.error);
             let least = errors.fold(f64::INFINITY, f64::min);
-            writeln!(text, "  {}: {}: {least:.1e}", raced.law, run.entrant.label)
-                .expect("a string takes all");
+            println!("  {}: {}: {least:.1e}", raced.law, run.entrant.label);
         }
     }
-    text
 }
 
 /// A panel of the figure.

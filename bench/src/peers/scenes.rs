@@ -1,27 +1,29 @@
 //! What everybody solves: random scenes that touch, and their exact answers.
 
+use std::error::Error;
 use std::path::Path;
 
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
-use pounding_lanes::{RowsOf, SceneSums, SideBySide};
+use pounding_contact::ContactLaw;
+use pounding_lanes::{SceneSums, SideBySide};
 use pounding_solver::{
-    Bilinear, Clock, Collisions, Elastic, Exact, Excitation, Hysteretic, Integrator, Levels, Node,
-    Pair, Peaks, Row, SimultaneousImpacts, Support,
+    Bilinear, Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Levels, Peaks, Row,
+    Support,
 };
-use rand_pcg::Pcg64;
 use serde_json::{Value, json};
 
-use crate::lanes::{Law, STOREYS, towers};
-use crate::setting::{self, DAMPING, GAPS, MASS, PERIODS, RESTITUTION, STIFFNESS};
+use crate::measure::{Outcome, median};
+use crate::scenes::{Beside, LEFT, RIGHT, laws, numbers, rows, structures, towers};
+use crate::setting::{self, CLOCK, STEPPING, exact, recorded};
 
 /// Scenes whose errors are measured, and those that run in lanes: as many as a sweep hands over at once, of which the former are the first.
 pub(super) const SCENES: usize = 8;
 pub(super) const IN_LANES: usize = 256;
-/// Time step of the record \[s\], and how long the scenes last \[s\].
-const GROUND_STEP: f64 = 0.02;
-pub(super) const DURATION: f64 = 10.0;
 /// A scene whose least impact is a smaller part of its largest is left out: bounces that come to rest ask for a rule that packages lack.
 const LEAST_IMPACT: f64 = 1e-3;
+
+/// The tolerance of answers, and the tops of two structures of one storey.
+const ANSWER: f64 = 1e-16;
+const STRUCTURES: [usize; 2] = [0, 1];
 
 /// Peak displacements of both tops \[m\] and the sum of impulses \[N·s\] of a scene.
 pub(super) type Found = [f64; 3];
@@ -57,26 +59,15 @@ pub(super) enum Rows {
 /// Scenes of one kind.
 pub(super) struct Scenes<'a> {
     pub(super) kind: Kind,
+    law: ContactLaw,
     /// All rows; errors are measured on the first.
     pub(super) rows: Rows,
-    /// The last node of either building.
+    /// The nodes of the tops of both buildings.
     pub(super) tops: [usize; 2],
+    pub(super) n_pairs: usize,
     pub(super) excitation: Excitation<'a>,
     /// Exact answers of the first.
-    pub(super) answers: Vec<Found>,
-}
-
-/// Accelerations of the record at its own step \[m/s²\].
-pub(super) fn ground(root: &Path) -> Result<Vec<f64>, String> {
-    setting::ground(root, GROUND_STEP, clock(GROUND_STEP).n_steps)
-}
-
-/// The exact method at a tolerance.
-pub(super) fn exact(tolerance: f64) -> Integrator {
-    Integrator::Exact(Exact {
-        tolerance,
-        simultaneous_impacts: SimultaneousImpacts::Together,
-    })
+    answers: Vec<Found>,
 }
 
 /// The clock of a time step \[s\].
@@ -88,125 +79,72 @@ pub(super) fn exact(tolerance: f64) -> Integrator {
 pub(super) fn clock(time_step: f64) -> Clock {
     Clock {
         time_step,
-        n_steps: (DURATION / time_step).round() as usize,
+        n_steps: (CLOCK.time_step * CLOCK.n_steps as f64 / time_step).round() as usize,
     }
 }
 
-/// A run of a row, with the recorders that find what is compared.
+/// The numbers to compare of a scene by the exact method at a tolerance, and its collisions; `None` if it fails.
 pub(super) fn solved<Column: Hysteretic>(
     row: &Row<Column>,
     tops: [usize; 2],
     excitation: Excitation<'_>,
-    (integrator, clock): (Integrator, Clock),
+    tolerance: f64,
 ) -> Option<(Found, Collisions)> {
     let n = row.nodes().len();
     let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
-    integrator.run(row, excitation, clock, &mut recorder).ok()?;
+    let integrator = Integrator::Exact(exact(tolerance));
+    let ran = integrator.run(row, excitation, recorded(), &mut recorder);
     let (peaks, collisions) = recorder;
     let [left, right] = tops.map(|node| peaks.of(node).displacement.value.abs());
     let impulse = collisions.all().iter().map(|one| one.impulse).sum();
-    Some(([left, right, impulse], collisions))
+    ran.ok().map(|_| ([left, right, impulse], collisions))
+}
+
+/// Accelerations of the record at its own step \[m/s²\].
+pub(super) fn ground(root: &Path) -> Outcome<Vec<f64>> {
+    setting::ground(root, recorded())
 }
 
 impl<'a> Scenes<'a> {
     /// The scenes of all kinds: those of structures are the same with both laws as far as they touch.
-    pub(super) fn of_all_kinds(ground: &'a [f64]) -> Result<[Self; 3], String> {
-        let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact);
-        let element = element.map_err(|error| error.to_string())?;
-        let impact = ContactLaw::Stereomechanical(Stereomechanical {
-            restitution: RESTITUTION,
-        });
-        let excitation = Excitation::new(GROUND_STEP, ground).map_err(|error| error.to_string())?;
-        let compliant = ContactLaw::NonlinearViscoelastic(element);
-        Ok([
-            Self::of_structures((Kind::Impulsive, impact), excitation)?,
-            Self::of_structures((Kind::Compliant, compliant), excitation)?,
-            Self::of_towers(element, excitation)?,
-        ])
-    }
-
-    fn of_structures(
-        (kind, law): (Kind, ContactLaw),
-        excitation: Excitation<'a>,
-    ) -> Result<Self, String> {
-        let mut random = setting::random();
-        let (mut rows, mut answers) = (Vec::new(), Vec::new());
-        let tops = [0, 1];
-        while rows.len() < IN_LANES {
-            let row = drawn(law, &mut random)?;
-            let (found, collisions) = answered(&row, tops, excitation)?;
-            if !plain(&collisions) {
-                continue;
-            }
-            rows.push(row);
-            if answers.len() < SCENES {
-                answers.push(found);
-            }
-        }
-        Ok(Self {
-            kind,
-            rows: Rows::Structures(rows),
-            tops,
-            excitation,
-            answers,
-        })
-    }
-
-    /// Those of the loop by hand that touch.
-    fn of_towers(
-        element: NonlinearViscoelastic,
-        excitation: Excitation<'a>,
-    ) -> Result<Self, String> {
-        let words = |error: pounding_solver::ModelError| error.to_string();
-        let levels = Levels::new(&STOREYS);
-        let law = Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio);
-        let groups = towers::groups();
-        let all = groups
-            .iter()
-            .flat_map(|group| towers::rows(group, &levels, law));
-        let all = all.collect::<Result<Vec<_>, _>>().map_err(words)?;
-        let clock = clock(setting::CLOCK.time_step);
-        let together = SideBySide::new(setting::STEPPING, excitation, clock);
-        let together = together.map_err(|error| error.to_string())?;
-        let mut tallies = SceneSums::default();
-        let n_steps = vec![clock.n_steps; all.len()];
-        together.run(
-            RowsOf::Bilinear(&all.iter().collect::<Vec<_>>()),
-            &n_steps,
-            &mut tallies,
-        );
-        let n_pairs = all[0].pairs().len();
-        let touches =
-            |scene: usize| (0..n_pairs).any(|pair| tallies.pair(scene, pair).collisions > 0.0);
-        let rows = all
-            .into_iter()
-            .enumerate()
-            .filter(|(scene, _)| touches(*scene));
-        let rows: Vec<_> = rows.map(|(_, row)| row).take(IN_LANES).collect();
-        let tops = [0, 1].map(|tower| levels.of(tower)[STOREYS[tower] - 1]);
-        let answer = |row| match answered(row, tops, excitation)?.0 {
-            [.., 0.0] => Err(String::from("towers touch in coarse steps alone")),
-            found => Ok(found),
+    pub(super) fn of_all_kinds(ground: &'a [f64]) -> Outcome<[Self; 3]> {
+        let excitation = Excitation::new(setting::RECORDED, ground)?;
+        let [impacts, element] = laws()?;
+        let of_structures = |kind, law| {
+            let (rows, answers) = plain(&rows(&structures(), law)?, excitation)?;
+            Ok::<_, Box<dyn Error>>(Self {
+                kind,
+                law,
+                rows: Rows::Structures(rows),
+                tops: STRUCTURES,
+                n_pairs: 1,
+                excitation,
+                answers,
+            })
         };
-        let answers = rows[..SCENES]
-            .iter()
-            .map(answer)
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
-            kind: Kind::Towers,
-            rows: Rows::Towers(rows),
-            tops,
-            excitation,
-            answers,
-        })
-    }
-
-    /// Pairs of a row.
-    pub(super) fn n_pairs(&self) -> usize {
-        match &self.rows {
-            Rows::Structures(rows) => rows[0].pairs().len(),
-            Rows::Towers(rows) => rows[0].pairs().len(),
-        }
+        let levels = Levels::new(&[LEFT, RIGHT]);
+        let tops = [levels.of(0)[LEFT - 1], levels.of(1)[RIGHT - 1]];
+        let rows = touching(rows(&towers(), element)?, excitation)?;
+        let answer = |row| match solved(row, tops, excitation, ANSWER) {
+            None | Some(([.., 0.0], _)) => Err("towers that touch in coarse steps alone, or fail"),
+            Some((found, _)) => Ok(found),
+        };
+        Ok([
+            of_structures(Kind::Impulsive, impacts)?,
+            of_structures(Kind::Compliant, element)?,
+            Self {
+                kind: Kind::Towers,
+                law: element,
+                answers: rows[..SCENES]
+                    .iter()
+                    .map(answer)
+                    .collect::<Result<_, _>>()?,
+                rows: Rows::Towers(rows),
+                tops,
+                n_pairs: RIGHT,
+                excitation,
+            },
+        ])
     }
 
     /// The median over the scenes of the largest relative error of a scene; infinite where half of them have none.
@@ -223,65 +161,63 @@ impl<'a> Scenes<'a> {
                 }
             })
         };
-        let errors: Vec<f64> = found.iter().zip(&self.answers).map(of_scene).collect();
-        super::work::median(errors)
+        median(found.iter().zip(&self.answers).map(of_scene))
     }
 }
 
-/// The exact answer of a row.
-fn answered<Column: Hysteretic>(
-    row: &Row<Column>,
-    tops: [usize; 2],
+/// Structures that touch, and in which no bounce dies away, with the answers of the first.
+fn plain(
+    all: &[Row<Elastic>],
     excitation: Excitation<'_>,
-) -> Result<(Found, Collisions), String> {
-    let run = (exact(1e-16), clock(GROUND_STEP));
-    solved(row, tops, excitation, run).ok_or_else(|| "the exact method fails in a scene".into())
+) -> Outcome<(Vec<Row<Elastic>>, Vec<Found>)> {
+    let (mut rows, mut answers) = (Vec::new(), Vec::new());
+    for row in all {
+        let solved = solved(row, STRUCTURES, excitation, ANSWER);
+        let (found, collisions) = solved.ok_or("the exact method fails in a scene")?;
+        let impulses = || collisions.all().iter().map(|one| one.impulse);
+        let largest = impulses().fold(0.0, f64::max);
+        if largest > 0.0 && impulses().all(|impulse| impulse > LEAST_IMPACT * largest) {
+            rows.push(row.clone());
+            answers.push(found);
+        }
+        if rows.len() == IN_LANES {
+            break;
+        }
+    }
+    answers.truncate(SCENES);
+    Ok((rows, answers))
 }
 
-/// Whether a scene touches, and no bounce dies away.
-fn plain(collisions: &Collisions) -> bool {
-    let impulses = || collisions.all().iter().map(|one| one.impulse);
-    let largest = impulses().fold(0.0, f64::max);
-    largest > 0.0 && impulses().all(|impulse| impulse > LEAST_IMPACT * largest)
-}
-
-fn drawn(law: ContactLaw, random: &mut Pcg64) -> Result<Row<Elastic>, String> {
-    let mut between = |range: [f64; 2]| setting::between(random, range);
-    let mut node = || {
-        let omega = 2.0 * std::f64::consts::PI / between(PERIODS);
-        let column = Elastic {
-            stiffness: MASS * omega * omega,
-        };
-        Node::structure(MASS, 2.0 * DAMPING * MASS * omega, column)
-    };
-    let nodes = vec![node(), node()];
-    let pair = Pair::of_floors(0, 1, between(GAPS), law);
-    Row::new(nodes, vec![pair]).map_err(|error| error.to_string())
+/// Towers that touch in steps of the loop by hand.
+fn touching(all: Vec<Row<Bilinear>>, excitation: Excitation<'_>) -> Outcome<Vec<Row<Bilinear>>> {
+    let mut sums = SceneSums::default();
+    let together = SideBySide::new(STEPPING, excitation, CLOCK)?;
+    let rows: Vec<_> = all.iter().collect();
+    together.run(
+        Bilinear::rows(&rows),
+        &vec![CLOCK.n_steps; rows.len()],
+        &mut sums,
+    );
+    let touches = |scene: usize| (0..RIGHT).any(|pair| sums.pair(scene, pair).collisions > 0.0);
+    let rows = all.into_iter().enumerate();
+    let rows = rows.filter(|(scene, _)| touches(*scene));
+    Ok(rows.map(|(_, row)| row).take(IN_LANES).collect())
 }
 
 /// The scenes as the worker reads them.
 pub(super) fn as_json(all: &[Scenes<'_>], ground: &[f64]) -> Value {
-    let kinds: Vec<Value> = all.iter().map(kind_as_json).collect();
-    json!({"duration": DURATION, "ground_step": GROUND_STEP, "ground": ground, "laws": kinds})
-}
-
-fn kind_as_json(scenes: &Scenes<'_>) -> Value {
-    let (law, rows): (_, Vec<Value>) = match &scenes.rows {
-        Rows::Structures(rows) => (
-            rows[0].pairs()[0].law,
-            rows[..SCENES].iter().map(structures_as_json).collect(),
-        ),
-        Rows::Towers(rows) => (
-            rows[0].pairs()[0].law,
-            rows[..SCENES].iter().map(towers_as_json).collect(),
-        ),
+    let kind = |scenes: &Scenes<'_>| {
+        let rows: Vec<Value> = match &scenes.rows {
+            Rows::Structures(rows) => rows[..SCENES].iter().map(structures_as_json).collect(),
+            Rows::Towers(rows) => rows[..SCENES].iter().map(towers_as_json).collect(),
+        };
+        let (impulsive, [a, b]) = numbers(scenes.law);
+        let (name, kind) = (scenes.kind.names()[0], u8::from(!impulsive));
+        json!({"name": name, "kind": kind, "a": a, "b": b, "scenes": rows})
     };
-    let (kind, a, b) = if let ContactLaw::NonlinearViscoelastic(law) = law {
-        (1, law.impact_stiffness, law.impact_damping_ratio)
-    } else {
-        (0, RESTITUTION, 0.0)
-    };
-    json!({"name": scenes.kind.names()[0], "kind": kind, "a": a, "b": b, "scenes": rows})
+    let duration = CLOCK.time_step * CLOCK.n_steps as f64;
+    let laws: Vec<Value> = all.iter().map(kind).collect();
+    json!({"duration": duration, "ground_step": setting::RECORDED, "ground": ground, "laws": laws})
 }
 
 fn structures_as_json(row: &Row<Elastic>) -> Value {
@@ -293,14 +229,14 @@ fn structures_as_json(row: &Row<Elastic>) -> Value {
         right.column.stiffness,
         left.damping,
         right.damping,
-        row.pairs()[0].gap()
+        row.pairs()[0].gap
     ])
 }
 
 /// Storeys of both towers from the ground up: mass, dampings against the floor below and against the ground, stiffness, yield force and
 /// hardening; and the gap.
 fn towers_as_json(row: &Row<Bilinear>) -> Value {
-    let levels = Levels::new(&STOREYS);
+    let levels = Levels::new(&[LEFT, RIGHT]);
     let storey = |node: &usize| {
         let node = &row.nodes()[*node];
         let column = &node.column;
@@ -319,7 +255,7 @@ fn towers_as_json(row: &Row<Bilinear>) -> Value {
         ])
     };
     let towers = [0, 1].map(|tower| levels.of(tower).iter().map(storey).collect::<Vec<_>>());
-    json!({"towers": towers, "gap": row.pairs()[0].gap()})
+    json!({"towers": towers, "gap": row.pairs()[0].gap})
 }
 
 /// What one measurement gives.

@@ -1,11 +1,5 @@
 //! CPU time at an error, from what a ladder of settings measured.
 
-/// The median of a list that is not empty; the upper one of two.
-pub(super) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
 /// CPU time to come to an error, from CPU times and errors of the settings of a method.
 ///
 /// Between the cheapest setting that is as accurate and the most accurate one that is cheaper, a power law. Nothing where no setting is as

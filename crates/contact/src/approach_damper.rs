@@ -6,7 +6,7 @@
 //!
 //! Near a = 0 these are differences of nearly equal numbers; with φ(x) = ½ − xψ(x) they are not.
 
-use crate::form::{Action, Form, Term};
+use crate::form::{Action, Form, Power};
 use crate::search::root;
 
 /// Arguments below this go by series.
@@ -22,20 +22,13 @@ const SMALL: f64 = 0.25;
 pub const SLOWEST_APPROACH: f64 = 1e-3;
 
 /// The force: `spring` (1 + aδ̇/v₀), v₀ not below [`SLOWEST_APPROACH`].
-pub(crate) fn form(spring: Term, factor: f64, speed: f64, action: Action) -> Form {
-    let damper = Term {
-        coefficient: spring.coefficient * factor / speed.max(SLOWEST_APPROACH),
-        power: spring.power,
-    };
-    Form {
-        spring,
-        damper,
-        action,
-    }
+pub fn form(spring: (f64, Power), factor: f64, speed: f64, action: Action) -> Form {
+    let damper = spring.0 * factor / speed.max(SLOWEST_APPROACH);
+    Form::new(spring, (damper, spring.1), action)
 }
 
 /// 2φ(a): part of the kinetic energy \[–\] that is stored at the largest deformation.
-pub(crate) fn stored(factor: f64) -> f64 {
+pub fn stored(factor: f64) -> f64 {
     if factor < SMALL {
         1.0 - 2.0 * factor * psi(factor)
     } else {
@@ -44,21 +37,21 @@ pub(crate) fn stored(factor: f64) -> f64 {
 }
 
 /// e that a damper of both phases delivers.
-pub(crate) fn restitution(factor: f64) -> f64 {
+pub fn restitution(factor: f64) -> f64 {
     // 1 − ea > 0: the force of a free impact never falls to zero before the parting.
     let most = if factor > 1.0 { 1.0 / factor } else { 1.0 };
     root(0.0, most, |restitution| balance(factor, restitution))
 }
 
 /// Factor a with which a damper of both phases delivers e, in (0, 1].
-pub(crate) fn factor(restitution: f64) -> f64 {
+pub fn factor(restitution: f64) -> f64 {
     root(0.0, 1.0 / restitution, |factor| {
         balance(factor, restitution)
     })
 }
 
 /// Factor a with which a damper of the approach alone delivers e, in (0, 1].
-pub(crate) fn factor_on_approach(restitution: f64) -> f64 {
+pub fn factor_on_approach(restitution: f64) -> f64 {
     let lost = 0.5 * (1.0 - restitution) * (1.0 + restitution);
     // φ(a) < 1/a.
     let most = 2.0 / (restitution * restitution);

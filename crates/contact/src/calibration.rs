@@ -1,6 +1,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::ParameterError;
+
 /// How the damping of a law is chosen from the coefficient of restitution asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -9,4 +11,18 @@ pub enum Calibration {
     Literature,
     /// By the relation that holds exactly for a free pair: the law delivers the e asked for.
     Exact,
+}
+
+/// A law that cannot be calibrated as asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CalibrationError {
+    /// A stiffness or an e out of range.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// The literature gives no formula for this law.
+    #[error("{law}: the literature gives no damping for an e; allowed is the exact calibration")]
+    NoFormula {
+        /// Name of the law.
+        law: &'static str,
+    },
 }

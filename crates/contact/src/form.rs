@@ -141,6 +141,21 @@ impl<N: Number> Form<N> {
 }
 
 impl Form {
+    /// A spring and a damper, each by its coefficient and power.
+    pub const fn new(spring: (f64, Power), damper: (f64, Power), action: Action) -> Self {
+        Self {
+            spring: Term {
+                coefficient: spring.0,
+                power: spring.1,
+            },
+            damper: Term {
+                coefficient: damper.0,
+                power: damper.1,
+            },
+            action,
+        }
+    }
+
     /// The same at δ ≤ 0, where the damper acts from the touch on; nothing elsewhere.
     pub(crate) fn before_touch(&self, deformation: f64, rate: f64) -> Option<ContactForce> {
         let (stiffness, damping) = (self.spring.coefficient, self.damper.coefficient);

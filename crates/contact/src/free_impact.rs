@@ -55,7 +55,9 @@ struct Orbit {
 
 impl FreeImpact {
     /// Integrates the collision of a free pair under a form.
-    pub(crate) fn of_form(form: &Form, pair: &FreePair) -> Option<Self> {
+    ///
+    /// Returns `None` where the damping is so strong that the return takes more than twenty thousand steps. Takes about a millisecond.
+    pub fn of_form(form: &Form, pair: &FreePair) -> Option<Self> {
         let orbit = Orbit::new(form, pair);
         let mut peak = 0.0;
         let middle = orbit.approach(|state, step| {

@@ -10,6 +10,12 @@ pub struct FreePair {
 }
 
 impl FreePair {
+    /// Unit mass at unit speed, for laws whose e is that of every pair.
+    pub const UNIT: Self = Self {
+        reduced_mass: 1.0,
+        approach_speed: 1.0,
+    };
+
     /// Impulse of the collision \[N·s\] for an e \[–\]: H = m (1+e) v₀, whatever the law.
     pub fn impulse(&self, restitution: f64) -> f64 {
         self.reduced_mass * (1.0 + restitution) * self.approach_speed

@@ -4,6 +4,7 @@
 //! and then stores the energy of the velocity v₀ D(ζ), D = exp(−ζ acos ζ/√(1−ζ²)). Beyond ζ = 1 acosh takes the place
 //! of acos.
 
+use crate::FreePair;
 use crate::search::root;
 
 /// D(ζ) \[–\]: velocity that the spring can give back at the largest deformation, per approach speed.
@@ -20,17 +21,20 @@ pub(crate) fn ratio(given_back: f64) -> f64 {
     })
 }
 
-/// Peak of the damped force kδ + cδ̇ during the approach, per √(km) v₀ \[–\].
+/// Peak of the damped force kδ + cδ̇ during the approach of a pair \[N\].
 ///
 /// The force swings as the deformation does, ahead of it by 2 acos ζ; it peaks at ωt√(1−ζ²) = 3 acos ζ − π, which is
 /// the first touch from ζ = 1/2 on.
-pub(crate) fn peak_force(ratio: f64) -> f64 {
-    if ratio >= 0.5 {
-        return 2.0 * ratio;
-    }
-    let arc = libm::acos(ratio);
-    let chord = (1.0 - ratio * ratio).sqrt();
-    libm::exp(-ratio / chord * (3.0 * arc - std::f64::consts::PI))
+pub(crate) fn peak_force(stiffness: f64, ratio: f64, pair: &FreePair) -> f64 {
+    let undamped = (stiffness * pair.reduced_mass).sqrt() * pair.approach_speed;
+    let part = if ratio >= 0.5 {
+        2.0 * ratio
+    } else {
+        let arc = libm::acos(ratio);
+        let chord = (1.0 - ratio * ratio).sqrt();
+        libm::exp(-ratio / chord * (3.0 * arc - std::f64::consts::PI))
+    };
+    undamped * part
 }
 
 /// acos ζ/√(1−ζ²), continued through ζ = 1 (where it is 0/0 and equals 1) as acosh ζ/√(ζ²−1).

@@ -1,7 +1,7 @@
 //! Machines with narrower vectors than this one.
 
 use fearless_simd::Level;
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 
 use super::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
@@ -46,10 +46,11 @@ fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elast
 }
 
 fn laws() -> [ContactLaw; 2] {
-    let element = NonlinearViscoelastic::calibrated(1e9, 0.65, Calibration::Exact);
+    let asked = (0.65, Calibration::Exact);
+    let element = LawName::NonlinearViscoelastic.calibrated(1e9, asked, &FreePair::UNIT);
     [
         ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 }),
-        ContactLaw::NonlinearViscoelastic(element.expect("valid")),
+        element.expect("valid"),
     ]
 }
 

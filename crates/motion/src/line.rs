@@ -53,11 +53,15 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// The fields between commas, or else between blanks.
+    /// The fields between commas, or else between blanks. Empty ones at the end, which spreadsheets add, are left out.
     pub(crate) fn fields(self) -> Fields<'a> {
+        let is_empty = |byte: &u8| *byte == b',' || byte.is_ascii_whitespace();
+        let end = self.bytes.iter().rposition(|byte| !is_empty(byte));
+        let held = &self.bytes[..end.map_or(0, |last| last + 1)];
         Fields {
-            commas: memchr::memchr(b',', self.bytes).is_some(),
-            ..self.pieces()
+            rest: held,
+            is_over: held.is_empty(),
+            commas: memchr::memchr(b',', held).is_some(),
         }
     }
 

@@ -68,6 +68,14 @@ impl AccelerationUnit {
         }
     }
 
+    /// What one of this unit is in another one, with the standard g of 9.80665 m/s².
+    pub fn worth_in(self, other: Self) -> f64 {
+        if self == other {
+            return 1.0;
+        }
+        self.to_si(1.0, 9.806_65) / other.to_si(1.0, 9.806_65)
+    }
+
     /// Whether the worth of the unit depends on that of g.
     pub(crate) fn needs_gravity(self) -> bool {
         matches!(self, Self::StandardGravity | Self::MilliG | Self::TenthG)

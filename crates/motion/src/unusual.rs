@@ -5,11 +5,13 @@ use std::ops::RangeInclusive;
 
 use pounding_text::{short, two_digits};
 
+use crate::AccelerationUnit;
+
 /// Usual time steps of strong motion \[s\].
 const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
 
-/// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
-const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
+/// Peaks of records that are chosen for buildings \[g\]. A weaker one in a unit that is declared is held against other units.
+const CHOSEN_PEAKS: RangeInclusive<f64> = 0.1..=1.5;
 
 /// Part of the peak that resampling may take without a word.
 const USUAL_LOSS: f64 = 1e-3;
@@ -29,6 +31,17 @@ pub enum Unusual {
     Peak {
         /// Largest magnitude, in multiples of 9.80665 m/s² \[g\].
         found: f64,
+    },
+    /// A weak peak in a unit that is declared, which would be usual in another one.
+    DeclaredUnit {
+        /// Largest magnitude as declared \[g\].
+        found: f64,
+        /// The declared unit.
+        declared: AccelerationUnit,
+        /// The other unit.
+        other: AccelerationUnit,
+        /// Largest magnitude in that \[g\].
+        instead: f64,
     },
     /// Values that are all zero.
     Zero {
@@ -74,13 +87,32 @@ pub enum Unusual {
 }
 
 impl Unusual {
+    /// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
+    pub const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
+
     /// What looks wrong of the time step \[s\] and the peak \[g\] of a record; that it is zero is told elsewhere.
     pub(crate) fn of_record(time_step: f64, peak: f64) -> impl Iterator<Item = Self> {
         let step =
             (!USUAL_STEPS.contains(&time_step)).then_some(Self::TimeStep { found: time_step });
-        let is_usual = USUAL_PEAKS.contains(&peak) || peak <= 0.0;
+        let is_usual = Self::USUAL_PEAKS.contains(&peak) || peak <= 0.0;
         let peak = (!is_usual).then_some(Self::Peak { found: peak });
         step.into_iter().chain(peak)
+    }
+
+    /// What a declared unit makes of the values, if the peak \[g\] is weak and usual of strong motion in another unit.
+    pub(crate) fn of_unit(declared: AccelerationUnit, peak: f64) -> Option<Self> {
+        let is_weak = (*Self::USUAL_PEAKS.start()..*CHOSEN_PEAKS.start()).contains(&peak);
+        // The plain units: thousandths and tenths of g are no slip.
+        let others = AccelerationUnit::ALL[..3].iter();
+        let in_units = others.map(|other| (*other, peak * other.worth_in(declared)));
+        let mut chosen = in_units.filter(|(_, peak)| CHOSEN_PEAKS.contains(peak));
+        let (other, instead) = chosen.next().filter(|_| is_weak)?;
+        Some(Self::DeclaredUnit {
+            found: peak,
+            declared,
+            other,
+            instead,
+        })
     }
 
     /// What resampling took off the peak, if that is much.
@@ -97,10 +129,26 @@ impl Unusual {
     pub fn found(&self) -> String {
         match self {
             Self::TimeStep { found } => format!("a time step of {found} s in the file"),
+            // Two digits would round it to what is usual.
+            Self::Peak { found } if (0.0195..0.02).contains(found) => {
+                format!("a peak of {found:.4} g in the file")
+            }
             Self::Peak { found } if *found < 1.0 => {
                 format!("a peak of {} g in the file", two_digits(*found))
             }
             Self::Peak { found } => format!("a peak of {found:.1} g in the file"),
+            Self::DeclaredUnit {
+                found,
+                declared,
+                other,
+                instead,
+            } => format!(
+                "a peak of {} g in the file, with the unit {} as declared; in {} the values would peak at {} g",
+                two_digits(*found),
+                declared.symbol(),
+                other.symbol(),
+                two_digits(*instead)
+            ),
             Self::Zero { found } => format!("{found} values in the file that are all zero"),
             Self::OneSigned {
                 found,
@@ -140,6 +188,7 @@ impl Unusual {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",
             Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
+            Self::DeclaredUnit { .. } => "0.1 to 1.5 g, where the unit is declared",
             Self::Zero { .. } => "shaking",
             Self::OneSigned { .. } => {
                 "shaking both ways; a spectrum, a column of times or an offset has one sign"

@@ -40,6 +40,7 @@
 //!
 //! - [`scene::Scene`] and [`scene::Simulation`], for a scene as a file: [`scene::Simulation::review`] adds errors and warnings.
 //! - [`solver::Row`] and [`solver::Integrator`], for a model made in code.
+//! - `examples/` beside the source: a row from numbers, a record of your own, a sweep.
 //! - [`report::Report`] for a folder of results, [`sweep::Sweep`] for thousands of runs.
 
 pub use pounding_contact as contact;

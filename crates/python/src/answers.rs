@@ -169,7 +169,7 @@ pub(crate) fn certify(
     time_step: Option<f64>,
     method: Option<&str>,
 ) -> PyResult<String> {
-    let names = LawName::ALL.map(|law| law.description().name).join("`, `");
+    let names = LawName::ALL.map(LawName::name).join("`, `");
     let named = LawName::from_name(law);
     let law = named.ok_or_else(|| format!("law: found `{law}`, allowed are `{names}`"));
     let law = law.or_refused(py)?;
@@ -222,12 +222,8 @@ pub(crate) fn certify(
 #[pyfunction]
 pub(crate) fn laws() -> Vec<(&'static str, &'static str, &'static str)> {
     let law = |law: &LawName| {
-        let description = law.description();
-        (
-            description.name,
-            description.force,
-            law.stiffness_unit().unwrap_or(""),
-        )
+        let unit = law.stiffness_unit().unwrap_or("");
+        (law.name(), law.about().force, unit)
     };
     LawName::ALL.iter().map(law).collect()
 }

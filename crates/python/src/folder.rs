@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::lines::{Line, Watched, failed, lines_of};
 use pounding_scene::{
-    DesignSpectrum, Error, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
+    DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
 };
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -167,7 +167,10 @@ pub(crate) fn required_gap(
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
-            |prepared, ()| Ok((prepared.separations()?, prepared.doubts())),
+            |prepared, ()| {
+                let (gaps, excesses) = prepared.judged_separations()?;
+                Ok((gaps, excesses, prepared.doubts()))
+            },
         )?;
         let said = [
             vec![suite.counts()],
@@ -177,20 +180,28 @@ pub(crate) fn required_gap(
         Ok((scene, lines.lines, said.concat()))
     })?;
     let (scene, lines, said) = found.or_refused(py)?;
-    let said = [unusual(&lines), said].concat();
+    let said = [unusual(&lines), warnings(&lines), said].concat();
     Ok((gaps(&scene, &lines), said))
 }
 
-/// The widths under a motion in one direction, and what looks wrong.
-type Widths = Line<(Vec<Separation>, Vec<Implausible>)>;
+/// The widths under a motion in one direction, what the motion is beyond its model, and what looks wrong.
+type Widths = Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
-/// What looks wrong, a sentence for each kind; gaps are not those of the scene.
+/// What the widths rest on and should not, a sentence for each kind.
+fn warnings(lines: &[Widths]) -> Vec<String> {
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
+    let beyond = beyond.filter(|one| one.kind.is_caution());
+    beyond.map(|one| one.to_string()).collect()
+}
+
+/// What looks wrong, a sentence for each kind.
 fn unusual(lines: &[Widths]) -> Vec<String> {
     let found = lines
         .iter()
         .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-    Implausible::lines(found.flat_map(|(line, (_, doubts))| {
-        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+    Implausible::lines(found.flat_map(|(line, (.., doubts))| {
+        let doubts = doubts.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
     }))
 }
@@ -201,7 +212,7 @@ fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
         let found = lines
             .iter()
             .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-        found.flat_map(|(line, (gaps, _))| gaps.iter().map(move |gap| (line, gap)))
+        found.flat_map(|(line, (gaps, ..))| gaps.iter().map(move |gap| (line, gap)))
     };
     let name = |side: usize| {
         let names = rows().map(|(_, gap)| scene.structures[gap.left + side].name().to_owned());
@@ -211,6 +222,10 @@ fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
         (
             "record",
             Column::texts(rows().map(|(line, _)| line.motion.clone())),
+        ),
+        (
+            "event",
+            Column::Counts(rows().map(|(line, _)| line.event as u64 + 1).collect()),
         ),
         (
             "reversed",

@@ -240,7 +240,7 @@ def test_issue_components_of_one_event_are_one_event(towers, pulse) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", pounding.PoundingWarning)
         assert towers.assess([one, other]).facts["events"] == 1
-        alike = towers.assess([one, one.using(scale=2.0), other])
+        alike = towers.assess([one, one.using(scale=3.0), other])
         assert [motion["record"] for motion in alike.facts["motions"][::2]] == ["1-ABC-EW", "ABC-EW", "ABC-NS"]
 
 

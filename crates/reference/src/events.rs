@@ -85,7 +85,7 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
                 if parting != Some(index) {
                     events.push(Event::Part(index));
                 }
-                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout())
+                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout)
                 {
                     events.extend([Event::ForcePeak(index), Event::Clamp(index)]);
                 }

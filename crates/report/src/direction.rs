@@ -158,16 +158,19 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();
-    if let Some(said) = prepared.floors().says_no_contact() {
-        return said.into();
-    }
     let excesses = prepared.excesses(result);
-    let at_column = excesses.iter().find(|one| one.kind == ExcessKind::AtColumn);
-    let at_column = at_column.map_or_else(String::new, |one| {
-        format!("; {} may hit a column, which is not modelled", one.name)
-    });
+    let unwatched = excesses.iter().filter(|one| one.kind.is_unwatched());
+    let unwatched: Vec<String> = unwatched.map(|one| format!("; {}", one.brief())).collect();
+    let unwatched = unwatched.concat();
+    if let Some(said) = prepared.floors().says_no_contact() {
+        return format!("{said}{unwatched}");
+    }
     let Some(hardest) = Blow::all(result).into_iter().next() else {
-        return format!("no floors touch{at_column}");
+        return if unwatched.is_empty() {
+            "no floors touch".into()
+        } else {
+            format!("no floors that were looked at touch{unwatched}")
+        };
     };
     let [left, right] = prepared.floors().names(hardest.pair);
     let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
@@ -204,5 +207,5 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     } else {
         String::new()
     };
-    format!("they touch {times}{at}, {how}{place}{at_column}")
+    format!("they touch {times}{at}, {how}{place}{unwatched}")
 }

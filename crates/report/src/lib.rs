@@ -145,6 +145,7 @@ impl<'a> Report<'a> {
     pub fn summary(&self) -> Summary {
         Summary {
             effects: self.effects.clone(),
+            warnings: self.notices(),
             ..Summary::of(self.prepared, &self.review)
         }
     }

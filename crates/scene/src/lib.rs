@@ -75,6 +75,7 @@ pub use file::error::Error;
 pub use file::fault::Fault;
 pub use file::motion_error::MotionError;
 pub use file::reading::{bytes, bytes_of, is_json, parse, position_in, read_file, record_bytes};
+pub use file::refused::Refused;
 pub use file::scene_error::SceneError;
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{
@@ -95,7 +96,7 @@ pub use judge::response::{
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
-pub use simulation::floors::{Floor, FloorAtColumn, FloorPair, Floors, StoreyProperties};
+pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, PairOutcome, Recorders, RunResult,
     Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
@@ -106,4 +107,4 @@ pub use spectrum::{
 };
 pub use statistics::wilson;
 pub use suite::lines;
-pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in, whether_it_shakes};
+pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

@@ -15,6 +15,7 @@ use rayon::prelude::*;
 
 use crate::ground_motion::{opened, shown_name};
 use crate::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source};
+use copies::Copies;
 pub use entries::files_in;
 use entries::{Entry, entries_of};
 pub use left_out::{LeftOut, Reason, ReasonKind};
@@ -86,8 +87,13 @@ impl Motion {
     }
 
     /// Returns the file as it was read.
-    pub fn origin(&self) -> &Origin {
+    pub fn origin(&self) -> &Arc<Origin> {
         &self.origin
+    }
+
+    /// Returns by which words its component was chosen, if the file holds several or one was asked for.
+    pub fn component(&self) -> Option<&str> {
+        self.taken.component.as_deref()
     }
 }
 
@@ -136,6 +142,19 @@ impl Suite {
     /// # Errors
     /// [`Error::Unreadable`] if a folder cannot be read, and those of reading a file that is named itself.
     pub fn of(paths: &[PathBuf], declared: &FileUse) -> Result<Self, Error> {
+        let (mut suite, refused) = Self::listed(paths, declared)?;
+        for one in &mut suite.left_out {
+            one.motion = None;
+        }
+        refused.map_or(Ok(suite), Err)
+    }
+
+    /// Does the same, leaves out files that are named as it does others, and returns the first error of those. What is left
+    /// out has its motion. Of every file only the component that `declared` names is read, if it names one.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if a folder cannot be read.
+    pub fn listed(paths: &[PathBuf], declared: &FileUse) -> Result<(Self, Option<Error>), Error> {
         let mut left_out = Vec::new();
         let mut files = Vec::new();
         for entry in entries_of(paths)? {
@@ -144,33 +163,64 @@ impl Suite {
                 Entry::Other(other) => left_out.push(other),
             }
         }
-        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
-        let named = NamedFile::of_all(&names);
+        // Names are compared with others of their folder, whose files stand together.
+        let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
+        let named = folders.flat_map(|files| {
+            let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+            NamedFile::of_all(&names)
+        });
+        let named: Vec<NamedFile> = named.collect();
         let read: Vec<_> = (files.par_iter().zip(named))
             .map(|(file, named)| of_file(file, named, declared))
             .collect();
-        let mut motions = Vec::new();
         let n_entries = files.len() + left_out.len();
+        let (mut all, mut first) = (Vec::new(), None);
         for (file, read) in files.iter().zip(read) {
             for found in read {
                 match found {
-                    Ok(motion) => motions.push(motion),
-                    Err(Refused::Error(error)) if file.named => return Err(error),
-                    Err(refused) => left_out.push(refused.left_out(&file.path)),
+                    Ok(one) => all.push(one),
+                    Err(refused) => {
+                        left_out.push(refused.left_out(&file.path));
+                        if let (Refused::Error(error), true) = (refused, file.named) {
+                            first.get_or_insert(error);
+                        }
+                    }
                 }
             }
         }
-        let mut suite = Self {
-            n_events: 0,
-            motions,
+        let copies = Copies::among(&mut all);
+        let (n_events, alike) = events::number(&mut all, &copies);
+        copies.leave_out(&mut all);
+        let (motions, others): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|one| one.reason.is_none());
+        left_out.extend(others.into_iter().filter_map(Read::left_out));
+        let suite = Self {
+            n_events,
+            motions: motions.into_iter().map(|one| one.motion).collect(),
             left_out,
             files: files.into_iter().map(|file| file.path).collect(),
             n_entries,
-            alike: Vec::new(),
+            alike,
         };
-        copies::leave_out(&mut suite);
-        events::number(&mut suite);
-        Ok(suite)
+        Ok((suite, first))
+    }
+}
+
+/// A component that was read.
+struct Read {
+    motion: Motion,
+    /// Why it shakes nothing, if so.
+    reason: Option<Reason>,
+}
+
+impl Read {
+    fn left_out(self) -> Option<LeftOut> {
+        Some(LeftOut {
+            name: self.motion.name.clone(),
+            path: self.motion.path.clone(),
+            reason: self.reason?,
+            motion: Some(Box::new(self.motion)),
+        })
     }
 }
 
@@ -181,7 +231,7 @@ struct File {
     named: bool,
 }
 
-/// Why a component of a file shakes nothing.
+/// Why a component of a file is not read.
 enum Refused {
     /// What it is, by its name.
     Component(String, Reason),
@@ -190,28 +240,34 @@ enum Refused {
 }
 
 impl Refused {
-    fn left_out(self, path: &Path) -> LeftOut {
-        match self {
-            Self::Component(name, reason) => LeftOut { name, reason },
-            Self::Error(error) => LeftOut {
-                name: shown_name(path),
-                reason: Reason::of(&error),
-            },
+    fn left_out(&self, path: &Path) -> LeftOut {
+        let (name, reason) = match self {
+            Self::Component(name, reason) => (name.clone(), reason.clone()),
+            Self::Error(error) => (shown_name(path), Reason::of(error)),
+        };
+        LeftOut {
+            name,
+            path: path.to_path_buf(),
+            reason,
+            motion: None,
         }
     }
 }
 
-/// Returns how a component lies, `None` if neither its file nor the file's name tells; the name counts only if the file holds
+/// How a component lies, `None` if neither its file nor the file's name tells; the name counts only if the file holds
 /// nothing else.
 ///
 /// # Errors
 /// Says why it shakes no row: it is vertical, of a borehole or of a structure.
-pub fn whether_it_shakes(
+fn whether_it_shakes(
     channel: &Channel,
     named: &NamedFile,
     several: bool,
 ) -> Result<Option<Direction>, Reason> {
     match &channel.site {
+        Site::Ground if named.in_borehole && !several => {
+            return Err(ReasonKind::Borehole.saying("by its name"));
+        }
         Site::Ground => {}
         Site::Borehole(place) => return Err(ReasonKind::Borehole.saying(place)),
         Site::Structure(place) => return Err(ReasonKind::Structure.saying(place)),
@@ -226,8 +282,8 @@ pub fn whether_it_shakes(
     }
 }
 
-/// The motions of a file: one, or one for each component.
-fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Motion, Refused>> {
+/// The motions of a file: one, or one for each component, or the one that is declared.
+fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Read, Refused>> {
     let path = &file.path;
     let bytes = match opened(path) {
         Ok(bytes) => bytes,
@@ -247,9 +303,13 @@ fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Moti
         found: &found,
         declared,
     };
-    (0..found.channels.len())
-        .map(|index| of.channel(index))
-        .collect()
+    match &declared.component {
+        Some(asked) => vec![of.channel(None, Some(asked.clone()))],
+        None if found.channels.len() == 1 => vec![of.channel(Some(0), None)],
+        None => (0..found.channels.len())
+            .map(|index| of.channel(Some(index), Some(of.chosen(index))))
+            .collect(),
+    }
 }
 
 /// A file that was opened.
@@ -262,33 +322,45 @@ struct OfFile<'a> {
 }
 
 impl OfFile<'_> {
-    fn channel(&self, index: usize) -> Result<Motion, Refused> {
-        let file = shown_name(self.path);
-        let several = self.found.channels.len() > 1;
-        let name = match &self.found.channels[index].name {
-            Some(component) if several => format!("{file} {component}"),
-            _ => file.clone(),
-        };
-        let refused = |reason| Refused::Component(name.clone(), reason);
-        let direction = whether_it_shakes(&self.found.channels[index], &self.named, several)
-            .map_err(refused)?;
+    /// The component that is chosen so; without an index, the one that is read by these words.
+    fn channel(&self, index: Option<usize>, component: Option<String>) -> Result<Read, Refused> {
+        let channels = &self.found.channels;
+        let several = channels.len() > 1;
         let declared = FileUse {
             file: self.path.to_string_lossy().into_owned(),
-            component: several.then(|| self.chosen(index)),
+            component,
             ..self.declared.clone()
         };
-        let (origin, taken) =
-            Origin::of_silent(self.path, self.bytes, &declared).map_err(|error| {
-                if several {
-                    Refused::Component(name.clone(), Reason::of(&error))
-                } else {
-                    Refused::Error(error)
-                }
-            })?;
-        if origin.file.values().iter().all(|value| *value == 0.0) {
-            return Err(refused(ReasonKind::Zeros.saying("")));
-        }
-        Ok(Motion {
+        let read = Origin::of_silent(self.path, self.bytes, &declared);
+        let of_name = || {
+            let (origin, _) = read.as_ref().ok()?;
+            let name = origin.file.component();
+            channels.iter().position(|one| one.name.as_deref() == name)
+        };
+        let channel = &channels[index.or_else(of_name).unwrap_or(0)];
+        let file = shown_name(self.path);
+        let name = match &channel.name {
+            Some(component) if several => format!("{file} {component}"),
+            _ => file,
+        };
+        let placed = whether_it_shakes(channel, &self.named, several);
+        let (origin, taken) = match (read, &placed) {
+            (Ok(read), _) => read,
+            (Err(error), _) if index.is_none() => return Err(Refused::Error(error)),
+            // What is vertical shakes nothing, read or not.
+            (Err(_), Err(reason)) => return Err(Refused::Component(name, reason.clone())),
+            (Err(error), Ok(_)) if several => {
+                return Err(Refused::Component(name, Reason::of(&error)));
+            }
+            (Err(error), Ok(_)) => return Err(Refused::Error(error)),
+        };
+        let is_still = origin.file.values().iter().all(|value| *value == 0.0);
+        let zeros = is_still.then(|| ReasonKind::Zeros.saying(""));
+        let (direction, reason) = match placed {
+            Ok(direction) => (direction, zeros),
+            Err(reason) => (None, Some(reason)),
+        };
+        let motion = Motion {
             name,
             path: self.path.to_path_buf(),
             direction,
@@ -297,7 +369,8 @@ impl OfFile<'_> {
             origin: Arc::new(origin),
             identity: self.found.identity.clone(),
             named: self.named.clone(),
-        })
+        };
+        Ok(Read { motion, reason })
     }
 
     /// By which word its component is chosen: its name, or its number if another has that name.

@@ -35,6 +35,7 @@
 //! - [`Integrator`]: the methods. Read `explicit/verlet.rs` beside `explicit/rk4.rs`, then `exact/mod.rs`.
 //! - [`Recorder`]: [`Peaks`], [`Collisions`], [`Histories`] and [`Ledger`] are recorders; a tuple of recorders is a recorder.
 
+mod any_row;
 mod budget;
 mod clock;
 mod error;
@@ -76,6 +77,7 @@ pub mod formulas {
     pub use crate::span::{Expansion, value};
 }
 
+pub use any_row::{AnyRow, OnRow};
 pub use budget::{Budget, Course};
 pub use clock::Clock;
 pub use error::{ModelError, RunError};
@@ -87,7 +89,6 @@ pub use implicit::hht::Hht;
 pub use implicit::moreau_jean::MoreauJean;
 pub use implicit::newmark::Newmark;
 pub use integrator::Integrator;
-pub use model::any_row::{AnyRow, OnRow};
 pub use model::bilinear::Bilinear;
 pub use model::bouc_wen::{Bent, BoucWen};
 pub use model::column::{

@@ -84,7 +84,7 @@ use motions::Motions;
 use output::{Output, Row};
 pub use parts::Parts;
 pub use place::PlaceError;
-use plan::{Plan, placed, varies_method};
+use plan::{Plan, Setting, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
@@ -228,29 +228,56 @@ impl Sweep {
         self.summary.is_some() && self.without_rows().is_none()
     }
 
-    /// What looks wrong in the motions, and in the row with the first values of grids and lists and the medians of what is sampled.
+    /// What looks wrong in the motions, and in rows with the first values of grids and lists and the medians of what is sampled: in all
+    /// of them, and in one more for each end of each axis.
     pub fn unusual(&self) -> Vec<Implausible> {
-        let of_row = self.first_row().map_or_else(Vec::new, |row| row.doubts());
-        let of_row = of_row.iter().filter(|one| one.is_of_row());
+        let typical = self.plan.typical();
+        let mut of_rows = self.doubts(&typical, false);
+        for (index, axis) in self.plan.axes().iter().enumerate() {
+            let of_record = axis.fields.iter().any(|place| place.begins_with("record"));
+            for end in axis.ends() {
+                let mut settings = typical.clone();
+                settings[index] = end;
+                of_rows.extend(self.doubts(&settings, of_record));
+            }
+        }
         let of_motions = self.motions.unusual.iter();
         let of_motions = of_motions.map(|(name, one)| (name.as_str(), one));
-        Implausible::gathered(of_motions.chain(of_row.map(|one| ("", one))))
+        Implausible::gathered(of_motions.chain(of_rows.iter().map(|one| ("", one))))
+    }
+
+    /// What looks wrong in the row with these values, and if they are of its motion, there.
+    fn doubts(&self, settings: &[Setting], of_record: bool) -> Vec<Implausible> {
+        let mut doubts = self.row(settings).map_or_else(Vec::new, |row| row.doubts());
+        doubts.retain(|one| of_record || one.is_of_row());
+        doubts
     }
 
     /// The row with typical values under the first motion; `None` if it cannot be prepared.
     fn first_row(&self) -> Option<Simulation> {
+        self.row(&self.plan.typical())
+    }
+
+    /// The same with these values, one for each axis.
+    fn row(&self, settings: &[Setting]) -> Option<Simulation> {
         let mut value = self.scene.clone();
-        for (axis, setting) in self.plan.axes().iter().zip(self.plan.typical()) {
-            axis.put(setting, &mut value);
+        for (axis, setting) in self.plan.axes().iter().zip(settings) {
+            axis.put(*setting, &mut value);
         }
         let scene = trial::scene_of(&value).ok()?;
         let (scene, motion) = self.motions.shake(0, scene).ok()?;
         Simulation::shaken(&scene, motion).ok()
     }
 
-    /// What is said of pounding if the scene has no contact; `None` if it has one.
-    pub fn says_no_contact(&self) -> Option<&'static str> {
-        self.first_row()?.floors().says_no_contact()
+    /// What is said of pounding if the scene has no contact, and of floors that no contact lets touch what is beside them.
+    pub fn says_of_contact(&self) -> Vec<String> {
+        let Some(row) = self.first_row() else {
+            return Vec::new();
+        };
+        let none = row.floors().says_no_contact().map(String::from);
+        none.into_iter()
+            .chain(row.floors().says_unwatched())
+            .collect()
     }
 
     /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.

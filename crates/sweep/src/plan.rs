@@ -120,6 +120,9 @@ impl Plan {
     }
 }
 
+/// Values of a list that are looked at for what looks wrong, besides the last.
+const MOST_LISTED: u64 = 16;
+
 /// What must not vary, with what does instead.
 const FIXED: [(&str, &str); 4] = [
     ("name", "it changes no number"),
@@ -220,6 +223,20 @@ impl Axis {
             return Setting::Number(self.spread.sample(coordinate()).expect(sampled));
         };
         self.spread.at(index)
+    }
+
+    /// Settings that show whether some of the axis look wrong: both ends of a grid or of what is sampled, and the first of a list.
+    pub(super) fn ends(&self) -> Vec<Setting> {
+        let Some((_, count)) = self.turns() else {
+            return [0.001, 0.999].map(|part| self.setting(0, || part)).into();
+        };
+        let first = if matches!(self.spread, Spread::Values(_)) {
+            count.min(MOST_LISTED)
+        } else {
+            1
+        };
+        let places = (0..first).chain((count > first).then(|| count - 1));
+        places.map(|place| self.spread.at(place)).collect()
     }
 
     /// Of grids and lists, how many runs have a value before the next comes, and how many values there are.

@@ -92,7 +92,7 @@ mod tests {
         let exact = 16.0 * 11_145.0;
         let halved = |all: f64| prices(all, exact, towers).halved(f64::INFINITY);
         assert_eq!(halved(192.0), None, "measuring alone costs as much");
-        assert_eq!(halved(500.0), Some(2), "5 ms");
+        assert_eq!(halved(500.0), Some(3), "2.5 ms");
         assert_eq!(halved(1e5), Some(4), "1.25 ms");
     }
 

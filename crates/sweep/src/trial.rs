@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::RefusedScene;
@@ -30,22 +29,9 @@ pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
 
 /// Reads a scene whose fields were set; an error names the field.
 pub(super) fn scene_of(value: &Value) -> Result<Scene, RefusedScene> {
-    // Without the way to a field that is wrong, which nearly never is.
-    if let Ok(scene) = Scene::deserialize(value) {
-        return Ok(scene);
-    }
-    let text = value.to_string();
-    pounding_scene::parse(text.as_bytes(), Path::new("scene.json")).map_err(|error| {
-        if let Error::Form {
-            place: Some(place),
-            fault,
-            ..
-        } = error
-        {
-            RefusedScene::Form { place, fault }
-        } else {
-            error.into()
-        }
+    Scene::of_words(value).map_err(|refused| RefusedScene::Form {
+        place: refused.place().into(),
+        fault: Box::new(refused.into_fault()),
     })
 }
 

@@ -4,8 +4,14 @@ mod calibration;
 mod delivered;
 mod force;
 mod given;
+#[expect(unreachable_pub, reason = "in the crate it is reachable")]
+mod marhefka_orin;
 
-use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
+// The law of CONTRIBUTING.md finds them where it finds them in the crate.
+use pounding_contact::{
+    About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name,
+    Power, approach_damper, parameter,
+};
 
 /// The reduced mass of the paper's left and middle structures, nearly, at a usual speed.
 const PAIR: FreePair = FreePair {
@@ -38,4 +44,27 @@ fn damped() -> impl Iterator<Item = LawName> {
 /// e = 0.05, 0.10 … 1.
 fn restitutions() -> impl Iterator<Item = f64> {
     (1..=20).map(|n| 0.05 * f64::from(n)).map(|e| e.min(1.0))
+}
+
+/// The law that CONTRIBUTING.md adds is this one, word for word, and does what the page says.
+#[test]
+fn limit_the_law_of_the_worked_example() {
+    let page = include_str!("../../../../CONTRIBUTING.md");
+    let block = page
+        .split("```rust\n")
+        .nth(1)
+        .and_then(|rest| rest.split("```").next());
+    assert_eq!(block, Some(include_str!("marhefka_orin.rs")));
+    let Exact::Pair(damping, _) = marhefka_orin::MarhefkaOrin::ABOUT.exact else {
+        panic!("its e depends on the speed");
+    };
+    let law = marhefka_orin::MarhefkaOrin {
+        impact_stiffness: 2.75e9,
+        impact_damping: damping(2.75e9, 0.65, &PAIR),
+    };
+    let form = law
+        .form(PAIR.reduced_mass, PAIR.approach_speed)
+        .expect("compliant");
+    let impact = FreeImpact::of_form(&form, &PAIR).expect("it parts");
+    assert!((impact.restitution - 0.65).abs() < 1e-9, "{impact:?}");
 }

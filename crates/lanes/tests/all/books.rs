@@ -1,6 +1,6 @@
 //! Books of contacts side by side: they doubt what a ledger refuses, and little else.
 
-use pounding_contact::{ContactLaw, KelvinVoigt, LinearSpring};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, LinearSpring};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Bilinear, CentralDifference, Clock, Elastic, Excitation, Hysteretic, Integrator, Ledger,
@@ -124,9 +124,9 @@ fn limit_what_a_ledger_refuses_is_doubted() {
 /// Steps that resolve it are not doubted.
 #[test]
 fn limit_ordinary_scenes_are_not_doubted() {
-    let damped = ContactLaw::KelvinVoigt(
-        KelvinVoigt::calibrated(5e7, 0.65, pounding_contact::Calibration::Exact).expect("valid"),
-    );
+    let asked = (0.65, Calibration::Exact);
+    let damped = LawName::KelvinVoigt.calibrated(5e7, asked, &FreePair::UNIT);
+    let damped = damped.expect("valid");
     let spring = ContactLaw::LinearSpring(LinearSpring {
         impact_stiffness: 5e7,
     });

@@ -1,9 +1,10 @@
 //! Two-column CSV: a time and an acceleration to a line, comments after `#`.
 
 use super::numbers::Values;
-use super::plain::has_unit;
+use super::plain::{cut_by_commas, has_unit, may_be_cut};
+use super::said::Said;
 use super::time_column::TimeColumn;
-use super::{Draft, File, Format, Reader, Scale, Stated, no_identity, one_component};
+use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
 use crate::line::Line;
 use crate::{AccelerationUnit, Place, ReadError, RowError};
 
@@ -12,7 +13,7 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components: one_component,
     read: |file, _| read(file),
-    identity: no_identity,
+    identity: |file| Said::new(above(&file.lines), None).identity(),
 };
 
 /// Names of the second column, and the units that they tell.
@@ -39,6 +40,13 @@ fn recognises(file: &File<'_>) -> bool {
             .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && has_unit(value));
         is_time && value.is_some() && fields.next().is_none() && !is_other
     })
+}
+
+/// The comments and blank lines above the header.
+fn above<'l, 't>(lines: &'l [Line<'t>]) -> &'l [Line<'t>] {
+    let is_header = |line: &Line<'_>| !line.is_blank() && !line.is_comment();
+    let end = lines.iter().position(is_header);
+    &lines[..end.unwrap_or(lines.len())]
 }
 
 /// The fields between commas, without quotes.
@@ -75,6 +83,9 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     for line in rows {
         let mut row = fields(line);
         let (Some(time), Some(value), None) = (row.next(), row.next(), row.next()) else {
+            if fields(line).count() == 4 && may_be_cut(line) {
+                return Err(cut_by_commas(line));
+            }
             return Err(RowError::FieldCount {
                 line: line.number,
                 found: fields(line).count(),

@@ -30,7 +30,7 @@ pub(super) const READER: Reader = Reader {
             .is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION"))
             || n_keys.count() > 1
     },
-    components: |file| Ok(components(file)),
+    components,
     read,
     identity: |file| {
         let said = |key: &str| said(header(file), key).map(|(_, value)| value);
@@ -68,26 +68,36 @@ fn said<'t>(header: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
     })
 }
 
-/// The components in the order of `DataSequence: Time U(+); N(+); E(+)`.
-fn components(file: &File<'_>) -> Vec<Component> {
+/// The components in the order of `DataSequence: Time U(+); N(+); E(+)`, or of words such as `Time, North, East, Up`.
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let header = header(file);
     let sequence = said(header, "DATASEQUENCE:");
     let last = header.last().map_or(1, |line| line.number);
     let place = Place::Line(sequence.as_ref().map_or(last, |(line, _)| line.number));
     let stated = sequence.map(|(_, text)| text).unwrap_or_default();
     let names = stated
-        .split([' ', ';', ','])
+        .split([' ', ';', ',', '\t'])
         .map(|word| word.split('(').next().unwrap_or_default());
-    let names: Vec<&str> = names.filter(|name| name.len() == 1).collect();
-    let names = if names.len() == COLUMNS.per_line - 1 {
-        names
-    } else {
+    let names: Vec<&str> = names
+        .filter(|name| !name.is_empty() && !name.eq_ignore_ascii_case("time"))
+        .collect();
+    let names = if stated.is_empty() {
         vec!["U", "N", "E"]
+    } else {
+        names
     };
-    names
-        .into_iter()
-        .map(|name| Component::new(name, place))
-        .collect()
+    let are_known = names
+        .iter()
+        .all(|name| crate::Direction::of_component(name).is_some());
+    if names.len() != COLUMNS.per_line - 1 || !are_known {
+        return Err(ReadError::Header {
+            place,
+            found: stated,
+            allowed: "a time and three directions, such as `Time U(+); N(+); E(+)`,",
+        });
+    }
+    let component = |name| Component::new(name, place);
+    Ok(names.into_iter().map(component).collect())
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {

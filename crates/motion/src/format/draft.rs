@@ -63,6 +63,18 @@ pub(crate) struct Draft {
     pub(crate) remarks: Vec<Reading>,
 }
 
+/// Whether a unit stands alone, or behind the name of an acceleration or of a direction: `g`, `acc (g)`, `EW (gal)`; not `Sae (g)`.
+fn calls_acceleration(unit: &str) -> bool {
+    let name = unit.split(['(', '[']).next().unwrap_or_default().trim();
+    let capitals = name.to_ascii_uppercase();
+    name.is_empty()
+        || super::title::unit_of(name).is_some()
+        || super::title::unit_in(name).is_some()
+        || capitals.contains("ACC")
+        || ["A", "AG"].contains(&capitals.as_str())
+        || crate::Direction::of_component(name).is_some()
+}
+
 impl Draft {
     /// Checks number, quantity, peak and declaration, and makes the accelerogram. `ends` tells whether no line of numbers
     /// stands behind the last value.
@@ -99,10 +111,14 @@ impl Draft {
                 return Err(ReadError::DeclaredPerCount { found: per_count });
             }
         }
-        let in_g = ratio(unit, AccelerationUnit::StandardGravity);
+        let in_g = unit.worth_in(AccelerationUnit::StandardGravity);
         let peak = largest * per_count.map_or(1.0, f64::abs) * in_g;
         let of_list = self.time_step.is_none().then_some(time_step);
+        let is_declared = declared
+            .unit
+            .filter(|_| !matches!(self.scale, Scale::Unit(_)));
         let unusual = Unusual::of_record(time_step, peak)
+            .chain(is_declared.and_then(|unit| Unusual::of_unit(unit, peak)))
             .chain(one_signed)
             .chain(shape::unusual(&values, of_list))
             .chain(differs)
@@ -150,9 +166,17 @@ impl Draft {
         format: Format,
         declared: &Declared,
     ) -> Result<Option<Unusual>, ReadError> {
-        let is_told = !matches!(self.scale, Scale::Unknown)
-            || !matches!(format, Format::Plain | Format::Eqsig)
-            || declared.acceleration;
+        let is_called = match &self.scale {
+            Scale::Unknown => false,
+            Scale::Unit(stated) => calls_acceleration(&stated.text),
+            Scale::Several(_)
+            | Scale::Acceleration
+            | Scale::Velocity(_)
+            | Scale::Displacement(_)
+            | Scale::Counts(_) => true,
+        };
+        let is_told =
+            is_called || !matches!(format, Format::Plain | Format::Eqsig) || declared.acceleration;
         let one_signed = shape::one_signed(values);
         if let Some(Unusual::OneSigned { found, rises }) = one_signed
             && !is_told
@@ -293,7 +317,7 @@ impl Draft {
         };
         let stated = &peak.stated;
         let of_header = peak.unit.unwrap_or(unit);
-        let factor = ratio(of_header, unit);
+        let factor = of_header.worth_in(unit);
         let allowed = stated.value.abs() * factor;
         // Old programs cut digits off instead of rounding: one unit of the last digit each.
         let mut slack = peak.digit * factor + self.digit + 1e-9 * allowed;
@@ -340,14 +364,6 @@ const MOST_DIFFERENT: f64 = 0.2;
 
 /// Values of g differ between programs by less than this part: 978 to 983 cm/s².
 const GRAVITY_SPREAD: f64 = 5e-3;
-
-/// What one of the first unit is in the second.
-fn ratio(from: AccelerationUnit, to: AccelerationUnit) -> f64 {
-    if from == to {
-        return 1.0;
-    }
-    from.to_si(1.0, 9.806_65) / to.to_si(1.0, 9.806_65)
-}
 
 pub(super) fn reading(what: &'static str, place: Option<Place>, found: &str) -> Reading {
     Reading {

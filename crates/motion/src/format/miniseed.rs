@@ -51,8 +51,9 @@ fn identity_of(file: &File<'_>) -> Identity {
         .rsplit_once('.')
         .map_or("", |(station, _)| station);
     Identity {
-        station: identity::text(station),
-        time: Some(record.time.to_string()),
+        station: identity::text(station.trim_matches('.')),
+        // What programs write that know none.
+        time: Some(record.time.to_string()).filter(|time| !time.starts_with("1970-01-01")),
         ..Identity::default()
     }
 }

@@ -17,7 +17,7 @@ use super::said::{Other, Said};
 use super::spacing::Spacing;
 use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
 use crate::line::Line;
-use crate::{Place, ReadError, Reading, RowError};
+use crate::{Place, ReadError, Reading, RowError, Site};
 use clock::Clock;
 use layout::{Kind, Layout};
 use names::Name;
@@ -34,6 +34,8 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
+pub(super) use rows::{cut_by_commas, may_be_cut};
+
 /// Whether the name of a column tells the unit of an acceleration.
 pub(super) fn has_unit(name: &str) -> bool {
     names::unit_at_end(name).is_some()
@@ -47,10 +49,15 @@ fn components(layout: Layout<'_, '_>) -> Vec<Component> {
     };
     let first = layout.rows.first().number;
     let component = |column: &usize| match names {
-        Some(names) => Component::new(
-            &*names[*column].text,
-            Place::Line(names[*column].line.number),
-        ),
+        Some(names) => {
+            let name = &names[*column];
+            let component = Component::new(&*name.text, Place::Line(name.line.number));
+            if name.is_below(names) {
+                component.at(Site::Borehole(name.text.clone()))
+            } else {
+                component
+            }
+        }
         None => Component::new(format!("column {}", column + 1), Place::Line(first)),
     };
     if let [only] = columns[..] {
@@ -99,13 +106,13 @@ fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, ReadError> {
         .collect();
     let said = layout.said.steps.clone();
     let above = layout.above.as_ref();
-    let steps = above.map(|above| above.stated(above.step)).into_iter();
+    let steps = above.and_then(|above| Some(above.stated(above.step?)));
     Ok(Draft {
         count: count(layout, &held),
         values: held.values,
         end: held.end,
         digit: held.digit,
-        time_step: Spacing::of(held.spacing, steps.chain(said).collect()),
+        time_step: Spacing::of(held.spacing, steps.into_iter().chain(said).collect()),
         scale: held.scale,
         peak: None,
         provenance: comments.join("\n"),
@@ -120,7 +127,9 @@ fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
     let stated = above.into_iter().chain(layout.said.counts.iter().cloned());
     let mut stated: Vec<Stated<usize>> = stated.collect();
     stated.sort_by_key(|count| count.value.abs_diff(held.n_read));
-    let count = stated.into_iter().next()?;
+    // A number without a key may count something else, such as the `8 values` of a line.
+    let is_of_all = |count: &Stated<usize>| count.value > held.n_read / 2;
+    let count = stated.into_iter().find(is_of_all)?;
     Some(Stated {
         value: count.value + held.values.len() - held.n_read,
         ..count

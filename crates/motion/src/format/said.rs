@@ -26,6 +26,9 @@ const UNIT: [&str; 7] = [
     "unidades",
 ];
 
+/// Words of numbers that have units of their own.
+const OF_OTHERS: [&str; 4] = ["gravit", "vs30", "vs 30", "wave"];
+
 /// Keys of a component.
 const COMPONENT: [&str; 8] = [
     "component",
@@ -171,6 +174,10 @@ impl Said {
 
     fn read_unit(&mut self, line: Line<'_>, text: &str) {
         let place = Place::Line(line.number);
+        // The unit of another number, such as that of gravity or of a speed of waves.
+        if OF_OTHERS.iter().any(|word| text.contains(word)) {
+            return;
+        }
         let named = UNIT.iter().find_map(|key| {
             let (before, behind) = around(text, key).next()?;
             Some((before, behind.trim_start_matches([' ', ':', '=', ','])))
@@ -200,6 +207,19 @@ impl Said {
     }
 
     fn read_names(&mut self, line: Line<'_>, text: &str) {
+        // The whole name: stations of one town share their first word.
+        let name_of = |keys: &[&str]| {
+            let mut found = keys.iter().filter_map(|key| around(text, key).next());
+            let (_, behind) = found.next()?;
+            let behind = behind.trim_start_matches([' ', ':', '=', ',', '(']);
+            let end = [&COMPONENT[..], &EVENT, &TIME].concat().into_iter();
+            let end = end.filter_map(|key| around(behind, key).next());
+            let end = end.map(|(before, _)| before.len()).min();
+            let name = &behind[..end.unwrap_or(behind.len())];
+            let name = name.split([',', ';', ')', '(', '|']).next()?;
+            let name: Vec<&str> = name.split_whitespace().collect();
+            (!name.is_empty()).then(|| name.join(" ").to_ascii_uppercase())
+        };
         let word_of = |keys: &[&str]| {
             let mut found = keys.iter().filter_map(|key| around(text, key).next());
             let (_, behind) = found.next()?;
@@ -225,7 +245,7 @@ impl Said {
                 .filter(|word| Direction::of_component(word).is_some())
                 .map(|name| Component::new(name, Place::Line(line.number)));
         }
-        self.station = self.station.take().or_else(|| word_of(&STATION));
+        self.station = self.station.take().or_else(|| name_of(&STATION));
         let rest_of = |keys: &[&str]| {
             let (_, behind) = keys.iter().find_map(|key| {
                 let (before, behind) = around(text, key).next()?;
@@ -235,7 +255,9 @@ impl Said {
             (!rest.is_empty()).then(|| stamp::normal(&rest.to_ascii_uppercase()))
         };
         self.event = self.event.take().or_else(|| rest_of(&EVENT));
-        self.time = self.time.take().or_else(|| rest_of(&TIME));
+        // `Start time: 0.0` tells no two records apart.
+        let time = || rest_of(&TIME).filter(|time| stamp::Stamp::new(time).is_some());
+        self.time = self.time.take().or_else(time);
     }
 
     /// The line of a time series of the IRIS web services: `TIMESERIES XX_TEST__HNE_D, 4000 samples, 200 sps, 2020-01-01T00:00:00,

@@ -38,7 +38,11 @@ fn lists<'t>(file: &File<'t>) -> Vec<List<'t>> {
         let behind = rest[end + 1..].trim_ascii_start().strip_prefix(b":")?;
         let values = behind.trim_ascii_start().strip_prefix(b"[")?;
         let number = line_of(file.bytes, at);
-        let component = Component::new(name.trim_matches('_'), Place::Line(number));
+        let name = match name.trim_matches('_') {
+            "" => "data",
+            name => name,
+        };
+        let component = Component::new(name, Place::Line(number));
         let end = memchr::memchr(b']', values)?;
         let bytes = &values[..end];
         Some(List {

@@ -10,6 +10,7 @@ mod generated;
 mod laws;
 mod measures;
 mod named_files;
+mod named_folders;
 mod processing;
 mod record;
 mod stochastic;

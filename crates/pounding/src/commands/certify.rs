@@ -102,7 +102,7 @@ enum Format {
 
 /// A law by its name.
 fn law(name: &str) -> Result<LawName, String> {
-    let names = LawName::ALL.map(|law| law.description().name);
+    let names = LawName::ALL.map(LawName::name);
     LawName::from_name(name).ok_or_else(|| format!("allowed are {}", names.join(", ")))
 }
 

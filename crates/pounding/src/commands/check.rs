@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
 use pounding::scene::{
-    Columns, ContactLimit, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
+    Columns, ContactLimit, Excess, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
 };
 use pounding::solver::Opening;
 use pounding::text::digits;
@@ -66,6 +66,14 @@ impl Expected {
         }
     }
 
+    /// What may touch in either direction and is not modelled.
+    fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
+        let runs = std::iter::once(&self.outcome).chain(&self.reversed);
+        let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
+        let all = all.filter(|one| one.kind.is_unwatched());
+        all.map(|one| one.to_string()).collect()
+    }
+
     /// What is expected of a pair that does not touch in the direction of the scene.
     fn apart(&self, pair: usize) -> &'static str {
         match &self.reversed {
@@ -95,7 +103,9 @@ impl<'a> Plan<'a> {
             Ok(outcome) => {
                 let before = prepared.warnings_before(&outcome);
                 warnings.extend(before.iter().map(ToString::to_string));
-                Some(Expected::of(prepared, outcome))
+                let expected = Expected::of(prepared, outcome);
+                warnings.extend(expected.unwatched(prepared));
+                Some(expected)
             }
             Err(error) => {
                 warnings.push(format!(

@@ -1,5 +1,7 @@
 //! `pounding explain`: what a word of the program means.
 
+use pounding::contact::LawName;
+
 use crate::text::paragraph;
 
 const EXAMPLES: &str = "\
@@ -42,10 +44,20 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         word.contains(&wanted) || word.contains(singular)
     };
     let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
-    let mut found: Vec<&Entry> = entries.iter().filter(names).collect();
-    if found.is_empty() {
-        found = entries.iter().filter(mentions).collect();
-    }
+    let bare =
+        |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
+    let is_alike = |entry: &&Entry| {
+        bare(&entry.word.to_lowercase()).contains(&bare(&wanted)) && !bare(&wanted).is_empty()
+    };
+    // The last word is the noun: a `base isolator` is an isolator.
+    let noun = wanted.rsplit(' ').next().filter(|noun| noun.len() > 3);
+    let is_kind =
+        |entry: &&Entry| noun.is_some_and(|noun| entry.word.to_lowercase().contains(noun));
+    let ways: [&dyn Fn(&&Entry) -> bool; 4] = [&names, &is_alike, &mentions, &is_kind];
+    let in_way =
+        |way: &&dyn Fn(&&Entry) -> bool| -> Vec<&Entry> { entries.iter().filter(*way).collect() };
+    let found = ways.iter().map(in_way).find(|found| !found.is_empty());
+    let found = found.unwrap_or_default();
     if found.is_empty() {
         return Err(not_known(&asked, &entries));
     }
@@ -66,7 +78,7 @@ fn not_known(asked: &str, entries: &[Entry]) -> String {
     )
 }
 
-/// The words of the page; a meaning goes on over lines that are set in.
+/// The words of the page, whose meanings go on over lines that are set in, and the contact laws.
 fn entries() -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for line in GLOSSARY.lines() {
@@ -85,5 +97,15 @@ fn entries() -> Vec<Entry> {
             last.meaning.push_str(text.trim());
         }
     }
+    let law = |law: LawName| Entry {
+        word: law.name().into(),
+        meaning: format!(
+            "contact law {}, {}. Source: {}. `pounding laws` prints its fields and formulas.",
+            law.named().label,
+            law.about().force,
+            law.named().citation
+        ),
+    };
+    entries.extend(LawName::ALL.map(law));
     entries
 }

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use pounding::scene::{
-    Error, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation, Structure,
-    Suite,
+    Error, Excess, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation,
+    Structure, Suite,
 };
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
@@ -20,8 +20,9 @@ Examples:
 
 The gaps and contact laws of the scene do not matter: the width is the largest
 closing of the gap while every structure stands alone, by the exact method, at
-the level that needs most of those at which floors can touch (`levels` of a
-contact).
+the level that needs most of all at which floors face each other. Levels that
+`levels` of a contact leaves out count, except beside walls. Floors beside
+columns get a line in Result: the sum of both peaks.
 
 Components of one record are one event, and count with the larger width.
 Verticals, velocities, copies, and records in boreholes or on structures are
@@ -51,8 +52,8 @@ pub(crate) struct Arguments {
     declared: Declared,
 }
 
-/// The widths under one motion in one direction, and what looks wrong.
-type Line = suite::Line<(Vec<Separation>, Vec<Implausible>)>;
+/// The widths under one motion in one direction, what the motion is beyond its model, and what looks wrong.
+type Line = suite::Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
 /// The widths under every record.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
@@ -69,7 +70,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let apart = scene.apart();
     let records = suite::read(&args.records, &args.declared, &scene)?;
     let ran = suite::lines(&apart, &records, &[false, true], |prepared| {
-        Ok((prepared.separations()?, prepared.doubts()))
+        let (widths, excesses) = prepared.judged_separations()?;
+        Ok((widths, excesses, prepared.doubts()))
     })?;
     let lines = &ran.lines;
     ran.answer(if args.json {
@@ -87,35 +89,28 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 /// The widths of a line, if it was not refused.
 fn widths_of(line: &Line) -> Option<&Vec<Separation>> {
-    line.found.as_ref().ok().map(|(widths, _)| widths)
+    line.found.as_ref().ok().map(|(widths, ..)| widths)
 }
 
-/// What looks wrong in the scene and in its records, a line for each kind. Gaps are not those of the scene.
+/// What looks wrong in the scene and in its records, a line for each kind.
 fn unusual(lines: &[Line]) -> Vec<Implausible> {
     let found = lines
         .iter()
         .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-    let all = found.flat_map(|(line, (_, doubts))| {
-        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+    let all = found.flat_map(|(line, (.., doubts))| {
+        let doubts = doubts.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
     });
     Implausible::gathered(all)
 }
 
-/// That floors stand beside columns, which no width here keeps apart.
-fn at_columns(scene: &Scene) -> Option<String> {
-    let floors = Floors::of(scene).ok()?;
-    let all = floors.at_columns();
-    let first = floors.all()[all.first()?.floor].name.clone();
-    let more = match all.len() - 1 {
-        0 => "faces".into(),
-        n => format!("and {n} more face"),
-    };
-    let text = format!(
-        "{first} {more} columns of a neighbour between its floors: a floor that hits a column can bring a building down. The widths below \
-         keep floors apart that face floors, and no others"
-    );
-    Some(paragraph("Warnings", &text))
+/// What the widths rest on and should not: motion beyond its model, and floors that face no floor.
+fn warnings(scene: &Scene, lines: &[Line]) -> Vec<String> {
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
+    let beyond = beyond.filter(|one| one.kind.is_caution());
+    let no_level = Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level());
+    beyond.map(|one| one.to_string()).chain(no_level).collect()
 }
 
 /// Names of the neighbours of a gap.
@@ -128,7 +123,10 @@ fn text(scene: &Scene, lines: &[Line], records: &str) -> String {
     let n_gaps = lines.iter().find_map(|line| Some(widths_of(line)?.len()));
     let n_gaps = n_gaps.unwrap_or(0);
     let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
-    parts.extend(at_columns(scene));
+    let warnings = warnings(scene, lines);
+    if !warnings.is_empty() {
+        parts.push(paragraph("Warnings", &warnings.join("\n")));
+    }
     parts.push(paragraph("Scene", &scene.name));
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
     parts.push(records.into());
@@ -141,7 +139,7 @@ fn text(scene: &Scene, lines: &[Line], records: &str) -> String {
 }
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
-                      only floors that the scene lets touch count (`levels` of a contact).";
+                      all count at which floors face each other, also those that `levels` of a contact leaves out.";
 
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";
@@ -255,12 +253,23 @@ fn result(all: &RequiredGap, own: Option<f64>) -> String {
         1 => "the only event".into(),
         n => format!("all {n} events"),
     };
+    let of = match all.beside_columns {
+        Some(_) => "floors that face floors in ",
+        None => "",
+    };
     let mut lines = vec![format!(
-        "{} mm are enough for {n}; {} mm for half of them, {} mm for 84 %",
+        "{} mm are enough for {of}{n}; {} mm for half of them, {} mm for 84 %",
         enough(widths.largest()),
         enough(widths.median()),
         enough(widths.p84())
     )];
+    let beside = all.beside_columns;
+    lines.extend(beside.map(|width| {
+        format!(
+            "floors beside columns may need {} mm, the sum of both peaks",
+            enough(width)
+        )
+    }));
     lines.extend(own.map(|own| {
         format!(
             "with the {} mm of the scene the structures touch under {} of them",
@@ -298,13 +307,14 @@ fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         .into_iter()
         .flat_map(Separation::numbers)
         .map(|(name, _)| name);
-    let header = ["record", "reversed", "left", "right", "level"].into_iter();
+    let header = ["record", "event", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
     let header: Vec<&str> = header.collect();
     let row = |line: &Line, one: &Separation| {
         let [left, right] = names(scene, one.left);
         let mut row: Vec<Cell> = vec![
             line.motion.as_str().into(),
+            (line.event + 1).into(),
             line.reversed.into(),
             left.into(),
             right.into(),
@@ -314,18 +324,22 @@ fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         row.push(Cell::default());
         row
     };
-    let refused = |name: &str, reversed: Cell, reason: &str| {
-        let mut row = vec![name.into(), reversed];
+    let refused = |name: &str, [event, reversed]: [Cell; 2], reason: &str| {
+        let mut row = vec![name.into(), event, reversed];
         row.resize(header.len() - 1, Cell::default());
         row.push(reason.into());
         row
     };
     let rows = lines.iter().flat_map(|line| match &line.found {
-        Ok((found, _)) => found.iter().map(|one| row(line, one)).collect(),
-        Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
+        Ok((found, ..)) => found.iter().map(|one| row(line, one)).collect(),
+        Err(reason) => {
+            let run = [(line.event + 1).into(), line.reversed.into()];
+            vec![refused(&line.motion, run, reason)]
+        }
     });
+    let none = || [Cell::default(), Cell::default()];
     let left_out = records.left_out.iter();
-    let left_out = left_out.map(|one| refused(&one.name, Cell::default(), &one.reason.sentence()));
+    let left_out = left_out.map(|one| refused(&one.name, none(), &one.reason.sentence()));
     csv_text(&header, rows.chain(left_out))
 }
 
@@ -342,7 +356,7 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         let mut motion =
             json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
         match &line.found {
-            Ok((found, _)) => motion["gaps"] = found.iter().map(separation).collect(),
+            Ok((found, ..)) => motion["gaps"] = found.iter().map(separation).collect(),
             Err(reason) => motion["refused"] = json!(reason),
         }
         motion
@@ -350,6 +364,8 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     json_text(&json!({
         "scene": scene,
         "unusual": unusual(lines),
+        "records": records.json(),
+        "warnings": warnings(scene, lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))

@@ -28,14 +28,14 @@ pub(crate) fn run(args: &Arguments) -> String {
 
 fn text() -> String {
     let law = |name: &LawName| {
-        let about = name.description();
+        let (about, named) = (name.about(), name.named());
         let lines = [
-            ("Law", Some(about.name)),
+            ("Law", Some(named.name)),
             ("Force", Some(about.force)),
-            ("Formula", about.formula),
+            ("Formula", named.formula.map(|(text, _)| text)),
             ("Delivers", about.relation.or(Some("found numerically"))),
-            ("Fields", Some(&about.parameters.join(", "))),
-            ("Source", Some(about.citation)),
+            ("Fields", Some(&fields(*name).join(", "))),
+            ("Source", Some(named.citation)),
         ];
         let lines = lines
             .into_iter()
@@ -46,17 +46,21 @@ fn text() -> String {
     format!("{}\n{}", laws.join("\n"), paragraph("Notes", NOTES))
 }
 
+fn fields(law: LawName) -> Vec<&'static str> {
+    law.parameters().iter().map(|row| row.name).collect()
+}
+
 /// What is not known of a law is null: the formula of one without, the relation of one whose e is found numerically.
 fn json_of_all() -> String {
     let law = |name: &LawName| {
-        let about = name.description();
+        let (about, named) = (name.about(), name.named());
         json!({
-            "name": about.name,
+            "name": named.name,
             "force": about.force,
-            "formula": about.formula,
+            "formula": named.formula.map(|(text, _)| text),
             "delivers": about.relation,
-            "fields": about.parameters,
-            "source": about.citation,
+            "fields": fields(*name),
+            "source": named.citation,
         })
     };
     let laws: Vec<_> = LawName::ALL.iter().map(law).collect();

@@ -175,8 +175,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let message = failed(error);
         format!("{message}{hint}")
     })?;
-    let unread = args.shown.json && args.results.out.is_none();
-    let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
+    let other = (!args.shown.one_direction).then(|| other_direction(&prepared));
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(failed)?;
         let both = other.map(|other| BothDirections::of(&prepared, &review, other));
@@ -234,11 +233,16 @@ fn answer(
     review: &Review,
     both: Option<&BothDirections>,
 ) -> String {
+    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
     if args.shown.json {
         let summary = Summary::of(prepared, review);
-        return Summary { effects, ..summary }.to_json();
+        return Summary {
+            effects,
+            warnings: notices,
+            ..summary
+        }
+        .to_json();
     }
-    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
     let run = if args.shown.details {
         summary::details(prepared, review, &notices)
     } else {

@@ -6,7 +6,7 @@ mod task;
 
 use std::path::{Path, PathBuf};
 
-use pounding::scene::Method;
+use pounding::scene::{Method, Suite};
 use pounding::sweep::{
     ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside,
 };
@@ -145,15 +145,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
     let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
     lines.push(paragraph("Sweep", &runs(sweep, &parts)));
-    lines.extend(
-        sweep
-            .says_no_contact()
-            .map(|said| paragraph("Contact", said)),
-    );
+    let contact = sweep.says_of_contact();
+    if !contact.is_empty() {
+        lines.push(paragraph("Contact", &contact.join("\n")));
+    }
     lines.extend(
         sweep
             .suite()
-            .map(|suite| super::suite::records::<()>(suite, &[], false)),
+            .map(|suite| paragraph("Records", &said_of(suite))),
     );
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
@@ -174,6 +173,12 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     let joined = joined.map_err(|error| error.to_string())?;
     lines.push(result(&joined, out));
     answer(lines.concat(), &joined)
+}
+
+/// What is said of the records of a folder. A sweep has no options for what files do not say: its scene says it.
+fn said_of(suite: &Suite) -> String {
+    let said = suite.said(false).join("\n");
+    said.replace("(--details)", "(`run --records --details` names them)")
 }
 
 /// The table of a sweep that names none: beside it, with its whole name, so that no two sweeps share one.

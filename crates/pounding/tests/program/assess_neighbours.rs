@@ -142,12 +142,9 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     assert!(!proposals(&all).contains("help"), "{}", proposals(&all));
     // In the narrow gap there is no room for a soft one, and a stiff one is no bumper.
     let narrow = workplace("assess_no_bumper", TOWERS);
-    for (bumper, says) in [
-        ("proposed", "No bumper helps in this gap"),
-        ("k=90000MN/m", "The bumpers given do not help"),
-    ] {
+    for bumper in ["proposed", "k=90000MN/m"] {
         let all = found(&narrow, &["--scale", "pga=1.2g", "--bumper", bumper]);
-        assert!(proposals(&all).contains(says), "{}", proposals(&all));
+        assert!(!proposals(&all).contains("help"), "{}", proposals(&all));
     }
     assert!(
         found(&work, &[])["bumper"].is_null(),

@@ -122,7 +122,7 @@ fn issue_touches_that_the_steps_miss_are_not_denied() {
 #[test]
 fn issue_what_is_unusual_is_said_by_runs() {
     let folder = changed("batch_unusual", "mass_kg = 2e5", "mass_kg = 200");
-    let brief = "structures[1].sdof.mass_kg: found 200 kg, usual is 1e3 to 1e9 kg for a";
+    let brief = "structures[1].sdof.mass_kg: found 200 kg, usual is 1e4 to 1e9 kg for a";
     for arguments in [&["run", "changed.toml"][..], &RECORDS] {
         let text = pounding(&folder, arguments);
         assert!(printed(&text).contains(brief), "{}", text.stdout);
@@ -138,6 +138,6 @@ fn issue_what_is_unusual_is_said_by_runs() {
         "{places:?}"
     );
     let page = fs::read_to_string(folder.join("out/report.html")).expect("a report");
-    let full = "structures[1].sdof.mass_kg: found 200 kg, usual is 1e3 to 1e9 kg for a building";
+    let full = "structures[1].sdof.mass_kg: found 200 kg, usual is 1e4 to 1e9 kg for a building";
     assert!(page.contains(full), "{full}");
 }

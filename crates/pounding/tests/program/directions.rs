@@ -15,14 +15,14 @@ fn issue_a_run_tells_of_both_directions() {
     let first: Vec<&str> = run.stdout.lines().take(6).collect();
     let first = first.join("\n");
     assert!(
-        first.contains("as recorded:") && first.contains("reversed:"),
+        first.contains("as recorded (") && first.contains("reversed, worse"),
         "{first}"
     );
     let one = pounding(
         &work,
         &["run", "scene.toml", "--no-error", "--one-direction"],
     );
-    assert!(!one.stdout.contains("reversed:"), "{}", one.stdout);
+    assert!(!one.stdout.contains("reversed"), "{}", one.stdout);
 }
 
 /// "never" and "not needed", told from one direction; reversed all pairs hit.
@@ -55,7 +55,7 @@ fn issue_the_report_of_a_run_shows_both_directions() {
     let first = page.find("<strong>").expect("a headline");
     let headline = &page[first..first + 400];
     assert!(
-        headline.contains("as recorded:") && headline.contains("reversed:"),
+        headline.contains("as recorded (") && headline.contains("reversed, worse"),
         "{headline}"
     );
     assert!(work.join("out/profiles.png").is_file());

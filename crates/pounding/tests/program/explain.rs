@@ -25,12 +25,16 @@ fn issue_words_of_newcomers_are_explained() {
     for (word, says) in [
         ("p-delta", "not modelled"),
         ("P-Δ", "not modelled"),
+        ("pdelta", "not modelled"),
+        ("base isolator", "first storey"),
+        ("event", "components and copies"),
         ("bumper", "pressed flat"),
         ("link", "not modelled"),
         ("isolator", "first storey"),
         ("isolation", "first storey"),
         ("damper", "not modelled"),
         ("lanes", "vector"),
+        ("hunt_crossley", "Hunt & Crossley"),
     ] {
         let said = printed(&pounding(&folder, &["explain", word])).replace('\n', " ");
         let said = said.split_whitespace().collect::<Vec<_>>().join(" ");

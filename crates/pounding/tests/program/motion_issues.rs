@@ -258,7 +258,8 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
     Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
 
-    No row    Chan 2: Up: vertical component, by the name in the file
+    Records   1 file: 1 motion of 1 event, 1 component of used files left out
+              1 vertical component, by the name in the file: csmip.v2 Chan 2: Up
 
     Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
               offset of the baseline, or a record cut short; PGV and PGD are those
@@ -268,4 +269,52 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
 
     Notes     --component takes one, by its name, a part of it, or its number
     ");
+}
+
+/// Links that lead nowhere and folders were passed over, a README was told of all formats, copies were records, events were not counted, and
+/// `q_U.csv` was horizontal, which `gap` left out.
+#[cfg(unix)]
+#[test]
+fn issue_a_folder_is_read_as_others_read_it() {
+    let folder = folder_with("motion_folder", &["esm.asc"]);
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("written");
+    for (index, name) in ["q_E.csv", "q_N.csv", "q_U.csv"].into_iter().enumerate() {
+        let line = |step: usize| {
+            let rate = 0.2 + 0.05 * index as f64;
+            format!(
+                "{},{}\n",
+                0.02 * step as f64,
+                0.1 * libm::sin(rate * step as f64)
+            )
+        };
+        let lines: String = (0..200).map(line).collect();
+        write(name, &format!("time_s,acceleration_g\n{lines}"));
+    }
+    fs::copy(folder.join("q_E.csv"), folder.join("the same.csv")).expect("a copy");
+    write("README", "Some words.\n");
+    fs::create_dir(folder.join("more")).expect("made");
+    std::os::unix::fs::symlink("/nowhere", folder.join("lost.csv")).expect("a link");
+    let text = printed(&motion(&folder, &["info", "."])).to_string();
+    let said = text.lines().skip_while(|line| !line.starts_with("Records"));
+    let said: Vec<&str> = said.take_while(|line| !line.is_empty()).collect();
+    assert_snapshot!(said.join("\n"), @r"
+    Records   8 files, 3 used and 5 left out: 3 motions of 2 events
+              lost.csv: cannot be read: No such file or directory (os error 2)
+              1 folder, give each as a folder of its own: more
+              1 copy, each record counts once: the same.csv (of q_E.csv)
+              1 vertical component, by the name of the file; rename a horizontal
+              one: q_U.csv
+              1 file that is no record: README
+    ");
+    let json = json_of(&motion(&folder, &["info", ".", "--json"]));
+    let of = |name: &str| {
+        let mut motions = json["motions"].as_array().expect("a list").iter();
+        motions.find(|one| one["file"] == name).expect(name)
+    };
+    assert_eq!(of("./q_E.csv")["event"], of("./q_N.csv")["event"]);
+    assert_eq!(of("./q_U.csv")["direction"], "vertical");
+    let copy = &of("./the same.csv")["left_out"];
+    assert_eq!(copy, "copy (of q_E.csv), each record counts once");
+    assert_eq!(json["records"]["files"], 8);
+    assert_eq!(json["records"]["events"], 2);
 }

@@ -351,40 +351,6 @@ fn issue_what_is_no_record_is_not_repeated() {
     }
 }
 
-/// They reached the terminal as they were.
-#[test]
-fn issue_control_characters_are_spelt() {
-    let folder = suite("promises_control");
-    let named = TOWERS
-        .replace("\"left\"", "\"\\u001B]0;owned\\u0007\"")
-        .replace("\"right\"", "\"=1+1\"");
-    fs::write(folder.join("scene.toml"), &named).expect("a disk");
-    for command in [
-        "run scene.toml",
-        "run scene.toml --details",
-        "run scene.toml --json",
-        "check scene.toml",
-    ] {
-        let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
-        assert_eq!(ended.code, 0, "{}", ended.stderr);
-        let steers = |letter: char| letter.is_control() && letter != '\n';
-        assert!(!ended.stdout.contains(steers), "{command}");
-        assert!(
-            ended.stdout.contains("\\u001b"),
-            "{command}: {}",
-            ended.stdout
-        );
-    }
-    fs::write(
-        folder.join("sweep.toml"),
-        "scene = \"scene.toml\"\nvary = [{ field = \"contacts[0].gap_m\", values = [0.01] }]\n",
-    )
-    .expect("a disk");
-    assert_eq!(pounding(&folder, &["sweep", "sweep.toml"]).code, 0);
-    let table = fs::read_to_string(folder.join("sweep.toml.csv")).expect("a table");
-    assert!(table.contains(",'=1+1: peak_displacement_m,"), "{table}");
-}
-
 /// SIGTERM, as a job's end sends it, lost what was finished.
 #[cfg(unix)]
 #[test]

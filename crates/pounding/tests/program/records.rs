@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use insta::assert_snapshot;
-use serde_json::json;
+use serde_json::{Value, json};
 
-use crate::{good_scene, quiet, refusal, run};
+use crate::runs::printed;
+use crate::suites::{self, suite};
+use crate::{good_scene, pounding, quiet, refusal, run};
 
 /// The message for the good scene on a record with this text.
 fn refused(test: &str, record: &str) -> String {
@@ -94,7 +96,7 @@ fn extreme_record_with_negative_time_step() {
 /// The message named fields that no scene has.
 #[test]
 fn issue_what_a_file_leaves_out_is_named_by_its_field() {
-    let refused = |record: serde_json::Value, text: &str| {
+    let refused = |record: Value, text: &str| {
         let mut scene = good_scene();
         scene["record"] = record;
         refusal(&run("fields", &scene.to_string(), Some(text)))
@@ -122,13 +124,13 @@ fn extreme_record_scaled_out_of_range() {
 fn issue_a_component_may_be_a_number() {
     let columns = "time,NS(gal),EW(gal),UD(gal)\n0.00,10,20,30\n0.01,-10,-20,-30\n0.02,10,20,30\n";
     let mut scene = good_scene();
-    let checked = |scene: &serde_json::Value| {
+    let checked = |scene: &Value| {
         let folder = crate::folder("component_number");
         fs::write(folder.join("scene.json"), scene.to_string()).expect("a file");
         fs::write(folder.join("record.csv"), columns).expect("a file");
-        let ended = crate::pounding(&folder, &["check", "scene.json", "--json"]);
+        let ended = pounding(&folder, &["check", "scene.json", "--json"]);
         assert_eq!(ended.code, 0, "{}", ended.stderr);
-        serde_json::from_str::<serde_json::Value>(&ended.stdout).expect("JSON")
+        serde_json::from_str::<Value>(&ended.stdout).expect("JSON")
     };
     scene["record"] = json!({"file": "record.csv", "component": "UD"});
     let by_name = checked(&scene);
@@ -151,7 +153,7 @@ fn issue_a_component_may_be_a_number() {
 fn issue_what_looks_wrong_in_a_file_is_said() {
     let folder = crate::folder("unusual_file");
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
-    let pounding = |arguments: &[&str]| crate::pounding(&folder, arguments);
+    let pounding = |arguments: &[&str]| pounding(&folder, arguments);
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     write(
         "fast.csv",
@@ -167,7 +169,7 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     scene["record"] = json!({"file": "fast.csv"});
     write("scene.json", &scene.to_string());
     let check = pounding(&["check", "scene.json", "--json"]).stdout;
-    let check: serde_json::Value = serde_json::from_str(&check).expect("JSON");
+    let check: Value = serde_json::from_str(&check).expect("JSON");
     let unusual = check["unusual"].as_array().expect("a list").iter();
     let found: Vec<_> = unusual.filter_map(|one| one["found"].as_str()).collect();
     assert!(found.contains(&step) && found.contains(&peak), "{found:?}");
@@ -197,4 +199,75 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     scene["record"]["acceleration"] = json!(true);
     write("scene.json", &scene.to_string());
     assert_eq!(pounding(&["check", "scene.json"]).code, 0);
+}
+
+/// The paragraph under a heading, its words with one blank between; empty where there is none.
+fn under(text: &str, heading: &str) -> String {
+    let lines = text.lines().skip_while(|line| !line.starts_with(heading));
+    let mut lines = lines.take_while(|line| !line.is_empty());
+    let first = lines.next().unwrap_or_default();
+    // What follows is indented, also where no blank line parts paragraphs.
+    let others = lines.take_while(|line| line.starts_with(' '));
+    let words = std::iter::once(first)
+        .chain(others)
+        .flat_map(str::split_whitespace);
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// Of a motion whose direction nothing tells nothing was said, and a sweep ended at a file of a folder that it could not read.
+#[test]
+fn issue_directions_that_nothing_tells_are_said() {
+    let folder = suite("untold");
+    for (name, direction) in [("A-ELC180.AT2", ", 180"), ("A-ELC-1.AT2", ", 1 Up")] {
+        fs::write(folder.join("records").join(name), suites::at2(direction)).expect("a file");
+    }
+    let sweep =
+        "scene = \"towers.toml\"\nrecords = \"records\"\noutputs.pairs = [\"collisions\"]\n";
+    fs::write(folder.join("sweep.toml"), sweep).expect("a file");
+    let said = |arguments: &[&str]| {
+        let text = printed(&pounding(&folder, arguments)).to_string();
+        under(&text, "Records")
+    };
+    let gap = said(&["gap", "towers.toml", "--records", "records"]);
+    assert!(
+        gap.starts_with("Records 5 files, 3 used and 2 left out: 3 motions of 3 events"),
+        "{gap}"
+    );
+    assert!(gap.contains("direction not told"), "{gap}");
+    assert!(gap.ends_with("column.txt, pulse.csv"), "{gap}");
+    assert!(
+        gap.contains("1 vertical component, by the name in the file: A-ELC-1.AT2 (1 Up)"),
+        "{gap}"
+    );
+    assert!(gap.contains("spectra.V3"), "{gap}");
+    // All leave out the same, and say so alike.
+    assert_eq!(
+        said(&["run", "towers.toml", "--records", "records", "--no-error"]),
+        gap
+    );
+    assert_eq!(said(&["sweep", "sweep.toml"]), gap);
+    let info = pounding(
+        &folder,
+        &[
+            "motion",
+            "info",
+            "records",
+            "--unit",
+            "cm_per_s2",
+            "--time-step",
+            "0.02",
+        ],
+    );
+    assert_eq!(under(printed(&info), "Records"), gap);
+    let json = pounding(
+        &folder,
+        &["gap", "towers.toml", "--records", "records", "--json"],
+    );
+    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+    let motions = json["motions"].as_array().expect("a list");
+    let shaken = motions.iter().filter(|one| one.get("refused").is_none());
+    let names: Vec<_> = shaken.map(|one| one["record"].as_str()).collect();
+    assert!(names.contains(&Some("A-ELC180.AT2")), "{names:?}");
+    let left_out = json["left_out"].to_string();
+    assert!(left_out.contains("A-ELC-1.AT2"), "{left_out}");
 }

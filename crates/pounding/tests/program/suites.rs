@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::runs::printed;
 use crate::{folder, pounding, refusal};
@@ -77,7 +77,20 @@ fn reference_gap_under_a_folder() {
         gap.keys().all(|key| columns.contains(&key.as_str())),
         "{gap:?}"
     );
-    assert_eq!(columns.len(), gap.len() + 3, "record, reversed and refused");
+    let others = "record, event, reversed and refused";
+    assert_eq!(columns.len(), gap.len() + 4, "{others}");
+    // What the paragraph Records counts.
+    let records = &json["records"];
+    assert_eq!(
+        (&records["files"], &records["files_left_out"]),
+        (&3.into(), &1.into())
+    );
+    assert_eq!(records["events"], 2);
+    assert_eq!(records["declared"][0]["records"], json!(["column.txt"]));
+    assert_eq!(
+        records["direction_not_told"],
+        json!(["column.txt", "pulse.csv"])
+    );
 }
 
 #[test]
@@ -93,10 +106,11 @@ fn reference_run_under_a_folder() {
     assert_eq!(json["motions"][0]["record"], "column.txt");
     assert_eq!(json["motions"][3]["record"], "pulse.csv");
     assert_eq!(json["motions"][3]["reversed"], true);
+    assert_eq!(json["records"]["files_used"], 2);
 }
 
 /// An AT2 file of PEER with this component behind the last comma of its title.
-fn at2(component: &str) -> String {
+pub(crate) fn at2(component: &str) -> String {
     // Each component moves on its own: copies would be left out.
     let own = component
         .bytes()
@@ -128,7 +142,7 @@ fn issue_vertical_components_shake_no_row() {
         ("RSN6_ELC-DWN.AT2", at2("")),
         ("RSN6_NIGH11UD.AT2", at2("")),
         ("column_z.txt", column.into()),
-        ("column_u.txt", column.into()),
+        ("column_ud.txt", column.into()),
         ("ABCH01.EW2", knet.replace("N-S", "5")),
         ("ABCH01.UD2", knet.replace("N-S", "6")),
         ("ABC001.UD", knet.replace("N-S", "U-D")),
@@ -155,13 +169,7 @@ fn issue_vertical_components_shake_no_row() {
         shaken.dedup();
         assert_eq!(
             shaken,
-            [
-                "ABCH01.EW2",
-                "RSN6_ELC-V.AT2",
-                "RSN6_ELC180.AT2",
-                "b.smc",
-                "column_u.txt"
-            ]
+            ["ABCH01.EW2", "RSN6_ELC-V.AT2", "RSN6_ELC180.AT2", "b.smc",]
         );
     }
 }
@@ -369,79 +377,4 @@ fn limit_many_scenes_are_printed_in_blocks() {
     for block in blocks {
         assert!(block.contains("  peak force [kN]"), "{block}");
     }
-}
-
-/// The paragraph under a heading, its words with one blank between; empty where there is none.
-fn under(text: &str, heading: &str) -> String {
-    let lines = text.lines().skip_while(|line| !line.starts_with(heading));
-    let mut lines = lines.take_while(|line| !line.is_empty());
-    let first = lines.next().unwrap_or_default();
-    // What follows is indented, also where no blank line parts paragraphs.
-    let others = lines.take_while(|line| line.starts_with(' '));
-    let words = std::iter::once(first)
-        .chain(others)
-        .flat_map(str::split_whitespace);
-    words.collect::<Vec<_>>().join(" ")
-}
-
-/// Of a motion whose direction nothing tells nothing was said, and a sweep ended at a file of a folder that it could not read.
-#[test]
-fn issue_directions_that_nothing_tells_are_said() {
-    let folder = suite("untold");
-    for (name, direction) in [("A-ELC180.AT2", ", 180"), ("A-ELC-1.AT2", ", 1 Up")] {
-        fs::write(folder.join("records").join(name), at2(direction)).expect("a file");
-    }
-    let sweep =
-        "scene = \"towers.toml\"\nrecords = \"records\"\noutputs.pairs = [\"collisions\"]\n";
-    fs::write(folder.join("sweep.toml"), sweep).expect("a file");
-    let said = |arguments: &[&str]| {
-        let text = printed(&pounding(&folder, arguments)).to_string();
-        under(&text, "Records")
-    };
-    let gap = said(&["gap", "towers.toml", "--records", "records"]);
-    assert!(
-        gap.starts_with("Records 5 files: 3 motions of 3 events, 2 left out"),
-        "{gap}"
-    );
-    assert!(gap.contains("direction not told"), "{gap}");
-    assert!(gap.ends_with("column.txt, pulse.csv"), "{gap}");
-    assert!(
-        gap.contains("1 vertical component, by the name in the file: A-ELC-1.AT2 (1 Up)"),
-        "{gap}"
-    );
-    assert!(gap.contains("spectra.V3"), "{gap}");
-    // All leave out the same, and say so alike.
-    assert_eq!(
-        said(&["run", "towers.toml", "--records", "records", "--no-error"]),
-        gap
-    );
-    assert_eq!(said(&["sweep", "sweep.toml"]), gap);
-    let info = pounding(
-        &folder,
-        &[
-            "motion",
-            "info",
-            "records",
-            "--unit",
-            "cm_per_s2",
-            "--time-step",
-            "0.02",
-        ],
-    );
-    let info = under(printed(&info), "Direction");
-    assert!(
-        info.ends_with("column.txt, records/pulse.csv") || info.ends_with("column.txt, pulse.csv"),
-        "{info}"
-    );
-    let json = pounding(
-        &folder,
-        &["gap", "towers.toml", "--records", "records", "--json"],
-    );
-    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
-    let motions = json["motions"].as_array().expect("a list");
-    let shaken = motions.iter().filter(|one| one.get("refused").is_none());
-    let names: Vec<_> = shaken.map(|one| one["record"].as_str()).collect();
-    assert!(names.contains(&Some("A-ELC180.AT2")), "{names:?}");
-    let left_out = json["left_out"].to_string();
-    assert!(left_out.contains("A-ELC-1.AT2"), "{left_out}");
 }

@@ -138,8 +138,8 @@ fn extreme_sweeps_that_are_refused() {
 fn extreme_a_scene_for_a_sweep_and_a_sweep_for_a_scene() {
     let folder = with_sweep("sweep_confused", &scene());
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
-    assert_snapshot!(refusal(&ended), @"error: sweep.json, line 2, column 12: contacts: found `contacts`, which a scene has, allowed is a sweep, which names a scene in `scene` and what varies in `vary`; `pounding run` runs a scene alone");
+    assert_snapshot!(refusal(&ended), @"error: sweep.json, line 2, column 3: contacts: found `contacts`, which a scene has, allowed is a sweep, which names a scene in `scene` and what varies in `vary`; `pounding run` runs a scene alone");
     let folder = with_sweep("scene_confused", &sweep(4));
     let ended = pounding(&folder, &["run", "sweep.json"]);
-    assert_snapshot!(refusal(&ended), @"error: sweep.json, line 2, column 11: samples: found `samples`, which a sweep has, allowed is a scene; `pounding sweep` runs a sweep");
+    assert_snapshot!(refusal(&ended), @"error: sweep.json, line 2, column 3: samples: found `samples`, which a sweep has, allowed is a scene; `pounding sweep` runs a sweep");
 }

@@ -1,12 +1,52 @@
 //! What is written and said: text that steers nothing, messages that end, and nothing left of a command that was ended.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
 use crate::pounding;
 use crate::promises::{contents, springs};
 use crate::suites::{TOWERS, suite};
+
+/// What the commands print, in a folder where each of them ends well.
+fn all_succeed(folder: &Path, commands: &[&str]) -> Vec<String> {
+    let one = |command: &&str| {
+        let ended = pounding(folder, &command.split(' ').collect::<Vec<_>>());
+        assert_eq!(ended.code, 0, "{command}: {}", ended.stderr);
+        ended.stdout
+    };
+    commands.iter().map(one).collect()
+}
+
+/// They reached the terminal as they were.
+#[test]
+fn issue_control_characters_are_spelt() {
+    let folder = suite("promises_control");
+    let named = TOWERS
+        .replace("\"left\"", "\"\\u001B]0;owned\\u0007\"")
+        .replace("\"right\"", "\"=1+1\"");
+    fs::write(folder.join("scene.toml"), &named).expect("a disk");
+    fs::write(
+        folder.join("sweep.toml"),
+        "scene = \"scene.toml\"\nvary = [{ field = \"contacts[0].gap_m\", values = [0.01] }]\n",
+    )
+    .expect("a disk");
+    let steers = |letter: char| letter.is_control() && letter != '\n';
+    let commands = [
+        "run scene.toml",
+        "run scene.toml --details",
+        "run scene.toml --json",
+        "check scene.toml",
+    ];
+    for said in all_succeed(&folder, &commands) {
+        assert!(!said.contains(steers), "{said}");
+        assert!(said.contains("\\u001b"), "{said}");
+    }
+    all_succeed(&folder, &["sweep sweep.toml"]);
+    let table = fs::read_to_string(folder.join("sweep.toml.csv")).expect("a table");
+    assert!(table.contains(",'=1+1: peak_displacement_m,"), "{table}");
+}
 
 /// Files of results held them as they were, and a reader who looked at one with `cat` obeyed a name.
 #[test]
@@ -23,17 +63,15 @@ fn issue_no_file_of_text_steers_a_terminal() {
         "scene = \"scene.toml\"\nsummary = {}\nvary = [{ field = \"contacts[0].gap_m\", values = [0.01, 0.02] }]\n",
     )
     .expect("a disk");
-    for command in [
+    let commands = [
         "run scene.toml --out one",
         "run scene.toml --records records --effects --out several",
         "assess scene.toml --records records --out assessed",
         "sweep sweep.toml --out runs.csv",
         "export --opensees scene.toml --out check.py",
         "motion convert scene.toml motion.csv",
-    ] {
-        let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
-        assert_eq!(ended.code, 0, "{command}: {}", ended.stderr);
-    }
+    ];
+    all_succeed(&folder, &commands);
     let (mut looked_at, mut spelt) = (0, 0);
     for (path, bytes) in contents(&folder) {
         let ending = path.rsplit('.').next().unwrap_or_default();
@@ -93,15 +131,13 @@ fn issue_what_a_stop_leaves_goes_with_the_next_file() {
     }
     let mine = folder.join(".c.csv.mine.new");
     fs::write(&mine, "mine").expect("a disk");
-    for command in [
+    let commands = [
         "motion convert records/pulse.csv c.csv",
         "export --opensees towers.toml --out check.py",
         "init new.toml",
         "motion spectrum records/pulse.csv --figure new.png",
-    ] {
-        let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
-        assert_eq!(ended.code, 0, "{command}: {}", ended.stderr);
-    }
+    ];
+    all_succeed(&folder, &commands);
     for path in &left {
         assert!(!path.exists(), "{}", path.display());
     }

@@ -281,7 +281,7 @@ def sketch_scene(text: str, path: str | PathLike[str]) -> str:
     The row of a scene as SVG.
     """
 
-def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None, list[str]]:
+def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
     Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 

@@ -314,8 +314,8 @@ class Scene:
     ) -> pandas.DataFrame:
         """Which gaps nothing closes, under every record in both directions, by the exact method.
 
-        The gaps and laws of the scene do not matter. A row for each motion, direction and gap: what is needed [m], when [s], the peaks of
-        both neighbours alone [m], and what the rules of codes ask for [m]. What is unusual and records that are left out are warnings.
+        The gaps and laws of the scene do not matter. A row for each motion, direction and gap: its event, what is needed [m], when
+        [s], the peaks of both neighbours alone [m], and what the rules of codes ask for [m]. What is unusual and records that are left out are warnings.
 
         Parameters
         ----------

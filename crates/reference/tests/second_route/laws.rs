@@ -86,7 +86,7 @@ fn reference_two_routes_agree_on_every_law() {
                 .run(&row, excitation, clock, &mut recorders)
                 .expect("the run ends");
             let response = run(&row, &ground, 4.0);
-            let what = format!("{} for {e}", name.description().name);
+            let what = format!("{} for {e}", name.name());
             let (momentum, collisions) = recorders;
             for (index, known) in response.structures.iter().enumerate() {
                 close(momentum.of(index), known.transferred_momentum, 1e-11, &what);

@@ -77,23 +77,10 @@ impl AssessmentReport {
             )
         };
         let bumpers = format!("Bumpers at the given gap ({}{why})", bumpers.join("; "));
-        let is_stiff = effect
-            .force
-            .as_ref()
-            .is_some_and(|force| force.median() >= 1.0);
-        let verdict = match (is_stiff, is_given) {
-            (true, false) => {
-                "No bumper helps in this gap: it has room for none that is softer than the contact itself. "
-            }
-            (true, true) => {
-                "The bumpers given do not help: they are stiffer than the contact itself. "
-            }
-            (false, _) => "",
-        };
         // Then what is behind them hits, which no run knows.
         if effect.is_too_thin() {
             return vec![format!(
-                "{verdict}{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \
+                "{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \
                  so that their effect is not known.",
                 effect.too_thin, effect.runs
             )];
@@ -108,7 +95,7 @@ impl AssessmentReport {
             ),
         };
         vec![format!(
-            "{verdict}{bumpers} change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
+            "{bumpers} change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
             both(&effect.drift),
             both(&effect.acceleration)
         )]

@@ -1,6 +1,6 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_scene::{DesignSpectrum, ExcessKind, Implausible, LEAST_SHARE, USUAL_FACTORS};
+use pounding_scene::{DesignSpectrum, Excess, Implausible, LEAST_SHARE, USUAL_FACTORS};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport};
@@ -29,20 +29,21 @@ impl AssessmentReport {
 
     /// What the answer rests on and should not, in a sentence before it, whether or not the gap is enough.
     pub fn cautions(&self) -> Option<String> {
-        let beyond = self.excesses().into_iter().find(|(kind, _)| match kind {
-            ExcessKind::AtColumn
-            | ExcessKind::Displacement
-            | ExcessKind::Drift
-            | ExcessKind::Ductility => true,
-            // The model follows these; they ask for more than it knows.
-            ExcessKind::Stability | ExcessKind::ResidualDrift => false,
-        });
-        beyond.map(|(_, said)| format!("Caution: {said}; the warnings say more."))
+        let beyond = self.excesses().into_iter();
+        let beyond = beyond.filter(|one| one.kind.is_caution());
+        let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
+        let least = self.fit.as_ref().map(|fit| fit.least().0);
+        said.extend(least.filter(|share| *share < LEAST_SHARE).map(|share| {
+            let per_cent = (100.0 * share).floor();
+            format!("the mean spectrum has {per_cent:.0} % of the target")
+        }));
+        let more = "the warnings say more";
+        (!said.is_empty()).then(|| format!("Caution: {}; {more}.", said.join("; ")))
     }
 
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
-        let mut said: Vec<String> = self.excesses().into_iter().map(|(_, said)| said).collect();
+        let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
         said.extend(self.misfit());
         let far: Vec<String> = self
             .far()
@@ -103,24 +104,15 @@ impl AssessmentReport {
         ))
     }
 
-    /// Responses beyond the model or beyond codes, over all runs: the worst of every kind, and in how many runs.
-    fn excesses(&self) -> Vec<(ExcessKind, String)> {
-        let all = self.motions.iter().flat_map(|one| &one.run.excesses);
-        let mut kinds: Vec<ExcessKind> = all.clone().map(|one| one.kind).collect();
-        kinds.sort_unstable();
-        kinds.dedup();
-        let said = |kind: ExcessKind| {
-            let of_kind = all.clone().filter(|one| one.kind == kind);
-            let runs = of_kind.clone().count();
-            let worst = of_kind.max_by(|one, other| one.found.total_cmp(&other.found))?;
-            let said = format!(
-                "{} in {runs} of {} runs, at worst {}",
-                self.floor_name(worst.floor),
-                self.assessment.runs,
-                kind.says(worst.found)
-            );
-            Some((kind, said))
-        };
-        kinds.into_iter().filter_map(said).collect()
+    /// Responses beyond the model or beyond codes, over all runs.
+    fn excesses(&self) -> Vec<Excess> {
+        let runs = self.motions.iter();
+        Excess::gathered(runs.map(|one| &one.run.excesses))
+    }
+
+    /// Whether something may touch that nobody looked at.
+    pub(super) fn leaves_out(&self) -> bool {
+        let mut all = self.excesses().into_iter();
+        all.any(|one| one.kind.is_unwatched())
     }
 }

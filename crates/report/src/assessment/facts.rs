@@ -87,6 +87,7 @@ fn gap(report: &AssessmentReport, one: &GapAssessment) -> Value {
         "touching_runs": one.touching_runs,
         "required_m": statistics(&one.required),
         "required_sorted_m": one.required,
+        "beside_columns_m": one.beside_columns,
         "proposed_m": one.proposal(),
         "rules": one.rules.iter().map(rule).collect::<Vec<_>>(),
     })

@@ -162,7 +162,12 @@ fn touching(report: &AssessmentReport) -> String {
     let hit = report.hit();
     if hit.is_empty() {
         let why = report.floors.says_no_contact();
-        let why = why.map_or_else(|| "Nothing touches.".into(), sentence);
+        let none = if report.leaves_out() {
+            "No floors that were looked at touch."
+        } else {
+            "Nothing touches."
+        };
+        let why = why.map_or_else(|| none.into(), sentence);
         return format!("<p>{why}</p>\n");
     }
     let [from, to] = report.stiffness.map(pounding_text::digits);

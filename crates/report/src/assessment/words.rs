@@ -121,42 +121,72 @@ impl AssessmentReport {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
         gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
         let answers = gaps.into_iter().map(|gap| self.answer(gap));
+        let answers = answers.chain(self.floors.says_no_level());
         answers.chain(self.prior()).collect()
     }
 
+    /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
     fn answer(&self, gap: &GapAssessment) -> String {
+        let answer = self.answer_of_floors(gap);
+        gap.beside_columns.map_or(answer.clone(), |width| {
+            let width = millimetres_up(width);
+            format!("{answer} Floors beside columns may need {width} mm, the sum of both peaks.")
+        })
+    }
+
+    fn answer_of_floors(&self, gap: &GapAssessment) -> String {
         let [left, right] = self.gap_names(gap);
         let (runs, samples) = (self.assessment.runs, self.sample());
-        let [most, all] =
-            [gap.required.p84(), gap.required.largest()].map(|width| millimetres(gap.built(width)));
+        let needed = gap.required.largest();
+        let [most, all] = [gap.built(gap.required.p84()), gap.proposal()].map(millimetres);
         match gap.own {
             None => format!(
                 "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
             ),
-            Some(own) if gap.touching == 0 => format!(
-                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
+            Some(own) if gap.touching == 0 && own >= needed => format!(
+                "{} mm is enough {}between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
-                millimetres_up(gap.required.largest()),
+                if own < gap.largest() {
+                    "for floors that face floors "
+                } else {
+                    ""
+                },
+                millimetres_up(needed),
                 margin(own, gap)
             ),
+            Some(own) if gap.touching == 0 => {
+                let why = self.floors.left_out(gap.left);
+                let why = why.map_or_else(
+                    || "because their other neighbours hold them".into(),
+                    |levels| format!("because {levels} were not looked at"),
+                );
+                format!(
+                    "{} mm is not enough between {left} and {right}: alone they need {} mm. In these runs they do not touch, {why}.",
+                    millimetres(own),
+                    millimetres_up(needed)
+                )
+            }
             // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
-            Some(own) if own >= gap.required.largest() => format!(
+            Some(own) if own >= needed => format!(
                 "{} mm would be enough between {left} and {right}, but they touch in {}, pushed by another neighbour: \
                  the other gaps decide.",
                 millimetres(own),
                 self.touch_in(gap)
             ),
-            Some(own) if most == all || gap.built(gap.required.p84()) <= own => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough for all.",
-                millimetres(own),
-                self.touch_in(gap)
-            ),
-            Some(own) => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough for 84 % of \
-                 the {samples}s, {all} mm for all.",
-                millimetres(own),
-                self.touch_in(gap)
-            ),
+            Some(own) => {
+                let most = if most == all || gap.built(gap.required.p84()) <= own {
+                    format!("{all} mm would be enough for all")
+                } else {
+                    format!(
+                        "{most} mm would be enough for 84 % of the {samples}s, {all} mm for all"
+                    )
+                };
+                format!(
+                    "{} mm is not enough between {left} and {right}: they touch in {}. {most}.",
+                    millimetres(own),
+                    self.touch_in(gap)
+                )
+            }
         }
     }
 
@@ -164,7 +194,7 @@ impl AssessmentReport {
     pub fn proposals(&self) -> Vec<String> {
         let n = self.assessment.events;
         let gaps = self.assessment.gaps.iter();
-        let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.required.largest()));
+        let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.largest()));
         let widths = wanting.map(|gap| {
             let [left, right] = self.gap_names(gap);
             format!(
@@ -231,7 +261,12 @@ impl AssessmentReport {
 /// How much wider a gap is than the widest needed, if that is less than the spread of the widths from run to run, the standard
 /// deviation of their logarithms: then another motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
-    let more = own / gap.required.largest();
+    let widths = [gap.largest(), gap.required.largest()];
+    let more = own
+        / widths
+            .into_iter()
+            .find(|width| *width <= own)
+            .unwrap_or(own);
     match gap.required.dispersion() {
         Some(spread) if libm::log(more) < spread => format!(
             " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",

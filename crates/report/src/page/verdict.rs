@@ -24,7 +24,7 @@ pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
     if touching.is_empty() {
         return format!(
             "<div class=\"verdict\">\n{}<p>{}</p>\n</div>\n",
-            apart(summary),
+            apart(summary, review),
             escaped(&certainty(review))
         );
     }
@@ -106,7 +106,7 @@ fn missed(summary: &Summary, review: &Review) -> String {
 }
 
 /// What is said where nobody touches.
-fn apart(summary: &Summary) -> String {
+fn apart(summary: &Summary, review: &Review) -> String {
     let nearest = summary
         .pairs
         .iter()
@@ -116,8 +116,14 @@ fn apart(summary: &Summary) -> String {
                 itself.</p>\n"
             .into();
     };
+    let mut excesses = review.excesses.iter();
+    let apart = if excesses.any(|one| one.kind.is_unwatched()) {
+        "No floors that were looked at touch."
+    } else {
+        "They do not touch."
+    };
     format!(
-        "<p><strong>They do not touch.</strong></p>\n<p>{}</p>\n",
+        "<p><strong>{apart}</strong></p>\n<p>{}</p>\n",
         escaped(&format!(
             "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
             digits(1e3 * pair.gap_m),

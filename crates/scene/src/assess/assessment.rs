@@ -50,6 +50,9 @@ pub struct GapAssessment {
     pub touching_runs: usize,
     /// Width that keeps its neighbours apart in a case \[m\].
     pub required: Distribution,
+    /// Width that keeps floors from columns of the neighbour, too, in every run \[m\], by the sum of both peaks; `None` if no floor faces
+    /// a column, or if it is not more.
+    pub beside_columns: Option<f64>,
     /// What rules ask for.
     pub rules: Vec<RuleAssessment>,
 }
@@ -59,6 +62,9 @@ pub struct GapAssessment {
 pub struct RequiredGap {
     /// Width that keeps its neighbours apart in a case \[m\].
     pub required: Distribution,
+    /// Width that keeps floors from columns of the neighbour, too, in every run \[m\], by the sum of both peaks; `None` if no floor faces
+    /// a column, or if it is not more.
+    pub beside_columns: Option<f64>,
     /// What rules ask for.
     pub rules: Vec<RuleAssessment>,
 }
@@ -67,9 +73,13 @@ impl RequiredGap {
     /// Of what one gap needs in runs, each with its case; `None` without a run.
     pub fn of(all: &[([usize; 2], &Separation)]) -> Option<Self> {
         let required = all.iter().map(|(case, one)| (*case, one.required));
+        let required = largest_of_cases(required)?;
+        let beside = all.iter().filter_map(|(_, one)| one.beside_columns);
+        let beside = beside.reduce(f64::max);
         let rules = Rule::ALL.iter();
         Some(Self {
-            required: largest_of_cases(required)?,
+            beside_columns: beside.filter(|width| *width > required.largest()),
+            required,
             rules: rules.filter_map(|rule| ruled(*rule, all)).collect(),
         })
     }
@@ -215,13 +225,18 @@ impl<'r> Row<'r> {
             .collect();
         let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
         let touching = self.runs.iter().filter(|one| touches(one.run));
-        let RequiredGap { required, rules } = RequiredGap::of(&all)?;
+        let RequiredGap {
+            required,
+            beside_columns,
+            rules,
+        } = RequiredGap::of(&all)?;
         Some(GapAssessment {
             left,
             own: own.map(|contact| contact.gap_m),
             touching: count(touching.clone().map(RunOfCase::case)),
             touching_runs: touching.count(),
             required,
+            beside_columns,
             rules,
         })
     }
@@ -276,9 +291,14 @@ impl<'r> Row<'r> {
 }
 
 impl GapAssessment {
-    /// The least gap in [steps](BUILT_IN_STEPS_OF) that keeps the neighbours apart in every run \[m\].
+    /// The least gap that is known to keep the neighbours apart in every run \[m\], also floors from columns.
+    pub fn largest(&self) -> f64 {
+        self.beside_columns.unwrap_or(self.required.largest())
+    }
+
+    /// The same in [steps](BUILT_IN_STEPS_OF) \[m\].
     pub fn proposal(&self) -> f64 {
-        self.built(self.required.largest())
+        self.built(self.largest())
     }
 
     /// A width rounded up to what is built \[m\].

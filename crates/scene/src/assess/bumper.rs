@@ -1,6 +1,6 @@
 //! A compliant bumper in a gap, and what it changes.
 
-use pounding_contact::{Calibration, ContactLaw, LinearSpring, ModifiedLinearViscoelastic};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, LinearSpring};
 
 use super::distribution::Distribution;
 use super::peaks::{FloorPeaks, peaks};
@@ -93,13 +93,11 @@ impl Bumper {
             impact_stiffness: self.stiffness,
         };
         let damped = contact.law.restitution().and_then(|restitution| {
-            let exact = Calibration::Exact;
-            ModifiedLinearViscoelastic::calibrated(self.stiffness, restitution, exact).ok()
+            let asked = (restitution, Calibration::Exact);
+            let law = LawName::ModifiedLinearViscoelastic;
+            law.calibrated(self.stiffness, asked, &FreePair::UNIT).ok()
         });
-        damped.map_or(
-            ContactLaw::LinearSpring(spring),
-            ContactLaw::ModifiedLinearViscoelastic,
-        )
+        damped.unwrap_or(ContactLaw::LinearSpring(spring))
     }
 
     /// A contact with the bumper in its gap.

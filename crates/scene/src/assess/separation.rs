@@ -7,7 +7,7 @@ use pounding_solver::Closing;
 use strum::EnumCount;
 
 use crate::simulation::Extras;
-use crate::{Contact, Error, Floors, Method, RunResult, Scene, Simulation};
+use crate::{Contact, Error, Excess, Floors, Method, RunResult, Scene, Simulation};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,8 @@ pub struct Separation {
     pub oscillations: [Option<(f64, f64)>; 2],
     /// Whether floors of both stand equally high up to the lower roof, by the heights that the scene gives, whichever may touch.
     pub level: bool,
+    /// Width that keeps floors of both from columns of the other \[m\], by the sum of both peaks; `None` if no floor faces a column.
+    pub beside_columns: Option<f64>,
     /// Height of that level, and of the lower of both buildings \[m\], where the scene gives them.
     pub heights: Option<[f64; 2]>,
 }
@@ -52,16 +54,16 @@ impl Separation {
     }
 }
 
-/// A gap that no start of a scene closes \[m\].
-const WIDE: f64 = 1e6;
+/// A gap that no usual start of a scene closes, and that is not unusual itself \[m\].
+const WIDE: f64 = 2.0;
 
 impl Scene {
-    /// The same row with gaps that nothing closes, by the exact method: to ask which gaps it needs. What does not matter then is neither
-    /// refused nor searched for; of contacts it is their levels that do.
+    /// The same row with wide gaps, by the exact method: to ask which gaps it needs. What does not matter then is neither refused nor
+    /// searched for.
     #[must_use]
     pub fn apart(&self) -> Self {
         let wide = |one: &Contact| Contact {
-            gap_m: WIDE,
+            gap_m: one.gap_m.max(WIDE),
             ..one.clone()
         };
         let contacts = self.contacts.as_ref();
@@ -214,6 +216,14 @@ impl Simulation {
     /// # Errors
     /// As of [`run_with`](Self::run_with).
     pub fn separations(&self) -> Result<Vec<Separation>, Error> {
+        Ok(self.judged_separations()?.0)
+    }
+
+    /// The same with what the motion of the structures alone is beyond its model, or codes allow.
+    ///
+    /// # Errors
+    /// As of [`run_with`](Self::run_with).
+    pub fn judged_separations(&self) -> Result<(Vec<Separation>, Vec<Excess>), Error> {
         let apart = self.apart()?.exact()?;
         let asked = Extras {
             closings: true,
@@ -221,7 +231,8 @@ impl Simulation {
         };
         let alone = apart.run_with(asked)?;
         let closings = alone.closings.as_ref();
-        Ok(separations_of(&apart, &alone, |left| closings?.of(left)))
+        let separations = separations_of(&apart, &alone, |left| closings?.of(left));
+        Ok((separations, apart.excesses(&alone)))
     }
 }
 
@@ -233,7 +244,8 @@ pub(super) fn separations_of(
 ) -> Vec<Separation> {
     let floors = apart.floors();
     let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
-    for (left, one, other) in floors.neighbours() {
+    let beside_columns = apart.beside_columns(alone);
+    for (left, one, other) in floors.all_facing() {
         let Some(closing) = closing(one) else {
             continue;
         };
@@ -251,6 +263,7 @@ pub(super) fn separations_of(
             time,
             peaks: [one, other].map(|index| alone.peaks.of(index).displacement.value.abs()),
             level: floors.are_level(left),
+            beside_columns: beside_columns.get(&left).copied(),
             oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
             heights: heights(floors, [one, other]),
         };
@@ -300,6 +313,7 @@ mod tests {
                 peaks,
                 oscillations: [None; 2],
                 level,
+                beside_columns: None,
                 heights: Some(heights),
             };
             format!(
@@ -363,6 +377,7 @@ mod tests {
             peaks: [0.1; 2],
             oscillations: [None; 2],
             level: false,
+            beside_columns: None,
             heights: None,
         };
         let silent: Vec<_> = Rule::ALL

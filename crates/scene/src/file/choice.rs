@@ -3,22 +3,27 @@
 //! A word alone stands for the table with nothing in it, `"exact"` for `{"exact": {}}`. Where the choice needs settings, the
 //! message shows them by an example.
 
-use std::fmt;
 use std::marker::PhantomData;
+use std::{fmt, iter};
 
 use pounding_contact::ContactLaw;
 use schemars::Schema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeOwned, Error, MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, MapDeserializer};
+use serde::de::{DeserializeOwned, Error, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Value, json};
 
-use crate::file::fault::TWO_CHOICES;
+use super::refused::CHOICE;
 
 /// A type of which a file chooses one variant.
 pub(super) trait Choice: DeserializeOwned + Serialize {
+    /// [`Self::examples`], where they are written by hand.
+    const EXAMPLES: &'static [&'static str] = &[];
+
     /// An example in JSON of every variant that needs settings.
-    const EXAMPLES: &'static [&'static str];
+    fn examples() -> Vec<String> {
+        Self::EXAMPLES.iter().copied().map(String::from).collect()
+    }
 }
 
 /// Reads a choice.
@@ -46,20 +51,17 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     type Value = T;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("string or map")
+        out.write_str(CHOICE)
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
-        let whole = [json!(word), json!({ word: {} })];
-        let [alone, empty] = whole.map(serde_json::from_value::<T>);
-        alone.or(empty).map_err(|error| {
-            let message = error.to_string();
-            // The message lists the words that are known.
-            if message.starts_with("unknown variant") {
-                E::custom(message)
-            } else {
-                E::custom(needs_settings::<T>(word))
-            }
+        if let Some(example) = example::<T>(word) {
+            return Err(E::custom(needs_settings(word, &example)));
+        }
+        T::deserialize(word.into_deserializer()).or_else(|_: E| {
+            let nothing = MapDeserializer::new(iter::empty::<(&str, &str)>());
+            let table = MapDeserializer::new(iter::once((word, nothing)));
+            T::deserialize(MapAccessDeserializer::new(table))
         })
     }
 
@@ -77,18 +79,23 @@ fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
     let choice = json!(choice);
     let table = choice.as_object().and_then(|table| table.keys().next());
     let first = table.map(String::as_str).or(choice.as_str());
-    format!("{TWO_CHOICES}`{}` and `{other}`", first.unwrap_or_default())
+    let first = first.unwrap_or_default();
+    format!("found both `{first}` and `{other}`, allowed is one of them; delete the other")
 }
 
-/// What is said of a word that needs settings.
-fn needs_settings<T: Choice>(word: &str) -> String {
+/// How to say a choice that needs settings.
+fn example<T: Choice>(word: &str) -> Option<String> {
     let begin = format!("{{\"{word}\":");
-    let mut examples = T::EXAMPLES.iter();
-    let example = examples.find(|example| example.starts_with(&begin));
-    let example = example.map_or(String::new(), |json| {
-        format!(", such as {json} in JSON, {} in TOML", in_toml(json))
-    });
-    format!("found the word `{word}` alone, allowed is a table with its settings{example}")
+    let mut examples = T::examples().into_iter();
+    examples.find(|example| example.starts_with(&begin))
+}
+
+/// What is said of the word alone.
+fn needs_settings(word: &str, json: &str) -> String {
+    let toml = in_toml(json);
+    format!(
+        "found the word `{word}` alone, allowed is a table with its settings, such as {json} in JSON, {toml} in TOML"
+    )
 }
 
 /// An example in TOML: keys stand without quotes before an equals sign.
@@ -107,18 +114,9 @@ pub(super) fn also(schema: &mut Schema, way: Value) {
 }
 
 impl Choice for ContactLaw {
-    const EXAMPLES: &'static [&'static str] = &[
-        r#"{"stereomechanical": {"restitution": 0.65}}"#,
-        r#"{"linear_spring": {"impact_stiffness_n_per_m": 1e8}}"#,
-        r#"{"hertz": {"impact_stiffness_n_per_m1_5": 2.75e9}}"#,
-        r#"{"kelvin_voigt": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"modified_linear_viscoelastic": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
-        r#"{"hertz_damp": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
-        r#"{"modified_kelvin": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"pant_wijeyewickrema": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
-        r#"{"kuwabara_kono": {"impact_stiffness_n_per_m1_5": 2.75e9, "impact_damping_n_s_per_m1_5": 1e6}}"#,
-    ];
+    fn examples() -> Vec<String> {
+        Self::examples().collect()
+    }
 }
 
 #[cfg(test)]
@@ -127,7 +125,7 @@ mod tests {
     use serde::Deserialize;
     use serde_json::Value;
 
-    use super::{Choice, Chosen, in_toml, needs_settings};
+    use super::{Choice, Chosen, example, in_toml, needs_settings};
     use crate::file::structure::Named;
     use crate::{Damping, Generated, Ground, Method, ScaleTo};
 
@@ -152,13 +150,13 @@ mod tests {
                 continue;
             }
             let message = alone.err().expect("settings are needed").to_string();
-            assert_eq!(message, needs_settings::<T>(&word));
-            assert!(message.contains("such as"), "{message}");
+            let example = example::<T>(&word).expect("an example");
+            assert_eq!(message, needs_settings(&word, &example));
         }
-        for json in T::EXAMPLES {
-            let value: Value = serde_json::from_str(json).expect("JSON");
+        for json in T::examples() {
+            let value: Value = serde_json::from_str(&json).expect("JSON");
             assert!(Chosen::<T>::deserialize(value.clone()).is_ok(), "{json}");
-            let toml = format!("example = {}", in_toml(json));
+            let toml = format!("example = {}", in_toml(&json));
             let toml: Value = toml::from_str(&toml).expect("TOML");
             assert_eq!(toml["example"], value, "{json}");
         }

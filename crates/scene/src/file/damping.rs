@@ -2,8 +2,7 @@
 
 use pounding_solver::Damping as SolverDamping;
 use schemars::JsonSchema;
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 use super::choice::Choice;
 
@@ -23,19 +22,15 @@ pub enum Damping {
     /// Rayleigh damping that has these ratios at two frequencies.
     TwoFrequencies {
         /// The frequencies \[Hz\], 0 < first < second.
-        #[serde(deserialize_with = "two")]
         frequencies_hz: [f64; 2],
         /// The damping ratio at each \[–\], ≥ 0.
-        #[serde(deserialize_with = "two")]
         ratios: [f64; 2],
     },
     /// Rayleigh damping that has these ratios in two modes of a building.
     Modes {
         /// Numbers of the modes, counted from 1 for the slowest; 0 < first < second.
-        #[serde(deserialize_with = "two")]
         modes: [usize; 2],
         /// The damping ratio in each \[–\], ≥ 0.
-        #[serde(deserialize_with = "two")]
         ratios: [f64; 2],
     },
 }
@@ -47,15 +42,6 @@ impl Choice for Damping {
         r#"{"modes": {"modes": [1, 3], "ratios": [0.05, 0.05]}}"#,
         r#"{"two_frequencies": {"frequencies_hz": [1.0, 10.0], "ratios": [0.05, 0.05]}}"#,
     ];
-}
-
-/// Two numbers: TOML would give the first two of more.
-fn two<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
-    let numbers = Vec::deserialize(from)?;
-    let found = numbers.len();
-    let refused =
-        |_| D::Error::custom(format!("found a list of {found}, allowed is a list of two"));
-    numbers.try_into().map_err(refused)
 }
 
 impl Damping {

@@ -18,9 +18,11 @@ pub(crate) mod processed;
 mod processing;
 pub(crate) mod reading;
 mod record;
+pub(crate) mod refused;
 pub(crate) mod scene_error;
 pub(crate) mod schema;
 mod structure;
+mod tree;
 
 use pounding_contact::ContactLaw;
 use schemars::JsonSchema;

@@ -1,5 +1,8 @@
 //! Where a field stands in a file: the line that a message names.
 
+use std::collections::BTreeMap;
+
+use serde_json::value::RawValue;
 use toml::de::{DeTable, DeValue};
 
 /// One step on the way to a field.
@@ -8,38 +11,74 @@ enum Step<'p> {
     Item(usize),
 }
 
-/// The byte at which a field, for example `structures[1].sdof.mass_kg`, begins in a text that is good TOML.
-pub(crate) fn in_toml(text: &str, place: &str) -> Option<usize> {
+/// The bytes at which a field, for example `structures[1].sdof.mass_kg`, begins.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Spot {
+    /// Its name, or the item of a list.
+    pub(crate) name: usize,
+    /// Its value.
+    pub(crate) value: usize,
+}
+
+impl Spot {
+    /// Where a field stands in a text that is good JSON or TOML.
+    pub(crate) fn find(text: &str, is_json: bool, place: &str) -> Option<Self> {
+        if is_json {
+            in_json(text, place)
+        } else {
+            in_toml(text, place)
+        }
+    }
+}
+
+fn in_toml(text: &str, place: &str) -> Option<Spot> {
     let table = DeTable::parse(text).ok()?;
     let root = DeValue::Table(table.into_inner());
-    let (mut value, mut start) = (&root, None);
+    let (mut value, mut spot) = (&root, None);
     for step in steps(place) {
-        (value, start) = match (step, value) {
+        let (name, found) = match (step, value) {
             (Step::Field(name), DeValue::Table(table)) => {
                 let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
-                (value.get_ref(), Some(key.span().start))
+                (key.span(), value)
             }
             (Step::Item(index), DeValue::Array(items)) => {
                 let item = items.get(index)?;
-                (item.get_ref(), Some(item.span().start))
+                (item.span(), item)
             }
             _ => return None,
         };
-    }
-    start
-}
-
-/// The same in a text that is good JSON.
-pub(crate) fn in_json(text: &[u8], place: &str) -> Option<usize> {
-    let mut reader = Json { text, at: 0 };
-    let mut start = None;
-    for step in steps(place) {
-        start = Some(match step {
-            Step::Field(name) => reader.field(name)?,
-            Step::Item(index) => reader.item(index)?,
+        value = found.get_ref();
+        spot = Some(Spot {
+            name: name.start,
+            value: found.span().start,
         });
     }
-    start
+    spot
+}
+
+fn in_json(text: &str, place: &str) -> Option<Spot> {
+    let mut value: &RawValue = serde_json::from_str(text).ok()?;
+    let mut spot = None;
+    for step in steps(place) {
+        let name = match step {
+            Step::Field(name) => {
+                let fields: BTreeMap<String, _> = serde_json::from_str(value.get()).ok()?;
+                value = fields.get(name).copied()?;
+                Some(format!("\"{name}\""))
+            }
+            Step::Item(index) => {
+                let items: Vec<_> = serde_json::from_str(value.get()).ok()?;
+                value = items.get(index).copied()?;
+                None
+            }
+        };
+        let start = value.get().as_ptr().addr() - text.as_ptr().addr();
+        spot = Some(Spot {
+            name: name.map_or(Some(start), |name| text[..start].rfind(&name))?,
+            value: start,
+        });
+    }
+    spot
 }
 
 fn steps(place: &str) -> impl Iterator<Item = Step<'_>> {
@@ -48,103 +87,6 @@ fn steps(place: &str) -> impl Iterator<Item = Step<'_>> {
         Some(index) => index.parse().map_or(Step::Field(piece), Step::Item),
         None => Step::Field(piece),
     })
-}
-
-/// A walk through JSON that is known to be good; anything else gives nothing.
-struct Json<'t> {
-    text: &'t [u8],
-    at: usize,
-}
-
-impl<'t> Json<'t> {
-    /// Goes to the value of a field; the byte at which its name begins.
-    fn field(&mut self, name: &str) -> Option<usize> {
-        self.expect(b'{')?;
-        loop {
-            self.blanks();
-            let start = self.at;
-            let key = self.string()?;
-            self.expect(b':')?;
-            if key == name.as_bytes() {
-                return Some(start);
-            }
-            self.value()?;
-            self.expect(b',')?;
-        }
-    }
-
-    /// Goes to an item of a list; the byte at which it begins.
-    fn item(&mut self, index: usize) -> Option<usize> {
-        self.expect(b'[')?;
-        for _ in 0..index {
-            self.value()?;
-            self.expect(b',')?;
-        }
-        self.blanks();
-        Some(self.at)
-    }
-
-    fn peek(&self) -> Option<u8> {
-        self.text.get(self.at).copied()
-    }
-
-    fn blanks(&mut self) {
-        while self.peek().is_some_and(|byte| byte.is_ascii_whitespace()) {
-            self.at += 1;
-        }
-    }
-
-    fn expect(&mut self, byte: u8) -> Option<()> {
-        self.blanks();
-        let found = self.peek()? == byte;
-        self.at += usize::from(found);
-        found.then_some(())
-    }
-
-    /// Passes a string; what stands between its quotes.
-    fn string(&mut self) -> Option<&'t [u8]> {
-        self.expect(b'"')?;
-        let start = self.at;
-        while self.peek()? != b'"' {
-            self.at += if self.peek()? == b'\\' { 2 } else { 1 };
-        }
-        self.at += 1;
-        self.text.get(start..self.at - 1)
-    }
-
-    /// Passes a value.
-    fn value(&mut self) -> Option<()> {
-        let mut depth = 0_usize;
-        loop {
-            self.blanks();
-            match self.peek()? {
-                b'"' => {
-                    self.string()?;
-                }
-                b'{' | b'[' => {
-                    depth += 1;
-                    self.at += 1;
-                }
-                b'}' | b']' => {
-                    depth = depth.checked_sub(1)?;
-                    self.at += 1;
-                }
-                b',' | b':' => self.at += 1,
-                _ => self.word(),
-            }
-            if depth == 0 {
-                return Some(());
-            }
-        }
-    }
-
-    /// Passes a number or a word.
-    fn word(&mut self) {
-        let ends = |byte: u8| b",:]}".contains(&byte) || byte.is_ascii_whitespace();
-        while self.peek().is_some_and(|byte| !ends(byte)) {
-            self.at += 1;
-        }
-    }
 }
 
 #[cfg(test)]
@@ -158,8 +100,8 @@ mod tests {
     #[test]
     fn reference_lines_of_fields() {
         let toml = |place: &str| {
-            let byte = in_toml(TOML, place)?;
-            Some(TOML[..byte].matches('\n').count() + 1)
+            let spot = in_toml(TOML, place)?;
+            Some(TOML[..spot.name].matches('\n').count() + 1)
         };
         for (place, expected) in [
             ("name", 1),
@@ -172,8 +114,8 @@ mod tests {
             assert_eq!(toml(place), Some(expected), "{place}");
         }
         let json = |place: &str| {
-            let byte = in_json(JSON.as_bytes(), place)?;
-            Some(JSON[..byte].matches('\n').count() + 1)
+            let spot = in_json(JSON, place)?;
+            Some(JSON[..spot.name].matches('\n').count() + 1)
         };
         for (place, expected) in [
             ("name", 1),
@@ -199,11 +141,11 @@ mod tests {
             "list[1].a[9]",
             "list[x]",
         ] {
-            assert_eq!(in_json(JSON.as_bytes(), place), None, "{place}");
+            assert_eq!(in_json(JSON, place), None, "{place}");
             assert_eq!(in_toml(TOML, place), None, "{place}");
         }
         for length in 0..JSON.len() {
-            let _ = in_json(&JSON.as_bytes()[..length], "list[2].b.d");
+            let _ = in_json(&JSON[..length], "list[2].b.d");
         }
     }
 }

@@ -1,12 +1,17 @@
 //! Files that people write: JSON or TOML, of one form.
 
 use std::io::Read;
+use std::iter;
 use std::path::Path;
 
 use pounding_files::Length;
-use serde::de::{DeserializeOwned, IgnoredAny};
+use serde::de::{DeserializeOwned, Error as _};
+use serde_json::Value;
 
-use crate::{Error, Fault, Scene, file::position};
+use super::position::Spot;
+use super::refused::{Blames, Refused};
+use super::tree::Tree;
+use crate::{Contact, Error, Fault, Scene, SdofFile};
 
 /// Reads what a stream gives to its end, as much as a file may have.
 ///
@@ -49,7 +54,7 @@ pub fn record_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     pounding_files::read(path, LONGEST_RECORD)
 }
 
-/// Deserialisers are large: they are compiled here once, and not with every program that reads a scene.
+/// What reads a type is large: it is compiled here once, and not with every program that reads a scene.
 impl Scene {
     /// Reads a scene from a JSON or TOML file; an error names the line and the field.
     ///
@@ -68,6 +73,22 @@ impl Scene {
     }
 }
 
+macro_rules! of_words {
+    ($($read:ty),+) => {$(
+        impl $read {
+            /// Reads what is there in the words of JSON already.
+            ///
+            /// # Errors
+            /// What is wrong, and at which place of the words.
+            pub fn of_words(words: &Value) -> Result<Self, Refused> {
+                of_words(words)
+            }
+        }
+    )+};
+}
+
+of_words!(Contact, Scene, SdofFile);
+
 /// Whether the text of a file is JSON and not TOML: its first letter is `{`, or the ending of its name says so.
 pub fn is_json(text: &[u8], path: &Path) -> bool {
     let named = path.extension().is_some_and(|ending| ending == "json");
@@ -82,34 +103,104 @@ pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, Error> 
     // What some editors put before UTF-8.
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let is_json = is_json(text, path);
-    let refused = if is_json { json(text) } else { toml(text) };
-    refused.map_err(|refused| {
-        let refused =
-            record(text, path).unwrap_or_else(|| refused.of_common_mistake(text, is_json));
-        Error::Form {
-            path: path.to_path_buf(),
-            position: refused.position,
-            place: refused.place,
-            fault: Box::new(refused.fault),
-        }
-    })
+    let (words, tree) = tree_of(text, is_json).map_err(|said| form(said, text, path))?;
+    T::deserialize(&tree).map_err(|refused| form(blamed(words, is_json, refused), text, path))
+}
+
+/// Reads what is there in the words of JSON already.
+fn of_words<T: DeserializeOwned>(words: &Value) -> Result<T, Refused> {
+    let tree = Tree::grown(words, &mut String::new());
+    T::deserialize(&tree.map_err(Refused::custom)?)
+}
+
+/// Line and column, field, and fault.
+type Said = (Option<(usize, usize)>, Option<String>, Fault);
+
+/// The text, and what it says.
+fn tree_of(text: &[u8], is_json: bool) -> Result<(&str, Tree), Said> {
+    let text = std::str::from_utf8(text).map_err(|error| {
+        let byte = error.valid_up_to();
+        (None, None, Fault::NotUtf8 { byte })
+    })?;
+    let mut place = String::new();
+    let grown = if is_json {
+        json(text, &mut place)
+    } else {
+        toml(text, &mut place)
+    };
+    let tree = grown.map_err(|((line, column), fault)| {
+        let place = (fault == Fault::Beyond).then_some(place);
+        let line_text = text.lines().nth(line - 1).filter(|_| place.is_none());
+        let common = line_text.and_then(|line| Fault::of_line(line, is_json));
+        (Some((line, column)), place, common.unwrap_or(fault))
+    })?;
+    Ok((text, tree))
+}
+
+/// What is said of words that are refused, with line and column of what is to blame; of a field that is not there those of the
+/// table that lacks it.
+fn blamed(text: &str, is_json: bool, refused: Refused) -> Said {
+    let mut ways = iter::successors(Some(refused.way()), |way| {
+        let (outer, _) = way.rsplit_once(['.', '['])?;
+        Some(outer)
+    });
+    let spot = ways.find_map(|way| Spot::find(text, is_json, way));
+    let spot = spot.unwrap_or_default();
+    let [name, value] = [spot.name, spot.value].map(|byte| line_and_column(text, byte));
+    let is_value = refused.blames == Blames::Value && name.0 == value.0;
+    let position = if is_value { value } else { name };
+    let place = refused.place().into();
+    (Some(position), Some(place), refused.into_fault())
+}
+
+fn form(said: Said, text: &[u8], path: &Path) -> Error {
+    let of_record = of_record(text, path).map(|fault| (None, None, fault));
+    let (position, place, fault) = of_record.unwrap_or(said);
+    Error::Form {
+        path: path.to_path_buf(),
+        position,
+        place,
+        fault: Box::new(fault),
+    }
 }
 
 /// What is said of a record where a scene is asked for.
-fn record(text: &[u8], path: &Path) -> Option<Refused> {
+fn of_record(text: &[u8], path: &Path) -> Option<Fault> {
     let ending = path.extension().unwrap_or_default();
     // A bad scene may hold a line of numbers alone, and so look like a record of plain text.
     if ending == "toml" || ending == "json" {
         return None;
     }
     let format = pounding_motion::recognised(text)?;
-    Some(Refused {
-        position: None,
-        place: None,
-        fault: Fault::Record {
-            format: format.name(),
-            path: path.to_path_buf(),
-        },
+    Some(Fault::Record {
+        format: format.name(),
+        path: path.to_path_buf(),
+    })
+}
+
+/// The words of JSON, or the place of a fault.
+fn json(text: &str, place: &mut String) -> Result<Tree, ((usize, usize), Fault)> {
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let grown = Tree::grown(&mut reader, place);
+    let grown = grown.and_then(|tree| reader.end().map(|()| tree));
+    grown.map_err(|error| {
+        let message = error.to_string();
+        let fault = match message.rsplit_once(" at line ") {
+            Some(("number out of range", _)) => Fault::Beyond,
+            Some((message, _)) => Fault::Json(message.into()),
+            None => Fault::Json(message),
+        };
+        ((error.line(), error.column()), fault)
+    })
+}
+
+/// The words of TOML, or the place of a fault.
+fn toml(text: &str, place: &mut String) -> Result<Tree, ((usize, usize), Fault)> {
+    let grown = toml::Deserializer::parse(text).and_then(|reader| Tree::grown(reader, place));
+    grown.map_err(|error| {
+        let start = error.span().map_or(0, |span| span.start);
+        let lines: Vec<_> = error.message().lines().collect();
+        (line_and_column(text, start), Fault::Toml(lines.join(", ")))
     })
 }
 
@@ -117,14 +208,9 @@ fn record(text: &[u8], path: &Path) -> Option<Refused> {
 pub fn position_in(path: &Path, place: &str) -> Option<(usize, usize)> {
     let bytes = bytes(path).ok()?;
     let text = std::str::from_utf8(&bytes).ok()?;
-    let byte = if is_json(&bytes, path) {
-        position::in_json(&bytes, place)
-    } else {
-        position::in_toml(text, place)
-    };
+    let spot = Spot::find(text, is_json(&bytes, path), place)?;
     let is_one_line = text.trim_end().lines().count() < 2;
-    byte.filter(|_| !is_one_line)
-        .map(|byte| line_and_column(text, byte))
+    (!is_one_line).then(|| line_and_column(text, spot.name))
 }
 
 impl Error {
@@ -161,135 +247,6 @@ impl Error {
             self
         }
     }
-}
-
-/// Why a text is refused.
-struct Refused {
-    position: Option<(usize, usize)>,
-    place: Option<String>,
-    fault: Fault,
-}
-
-impl Refused {
-    /// What a deserialiser says of a field.
-    fn of(message: &str, mut place: String, position: Option<(usize, usize)>) -> Self {
-        let (field, message) = own_field(message);
-        if let Some(field) = field {
-            place = format!("{place}.{field}");
-        }
-        let fault = Fault::of(message, &place);
-        // Of a choice that is not known the place is what makes it, and no field of that name.
-        if let Fault::UnknownChoice { found, .. } = &fault
-            && let Some(field) = place.strip_suffix(found.as_str())
-            && let Some(field) = field.strip_suffix('.')
-        {
-            place = field.into();
-        }
-        Self {
-            position,
-            place: Some(place),
-            fault,
-        }
-    }
-
-    /// Bad syntax by the mistake that made it, if that is one of many people's.
-    fn of_common_mistake(mut self, text: &[u8], is_json: bool) -> Self {
-        let is_syntax = matches!(self.fault, Fault::Json(_) | Fault::Toml(_));
-        let line = self.position.map_or(0, |(line, _)| line - 1);
-        let text = String::from_utf8_lossy(text);
-        let line = text.lines().nth(line).filter(|_| is_syntax);
-        if let Some(fault) = line.and_then(|line| Fault::of_line(line, is_json)) {
-            self.fault = fault;
-        }
-        self
-    }
-
-    /// At its field, where that is on another line than the one at which the parser noticed the fault.
-    fn at_field(mut self, text: &str, find: impl Fn(&str) -> Option<usize>) -> Self {
-        // A choice that is not known stands where the parser found it, behind its field.
-        let field = match (&self.fault, &self.place) {
-            (Fault::UnknownChoice { .. }, _) | (_, None) => None,
-            (_, Some(place)) => find(place).map(|byte| line_and_column(text, byte)),
-        };
-        let is_new = |(line, _)| self.position.is_none_or(|(known, _)| known != line);
-        self.position = field.filter(|field| is_new(*field)).or(self.position);
-        self
-    }
-}
-
-/// The field that a message of a whole table begins with, and the rest of it.
-fn own_field(message: &str) -> (Option<&str>, &str) {
-    let in_field = |letter: char| letter.is_ascii_alphanumeric() || "_.[]".contains(letter);
-    match message.split_once(": ") {
-        Some((field, rest)) if rest.starts_with("found ") && field.chars().all(in_field) => {
-            (Some(field), rest)
-        }
-        _ => (None, message),
-    }
-}
-
-fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
-    let position = |error: &serde_json::Error| Some((error.line(), error.column()));
-    // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
-    serde_json::from_slice::<IgnoredAny>(text).map_err(|error| Refused {
-        position: position(&error),
-        place: None,
-        fault: Fault::Json(without_position(&error)),
-    })?;
-    let mut reader = serde_json::Deserializer::from_slice(text);
-    serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-        let place = named(error.path());
-        let error = error.into_inner();
-        let refused = Refused::of(&without_position(&error), place, position(&error));
-        refused.at_field(&String::from_utf8_lossy(text), |place| {
-            position::in_json(text, place)
-        })
-    })
-}
-
-fn toml<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
-    let position =
-        |text: &str, error: &toml::de::Error| Some(line_and_column(text, error.span()?.start));
-    let text = std::str::from_utf8(text).map_err(|error| Refused {
-        position: None,
-        place: None,
-        fault: Fault::NotUtf8 {
-            byte: error.valid_up_to(),
-        },
-    })?;
-    let syntax = |error: toml::de::Error| Refused {
-        position: position(text, &error),
-        place: None,
-        fault: Fault::Toml(one_line(error.message())),
-    };
-    let reader = toml::Deserializer::parse(text).map_err(syntax)?;
-    serde_path_to_error::deserialize(reader).map_err(|error| {
-        let place = named(error.path());
-        let error = error.into_inner();
-        let refused = Refused::of(&one_line(error.message()), place, position(text, &error));
-        refused.at_field(text, |place| position::in_toml(text, place))
-    })
-}
-
-/// The place in words.
-fn named(path: &serde_path_to_error::Path) -> String {
-    match path.to_string() {
-        whole if whole == "." => "top level".into(),
-        field => field,
-    }
-}
-
-/// The message of an error of JSON, which ends with a position.
-fn without_position(error: &serde_json::Error) -> String {
-    let message = error.to_string();
-    match message.rsplit_once(" at line ") {
-        Some((message, _)) => message.into(),
-        None => message,
-    }
-}
-
-fn one_line(message: &str) -> String {
-    message.lines().collect::<Vec<_>>().join(", ")
 }
 
 /// Line and column of a byte, counted from 1, the column in letters.

@@ -50,7 +50,7 @@ impl Certificate {
             wanted.law.calibrated(wanted.stiffness, asked, &pair)
         };
         let law = calibrated(wanted.calibration)?;
-        let has_formula = wanted.law.description().formula.is_some();
+        let has_formula = wanted.law.named().formula.is_some();
         let formula = has_formula.then(|| calibrated(Calibration::Literature));
         let impact = FreeImpact::of(&law, &pair);
         let integrated = |law: &ContactLaw| Some(FreeImpact::of(law, &pair)?.restitution);

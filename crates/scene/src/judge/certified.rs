@@ -40,17 +40,10 @@ pub struct DeliveredBy {
     pub delivered: Result<Delivered, String>,
 }
 
-/// Impact stiffness of the pounding literature for Hertz springs \[N/m^1.5\].
-const HERTZ: f64 = 2.75e9;
-/// The same for linear springs \[N/m\].
-const LINEAR: f64 = 9.35e7;
-
-/// Impact stiffness where nobody gives one, in the unit of the law.
+/// Impact stiffness where nobody gives one, in the unit of the law; not looked at for the impulsive law.
 pub fn usual_stiffness(law: LawName) -> f64 {
-    match law.stiffness_unit() {
-        Some("N/m") => LINEAR,
-        _ => HERTZ,
-    }
+    law.stiffness()
+        .map_or(f64::NAN, |stiffness| stiffness.usual)
 }
 
 impl Certificate {
@@ -76,7 +69,7 @@ impl Certificate {
             unit,
             said: Said::Number(number),
         };
-        let mut facts = vec![named("law", "law", wanted.law.description().name)];
+        let mut facts = vec![named("law", "law", wanted.law.name())];
         let [left, right] = collision.masses.map(Some);
         let (e, delivered) = (Some(wanted.restitution), certificate.by_relation);
         let (v, impulse) = (Some(collision.speed), Some(certificate.impulse));

@@ -25,7 +25,7 @@ pub struct Implausible {
     pub found: String,
     /// What is usual, in words.
     pub usual: String,
-    /// How far it is from what is usual, by which the worst of a kind is told: the logarithm of a ratio \[–\].
+    /// How far it is from what is usual, by which the worst of a kind is told: the logarithm of a ratio \[–\], negative below it.
     #[serde(skip)]
     far: f64,
 }
@@ -84,6 +84,7 @@ impl Implausible {
             let place = if is_named { motion } else { &one.place };
             let alike = |other: &&mut Kind<'d>| {
                 other.worst.usual == one.usual
+                    && other.worst.far.is_sign_negative() == one.far.is_sign_negative()
                     && (other.worst.place == RECORD) == (one.place == RECORD)
             };
             let Some(kind) = kinds.iter_mut().find(alike) else {
@@ -97,7 +98,7 @@ impl Implausible {
             };
             kind.differ |= kind.worst.found != one.found;
             kind.places.insert(place);
-            if one.far > kind.worst.far {
+            if one.far.abs() > kind.worst.far.abs() {
                 (kind.worst, kind.at) = (one, place);
             }
         }
@@ -120,7 +121,7 @@ impl Kind<'_> {
             (_, true) => format!("{n} motions, the farthest off {first}"),
             (_, false) => format!("{first} and {} more", n - 1),
         };
-        let at_worst = if n > 1 && self.differ && !is_motion && worst.far > 0.0 {
+        let at_worst = if n > 1 && self.differ && !is_motion && worst.far.abs() > 0.0 {
             " at worst"
         } else {
             ""
@@ -151,12 +152,11 @@ impl Doubts {
     ) {
         if !usual {
             let (found, usual) = words;
-            let far = libm::log(number).abs();
             self.0.push(Implausible {
                 place: place.into(),
                 found,
                 usual: usual.into(),
-                far,
+                far: libm::log(number),
             });
         }
     }
@@ -240,11 +240,11 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     storeys::doubt(index, building, doubts);
     for (storey, one) in building.storeys.iter().enumerate() {
         doubts.unless_far(
-            ((1e3..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
+            ((1e4..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
             place(&format!(".storeys[{storey}].mass_kg")),
             (
                 format!("{} kg", digits(one.mass_kg)),
-                "1e3 to 1e9 kg for a floor",
+                "1e4 to 1e9 kg for a floor",
             ),
         );
     }
@@ -275,11 +275,11 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].sdof.{field}");
     let (mass, period, ratio) = (sdof.mass_kg, sdof.period(), sdof.damping_ratio());
     doubts.unless_far(
-        ((1e3..=1e9).contains(&mass), mass / 1e6),
+        ((1e4..=1e9).contains(&mass), mass / 1e6),
         place("mass_kg"),
         (
             format!("{} kg", digits(mass)),
-            "1e3 to 1e9 kg for a building",
+            "1e4 to 1e9 kg for a building",
         ),
     );
     doubts.unless_far(

@@ -8,4 +8,5 @@ pub(crate) mod lean;
 pub(crate) mod limits;
 pub(crate) mod response;
 pub(crate) mod review;
+mod unwatched;
 pub(crate) mod warning;

@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use pounding_text::{percent, short};
 
-use crate::{FloorAtColumn, RunResult, Simulation};
+use crate::{RunResult, Simulation};
 
 /// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
 pub const MOST_DRIFT: f64 = 0.025;
@@ -26,10 +26,12 @@ pub struct Excess {
     pub kind: ExcessKind,
     /// The floor in the order of the row; the storey is the one below it.
     pub floor: usize,
-    /// Its name.
+    /// Its name; of levels that are left out theirs.
     pub name: String,
     /// How much it is, in the unit of the kind.
     pub found: f64,
+    /// In how many of how many runs, if it is the worst of several.
+    pub often: Option<[usize; 2]>,
 }
 
 /// A kind of response that is judged.
@@ -37,6 +39,10 @@ pub struct Excess {
 pub enum ExcessKind {
     /// How far a floor and the column of the neighbour beside it move together at most, beyond the gap between them \[m\].
     AtColumn,
+    /// How far a floor and the column beside it move together at most, where no contact tells the gap \[m\].
+    BesideColumn,
+    /// How far two floors of a level that a contact leaves out move together at most, beyond the gap between them \[m\].
+    LeftOut,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -49,64 +55,83 @@ pub enum ExcessKind {
     ResidualDrift,
 }
 
-impl Simulation {
-    /// What of a run is beyond its model or what codes allow, at the worst floor of every kind, the most harmful kind first.
-    pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
-        let mut worst: Vec<Excess> = Vec::new();
-        for floor in 0..self.floors().all().len() {
-            for (kind, found) in self.judged(result, floor) {
-                if found <= kind.most() || found.is_nan() {
-                    continue;
-                }
-                let excess = Excess {
-                    kind,
-                    floor,
-                    name: self.floors().all()[floor].name.clone(),
-                    found,
-                };
-                match worst.iter_mut().find(|one| one.kind == kind) {
-                    Some(known) if known.found < found => *known = excess,
-                    Some(_) => (),
-                    None => worst.push(excess),
-                }
-            }
+impl Excess {
+    /// Responses over several runs, the most harmful kind first: the worst of every kind, and in how many runs.
+    pub fn gathered(runs: impl IntoIterator<Item: AsRef<[Self]>>) -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut of = 0;
+        for run in runs {
+            all.extend_from_slice(run.as_ref());
+            of += 1;
         }
-        if let Some(excess) = self.at_columns(result) {
-            worst.push(excess);
+        let mut worst = Self::worst(all.clone());
+        for one in &mut worst {
+            let of_kind = all.iter().filter(|other| other.kind == one.kind);
+            one.often = Some([of_kind.count(), of]);
         }
-        worst.sort_by_key(|one| one.kind);
         worst
     }
 
-    /// The floor that reaches farthest into the column of a neighbour, which no contact models. Both may move apart when they are
-    /// farthest: what does not close the gap by this measure does not close it.
-    fn at_columns(&self, result: &RunResult) -> Option<Excess> {
+    /// The worst of every kind, the most harmful kind first; of equal ones the first.
+    fn worst(mut all: Vec<Self>) -> Vec<Self> {
+        all.sort_by(|one, other| {
+            let by_kind = one.kind.cmp(&other.kind);
+            by_kind.then(other.found.total_cmp(&one.found))
+        });
+        all.dedup_by_key(|one| one.kind);
+        all
+    }
+
+    /// It in a few words.
+    pub fn brief(&self) -> String {
+        let colon = if self.kind.is_unwatched() { "" } else { ":" };
+        let limit = match self.kind {
+            ExcessKind::Displacement => ", above 0.3 m",
+            ExcessKind::Drift => ", above 2.5 %",
+            ExcessKind::Ductility => ", above 6",
+            ExcessKind::AtColumn
+            | ExcessKind::BesideColumn
+            | ExcessKind::LeftOut
+            | ExcessKind::Stability
+            | ExcessKind::ResidualDrift => "",
+        };
+        let brief = self.kind.brief(self.found);
+        let often = self.often();
+        let comma = if often.is_empty() { "" } else { ", " };
+        format!("{}{colon} {brief}{limit}{comma}{often}", self.name)
+    }
+
+    /// "in 4 of 4 runs"; empty of one run.
+    fn often(&self) -> String {
+        self.often
+            .map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
+    }
+}
+
+impl Simulation {
+    /// What of a run is beyond its model or what codes allow, at the worst floor of every kind, the most harmful kind first.
+    pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
-        let contacts = self.scene().contacts.as_deref()?;
-        let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
-        let openings = self.openings();
-        let reach = |one: &FloorAtColumn| {
-            let foot = one.below.map_or(0.0, peak);
-            let column = foot + one.along * (peak(one.above) - foot);
-            let bases = openings.get(one.gap).map_or(0.0, |one| one.distance.abs());
-            Some(peak(one.floor) + column + bases - contacts.get(one.gap)?.gap_m)
-        };
-        let meets = |one: &FloorAtColumn| {
-            let mut facing = floors.facing().iter();
-            facing
-                .any(|pair| pair.contact == one.gap && [pair.left, pair.right].contains(&one.floor))
-        };
-        let all = floors.at_columns();
-        let all = all.iter().filter(|one| !meets(one));
-        let beyond = all.filter_map(|one| Some((one.floor, reach(one)?)));
-        let beyond = beyond.filter(|(_, reach)| *reach >= ExcessKind::AtColumn.most());
-        let (floor, found) = beyond.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        Some(Excess {
-            kind: ExcessKind::AtColumn,
-            floor,
-            name: floors.all()[floor].name.clone(),
-            found,
-        })
+        let mut all = self.unwatched(result);
+        for (floor, one) in floors.all().iter().enumerate() {
+            let judged = self.judged(result, floor).into_iter();
+            let beyond = judged.filter(|(kind, found)| *found > kind.most());
+            all.extend(beyond.map(|(kind, found)| Excess {
+                kind,
+                floor,
+                name: one.name.clone(),
+                found,
+                often: None,
+            }));
+        }
+        let mut worst = Excess::worst(all);
+        for one in &mut worst {
+            if one.kind == ExcessKind::LeftOut {
+                let levels = floors.left_out(floors.all()[one.floor].structure);
+                one.name = levels.unwrap_or_default();
+            }
+        }
+        worst
     }
 
     /// The largest drift or ductility of a run over its limit, by which directions of shaking are compared, and where it is.
@@ -126,6 +151,7 @@ impl Simulation {
                 floor,
                 name,
                 found,
+                often: None,
             },
         ))
     }
@@ -171,7 +197,7 @@ impl ExcessKind {
     /// What is not yet too much.
     fn most(self) -> f64 {
         match self {
-            Self::AtColumn => 0.0,
+            Self::AtColumn | Self::BesideColumn | Self::LeftOut => 0.0,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => MOST_STABILITY[0],
             Self::Drift => MOST_DRIFT,
@@ -184,14 +210,31 @@ impl ExcessKind {
     fn strains(self) -> bool {
         match self {
             Self::Displacement | Self::Drift | Self::Ductility => true,
-            Self::AtColumn | Self::Stability | Self::ResidualDrift => false,
+            Self::AtColumn
+            | Self::BesideColumn
+            | Self::LeftOut
+            | Self::Stability
+            | Self::ResidualDrift => false,
         }
+    }
+
+    /// Whether something may touch that no contact models: a column, or floors of a level that is left out.
+    pub fn is_unwatched(self) -> bool {
+        matches!(self, Self::AtColumn | Self::BesideColumn | Self::LeftOut)
+    }
+
+    /// Whether an answer about gaps rests on it and should not: the model follows stability and what is left of drift, which ask
+    /// for more than it knows.
+    pub fn is_caution(self) -> bool {
+        self.strains() || self.is_unwatched()
     }
 
     /// A number of this kind in a few words.
     pub fn brief(self, found: f64) -> String {
         match self {
-            Self::AtColumn => format!("{} mm into a column", short(1e3 * found)),
+            Self::AtColumn => "may hit a column, which is not modelled".into(),
+            Self::BesideColumn => "stands beside a column, which is not modelled".into(),
+            Self::LeftOut => "may touch, and were not looked at".into(),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),
@@ -200,38 +243,53 @@ impl ExcessKind {
         }
     }
 
-    /// What a number of this kind says.
-    pub fn says(self, found: f64) -> String {
+    /// What a number of this kind says, and `often`: in how many runs.
+    fn says(self, found: f64, often: &str) -> String {
+        let [often, worst] = if often.is_empty() {
+            [String::new(), String::new()]
+        } else {
+            [format!("{often} "), format!("{often}, at worst ")]
+        };
         match self {
-            Self::AtColumn => format!(
-                "faces columns of its neighbour between floors, and both together may move {} mm farther than the gap: a floor that hits a \
-                 column can bring a building down, and is not modelled",
+            Self::AtColumn | Self::BesideColumn => format!(
+                "faces columns of its neighbour between floors; {often}both together may move up to {} mm{}: a floor that hits a column can \
+                 bring a building down, and is not modelled",
+                short(1e3 * found),
+                if self == Self::AtColumn {
+                    " farther than the gap"
+                } else {
+                    ""
+                }
+            ),
+            Self::LeftOut => format!(
+                "not looked at, because `levels` of the contact leaves them out; {often}both neighbours together may move up to {} mm farther \
+                 than the gap",
                 short(1e3 * found)
             ),
             Self::Displacement => format!(
-                "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
+                "{worst}drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)
             ),
             Self::Stability if found > MOST_STABILITY[1] => format!(
-                "stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
+                "{worst}stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
                  storey down",
                 short(found)
             ),
             Self::Stability => format!(
-                "stability coefficient P Δ/(V h) = {}, above 0.1 (EN 1998-1, 4.4.2.2): gravity, which the model leaves out, adds to the drift",
+                "{worst}stability coefficient P Δ/(V h) = {}, above 0.1 (EN 1998-1, 4.4.2.2): gravity, which the model leaves out, adds to the drift",
                 short(found)
             ),
             Self::Drift => format!(
-                "drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+                "{worst}drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
                  decide",
                 percent(found)
             ),
             Self::Ductility => format!(
-                "ductility demand of {}, above 6: columns lose strength, which the model leaves out",
+                "{worst}ductility demand of {}, above 6: columns lose strength, which the model leaves out",
                 short(found)
             ),
             Self::ResidualDrift => format!(
-                "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): repair hardly pays",
+                "{worst}drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): repair hardly pays",
                 percent(found)
             ),
         }
@@ -240,7 +298,8 @@ impl ExcessKind {
 
 impl Display for Excess {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        write!(to, "{}: {}", self.name, self.kind.says(self.found))
+        let said = self.kind.says(self.found, &self.often());
+        write!(to, "{}: {said}", self.name)
     }
 }
 
@@ -300,8 +359,8 @@ mod tests {
             &excesses(Some(0.8), 0.01, None),
             &[(ExcessKind::Stability, theta)],
         );
-        assert!(ExcessKind::Stability.says(0.2).contains("EN 1998-1"));
-        assert!(ExcessKind::Stability.says(0.3).contains("ASCE 7-16"));
+        assert!(ExcessKind::Stability.says(0.2, "").contains("EN 1998-1"));
+        assert!(ExcessKind::Stability.says(0.3, "").contains("ASCE 7-16"));
     }
 
     /// The lower of two equal storeys carries both floors: θ = 2 m g/(k h), the upper one half of that.

@@ -1,12 +1,12 @@
 //! The floors of a scene: what the nodes of its row are called, and which of them face each other.
 
-mod columns;
 mod levels;
+mod unwatched;
 
 use pounding_solver::Levels;
 
-pub use columns::FloorAtColumn;
 use levels::elevations;
+pub use unwatched::Unwatched;
 
 use crate::{Columns, Scene, SceneError, Sdof, Structure};
 
@@ -215,18 +215,6 @@ impl Floors {
     pub fn names(&self, pair: usize) -> [String; 2] {
         let FloorPair { left, right, .. } = self.facing[pair];
         [left, right].map(|floor| self.all[floor].name.clone())
-    }
-
-    /// Floors that need a gap between them: those that contacts let touch, or all that face each other where a scene has no
-    /// contacts; index of the left structure, left and right floor.
-    pub(crate) fn neighbours(&self) -> Vec<(usize, usize, usize)> {
-        if self.facing.is_empty() {
-            return self.all_facing();
-        }
-        let facing = self.facing.iter();
-        facing
-            .map(|one| (one.contact, one.left, one.right))
-            .collect()
     }
 
     /// The same floors, none of which can touch another.

@@ -4,10 +4,17 @@ use std::collections::BTreeMap;
 
 use crate::STANDARD_GRAVITY;
 
-use super::{LeftOut, Motion, ReasonKind, Suite};
+use super::{Motion, Read, ReasonKind};
 
-/// Correlation from which on two motions are one \[–\].
+/// Least correlation of two motions that are one \[–\].
 const ONE: f64 = 0.99;
+
+/// The same of motions with few swings: pulses whose periods are 4 to 9 % apart correlate by more than 0.99, records with many swings do
+/// not where their periods are 1 % apart.
+const ONE_PULSE: f64 = 0.9999;
+
+/// Least number of swings of a motion that is no pulse.
+const SWINGS: usize = 10;
 
 /// Largest difference between the peaks of two copies, as a part of the larger.
 const SAME_PEAK: f64 = 0.01;
@@ -15,60 +22,79 @@ const SAME_PEAK: f64 = 0.01;
 /// Lags around that of the peaks at which motions are compared, in steps.
 const LAGS: isize = 3;
 
-/// Leaves out copies, of which the one with the shortest name stays, and lists motions that are alike but for a factor.
-pub(super) fn leave_out(suite: &mut Suite) {
-    let motions = &suite.motions;
-    let shapes: Vec<Shape<'_>> = motions.iter().map(Shape::of).collect();
-    let mut first_of: BTreeMap<(&str, &Option<String>), usize> = BTreeMap::new();
-    let mut copy_of: Vec<Option<usize>> = vec![None; motions.len()];
-    let mut alike = Vec::new();
-    let mut order: Vec<usize> = (0..motions.len()).collect();
-    order.sort_by_key(|index| motions[*index].path.as_os_str().len());
-    for (rank, &index) in order.iter().enumerate() {
-        let motion = &motions[index];
-        let bytes = (motion.origin.sha256.as_str(), &motion.taken.component);
-        if let Some(first) = first_of.get(&bytes) {
-            copy_of[index] = copy_of[*first].or(Some(*first));
-            continue;
-        }
-        first_of.insert(bytes, index);
-        let before = order[..rank].iter().copied();
-        let others = before.filter(|other| {
-            copy_of[*other].is_none()
-                && motions[*other].path != motion.path
-                && shapes[*other].may_be(&shapes[index])
+/// Which motions are copies of others, by their indices.
+pub(super) struct Copies {
+    /// Of which motion each is a copy, if of any; that one is none.
+    pub(super) of: Vec<Option<usize>>,
+    /// Two motions that are alike but for a factor, and the factor.
+    pub(super) alike: Vec<(usize, usize, f64)>,
+}
+
+impl Copies {
+    /// Compares motions: of copies the one with the shortest name stays.
+    ///
+    /// What has the bytes of a motion that shakes nothing shakes nothing either: only the name tells that the other is vertical.
+    pub(super) fn among(all: &mut [Read]) -> Self {
+        let shapes: Vec<Shape<'_>> = all.iter().map(|one| Shape::of(&one.motion)).collect();
+        let mut first_of: BTreeMap<(&str, &Option<String>), usize> = BTreeMap::new();
+        let mut of: Vec<Option<usize>> = vec![None; all.len()];
+        let mut alike = Vec::new();
+        let mut order: Vec<usize> = (0..all.len()).collect();
+        order.sort_by_key(|index| {
+            let one = &all[*index];
+            (one.reason.is_none(), one.motion.path.as_os_str().len())
         });
-        for other in others.collect::<Vec<usize>>() {
-            if shapes[other].correlation(&shapes[index]) <= ONE {
+        for (rank, &index) in order.iter().enumerate() {
+            let Read { motion, reason } = &all[index];
+            let bytes = (motion.origin.sha256.as_str(), &motion.taken.component);
+            let first = *first_of.entry(bytes).or_insert(index);
+            if reason.is_some() {
                 continue;
             }
+            if first != index {
+                of[index] = of[first].or(Some(first));
+                continue;
+            }
+            let before = order[..rank].iter().copied();
+            let mut others = before.filter(|other| {
+                of[*other].is_none()
+                    && all[*other].reason.is_none()
+                    && all[*other].motion.path != motion.path
+                    && shapes[*other].is_like(&shapes[index])
+            });
+            let Some(other) = others.next() else {
+                continue;
+            };
             let [one, another] = [other, index].map(|at| shapes[at].peak);
             if (one - another).abs() <= SAME_PEAK * one.max(another) {
-                copy_of[index] = Some(other);
+                of[index] = Some(other);
             } else {
                 alike.push((other, index, another / one));
             }
-            break;
+        }
+        let mut copies = Self { of, alike };
+        copies.leave_out_where(all, |first| first.reason.is_some());
+        copies
+    }
+
+    /// Leaves out the copies. What tells the direction of a copy tells that of the motion that stays.
+    pub(super) fn leave_out(mut self, all: &mut [Read]) {
+        self.leave_out_where(all, |_| true);
+    }
+
+    fn leave_out_where(&mut self, all: &mut [Read], holds: impl Fn(&Read) -> bool) {
+        for (index, of) in self.of.iter_mut().enumerate() {
+            let Some(first) = of.filter(|first| holds(&all[*first])) else {
+                continue;
+            };
+            *of = None;
+            let direction = all[index].motion.direction;
+            let stays = &mut all[first].motion;
+            stays.direction = stays.direction.or(direction);
+            let reason = ReasonKind::Copy.saying(format!("of {}", stays.name));
+            all[index].reason = Some(reason);
         }
     }
-    let named = |index: usize| suite.motions[index].name.clone();
-    let alike = alike
-        .into_iter()
-        .filter(|(_, index, _)| copy_of[*index].is_none())
-        .map(|(one, other, factor)| (named(one), named(other), factor));
-    suite.alike = alike.collect();
-    let copies = copy_of.iter().enumerate();
-    let copies = copies.filter_map(|(index, of)| {
-        Some(LeftOut {
-            name: named(index),
-            reason: ReasonKind::Copy.saying(format!("of {}", named((*of)?))),
-        })
-    });
-    suite.left_out.extend(copies);
-    let mut is_copy = copy_of.iter();
-    suite
-        .motions
-        .retain(|_| is_copy.next().is_some_and(Option::is_none));
 }
 
 /// A motion as it is compared with others.
@@ -81,6 +107,8 @@ struct Shape<'m> {
     peak: f64,
     /// Sum of the squares over that of the peak \[–\].
     fullness: f64,
+    /// How often values above a tenth of the peak change their sign.
+    swings: usize,
 }
 
 impl<'m> Shape<'m> {
@@ -93,6 +121,9 @@ impl<'m> Shape<'m> {
                 (at, largest) = (index, value.abs());
             }
         }
+        let strong = values.iter().filter(|value| value.abs() > 0.1 * largest);
+        let mut signs: Vec<bool> = strong.map(|value| *value > 0.0).collect();
+        signs.dedup();
         let squares: f64 = values.iter().map(|value| value * value).sum();
         Self {
             values,
@@ -100,7 +131,18 @@ impl<'m> Shape<'m> {
             at,
             peak: file.unit().to_si(largest, STANDARD_GRAVITY),
             fullness: squares / (largest * largest),
+            swings: signs.len(),
         }
+    }
+
+    /// Whether they are one motion but for a factor.
+    fn is_like(&self, other: &Self) -> bool {
+        let least = if self.swings.min(other.swings) < SWINGS {
+            ONE_PULSE
+        } else {
+            ONE
+        };
+        self.may_be(other) && self.correlation(other) > least
     }
 
     /// Whether it is worth while to compare them: the time steps are equal, and what a correlation above [`ONE`] implies holds roughly.

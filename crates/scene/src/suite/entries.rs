@@ -78,6 +78,8 @@ fn entry(path: PathBuf, about: std::io::Result<fs::Metadata>) -> Entry {
     };
     Entry::Other(LeftOut {
         name: shown_name(&path),
+        path,
         reason,
+        motion: None,
     })
 }

@@ -1,50 +1,78 @@
 //! Which motions are components of one record: they are one event, and no two independent motions.
 
-use super::{Motion, Suite};
+use std::collections::BTreeSet;
 
-/// Numbers the events of the motions, from 0 in the order of the motions.
+use super::copies::Copies;
+use super::{Motion, Read};
+
+/// Largest difference between the times of components of one record \[s\]: some formats leave out the fraction of a second, and
+/// channels begin one after the other.
+const SAME_TIME: u64 = 10;
+
+/// Numbers the events of the motions that shake rows, from 0 in the order of the motions. Returns how many there are, and the
+/// motions of two events that are alike but for a factor: each two of them are one event from then on.
 ///
-/// Motions of one file are of one event. So are two that have the same record number of PEER, or the same station and the same event
-/// or time; two with one title that lie in two directions; two whose names differ in the direction alone, unless their files
-/// say that they are of two records; and two that are alike but for a factor.
-pub(super) fn number(suite: &mut Suite) {
-    let motions = &suite.motions;
-    let mut event: Vec<usize> = (0..motions.len()).collect();
-    let join = |event: &mut Vec<usize>, one: usize, other: usize| {
+/// Motions of one file are of one event, and so are copies. So are two that have the same record number of PEER, or the same
+/// station and the same time, or else event; motions with one title, if each lies in a direction of its own; and two whose
+/// names differ in the direction alone, unless their files say that they are of two records.
+pub(super) fn number(all: &mut [Read], copies: &Copies) -> (usize, Vec<(String, String, f64)>) {
+    let shaking = |index: &usize| all[*index].reason.is_none();
+    let shaking: Vec<usize> = (0..all.len()).filter(shaking).collect();
+    let mut event: Vec<usize> = (0..all.len()).collect();
+    let mut join = |one: usize, other: usize| {
         let (to, from) = (event[one], event[other]);
         let of_other = event.iter_mut().filter(|event| **event == from);
         of_other.for_each(|event| *event = to);
+        to != from
     };
-    for index in 0..motions.len() {
-        for other in 0..index {
-            if event[other] != event[index] && are_of_one_record(&motions[other], &motions[index]) {
-                join(&mut event, other, index);
+    let several = titles_of_several(all, copies);
+    for (rank, &index) in shaking.iter().enumerate() {
+        for &other in &shaking[..rank] {
+            let [one, another] = [other, index].map(|index| &all[index].motion);
+            if copies.of[index] == Some(other)
+                || copies.of[other] == Some(index)
+                || are_of_one_record(one, another, &several)
+            {
+                join(other, index);
             }
         }
     }
-    let at = |name: &String| motions.iter().position(|motion| motion.name == *name);
+    let named = |index: usize| all[index].motion.name.clone();
     // Of components of one record it is no wonder.
-    suite
+    let alike = copies
         .alike
-        .retain(|(one, other, _)| match (at(one), at(other)) {
-            (Some(one), Some(other)) if event[one] != event[other] => {
-                join(&mut event, one, other);
-                true
-            }
-            _ => false,
-        });
+        .iter()
+        .filter(|(one, other, _)| join(*one, *other));
+    let alike = alike.map(|(one, other, factor)| (named(*one), named(*other), *factor));
+    let alike = alike.collect();
     let mut known = Vec::new();
-    for (motion, event) in suite.motions.iter_mut().zip(event) {
-        let at = known.iter().position(|one| *one == event);
-        motion.event = at.unwrap_or_else(|| {
-            known.push(event);
-            known.len() - 1
-        });
+    for index in shaking {
+        if copies.of[index].is_none() {
+            let at = known.iter().position(|one| *one == event[index]);
+            all[index].motion.event = at.unwrap_or_else(|| {
+                known.push(event[index]);
+                known.len() - 1
+            });
+        }
     }
-    suite.n_events = known.len();
+    (known.len(), alike)
 }
 
-fn are_of_one_record(one: &Motion, other: &Motion) -> bool {
+/// Titles under which a direction occurs twice: they tell no records apart.
+fn titles_of_several(all: &[Read], copies: &Copies) -> BTreeSet<String> {
+    let mut seen = BTreeSet::new();
+    let motions = all.iter().zip(&copies.of);
+    let motions = motions.filter(|(one, copy)| one.reason.is_none() && copy.is_none());
+    let titles = motions.filter_map(|(Read { motion, .. }, _)| {
+        let title = motion.identity.title.clone()?;
+        let in_file = motion.origin.file.component().map(str::to_uppercase);
+        let direction = in_file.or(motion.named.word.clone());
+        (!seen.insert((title.clone(), direction))).then_some(title)
+    });
+    titles.collect()
+}
+
+fn are_of_one_record(one: &Motion, other: &Motion, several: &BTreeSet<String>) -> bool {
     if one.path == other.path {
         return true;
     }
@@ -55,15 +83,41 @@ fn are_of_one_record(one: &Motion, other: &Motion) -> bool {
     let [own, others] = [&one.identity, &other.identity];
     let same = |a: &Option<String>, b: &Option<String>| Some(a.as_ref()? == b.as_ref()?);
     let station = same(&own.station, &others.station);
-    let event = same(&own.event, &others.event).or(same(&own.time, &others.time));
-    match (station, event) {
-        (Some(true), Some(same)) => return same,
-        (Some(false), _) | (_, Some(false)) => return false,
-        (None, _) | (_, None) => {}
+    if station == Some(false) {
+        return false;
     }
-    let is_in_two_directions = one.named.direction != other.named.direction
-        || one.named.azimuth != other.named.azimuth
-        || one.origin.file.component() != other.origin.file.component();
-    let by_title = same(&own.title, &others.title) == Some(true) && is_in_two_directions;
+    let time = same_time(own.time.as_deref(), others.time.as_deref());
+    if time == Some(false) {
+        return false;
+    }
+    let event = same(&own.event, &others.event);
+    if station == Some(true) && time.or(event) == Some(true) {
+        return true;
+    }
+    // Texts of events may name the component: only the same text tells something.
+    let title = own.title.as_ref().filter(|title| !several.contains(*title));
+    let by_title = title.is_some() && own.title == others.title && event != Some(false);
     by_title || (one.path.parent() == other.path.parent() && one.named.same_record(&other.named))
+}
+
+/// Whether two times are one; `None` if they are not written as times of one kind, or are no dates.
+fn same_time(one: Option<&str>, other: Option<&str>) -> Option<bool> {
+    let (one, other) = (one?, other?);
+    let is_date = |text: &str| text.bytes().filter(u8::is_ascii_digit).count() >= 8;
+    match (seconds(one), seconds(other)) {
+        (Some(one), Some(other)) => Some(one.abs_diff(other) <= SAME_TIME),
+        (None, None) if is_date(one) && is_date(other) => Some(one == other),
+        _ => None,
+    }
+}
+
+/// Seconds of `1999-09-20T17:47:15`, with 31 days to each month: it matters at midnight after a shorter one alone.
+fn seconds(time: &str) -> Option<i64> {
+    let parts = time.split(['-', 'T', ':']).map(str::parse);
+    let parts: Vec<i64> = parts.collect::<Result<_, _>>().ok()?;
+    let [year, month, day, hour, minute, second] = parts[..] else {
+        return None;
+    };
+    let days = (12 * year + month) * 31 + day;
+    Some(((24 * days + hour) * 60 + minute) * 60 + second)
 }

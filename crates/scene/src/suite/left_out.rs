@@ -1,12 +1,14 @@
 //! Why something in a folder of records shakes no row, in a line for each reason.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
 
 use pounding_motion::{Quantity, ReadError};
 use pounding_text::short;
 use serde_json::{Value, json};
 
-use super::Suite;
+use super::{Motion, Suite};
 use crate::Error;
 
 /// Something in a folder that shakes no row.
@@ -14,8 +16,12 @@ use crate::Error;
 pub struct LeftOut {
     /// Name of the entry, and of its component if it holds several.
     pub name: String,
+    /// The entry.
+    pub path: PathBuf,
     /// Why.
     pub reason: Reason,
+    /// What it holds; of [`Suite::listed`] alone, and if it was read.
+    pub motion: Option<Box<Motion>>,
 }
 
 /// Why something in a folder shakes no row.
@@ -54,7 +60,7 @@ pub enum ReasonKind {
     Copy,
     /// Vertical, by the name that the file gives its component.
     Vertical,
-    /// Vertical, by the end of the file's name.
+    /// Vertical, by the name of the file.
     VerticalByName,
     /// Nothing that any reader knows, such as a README.
     NoRecord,
@@ -96,7 +102,7 @@ impl ReasonKind {
             Self::VerticalByName => [
                 "vertical component",
                 "vertical components",
-                "by the end of the file's name; rename a horizontal one",
+                "by the name of the file; rename a horizontal one",
             ],
             Self::NoRecord => ["file that is no record", "files that are no records", ""],
         }
@@ -105,6 +111,11 @@ impl ReasonKind {
     /// Whether a record that should be used may be missing.
     pub fn hides_a_record(self) -> bool {
         matches!(self, Self::Unreadable | Self::Refused)
+    }
+
+    /// Whether it is vertical, by whatever tells it.
+    pub fn is_vertical(self) -> bool {
+        matches!(self, Self::Vertical | Self::VerticalByName)
     }
 
     pub(super) fn saying(self, said: impl Into<String>) -> Reason {
@@ -194,40 +205,92 @@ impl Suite {
         counts.chain(self.remarks(details)).collect()
     }
 
-    /// Counts files, motions and events: "24 files: 16 motions of 8 events, 9 left out".
+    /// Counts files, motions and events: "24 files, 16 used and 8 left out: 16 motions of 8 events".
     pub fn counts(&self) -> String {
-        let number = |n: usize, word: &str| match n {
-            1 => format!("1 {word}"),
-            n => format!("{n} {word}s"),
-        };
-        let left_out = match self.left_out.len() {
+        let used = self.used();
+        let of_used = self.left_out.iter();
+        let of_used = of_used.filter(|one| used.contains(&*one.path)).count();
+        let of_used = match of_used {
             0 => String::new(),
-            n => format!(", {n} left out"),
+            n => format!(", {} of used files left out", number(n, "component")),
+        };
+        let left_out = match self.n_entries - used.len() {
+            0 => String::new(),
+            n => format!(", {} used and {n} left out", used.len()),
         };
         format!(
-            "{}: {} of {}{left_out}",
+            "{}{left_out}: {} of {}{of_used}",
             number(self.n_entries, "file"),
             number(self.motions.len(), "motion"),
             number(self.n_events, "event")
         )
     }
 
+    /// The files that hold a motion that shakes a row.
+    fn used(&self) -> BTreeSet<&Path> {
+        let motions = self.motions.iter();
+        motions.map(|motion| motion.path.as_path()).collect()
+    }
+
+    /// Returns for machines what [`Self::counts`] and [`Self::remarks`] say, except for what is left out.
+    pub fn json(&self) -> Value {
+        let alike = self.alike.iter();
+        let alike =
+            alike.map(|(one, other, factor)| json!({"record": other, "times": factor, "of": one}));
+        let declared = self.declared().into_iter();
+        let declared = declared.map(|(words, names)| json!({"declared": words, "records": names}));
+        let used = self.used().len();
+        json!({
+            "files": self.n_entries,
+            "files_used": used,
+            "files_left_out": self.n_entries - used,
+            "motions": self.motions.len(),
+            "events": self.n_events,
+            "declared": declared.collect::<Value>(),
+            "alike": alike.collect::<Value>(),
+            "direction_not_told": self.untold(),
+        })
+    }
+
     /// Says what is left out, what was declared of which file, and what its user should look at; `details` as in
     /// [`Self::said_of_left_out`].
     pub fn remarks(&self, details: bool) -> Vec<String> {
-        let alike = self.alike.iter().map(|(one, other, factor)| {
+        let declared = self.declared().into_iter().map(|(words, names)| {
+            let names = names.join(", ");
+            format!("{words} is declared, and was taken for what does not say it: {names}")
+        });
+        let untold = self.untold();
+        let untold = (!untold.is_empty()).then(|| {
             format!(
-                "{one} and {other} are one motion, the second times {}: they count as one event; take one of them out of the folder",
-                short(*factor)
+                "direction not told, they count as horizontal; take a vertical one out of the folder, or end its name in -UP: {}",
+                listed(&untold, details)
             )
         });
         let left_out = self.said_of_left_out(details).into_iter();
-        let said = left_out.chain(alike).chain(self.declared());
-        said.chain(self.untold(details)).collect()
+        let said = left_out.chain(self.said_of_alike(details));
+        said.chain(declared).chain(untold).collect()
     }
 
-    /// Names every file for which something was declared because it does not say it.
-    fn declared(&self) -> Vec<String> {
+    /// Names motions that are one but for a factor, a line for each of which others are multiples.
+    fn said_of_alike(&self, details: bool) -> Vec<String> {
+        let mut sorted: Vec<_> = self.alike.iter().collect();
+        sorted.sort_by_key(|(one, ..)| one);
+        let groups = sorted.chunk_by(|(one, ..), (other, ..)| one == other);
+        let said = groups.map(|group| {
+            let times = |(_, name, factor): &&(String, String, f64)| format!("{name} (times {})", short(*factor));
+            let others: Vec<String> = group.iter().map(times).collect();
+            let others: Vec<&str> = others.iter().map(String::as_str).collect();
+            format!(
+                "{} comes again times a factor, and counts as one event with the others; leave one of them in the folder: {}",
+                group[0].0,
+                listed(&others, details)
+            )
+        });
+        said.collect()
+    }
+
+    /// Names every file for which something was declared because it does not say it, behind what was declared.
+    fn declared(&self) -> Vec<(String, Vec<&str>)> {
         let mut taken: Vec<(String, Vec<&str>)> = Vec::new();
         for motion in &self.motions {
             let words = motion.taken.words();
@@ -239,24 +302,20 @@ impl Suite {
                 None => taken.push((words, vec![&motion.name])),
             }
         }
-        let said = |(words, names): (String, Vec<&str>)| {
-            let names = names.join(", ");
-            format!("{words} is declared, and was taken for what does not say it: {names}")
-        };
-        taken.into_iter().map(said).collect()
+        taken
     }
 
     /// Names the motions of which nothing tells how they lie.
-    fn untold(&self, details: bool) -> Option<String> {
+    fn untold(&self) -> Vec<&str> {
         let untold = self.motions.iter().filter(|one| one.direction.is_none());
-        let names: Vec<&str> = untold.map(|one| one.name.as_str()).collect();
-        (!names.is_empty()).then(|| {
-            format!(
-                "direction not told, they count as horizontal; take a vertical one out of the folder, or end its name in -UP: {}",
-                listed(&names, details)
-            )
-        })
+        untold.map(|one| one.name.as_str()).collect()
     }
+}
+
+/// "1 file", "2 files".
+fn number(n: usize, word: &str) -> String {
+    let s = if n == 1 { "" } else { "s" };
+    format!("{n} {word}{s}")
 }
 
 /// A line about things that are left out for one reason.

@@ -32,7 +32,7 @@ fn reference_exact_calibration_delivers_what_is_asked() {
         for restitution in [0.05, 0.2, 0.5, 0.65, 0.9, 0.999, 0.999_999, 1.0] {
             let wanted = wanted(law, restitution, Calibration::Exact);
             let certificate = Certificate::new(&wanted, &COLLISION).expect("a certificate");
-            let name = law.description().name;
+            let name = law.name();
             let off = (certificate.by_exact - restitution).abs();
             assert!(off <= 1e-9, "{name}, asked {restitution}: off by {off:e}");
             let impulse = 75e3 * 3e6 / 3.075e6 * (1.0 + restitution) * 0.3;
@@ -47,13 +47,13 @@ fn reference_exact_calibration_delivers_what_is_asked() {
 
 #[test]
 fn reference_the_exact_method_delivers_what_the_relation_says() {
-    for law in damped().filter(|law| law.description().formula.is_some()) {
+    for law in damped().filter(|law| law.named().formula.is_some()) {
         for restitution in [0.2, 0.65, 0.9] {
             let wanted = wanted(law, restitution, Calibration::Literature);
             let certificate = Certificate::new(&wanted, &COLLISION).expect("a certificate");
             let relation = certificate.by_relation.expect("a relation");
             let off = (certificate.by_exact - relation).abs();
-            let name = law.description().name;
+            let name = law.name();
             assert!(off <= 1e-9, "{name}, asked {restitution}: off by {off:e}");
         }
     }
@@ -72,7 +72,7 @@ fn order_every_stepping_method_delivers_it_at_short_steps() {
             };
             let (coarse, fine) = (error(2e-3), error(2e-4));
             let halved = fine <= 0.5 * coarse || fine <= 1e-9;
-            let what = format!("{}, {}", law.description().name, method.name());
+            let what = format!("{}, {}", law.name(), method.name());
             assert!(halved, "{what}: {coarse:e} at 2 ms, {fine:e} at 0.2 ms");
         }
     }

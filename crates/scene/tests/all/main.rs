@@ -12,3 +12,4 @@ mod numbers;
 mod scene_files;
 mod spectrum;
 mod suite;
+mod suite_events;

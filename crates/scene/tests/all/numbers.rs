@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pounding_contact::{ContactLaw, LawName};
 use pounding_motion::Accelerogram;
 use pounding_scene::{Error, Scene, Simulation};
 use serde_json::{Map, Value, json};
@@ -48,44 +49,24 @@ fn scene(law: &Value, method: &Value) -> Value {
     })
 }
 
+/// Every law by all its parameters, and those that take it by a restitution.
 fn laws() -> Vec<Value> {
-    let law = |name: &str, stiffness: &str, given: &[(&str, f64)]| {
-        let mut parameters = Map::new();
-        let numbers = given
-            .iter()
-            .map(|(name, number)| ((*name).to_string(), json!(number)));
-        parameters.extend(numbers);
-        if !stiffness.is_empty() {
-            parameters.insert(stiffness.into(), json!(1e8));
-        }
+    let by_parameters = |json: &Value| {
+        let name = json.as_object().and_then(|law| law.keys().next());
+        let name = name.expect("an example has a name");
+        let law = LawName::from_name(name).expect("files name laws as commands do");
+        let rows = law.parameters().into_iter();
+        let parameters: Map<_, _> = rows
+            .map(|row| (row.name.into(), json!(row.usual)))
+            .collect();
         json!({ name: parameters })
     };
-    let (k, beta) = ("impact_stiffness_n_per_m", "impact_stiffness_n_per_m1_5");
-    let ratio = [("impact_damping_ratio", 0.2)];
-    let factor = [("impact_damping_factor", 0.2)];
-    let e = [("restitution", 0.5)];
-    vec![
-        law("stereomechanical", "", &e),
-        law("linear_spring", k, &[]),
-        law("hertz", beta, &[]),
-        law("kelvin_voigt", k, &ratio),
-        law("kelvin_voigt", k, &e),
-        law("modified_linear_viscoelastic", k, &ratio),
-        law("modified_linear_viscoelastic", k, &e),
-        law("nonlinear_viscoelastic", beta, &ratio),
-        law("nonlinear_viscoelastic", beta, &e),
-        law("hertz_damp", beta, &factor),
-        law("hertz_damp", beta, &e),
-        law("modified_kelvin", k, &factor),
-        law("modified_kelvin", k, &e),
-        law("pant_wijeyewickrema", k, &factor),
-        law("pant_wijeyewickrema", k, &e),
-        law(
-            "kuwabara_kono",
-            beta,
-            &[("impact_damping_n_s_per_m1_5", 1e5)],
-        ),
-    ]
+    let examples = ContactLaw::examples().map(|json| serde_json::from_str(&json).expect("JSON"));
+    let mut laws: Vec<Value> = examples
+        .flat_map(|json| [by_parameters(&json), json])
+        .collect();
+    laws.dedup();
+    laws
 }
 
 fn methods() -> Vec<Value> {

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use pounding_scene::{FileUse, ReasonKind, Suite, Unit};
 
 /// A folder that is removed with the test.
-struct Folder(tempfile::TempDir);
+pub(crate) struct Folder(tempfile::TempDir);
 
 impl Folder {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(tempfile::tempdir().expect("a disk"))
     }
 
@@ -17,12 +17,12 @@ impl Folder {
         self.0.path()
     }
 
-    fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
+    pub(crate) fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
         fs::write(self.path().join(name), text).expect("a disk");
         self
     }
 
-    fn suite(&self) -> Suite {
+    pub(crate) fn suite(&self) -> Suite {
         self.declared(&FileUse::default())
     }
 
@@ -59,12 +59,12 @@ fn csv(rate: f64, (skipped, factor): (usize, f64)) -> String {
     format!("time_s,acceleration_g\n{lines}")
 }
 
-fn list(rate: f64) -> String {
+pub(crate) fn list(rate: f64) -> String {
     let values: Vec<String> = (0..300).map(|step| value(rate, step).to_string()).collect();
     values.join("\n")
 }
 
-fn motion(rate: f64) -> String {
+pub(crate) fn motion(rate: f64) -> String {
     csv(rate, (0, 1.0))
 }
 
@@ -104,7 +104,10 @@ fn issue_nothing_in_a_folder_vanishes() {
             ("README.md", ReasonKind::NoRecord),
         ]
     );
-    assert_eq!(suite.counts(), "6 files: 1 motion of 1 event, 5 left out");
+    assert_eq!(
+        suite.counts(),
+        "6 files, 1 used and 5 left out: 1 motion of 1 event"
+    );
     let said = suite.said_of_left_out(false).join("\n");
     assert!(said.starts_with("b.csv: cannot be read: "), "{said}");
 }
@@ -143,10 +146,12 @@ fn issue_a_record_at_two_scales_is_one_event_and_asked_about() {
     let suite = folder.suite();
     assert_eq!((suite.motions.len(), suite.n_events), (3, 2));
     let said = suite.remarks(false).join("\n");
+    let said = said.lines().next().expect("a line");
     assert!(
-        said.contains("a.csv and a times two.csv are one motion, the second times 2.000"),
+        said.contains("a.csv comes again times a factor, and counts as one event with the others"),
         "{said}"
     );
+    assert!(said.ends_with("a times two.csv (times 2.000)"), "{said}");
 }
 
 /// Two records that differ are two, however alike their spectra are.
@@ -179,7 +184,8 @@ fn issue_every_file_that_takes_a_declaration_is_named() {
         said.contains("unit = \"g\", time_step_s = 0.02 is declared, and was taken for what does not say it: one.txt, two.txt"),
         "{said}"
     );
-    assert!(!said.contains("said.csv\nunit"), "{said}");
+    let mut of_unit = said.lines().filter(|line| line.starts_with("unit"));
+    assert!(of_unit.all(|line| !line.contains("said.csv")), "{said}");
 }
 
 /// A velocity shook rows as an acceleration once a unit was declared for its folder.
@@ -250,28 +256,120 @@ fn issue_a_name_that_is_not_utf_8_is_its_own_file() {
     assert_eq!(first.to_bits(), value(9.0, 1).to_bits());
 }
 
-/// Components of one record are of one event, however they are told.
+/// A copy with a shorter name stayed, which tells nothing of the record: its other component was a second event.
 #[test]
-fn issue_components_of_one_record_are_one_event() {
-    let events = |files: &[&str]| {
-        let mut folder = Folder::new();
-        for (index, name) in files.iter().enumerate() {
-            folder = folder.with(name, motion(5.0 + 0.7 * index as f64));
-        }
-        let suite = folder.suite();
-        suite
-            .motions
-            .iter()
-            .map(|one| one.event)
-            .collect::<Vec<_>>()
+fn issue_a_copy_is_of_the_event_of_its_name() {
+    let folder = Folder::new()
+        .with("KOBE_NS.csv", motion(9.0))
+        .with("KOBE_EW.csv", motion(7.0))
+        .with("x.csv", motion(9.0));
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["KOBE_EW.csv", "x.csv"]);
+    assert_eq!(suite.n_events, 1);
+    assert_eq!(left_out(&suite), [("KOBE_NS.csv", ReasonKind::Copy)]);
+    assert!(suite.motions[1].direction.is_some(), "its copy tells it");
+    let said = suite.counts();
+    assert_eq!(said, "3 files, 2 used and 1 left out: 2 motions of 1 event");
+}
+
+/// The copy of a vertical shook the row: copies were looked for among what shakes it.
+#[test]
+fn issue_the_copy_of_a_vertical_shakes_nothing() {
+    let folder = Folder::new()
+        .with("KOBE_EW.csv", motion(7.0))
+        .with("KOBE_UD.csv", motion(9.0))
+        .with("x.csv", motion(9.0));
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["KOBE_EW.csv"]);
+    let wanted = [
+        ("KOBE_UD.csv", ReasonKind::VerticalByName),
+        ("x.csv", ReasonKind::Copy),
+    ];
+    assert_eq!(left_out(&suite), wanted);
+}
+
+/// Pulses of other periods were left out as copies: they correlate by more than 0.99.
+#[test]
+fn issue_pulses_of_other_periods_are_no_copies() {
+    let pulse = |period: f64| {
+        let line = |step: usize| {
+            let x = core::f64::consts::PI * (0.02 * step as f64 - 2.0) / period;
+            let value = 0.2 * (1.0 - 2.0 * x * x) * libm::exp(-x * x);
+            format!("{},{value}\n", 0.02 * step as f64)
+        };
+        let lines: String = (0..200).map(line).collect();
+        format!("time_s,acceleration_g\n{lines}")
     };
-    assert_eq!(
-        events(&["ABC001.EW.csv", "ABC001.NS.csv", "ABC002.EW.csv"]),
-        [0, 0, 1]
+    let folder = Folder::new()
+        .with("a.csv", pulse(0.5))
+        .with("b.csv", pulse(0.52))
+        .with("c.csv", pulse(0.545))
+        .with(
+            "d.csv",
+            pulse(0.5).replace("acceleration_g", "acceleration_G"),
+        );
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["a.csv", "b.csv", "c.csv"]);
+    assert_eq!((suite.n_events, suite.alike.len()), (3, 0));
+}
+
+/// A folder of one record at eight intensities had a line for each.
+#[test]
+fn issue_a_record_at_many_scales_is_one_line() {
+    let mut folder = Folder::new();
+    for factor in 1_u8..=8 {
+        let text = csv(9.0, (0, f64::from(factor)));
+        folder = folder.with(&format!("im{factor}.csv"), text);
+    }
+    let suite = folder.suite();
+    assert_eq!((suite.motions.len(), suite.n_events), (8, 1));
+    let said = suite.remarks(false);
+    let alike = said.iter().filter(|line| line.contains("times a factor"));
+    assert_eq!(alike.count(), 1, "{said:?}");
+    assert!(
+        said[0].contains("im5.csv (times 5.000), and 3 more (--details)"),
+        "{said:?}"
     );
-    assert_eq!(events(&["RSN6-H1.csv", "RSN6-H2.csv"]), [0, 0]);
-    // Numbers of records are no azimuths.
-    assert_eq!(events(&["r001.csv", "r002.csv", "r091.csv"]), [0, 1, 2]);
+}
+
+/// The lower sensors of KiK-net, and verticals whose word stands first, shook rows.
+#[test]
+fn issue_names_of_boreholes_and_verticals() {
+    let mut folder = Folder::new();
+    for (rate, name) in [
+        (5.0, "IWTH25.EW1.csv"),
+        (5.7, "IWTH25.EW2.csv"),
+        (6.4, "IWTH25.NS2.csv"),
+        (7.1, "UD_filtered.csv"),
+    ] {
+        folder = folder.with(name, motion(rate));
+    }
+    let suite = folder.suite();
+    assert_eq!(names(&suite), ["IWTH25.EW2.csv", "IWTH25.NS2.csv"]);
+    assert_eq!(suite.n_events, 1);
+    assert_eq!(
+        left_out(&suite),
+        [
+            ("IWTH25.EW1.csv", ReasonKind::Borehole),
+            ("UD_filtered.csv", ReasonKind::VerticalByName)
+        ]
+    );
+    let said = suite.remarks(false).join("\n");
+    assert!(said.contains("IWTH25.EW1.csv (by its name)"), "{said}");
+}
+
+/// NS1 and EW1 of a table of KiK-net are in the borehole, and shook rows.
+#[test]
+fn issue_columns_of_boreholes_shake_nothing() {
+    let header = "Time (s),NS1 (gal),EW1 (gal),UD1 (gal),NS2 (gal),EW2 (gal),UD2 (gal)\n";
+    let row = |row: usize| {
+        let values = [5.0, 5.7, 6.4, 7.1, 7.8, 8.5].map(|rate| format!("{:.6}", value(rate, row)));
+        format!("{:.2},{}\n", row as f64 * 0.02, values.join(","))
+    };
+    let table = header.to_owned() + &(0..300).map(row).collect::<String>();
+    let suite = Folder::new().with("IWTH25.csv", table).suite();
+    assert_eq!(names(&suite), ["IWTH25.csv NS2", "IWTH25.csv EW2"]);
+    assert_eq!(suite.n_events, 1);
 }
 
 #[path = "../../../../fuzz/src/folder.rs"]

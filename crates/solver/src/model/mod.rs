@@ -1,6 +1,5 @@
 //! The row: structures and buildings, columns, pairs, and the ground that shakes them.
 
-pub(crate) mod any_row;
 pub(crate) mod approach;
 pub(crate) mod balance;
 pub(crate) mod bilinear;

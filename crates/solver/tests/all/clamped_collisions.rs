@@ -1,6 +1,6 @@
 //! One collision lasts from touch to parting, also where a clamped force lets go in between.
 
-use pounding_contact::{Calibration, ContactLaw, KelvinVoigt};
+use pounding_contact::{Calibration, ContactLaw, FreePair, KelvinVoigt, LawName};
 use pounding_solver::{
     Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Ledger, Node, Recorder,
     Row, Span,
@@ -32,8 +32,9 @@ impl Recorder for Pushes {
 
 /// Collisions, pushes, and overlaps counted at equal intervals.
 fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
-    let law = KelvinVoigt::calibrated(9.35e7, 0.2, Calibration::Exact).expect("a good law");
-    let law = ContactLaw::KelvinVoigt(law);
+    let asked = (0.2, Calibration::Exact);
+    let law = LawName::KelvinVoigt.calibrated(9.35e7, asked, &FreePair::UNIT);
+    let law = law.expect("a good law");
     let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, GAP, law)).expect("a row");
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("good samples");

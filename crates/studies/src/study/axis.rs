@@ -4,7 +4,7 @@ use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, reduced_mass}
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Damping, Method, Scene, Sdof, Structure};
+use pounding_scene::{Damping, Method, Scene, Sdof, Structure, usual_stiffness};
 
 /// A change of a scene of two structures, by a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,9 +56,6 @@ pub(crate) struct Pushed {
 
 /// Approach speed at which a restitution is calibrated, of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
-/// Usual impact stiffness of linear springs \[N/m\] and of Hertz springs \[N/m^1.5\].
-const LINEAR: f64 = 9.35e7;
-const HERTZ: f64 = 2.75e9;
 
 impl Axis {
     /// Name in tables.
@@ -327,12 +324,8 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
         .zip(1_u32..)
         .find(|(_, other)| f64::from(*other) >= number);
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
-    let stiffness = match name.stiffness_unit() {
-        Some("N/m") => LINEAR,
-        _ => HERTZ,
-    };
-    let undamped = matches!(name, LawName::LinearSpring | LawName::Hertz);
-    let restitution = if undamped { 1.0 } else { 0.65 };
+    let stiffness = usual_stiffness(name);
+    let restitution = if name.is_elastic() { 1.0 } else { 0.65 };
     let pair = pair(scene);
     let asked = (restitution, Calibration::Exact);
     let law = name.calibrated(stiffness, asked, &pair);

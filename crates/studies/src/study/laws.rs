@@ -47,7 +47,7 @@ impl AtlasSettings {
 
     /// e at which a law is compared with others.
     pub(crate) fn restitution(&self, law: LawName) -> f64 {
-        if is_spring(law) {
+        if law.is_elastic() {
             1.0
         } else {
             self.restitution
@@ -73,9 +73,4 @@ impl AtlasSettings {
 /// Whether the law has a linear spring.
 pub(crate) fn is_linear(law: LawName) -> bool {
     law.stiffness_unit() == Some("N/m")
-}
-
-/// Whether the law is a spring without damping, whose e is 1.
-pub(crate) fn is_spring(law: LawName) -> bool {
-    matches!(law, LawName::LinearSpring | LawName::Hertz)
 }

@@ -33,7 +33,7 @@ fn scenes() -> [(Option<&'static str>, Value); 12] {
         (None, scene()),
         (None, towers.clone()),
         (None, elastic(central.clone())),
-        (None, elastic(stepping("velocity_verlet"))),
+        (Some("this method"), elastic(stepping("velocity_verlet"))),
         (None, elastic(exact.clone())),
         // The word alone had another tolerance, with which runs go alone.
         (None, elastic(json!("exact"))),
@@ -78,12 +78,6 @@ fn issue_why_runs_go_alone_is_told() {
     ));
     let most = json!({"pieces": 1_000_000_000});
     cases.push((Some("`pieces`"), with(words(scene()), "/budget", most)));
-    let verlet = with(
-        scenes()[1].1.clone(),
-        "/method",
-        stepping("velocity_verlet"),
-    );
-    cases.push((Some("velocity Verlet takes two"), words(verlet)));
     for (why, words) in cases {
         let sweep = sweep(&folder, &words);
         let (batch, said) = (sweep.batch(0..4), sweep.alone_because());

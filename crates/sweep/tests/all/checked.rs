@@ -38,7 +38,6 @@ fn issue_a_sweep_is_fast_without_a_word() {
     });
     for method in [
         json!({"central_difference": {"time_step_s": 0.002}}),
-        json!({"velocity_verlet": {"time_step_s": 0.002}}),
         json!({"exact": {}}),
     ] {
         let plain = sweep(&folder, &words(&method, &json!({})));

@@ -273,3 +273,23 @@ fn issue_more_rows_than_parts_hold_are_refused() {
     let refused = open(&many).expect_err("no folder holds their parts");
     assert!(refused.to_string().contains("coarser grids"), "{refused}");
 }
+
+/// Scenes side by side moved to another crate, whose sources no longer counted: a sweep was continued by lanes that computed otherwise.
+#[test]
+fn issue_a_sweep_is_known_by_the_sources_of_every_crate_that_computes() {
+    let (manifest, hashed) = (
+        include_str!("../../Cargo.toml"),
+        include_str!("../../build.rs"),
+    );
+    let crates = manifest
+        .lines()
+        .filter_map(|line| line.strip_prefix("pounding-"));
+    let names = crates.filter_map(|line| line.split('.').next());
+    // Files hold bytes, whatever they mean.
+    let mut names: Vec<&str> = names.filter(|name| *name != "files").collect();
+    names.dedup();
+    assert!(names.contains(&"lanes"), "{names:?}");
+    for name in names {
+        assert!(hashed.contains(&format!("\"../{name}/src\"")), "{name}");
+    }
+}

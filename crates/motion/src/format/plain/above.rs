@@ -16,8 +16,8 @@ pub(super) struct Above<'t> {
     /// The line with the step.
     line: Line<'t>,
     pub(super) count: Option<usize>,
-    /// Above zero \[s\].
-    pub(super) step: f64,
+    /// Above zero \[s\]; nothing above rows with times.
+    pub(super) step: Option<f64>,
     /// Rows that it takes.
     pub(super) n_rows: usize,
 }
@@ -27,9 +27,30 @@ impl<'t> Above<'t> {
     pub(super) fn new(rows: &Rows<'_, 't>) -> Result<Option<Self>, ReadError> {
         match rows.n_columns {
             2 => Ok(Self::of_one_line(rows)),
-            1 => Self::of_two_lines(rows),
+            1 => match Self::of_count(rows) {
+                Some(count) => Ok(Some(count)),
+                None => Self::of_two_lines(rows),
+            },
             _ => Ok(None),
         }
+    }
+
+    /// The number of the rows below it, which hold several numbers each.
+    fn of_count(rows: &Rows<'_, 't>) -> Option<Self> {
+        let line = rows.first();
+        let count: usize = std::str::from_utf8(line.bytes.trim_ascii())
+            .ok()?
+            .parse()
+            .ok()?;
+        let several = rows.iter().skip(1).all(|row| row.fields().nth(1).is_some());
+        // A number that is far off counts something else.
+        let n_rows = rows.len - 1;
+        (several && n_rows > 1 && count > n_rows / 2).then_some(Self {
+            line,
+            count: Some(count),
+            step: None,
+            n_rows: 1,
+        })
     }
 
     fn of_one_line(rows: &Rows<'_, 't>) -> Option<Self> {
@@ -45,7 +66,7 @@ impl<'t> Above<'t> {
         (counts && !is_time_above).then_some(Self {
             line,
             count: Some(count),
-            step,
+            step: Some(step),
             n_rows: 1,
         })
     }
@@ -63,7 +84,7 @@ impl<'t> Above<'t> {
         let above = |line, count: bool, step| Self {
             line,
             count: count.then_some(rows.n_numbers - 2),
-            step,
+            step: Some(step),
             n_rows: 2,
         };
         if counts(one) && is_step(other) {

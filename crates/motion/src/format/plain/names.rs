@@ -89,6 +89,14 @@ impl Name<'_> {
         Other::of_unit(&self.unit.to_ascii_lowercase()).or(by_name)
     }
 
+    /// Whether it is a sensor in a borehole: KiK-net numbers it 1, and the one above it at the ground 2.
+    pub(super) fn is_below(&self, names: &[Self]) -> bool {
+        let (below, at_ground) = (["NS1", "EW1", "UD1"], ["NS2", "EW2", "UD2"]);
+        let is = |at: usize| names.iter().any(|name| name.capitals() == at_ground[at]);
+        let at = below.iter().position(|known| *known == self.capitals());
+        at.is_some_and(is)
+    }
+
     /// Whether the column counts rows, or holds no component.
     pub(super) fn is_no_component(&self) -> bool {
         let name = self.text.to_ascii_lowercase();
@@ -98,9 +106,9 @@ impl Name<'_> {
     /// Whether it is the axis of a spectrum. A `T` in capitals is a period where spectral values stand beside it.
     fn is_axis(&self) -> bool {
         let name = self.capitals();
-        ["PERIOD", "FREQ", "HZ"]
-            .iter()
-            .any(|start| name.starts_with(start))
+        ["FREQ", "HZ"].iter().any(|start| name.starts_with(start))
+            || name.contains("PERIOD")
+            || self.text.contains("周期")
             || self.unit.eq_ignore_ascii_case("hz")
     }
 
@@ -108,7 +116,13 @@ impl Name<'_> {
         let name = self.capitals();
         let mut words = name.split(|letter: char| !letter.is_ascii_alphabetic());
         let first = words.next().unwrap_or_default();
-        SPECTRAL.contains(&first) || first.starts_with("SAROT") || name.contains("SPECTR")
+        let joined = name.replace('_', "");
+        SPECTRAL.contains(&first)
+            || SPECTRAL.contains(&joined.as_str())
+            || ["SAROT", "ROTD", "GMROT"]
+                .iter()
+                .any(|start| joined.starts_with(start))
+            || name.contains("SPECTR")
     }
 }
 
@@ -133,7 +147,11 @@ pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let is_spectrum = if values.is_empty() {
         first.is_spectral() && !first.unit.is_empty()
     } else {
-        first.is_axis() || (!is_history && values.iter().any(tells))
+        let is_period =
+            |name: &Name<'_>| name.is_axis() || (name.text == "T" && !name.unit.is_empty());
+        first.is_axis()
+            || (!is_history && values.iter().any(tells))
+            || (first.is_spectral() && values.iter().any(is_period))
     };
     let is_fourier = names.iter().any(|name| {
         let name = name.capitals();
@@ -173,6 +191,7 @@ pub(super) fn of_columns<'t>(titles: &[Line<'t>], n_columns: usize) -> Option<Ve
 
 fn named_in<'t>(line: Line<'t>, text: &str) -> Vec<Name<'t>> {
     let text = text.trim_start_matches('#').trim();
+    let text = text.trim_end_matches([',', ' ']);
     let fields: Vec<String> = if text.contains([',', '\t']) {
         text.split([',', '\t']).map(str::to_owned).collect()
     } else {

@@ -61,6 +61,27 @@ fn is_end(line: Line<'_>) -> bool {
         || word.is_some_and(|word| word.eq_ignore_ascii_case(b"END"))
 }
 
+/// Whether decimal commas may cut the numbers of a line: they are whole, in pairs, the second of each without a sign.
+pub(in super::super) fn may_be_cut(line: Line<'_>) -> bool {
+    let is_whole = |field: &[u8]| !field.is_empty() && field.iter().all(u8::is_ascii_digit);
+    let mut n_fields = 0;
+    let whole = line.fields().enumerate().all(|(index, field)| {
+        n_fields = index + 1;
+        let bare = field.strip_prefix(b"-").filter(|_| index % 2 == 0);
+        is_whole(bare.unwrap_or(field))
+    });
+    whole && n_fields % 2 == 0 && line.bytes.contains(&b',')
+}
+
+/// The refusal of such a line.
+pub(in super::super) fn cut_by_commas(line: Line<'_>) -> ReadError {
+    RowError::DecimalComma {
+        line: line.number,
+        found: line.excerpt(),
+    }
+    .into()
+}
+
 fn rows_in<'t>(lines: &[Line<'t>]) -> impl Iterator<Item = Line<'t>> {
     let lines = lines.iter().copied();
     lines.filter(|line| !line.is_blank() && !line.is_comment())
@@ -160,23 +181,15 @@ impl<'l, 't> Rows<'l, 't> {
         10 * falls <= self.len
     }
 
-    /// Refuses rows of two whole numbers with a comma between, the second without a sign: a decimal comma looks so.
+    /// Refuses rows that decimal commas may cut. More than two columns are counts, unless a fraction begins with a zero.
     pub(super) fn check_commas(&self) -> Result<(), ReadError> {
-        let is_whole = |field: &[u8]| !field.is_empty() && field.iter().all(u8::is_ascii_digit);
-        let is_split = |row: Line<'t>| {
-            let mut fields = row.fields();
-            let pair = [fields.next(), fields.next()].map(Option::unwrap_or_default);
-            let first = pair[0].strip_prefix(b"-").unwrap_or(pair[0]);
-            row.bytes.contains(&b',') && is_whole(first) && is_whole(pair[1])
-        };
-        if self.n_columns != 2 || !self.iter().all(is_split) {
-            return Ok(());
+        let is_fraction = |field: &[u8]| field.len() > 1 && field.starts_with(b"0");
+        let has_fraction = |row: Line<'t>| row.fields().skip(1).step_by(2).any(is_fraction);
+        let may_be =
+            self.iter().all(may_be_cut) && (self.n_columns == 2 || self.iter().any(has_fraction));
+        if may_be {
+            return Err(cut_by_commas(self.first()));
         }
-        let first = self.first();
-        Err(RowError::DecimalComma {
-            line: first.number,
-            found: first.excerpt(),
-        }
-        .into())
+        Ok(())
     }
 }

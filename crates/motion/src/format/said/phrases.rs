@@ -25,7 +25,7 @@ const STEP: [&str; 15] = [
 ];
 
 /// Keys of a rate \[Hz\], or of a step.
-const RATE: [&str; 11] = [
+const RATE: [&str; 10] = [
     "sampling rate",
     "sampling frequency",
     "sampling freq",
@@ -34,7 +34,6 @@ const RATE: [&str; 11] = [
     "samplingrate",
     "samplerate",
     "samples/sec",
-    "fs",
     "tasa de muestreo",
     "frecuencia de muestreo",
 ];
@@ -57,6 +56,22 @@ const COUNT: [&str; 15] = [
     "numero de muestras",
     "nombre de points",
 ];
+
+/// Short keys, which count only in front of `:` or `=`: of a step, a rate and a number of samples.
+const SHORT_STEP: [&str; 2] = ["delta", "ts"];
+const SHORT_RATE: [&str; 3] = ["fs", "sps", "rate"];
+const SHORT_COUNT: [&str; 7] = [
+    "samples",
+    "no. of samples",
+    "count",
+    "points",
+    "npt",
+    "total points",
+    "n",
+];
+
+/// Words of a number that was true before the file was processed.
+const BEFORE: [&str; 5] = ["original", "raw", "decimat", "before", "downsampled from"];
 
 /// Words in front of a unit that are part of the same phrase, such as `acceleration time history in units of`.
 const BETWEEN: [&str; 15] = [
@@ -166,9 +181,17 @@ fn is_milliseconds(word: &str) -> bool {
 
 /// The time steps \[s\] that a line states.
 pub(super) fn steps(text: &str) -> Vec<f64> {
+    if is_of_before(text) {
+        return Vec::new();
+    }
     let found = |keys: &'static [&'static str]| {
         let places = keys.iter().flat_map(|key| around(text, key));
         places.filter_map(|(_, behind)| printed(behind))
+    };
+    let short = |keys: &'static [&'static str]| {
+        let places = keys.iter().flat_map(|key| around(text, key));
+        let stated = places.filter(|(_, behind)| is_stated(behind));
+        stated.filter_map(|(_, behind)| printed(behind))
     };
     let step = |one: Printed<'_>| match one.unit {
         unit if is_milliseconds(unit) => one.value / 1000.0,
@@ -194,9 +217,11 @@ pub(super) fn steps(text: &str) -> Vec<f64> {
         .any(|start| words.starts_with(start))
     });
     let sampled = found(&["sampling", "sampled at"]).filter(|one| is_of_time(one.unit));
+    let rates = found(&RATE).chain(short(&SHORT_RATE)).chain(sampled);
     found(&STEP)
+        .chain(short(&SHORT_STEP))
         .map(step)
-        .chain(found(&RATE).chain(sampled).map(rate))
+        .chain(rates.map(rate))
         .chain(by_words.map(|(rate, _)| 1.0 / rate))
         .filter(|step| super::super::spacing::POSSIBLE.contains(step))
         .collect()
@@ -204,7 +229,12 @@ pub(super) fn steps(text: &str) -> Vec<f64> {
 
 /// The numbers of samples that a line states.
 pub(super) fn counts(text: &str) -> Vec<usize> {
-    let named = COUNT.iter().flat_map(|key| around(text, key));
+    if is_of_before(text) {
+        return Vec::new();
+    }
+    let short = SHORT_COUNT.iter().flat_map(|key| around(text, key));
+    let short = short.filter(|(_, behind)| is_stated(behind));
+    let named = COUNT.iter().flat_map(|key| around(text, key)).chain(short);
     let named = named
         .filter_map(|(_, behind)| printed(behind))
         .map(|one| one.value);
@@ -232,6 +262,21 @@ pub(super) fn counts(text: &str) -> Vec<usize> {
         .filter_map(|count| format!("{count}").parse().ok())
         .filter(|count| *count > 0)
         .collect()
+}
+
+/// Whether a key is followed by the sign of a value, with its unit before that at most: `fs = 200`, `rate (Hz): 200`.
+fn is_stated(behind: &str) -> bool {
+    let behind = behind.trim_start();
+    let behind = match behind.strip_prefix(['(', '[']) {
+        Some(inside) => inside.split_once([')', ']']).map_or("", |(_, rest)| rest),
+        None => behind,
+    };
+    behind.trim_start().starts_with([':', '='])
+}
+
+/// Whether a line tells what was before the file was processed.
+fn is_of_before(text: &str) -> bool {
+    BEFORE.iter().any(|word| text.contains(word))
 }
 
 /// The numbers of a line that stand by themselves, each with the words behind it.

@@ -306,6 +306,17 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
     assert!((up.values()[1] - 3.0 * wave(2)[1]).abs() < 1e-3);
     let usual = of_1999.replace("#DataSequence: Time N(+); E(+); U(+)\n", "");
     assert_eq!(names(&usual), ["U", "N", "E"]);
+    // Words were passed over, and the order of other files was taken: the true vertical shook the row.
+    for sequence in ["Time, North, East, Up", "Time NS EW UD"] {
+        let said = of_1999.replace("Time N(+); E(+); U(+)", sequence);
+        let found: Vec<_> = names(&said)
+            .iter()
+            .map(|name| name.chars().next())
+            .collect();
+        assert_eq!(found, ["N", "E", "U"].map(|name| name.chars().next()));
+    }
+    let other = of_1999.replace("Time N(+); E(+); U(+)", "Time, A, B, C");
+    assert_snapshot!(refusal(&other, &Declared::default()), @"line 6 reads \"Time, A, B, C\", but a time and three directions, such as `Time U(+); N(+); E(+)`, should stand there; fetch the file again");
 }
 
 /// A row that is missing was passed over.

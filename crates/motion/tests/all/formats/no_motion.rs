@@ -101,6 +101,21 @@ fn issue_values_of_one_sign_are_asked_about() {
     // Where the file says that they are accelerations they may be a pulse.
     let pulse = spectrum("time_s,acceleration_g", ",");
     assert_snapshot!(unusual(&accelerogram(&pulse, &Declared::default())), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
+    // The unit of a spectrum made its values accelerations.
+    for names in [
+        "T (s),S_a (g)",
+        "T (s),Sae (g)",
+        "T (s),RotD50 (g)",
+        "natural period (s),acceleration (g)",
+        "Sa (g),T (s)",
+        "周期(s),加速度(gal)",
+    ] {
+        let said = refusal(spectrum(names, ","), &Declared::default());
+        assert!(
+            said.contains("spectrum") || said.contains("time"),
+            "{names}: {said}"
+        );
+    }
     let named = spectrum("time (s),acc (g)", ",");
     assert!(matches!(
         accelerogram(&named, &Declared::default()).unusual(),

@@ -90,7 +90,7 @@ fn extreme_lines() {
     assert_snapshot!(refusal("0.1\n0.2x\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "0.2x" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal("0.1\n1e999\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "1e999" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal("0.1\nNaN\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "NaN" is not finite, and every number must be; put a measured value there or cut the record before it"#);
-    assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @r#"line 2, field 2: "" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @"line 2 has 1 column(s), allowed are 2 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
     assert_snapshot!(refusal("3\n0.1\n0.2\n0.3\n", &in_g_with_step(0.1)), @r#"line 1 reads "3", which is how many values follow; put # before it, or it would be taken for the first"#);
     // A comma for a point makes two columns of one.
     assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @r#"line 1 reads "0,00123": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
@@ -110,4 +110,32 @@ fn extreme_too_many_lines_are_refused() {
     assert_snapshot!(refusal(&empty, &IN_G), @"found 1000001 lines, allowed are 1000000; cut the record to the shaking that matters");
     let short = "1\n".repeat(20_000_001);
     assert_snapshot!(refusal(&short, &IN_G), @"found 20000001 lines, allowed are 20000000; cut the record to the shaking that matters");
+}
+
+/// Spreadsheets end every line with the commas of empty columns: the list of formats was the answer.
+#[test]
+fn issue_empty_columns_of_a_spreadsheet_are_left_out() {
+    let text = "time (s),acc_g,,\n0.00,0.1,,\n0.02,-0.25,,\n";
+    let found = accelerogram(text, &Declared::default());
+    assert_eq!(found.values(), [0.1, -0.25]);
+    assert_eq!(found.unit(), AccelerationUnit::StandardGravity);
+}
+
+/// The number of rows above times and values was a line with too few columns.
+#[test]
+fn issue_the_number_of_the_rows_may_stand_above_them() {
+    let rows = "0.00 0.1\n0.02 -0.25\n0.04 0.05\n";
+    let found = accelerogram(format!("3\n{rows}"), &IN_G);
+    assert_eq!(found.values(), [0.1, -0.25, 0.05]);
+    assert_snapshot!(refusal(format!("4\n{rows}"), &IN_G), @"the values end at line 4 after 3 of them, but the header declares 4; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refusal(format!("1\n{rows}"), &IN_G), @"line 2 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
+}
+
+/// Decimal commas made four columns of two, in which no time was found.
+#[test]
+fn issue_decimal_commas_of_four_columns_are_named() {
+    assert_snapshot!(refusal("0,00,0,000123\n0,02,-1,5\n", &IN_G), @r#"line 1 reads "0,00,0,000123": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
+    assert_snapshot!(refusal("time_s,acceleration_g\n0,00,0,00000\n0,02,0,00150\n", &IN_G), @r#"line 2 reads "0,00,0,00000": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
+    // Counts of four channels have no fraction.
+    assert!(!refusal("12,34,56,78\n90,12,34,56\n", &IN_G).contains("decimal comma"));
 }

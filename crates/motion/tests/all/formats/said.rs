@@ -306,3 +306,80 @@ fn limit_other_words_say_nothing() {
     assert_eq!(found.unit(), AccelerationUnit::MilliG);
     assert_eq!(found.component(), None);
 }
+
+/// What was true before the file was processed, or of another number, was taken for the values, and the truth refused.
+#[test]
+fn issue_numbers_of_something_else() {
+    for (title, unit) in [
+        (
+            "# Original sampling rate: 200 Hz\n# Resampled to 100 Hz",
+            AccelerationUnit::StandardGravity,
+        ),
+        (
+            "# gravitational acceleration (m/s2): 9.81",
+            AccelerationUnit::StandardGravity,
+        ),
+        ("# station FS 12", AccelerationUnit::StandardGravity),
+        ("# FS01", AccelerationUnit::StandardGravity),
+        ("# units of Vs30: m/s", AccelerationUnit::StandardGravity),
+        ("# 8 values, 10 digits", AccelerationUnit::StandardGravity),
+        ("# every 10 samples,", AccelerationUnit::StandardGravity),
+        ("# Data from 3 points.", AccelerationUnit::StandardGravity),
+    ] {
+        let text = format!("{title}\n{}", column(120));
+        let found = accelerogram(&text, &declared(unit, 0.01));
+        assert_eq!(
+            (found.values().len(), found.time_step()),
+            (120, 0.01),
+            "{title}"
+        );
+        assert_eq!(found.unit(), unit, "{title}");
+    }
+}
+
+/// Such words were passed over: a file that was cut read silently, and a wrong step was taken.
+#[test]
+fn issue_short_words_for_numbers_and_steps() {
+    for title in [
+        "samples: 400",
+        "No. of samples: 400",
+        "N = 400",
+        "count: 400",
+        "npt: 400",
+        "total points: 400",
+    ] {
+        let text = format!("# {title}\n{}", column(300));
+        let said = refusal(&text, &declared(AccelerationUnit::StandardGravity, 0.01));
+        assert!(said.contains("400"), "{title}: {said}");
+    }
+    for title in [
+        "delta: 0.005",
+        "sps: 200",
+        "rate: 200 Hz",
+        "Ts = 0.005",
+        "fs = 200",
+        "fs (Hz): 200",
+    ] {
+        let text = format!("# {title}\n{}", column(120));
+        let said = refusal(&text, &declared(AccelerationUnit::StandardGravity, 0.01));
+        assert!(said.contains("0.005"), "{title}: {said}");
+    }
+}
+
+/// Stations of one town, and records without a time, were taken for one.
+#[test]
+fn issue_whole_names_of_stations() {
+    let station = |title: &str| {
+        let text = format!("# {title}\n{}", column(120));
+        let found = pounding_motion::contents(text.as_bytes()).expect("it reads");
+        (found.identity.station, found.identity.time)
+    };
+    let told = |title: &str| station(title).0.unwrap_or_default();
+    assert_eq!(told("Station: Los Gatos, Start time: 0.0"), "LOS GATOS");
+    assert_eq!(
+        told("Station: Los Angeles Hollywood; Component: 90"),
+        "LOS ANGELES HOLLYWOOD"
+    );
+    assert_eq!(told("Station ABC component N, dt = 0.005 s"), "ABC");
+    assert_eq!(station("Start time: 0.0").1, None);
+}

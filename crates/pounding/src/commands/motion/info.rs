@@ -2,15 +2,15 @@
 
 mod printed;
 
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
-use pounding::motion::{Channel, Direction, Drift, Measures, NamedFile, contents};
-use pounding::scene::{Reason, record_bytes, whether_it_shakes};
+use pounding::motion::{Direction, Drift, Measures};
+use pounding::scene::{LeftOut, Motion, Reason, Suite};
 use rayon::prelude::*;
 
-use super::source::{Declared, Named, Opened, files};
+use super::source::{Declared, Opened};
 use crate::commands::Failure;
+use crate::commands::declared::by_options;
 use crate::commands::suite::nothing_found;
 use crate::progress::Progress;
 
@@ -46,7 +46,9 @@ pub(super) struct Arguments {
 
 /// One component of one file.
 struct Line {
-    file: Named,
+    path: PathBuf,
+    /// Whether the file is named itself, and not only its folder.
+    named: bool,
     /// Its name, where the file holds several or one is asked for.
     component: Option<String>,
     found: Result<Found, String>,
@@ -55,54 +57,30 @@ struct Line {
 /// A motion and its measures.
 struct Found {
     opened: Opened,
-    /// How it lies, or why it shakes no row.
-    placed: Result<Option<Direction>, Reason>,
+    /// How it lies and the number of its event, or why it shakes no row.
+    placed: Result<(Option<Direction>, usize), Reason>,
     measures: Measures,
     drift: Option<Drift>,
 }
 
 /// What the files hold.
 pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
-    let files = files(&args.files)?;
-    let strict = files.len() == 1;
-    let motions: Vec<_> = files
-        .iter()
-        .flat_map(|file| motions(file, &args.declared))
-        .collect();
-    let progress = Progress::new();
-    let line = |listed: &Listed| {
-        let Listed {
-            file, component, ..
-        } = listed;
-        let declared = args.declared.of_component(component.clone());
-        let opened = if strict {
-            declared.open(&file.path)
-        } else {
-            declared.open_one_of_several(&file.path)
-        };
-        progress.step(motions.len());
-        let spelt = opened.as_ref().ok().and_then(Opened::component);
-        Line {
-            file: file.clone(),
-            // What is asked for may be a part of the name.
-            component: component.clone().map(|args| spelt.unwrap_or(args)),
-            found: opened.map(|opened| Found {
-                placed: listed.placed(&opened),
-                measures: opened.record.measures(),
-                drift: opened.record.drift(),
-                opened,
-            }),
-        }
-    };
-    let lines: Vec<Line> = motions.par_iter().map(line).collect();
-    drop(progress);
+    let listed = Suite::listed(&args.files, &args.declared.of_files());
+    let (suite, _) = listed.map_err(|error| error.to_string())?;
+    if suite.n_entries == 0 {
+        return Err(Failure::from(format!(
+            "{}: found no file, allowed is a folder with one record or more",
+            args.files[0].display()
+        )));
+    }
+    let lines = lines_of(args, &suite);
     all_refused(&lines)?;
     let printed = if args.json {
-        printed::json_of(&lines, args.declared.gravity)
+        printed::json_of(&lines, &suite, args.declared.gravity)
     } else if args.csv {
         printed::csv_of(&lines, args.declared.gravity)
     } else {
-        printed::text(&lines, args.declared.gravity)
+        printed::text(&lines, &suite, args.declared.gravity)
     };
     match named_refused(&lines) {
         None => Ok(printed),
@@ -110,43 +88,48 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     }
 }
 
-/// A motion of a file.
-struct Listed {
-    file: Named,
-    /// Its component, if the file holds several or one is asked for.
-    component: Option<String>,
-    /// All components; empty if the file is refused.
-    channels: Arc<Vec<Channel>>,
-}
-
-impl Listed {
-    /// How it lies, or why it shakes no row.
-    fn placed(&self, opened: &Opened) -> Result<Option<Direction>, Reason> {
-        let name = opened.component();
-        let own = self.channels.iter().find(|channel| channel.name == name);
-        let named = NamedFile::of(self.file.path.file_name().unwrap_or_default());
-        own.map_or(Ok(None), |channel| {
-            whether_it_shakes(channel, &named, self.channels.len() > 1)
-        })
-    }
-}
-
-/// The motions of a file: one, or each component, or the one that is asked for.
-fn motions(file: &Named, declared: &Declared) -> Vec<Listed> {
-    let found = record_bytes(&file.path).ok();
-    let found = found.and_then(|bytes| contents(&bytes).ok());
-    let channels = Arc::new(found.map_or_else(Vec::new, |found| found.channels));
-    let components = match &declared.component {
-        Some(args) => vec![Some(args.clone())],
-        None if channels.len() > 1 => channels.iter().map(|one| one.name.clone()).collect(),
-        None => vec![None],
+/// A line for each motion, whether it shakes rows or not, and for what is none, in the order of the files.
+fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
+    let progress = Progress::new();
+    let used = suite.motions.iter();
+    let used = used.map(|one| (Some(one), Ok((one.direction, one.event)), &*one.path));
+    let others = suite.left_out.iter();
+    let others = others.map(|one| (one.motion.as_deref(), Err(one), &*one.path));
+    let mut all: Vec<_> = used.chain(others).collect();
+    let order = |path: &Path| suite.files.iter().position(|file| file == path);
+    all.sort_by_key(|(.., path)| order(path).unwrap_or(usize::MAX));
+    let line = |(motion, placed, path): &(Option<&Motion>, Result<_, &LeftOut>, &Path)| {
+        let named = args.files.iter().any(|file| file == path);
+        let whole = |one: &LeftOut| path.file_name().is_some_and(|name| *name == *one.name);
+        let chosen = motion.and_then(Motion::component).map(String::from);
+        let declared = || args.declared.of_component(chosen.clone());
+        let opened = match (motion, placed) {
+            (None, Err(one)) if !named || !whole(one) => {
+                let reason = by_options(&one.reason.sentence());
+                Err(format!("{}: {reason}", one.name))
+            }
+            // One alone is held against all that is declared.
+            (Some(_), _) if named && args.files.len() == 1 => declared().open(path),
+            (Some(motion), _) => args.declared.use_motion(motion),
+            (None, _) if args.files.len() == 1 => args.declared.open(path),
+            (None, _) => args.declared.open_one_of_several(path),
+        };
+        progress.step(all.len());
+        // What is asked for may be a part of the name.
+        let spelt = opened.as_ref().ok().and_then(Opened::component);
+        Line {
+            path: path.to_path_buf(),
+            named,
+            component: chosen.map(|chosen| spelt.unwrap_or(chosen)),
+            found: opened.map(|opened| Found {
+                placed: placed.map_err(|one| one.reason.clone()),
+                measures: opened.record.measures(),
+                drift: opened.record.drift(),
+                opened,
+            }),
+        }
     };
-    let listed = |component| Listed {
-        file: file.clone(),
-        component,
-        channels: Arc::clone(&channels),
-    };
-    components.into_iter().map(listed).collect()
+    all.par_iter().map(line).collect()
 }
 
 /// The reason, where nothing was read.
@@ -163,7 +146,7 @@ fn all_refused(lines: &[Line]) -> Result<(), String> {
 
 /// What is said of files that were named and are refused; a folder may hold other files than records.
 fn named_refused(lines: &[Line]) -> Option<String> {
-    let refused = lines.iter().filter(|line| !line.file.in_folder);
+    let refused = lines.iter().filter(|line| line.named);
     let mut reasons = refused.filter_map(|line| line.found.as_ref().err());
     let first = reasons.next()?;
     Some(match reasons.count() {

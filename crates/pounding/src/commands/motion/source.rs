@@ -1,12 +1,12 @@
 //! What a record file does not say itself, and the opening of such files.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use std::sync::Arc;
 
 use pounding::motion::{Accelerogram, Record};
 use pounding::scene::{
-    Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened,
+    Error, FileUse, GroundMotion, Motion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened,
 };
 
 use crate::commands::{declared, positive};
@@ -45,14 +45,6 @@ impl Opened {
     }
 }
 
-/// A file, and how it was found.
-#[derive(Debug, Clone)]
-pub(super) struct Named {
-    pub(super) path: PathBuf,
-    /// Whether it is one of the files of a folder that was named.
-    pub(super) in_folder: bool,
-}
-
 impl Declared {
     /// Whether nothing is declared.
     pub(super) fn is_empty(&self) -> bool {
@@ -66,11 +58,10 @@ impl Declared {
 
     /// The record of a file as it is.
     pub(super) fn use_of(&self, path: &Path) -> RecordUse {
-        let file = self.of_file.over(FileUse {
+        let file = FileUse {
             file: path.to_string_lossy().into_owned(),
-            component: self.component.clone(),
-            ..FileUse::default()
-        });
+            ..self.of_files()
+        };
         RecordUse {
             gravity_m_per_s2: self.gravity,
             ..RecordUse::of(Source::File(file))
@@ -90,12 +81,26 @@ impl Declared {
         }
     }
 
+    /// What is declared of the files of a folder.
+    pub(super) fn of_files(&self) -> FileUse {
+        self.of_file.over(FileUse {
+            component: self.component.clone(),
+            ..FileUse::default()
+        })
+    }
+
+    /// A motion that was read, as it is.
+    pub(super) fn use_motion(&self, motion: &Motion) -> Result<Opened, String> {
+        let record = self.use_of(&motion.path);
+        used(&record, Arc::clone(motion.origin())).map_err(|error| message(&motion.path, &error))
+    }
+
     /// Reads one of several files: what is declared holds only where the file does not say it.
     pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, String> {
         let record = self.use_of(path);
         let read = || {
             let origin = Origin::of_silent(path, &opened(path)?, file_of(&record))?.0;
-            used(&record, origin)
+            used(&record, Arc::new(origin))
         };
         read().map_err(|error| message(path, &error))
     }
@@ -110,8 +115,8 @@ fn file_of(record: &RecordUse) -> &FileUse {
 }
 
 /// A file that was read, used as a scene says.
-fn used(record: &RecordUse, origin: Origin) -> Result<Opened, Error> {
-    let motion = GroundMotion::of_file(record, Arc::new(origin));
+fn used(record: &RecordUse, origin: Arc<Origin>) -> Result<Opened, Error> {
+    let motion = GroundMotion::of_file(record, origin);
     let motion = motion.map_err(|source| Error::Scene {
         scene: String::new(),
         source,
@@ -124,7 +129,8 @@ fn used(record: &RecordUse, origin: Origin) -> Result<Opened, Error> {
 
 /// Reads a file and processes it.
 pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, String> {
-    let read = Origin::read(path, file_of(record)).and_then(|origin| used(record, origin));
+    let read =
+        Origin::read(path, file_of(record)).and_then(|origin| used(record, Arc::new(origin)));
     read.map_err(|error| message(path, &error))
 }
 
@@ -162,25 +168,4 @@ fn message(path: &Path, error: &Error) -> String {
             text.replace(field, option)
         });
     format!("{}: {by_options}", path.display())
-}
-
-/// The files that are named, and every file of the folders that are.
-pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<Named>, String> {
-    let named = |path: PathBuf, in_folder| Named { path, in_folder };
-    let mut files = Vec::new();
-    for path in paths {
-        if path.is_dir() {
-            let found = pounding::scene::files_in(path).map_err(|error| error.to_string())?;
-            if found.is_empty() {
-                return Err(format!(
-                    "{}: found no file, allowed is a folder with one record or more",
-                    path.display()
-                ));
-            }
-            files.extend(found.into_iter().map(|path| named(path, true)));
-        } else {
-            files.push(named(path.clone(), false));
-        }
-    }
-    Ok(files)
 }

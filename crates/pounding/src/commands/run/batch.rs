@@ -3,12 +3,12 @@
 mod data;
 mod effects;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
 use pounding::scene::{
-    Effects, Error, Errors, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
+    Effects, Error, Errors, Excess, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
     Simulation, Suite,
 };
 use pounding::text::digits;
@@ -32,6 +32,8 @@ struct Found {
     why: &'static str,
     /// What looks wrong.
     unusual: Vec<Implausible>,
+    /// What is beyond the model or codes.
+    excesses: Vec<Excess>,
     warnings: Vec<String>,
     /// The collisions of all pairs.
     all: PairOutcome,
@@ -57,6 +59,7 @@ impl Found {
             error,
             why,
             unusual: prepared.doubts(),
+            excesses: review.excesses.clone(),
             warnings: review.notices(),
             all: PairOutcome::of(review.outcome.collisions.all()),
             structures: StructureSummary::of_run(prepared, review),
@@ -157,6 +160,10 @@ fn files(scene: &Scene, records: &Suite, lines: &[Line]) -> BTreeMap<String, Vec
 
 fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
+    let warnings = warnings(lines);
+    if !warnings.is_empty() {
+        parts.push(paragraph("Warnings", &warnings.join("\n")));
+    }
     parts.extend([
         paragraph("Scene", &scene.name),
         runs(scene, lines),
@@ -184,6 +191,13 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
         let doubts = found.unusual.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
     }))
+}
+
+/// Responses beyond the model or codes over all runs.
+fn warnings(lines: &[Line]) -> Vec<String> {
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    let all = Excess::gathered(found.map(|found| &found.excesses));
+    all.iter().map(ToString::to_string).collect()
 }
 
 const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
@@ -249,19 +263,29 @@ fn between(pair: &PairSummary) -> String {
     format!("{} – {}{leans}", pair.left, pair.right)
 }
 
-/// Under how many motions they touch, and where hardest.
+/// Under how many events they touch, and where hardest.
 fn result(lines: &[Line]) -> String {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     if let Some(said) = found.clone().find_map(|one| one.floors.says_no_contact()) {
         return said.into();
     }
-    let found = found.count();
+    let all = found.count();
     let hits = lines.iter().filter_map(|line| {
         let hardest = line.found.as_ref().ok()?.hardest()?;
         Some((line, hardest, hardest.largest?.impulse_n_s))
     });
     let hits: Vec<_> = hits.collect();
-    let mut touch = format!("they touch under {} of {found} motions", hits.len());
+    let events = |lines: &mut dyn Iterator<Item = &Line>| {
+        let events: BTreeSet<usize> = lines.map(|line| line.event).collect();
+        events.len()
+    };
+    let finished = events(&mut lines.iter().filter(|line| line.found.is_ok()));
+    let mut touch = format!(
+        "they touch under {} of {finished} event{} ({} of {all} runs)",
+        events(&mut hits.iter().map(|(line, ..)| *line)),
+        if finished == 1 { "" } else { "s" },
+        hits.len()
+    );
     let missed = lines
         .iter()
         .filter(|line| line.found.as_ref().is_ok_and(Found::misses));

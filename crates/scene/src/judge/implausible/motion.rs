@@ -1,13 +1,10 @@
 //! What looks wrong in a ground motion: in its file, and in how a scene uses it.
 
-use pounding_motion::{Direction, Record};
+use pounding_motion::{AccelerationUnit, Direction, Record, Unusual};
 
 use super::{Doubts, Implausible, RECORD, USUAL_FACTORS};
 use crate::{GroundMotion, Origin, RecordUse};
 use pounding_text::{digits, short};
-
-/// Peak accelerations of strong motion \[m/s²\]: from 0.02 g, which moves no building much, to 3 g.
-const USUAL_PEAKS: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
 impl GroundMotion {
     /// What looks wrong in the motion itself, whatever row it shakes: in its file, and if it is used `as_it_is`, in how it is used.
@@ -47,15 +44,18 @@ impl Shaking<'_> {
         let is_told = self.doubt_the_file(doubts);
         let (peak, factor) = (self.record.peak().1.abs(), self.scale);
         let is_scaled = factor.to_bits() != 1.0_f64.to_bits();
+        let worth =
+            AccelerationUnit::MetrePerSecondSquared.worth_in(AccelerationUnit::StandardGravity);
+        let in_g = peak * worth;
         doubts.unless_far(
             (
-                USUAL_PEAKS.contains(&peak) || (is_told && !is_scaled),
+                Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled),
                 peak / 2.5,
             ),
             RECORD,
             (
-                format!("a peak of {} m/s²", digits(peak)),
-                "0.2 to 30 m/s²; its unit and scale decide it",
+                format!("a peak of {} g", short(in_g)),
+                "0.02 to 3 g; its unit and scale decide it",
             ),
         );
         doubts.unless_far(

@@ -76,11 +76,11 @@ fn extreme_words_alone_that_need_settings() {
     };
     let exact = "\"exact\": {}";
     let method = "\"method\": {\n    \"exact\": {}\n  }";
-    assert_snapshot!(json(method, "\"method\": \"newmark\""), @r#"scene.json, line 53, column 21: method: found the word `newmark` alone, allowed is a table with its settings, such as {"newmark": {"time_step_s": 0.001, "beta": 0.25, "gamma": 0.5}} in JSON, { newmark = { time_step_s = 0.001, beta = 0.25, gamma = 0.5 } } in TOML"#);
-    assert_snapshot!(json(method, "\"method\": null"), @"scene.json, line 53, column 16: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(json(method, "\"method\": {}"), @"scene.json, line 53, column 14: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(json(exact, "\"exact\": {}, \"rk4\": {}"), @"scene.json, line 53, column 3: method: found both `exact` and `rk4`, allowed is one of them; delete the other");
-    assert_snapshot!(json(exact, "\"exact\": 1e-6"), @"scene.json, line 54, column 17: method.exact: found the number 1e-6, allowed is a table of fields");
-    assert_snapshot!(json("\"structures\": [", "\"structures\": [\"sdof\","), @r#"scene.json, line 9, column 23: structures[0]: found the word `sdof` alone, allowed is a table with its settings, such as {"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}} in JSON, { sdof = { name = "tower", mass_kg = 3e5, period_s = 0.8, damping = { ratio = 0.05 } } } in TOML"#);
+    assert_snapshot!(json(method, "\"method\": \"newmark\""), @r#"scene.json, line 53, column 13: method: found the word `newmark` alone, allowed is a table with its settings, such as {"newmark": {"time_step_s": 0.001, "beta": 0.25, "gamma": 0.5}} in JSON, { newmark = { time_step_s = 0.001, beta = 0.25, gamma = 0.5 } } in TOML"#);
+    assert_snapshot!(json(method, "\"method\": null"), @"scene.json, line 53, column 13: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(json(method, "\"method\": {}"), @"scene.json, line 53, column 13: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(json(exact, "\"exact\": {}, \"rk4\": {}"), @"scene.json, line 53, column 13: method: found both `exact` and `rk4`, allowed is one of them; delete the other");
+    assert_snapshot!(json(exact, "\"exact\": 1e-6"), @"scene.json, line 54, column 14: method.exact: found the number 1e-6, allowed is a table of fields");
+    assert_snapshot!(json("\"structures\": [", "\"structures\": [\"sdof\","), @r#"scene.json, line 9, column 18: structures[0]: found the word `sdof` alone, allowed is a table with its settings, such as {"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}} in JSON, { sdof = { name = "tower", mass_kg = 3e5, period_s = 0.8, damping = { ratio = 0.05 } } } in TOML"#);
     assert_snapshot!(json("\"structures\": [", "\"structures\": [{\"wall\": 3},"), @"scene.json, line 9, column 27: structures[0].wall: found the number 3, allowed is a table of fields");
 }

@@ -140,6 +140,14 @@ fn extreme_values_that_cannot_be_converted() {
 }
 
 #[test]
+fn extreme_fields_of_laws() {
+    let law = |to: &str| refusal(&changed("law.stereomechanical.restitution = 0.65", to));
+    assert_snapshot!(law("law.stereomechanical.e = 0.65"), @"scene.toml, line 24, column 22: contacts[0].law.stereomechanical.e: found the field `e`, allowed are `restitution`");
+    assert_snapshot!(law("law.hertz = [2e9]"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found a list, allowed is a table of fields");
+    assert_snapshot!(law("law.hertz = {}"), @"scene.toml, line 24, column 13: contacts[0].law.hertz: found no `impact_stiffness_n_per_m1_5`, which must be there; add it");
+}
+
+#[test]
 fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal(&changed("mass_kg = 75e3", "mass_kg = \"75 t\"")), @r#"scene.toml, line 8, column 11: structures[0].sdof.mass_kg: found the text "75 t", allowed is a number"#);
     assert_snapshot!(refusal(&changed("damping.ratio = 0.05", "damping = 0.05")), @r#"scene.toml, line 10, column 11: structures[0].sdof.damping: found no choice, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
@@ -148,15 +156,38 @@ fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal(&changed("[[contacts]]", "[contacts]")), @"scene.toml, line 22, column 1: contacts: found a table, allowed is a list");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = true")), @"scene.toml, line 23, column 9: contacts[0].gap_m: found true, allowed is a number");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gab_m = 0.03")), @"scene.toml, line 23, column 1: contacts[0].gab_m: found the field `gab_m`, allowed are `gap_m`, `law`, `levels`; perhaps `gap_m` is meant");
-    assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = 0,03")), @"scene.toml, line 23, column 10: not TOML: unexpected key or value, expected newline, `#`");
+    assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = 0,03")), @"scene.toml, line 23, column 10: found `0,03` with a decimal comma, allowed is a decimal point: `0.03`");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = 0.03\ngap_m = 0.04")), @"scene.toml, line 24, column 1: not TOML: duplicate key");
     assert_snapshot!(refusal("structures: 2\n"), @"scene.toml, line 1, column 13: not TOML: key with no value, expected `=`");
 }
 
+/// TOML read the first two numbers of a range and dropped the others.
+#[test]
+fn issue_a_range_of_three_numbers_lost_one() {
+    let range =
+        "[neighbour.unknown]\nperiod_s = [0.2, 1, 2]\nmass_ratio = [0.5, 2]\n\n[[contacts]]";
+    assert_snapshot!(refusal(&changed("[[contacts]]", range)), @"scene.toml, line 23, column 12: neighbour.unknown.period_s: found a list of 3, allowed is a list of two");
+}
+
+#[test]
+fn extreme_fields_that_are_there_twice() {
+    let text = serde_json::to_string_pretty(&scene(TOML, "scene.toml")).expect("JSON");
+    let twice = text.replace(
+        "\"mass_kg\": 75000.0,",
+        "\"mass_kg\": 75000.0, \"mass_kg\": 1.0,",
+    );
+    let refused = Scene::parse(twice.as_bytes(), Path::new("scene.json"));
+    assert_snapshot!(refused.expect_err("two masses").to_string(), @"scene.json, line 11, column 15: structures[0].sdof: found `mass_kg` twice, allowed is once; delete one");
+}
+
 #[test]
 fn extreme_text_that_is_not_utf8() {
-    let refused = Scene::parse(b"name = \"T\xfcrkiye\"", Path::new("scene.toml"));
-    assert_snapshot!(refused.expect_err("Latin-1").to_string(), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
+    let refused = |text: &[u8], name: &str| {
+        let refused = Scene::parse(text, Path::new(name));
+        refused.expect_err("Latin-1").to_string()
+    };
+    assert_snapshot!(refused(b"name = \"T\xfcrkiye\"", "scene.toml"), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
+    assert_snapshot!(refused(b"{\"name\": \"T\xfcrkiye\"}", "scene.json"), @"scene.json: the text is not UTF-8 from byte 11 on; save it as UTF-8");
 }
 
 /// The schema allows no fields but those that it knows, among them those that are words only. That what ships keeps to it the tests

@@ -4,7 +4,7 @@ use super::entry::{Entry, key, label, mark, shade};
 use super::scenes::{Item, Played, items};
 use crate::paper::figures::capital;
 use crate::research::work_precision::MethodQuantity;
-use crate::study::laws::{is_linear, is_spring};
+use crate::study::laws::is_linear;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
 use pounding_text::digits;
 use pounding_text::to_csv;
@@ -73,7 +73,7 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
             Compared {
                 played: scene,
                 compliant: values()
-                    .filter(|(entry, _)| entry.is_compliant() && !is_spring(entry.name()))
+                    .filter(|(entry, _)| entry.is_compliant() && !entry.name().is_elastic())
                     .collect(),
                 impulsive: values()
                     .find(|(entry, _)| !entry.is_compliant())
@@ -207,7 +207,7 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
     };
     let mut shown: Vec<_> = entries
         .iter()
-        .filter(|entry| !is_spring(entry.name()))
+        .filter(|entry| !entry.name().is_elastic())
         .collect();
     // Hollow marks over solid ones, so that both are seen.
     shown.sort_by_key(|entry| (!entry.is_compliant(), is_linear(entry.name())));

@@ -54,26 +54,12 @@ impl Entry {
 
 /// Name of a law in tables.
 pub(super) fn key(law: LawName) -> String {
-    law.description().name.into()
+    law.name().into()
 }
 
 /// Name of a law in figures.
 pub(super) fn label(law: LawName) -> &'static str {
-    match law {
-        LawName::Stereomechanical => "Stereomechanical",
-        LawName::LinearSpring => "Linear spring",
-        LawName::Hertz => "Hertz spring",
-        LawName::KelvinVoigt => "Kelvin–Voigt",
-        LawName::ModifiedLinearViscoelastic => "Modified linear viscoelastic",
-        LawName::NonlinearViscoelastic => "Nonlinear viscoelastic",
-        LawName::HertzDamp => "Hertz-damp",
-        LawName::CorrectedHertzDamp => "Corrected Hertz-damp",
-        LawName::HuntCrossley => "Hunt–Crossley",
-        LawName::Gonthier => "Gonthier",
-        LawName::ModifiedKelvin => "Modified Kelvin",
-        LawName::PantWijeyewickrema => "Pant–Wijeyewickrema",
-        LawName::KuwabaraKono => "Kuwabara–Kono",
-    }
+    law.named().label
 }
 
 /// Colour of a law: one for linear springs, one for Hertz springs.
@@ -87,21 +73,25 @@ pub(super) fn shade(law: LawName) -> Shade {
     }
 }
 
-/// Mark of a law, among those of its colour.
+/// Mark of a law, among those of its colour; laws beyond the list share the last one.
 pub(super) fn mark(law: LawName) -> Mark {
-    match law {
-        LawName::Stereomechanical => Mark::Stroke,
-        LawName::KelvinVoigt => Mark::HollowSquare,
-        LawName::ModifiedLinearViscoelastic => Mark::HollowDiamond,
-        LawName::ModifiedKelvin => Mark::HollowTriangle,
-        LawName::PantWijeyewickrema | LawName::LinearSpring => Mark::Ring,
-        LawName::NonlinearViscoelastic => Mark::Square,
-        LawName::HertzDamp => Mark::Diamond,
-        LawName::CorrectedHertzDamp => Mark::Triangle,
-        LawName::HuntCrossley => Mark::Inverted,
-        LawName::Gonthier => Mark::Cross,
-        LawName::KuwabaraKono | LawName::Hertz => Mark::Disc,
-    }
+    const MARKS: [Mark; 14] = [
+        Mark::Stroke,
+        Mark::Ring,
+        Mark::Disc,
+        Mark::HollowSquare,
+        Mark::HollowDiamond,
+        Mark::Square,
+        Mark::Diamond,
+        Mark::Triangle,
+        Mark::Inverted,
+        Mark::Cross,
+        Mark::HollowTriangle,
+        Mark::Ring,
+        Mark::Disc,
+        Mark::Stroke,
+    ];
+    MARKS[(law as usize).min(MARKS.len() - 1)]
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use pounding_solver::{Clock, Collisions, Exact, Excitation, Histories, Integrato
 use rayon::prelude::*;
 
 use super::entry::{Entry, label, shade};
-use crate::study::laws::{AtlasSettings, is_linear, is_spring};
+use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
 use pounding_scene::{CollisionError, FreeCollision};
 use pounding_text::digits;
@@ -151,7 +151,7 @@ pub(super) fn loops(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
     let point = |[_, deformation, force]: [f64; 3]| (1e3 * deformation, 1e-6 * force);
     figure(entries, impacts, "Deformation (mm)", |entry, impact| {
         // A spring returns on the way it came, and dashes would fill the gaps of dashes.
-        let turns = is_spring(entry.name());
+        let turns = entry.name().is_elastic();
         let deeper = |pair: &&[[f64; 3]]| !turns || pair[1][1] >= pair[0][1];
         let steps = impact.points.windows(2).take_while(deeper);
         steps.map(|pair| point(pair[0])).collect()
@@ -185,7 +185,7 @@ fn figure(
         );
         Some((entry.name(), curve))
     });
-    let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| is_spring(*law));
+    let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| law.is_elastic());
     let peak = springs
         .iter()
         .chain(&damped)

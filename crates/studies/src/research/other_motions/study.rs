@@ -64,7 +64,7 @@ impl BeyondStudy {
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
         let (mut motions, mut left_out) = (Vec::new(), Vec::new());
-        let suite = Suite::in_folder(records, &like.record.declared())?;
+        let suite = Suite::of(&[records.to_path_buf()], &like.record.declared())?;
         let out = suite.left_out.iter();
         left_out.extend(out.map(|one| (one.name.clone(), one.reason.sentence())));
         for motion in &suite.motions {

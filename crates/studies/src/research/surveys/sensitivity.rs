@@ -10,7 +10,7 @@ use crate::paper::figures::capital;
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
-use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic};
+use pounding_contact::{Calibration, FreePair, LawName};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
 use pounding_scene::{Damping, Scene};
 use pounding_text::digits;
@@ -146,15 +146,18 @@ impl Asked<'_> {
     fn run(&self, sample: &Sample) -> Result<Output, StudyError> {
         let [gap, restitution, stiffness, damping, _, intensity, _] = *sample;
         let settings = self.settings;
-        let law = NonlinearViscoelastic::calibrated(
+        let law = LawName::NonlinearViscoelastic.calibrated(
             settings.impact_stiffness_n_per_m1_5.log_uniform(stiffness),
-            settings.restitution.uniform(restitution),
-            Calibration::Exact,
+            (
+                settings.restitution.uniform(restitution),
+                Calibration::Exact,
+            ),
+            &FreePair::UNIT,
         );
         let law = law.expect("the study gives stiffnesses and restitutions in range");
         let mut scene = with_gap(self.template, settings.gap_m.uniform(gap));
         for contact in scene.contacts.iter_mut().flatten() {
-            contact.law = ContactLaw::NonlinearViscoelastic(law);
+            contact.law = law;
         }
         for index in 0..2 {
             let ratio = settings.damping_ratio.uniform(damping);

@@ -148,10 +148,7 @@ fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
         let is_choice = CHOICES.contains(&number);
         if is_choice { number } else { number * factor() }
     };
-    scene.structures = rewritten(&scene.structures, &mut each);
-    scene.contacts = rewritten(&scene.contacts, &mut each);
-    scene.arrivals_s = rewritten(&scene.arrivals_s, &mut each);
-    scene
+    rewritten(&scene, &["structures", "contacts", "arrivals_s"], &mut each)
 }
 
 /// Numbers that may stand for a choice: nothing, Bouc–Wen columns that unload straight, impacts without a loss.

@@ -1,17 +1,17 @@
-//! The numbers of data in the form of a file.
+//! The numbers of a scene in the form of a file.
 
-use serde::{Serialize, de::DeserializeOwned};
+use pounding_scene::Scene;
 use serde_json::{Number, Value};
 
-/// Data with every number with a fraction, or that may have one, replaced.
-pub(super) fn rewritten<T: Serialize + DeserializeOwned>(
-    data: &T,
-    each: &mut dyn FnMut(f64) -> f64,
-) -> T {
-    let mut written =
-        serde_json::to_value(data).expect("data of a file are written without errors");
-    rewrite(&mut written, each);
-    serde_json::from_value(written).expect("other numbers of their kind are read")
+/// A scene whose numbers with a fraction, or that may have one, are replaced in some of its fields.
+pub(super) fn rewritten(scene: &Scene, fields: &[&str], each: &mut dyn FnMut(f64) -> f64) -> Scene {
+    let mut written = serde_json::to_value(scene).expect("a scene is written without errors");
+    for field in fields {
+        if let Some(value) = written.get_mut(field) {
+            rewrite(value, each);
+        }
+    }
+    Scene::of_words(&written).expect("other numbers of their kind are read")
 }
 
 fn rewrite(value: &mut Value, each: &mut dyn FnMut(f64) -> f64) {

@@ -29,8 +29,6 @@ pub struct Timed<'a> {
     pub work: u64,
     /// Whether others are compared with it: the convergent central difference method.
     pub is_base: bool,
-    /// Whether it is the exact method.
-    pub is_exact: bool,
     run: Run<'a>,
 }
 
@@ -83,7 +81,6 @@ impl Trade {
                     holds,
                     work: measured.cost(),
                     is_base: entrant.contender.key == RIVAL,
-                    is_exact: entrant.contender.key == REFERENCE,
                     run: Run {
                         scene,
                         prepared,

@@ -1,22 +1,22 @@
 //! What record files hold, as text, CSV and JSON.
 
-use pounding::motion::Direction;
 use pounding::motion::{Interval, Reading};
-use pounding::scene::{Reason, ReasonKind};
+use pounding::scene::{Reason, Suite};
 use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};
+use crate::commands::declared::by_options;
 use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
-pub(super) fn text(lines: &[Line], gravity: f64) -> String {
+pub(super) fn text(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     match lines {
         [line] => match &line.found {
             Ok(found) => paragraphs(line, found, gravity),
             Err(reason) => paragraph("Left out", reason),
         },
-        lines => several(lines, gravity),
+        lines => several(lines, suite, gravity),
     }
 }
 
@@ -24,7 +24,7 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
     let opened = &found.opened;
     let readings: Vec<String> = opened.file().readings().iter().map(reading).collect();
     let mut parts = vec![
-        paragraph("File", &line.file.path.display().to_string()),
+        paragraph("File", &line.path.display().to_string()),
         paragraph("Read", &readings.join("\n")),
     ];
     let provenance = opened.file().provenance();
@@ -41,7 +41,7 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
             digits(record.duration())
         ),
     ));
-    parts.push(paragraph("Direction", &direction(&found.placed)));
+    parts.push(paragraph("Direction", &direction(found)));
     let unusual: Vec<String> = opened
         .file()
         .unusual()
@@ -68,12 +68,10 @@ const NOTES: &str = "PGV and PGD without correction of the baseline; Arias inten
                      threshold; D: while the Arias intensity grows from 5 % to 75 % and to 95 %.";
 
 /// How a motion lies, or why it shakes no row.
-fn direction(placed: &Result<Option<Direction>, Reason>) -> String {
-    match placed {
-        Ok(Some(_)) => "horizontal".into(),
-        Ok(None) => {
-            "not told, by the file or by the end of its name: it counts as horizontal".into()
-        }
+fn direction(found: &Found) -> String {
+    match &found.placed {
+        Ok((Some(_), _)) => "horizontal".into(),
+        Ok((None, _)) => "not told, by the file or by its name: it counts as horizontal".into(),
         Err(reason) => format!("shakes no row of a folder: {}", reason.sentence()),
     }
 }
@@ -119,10 +117,10 @@ fn measures(found: &Found, gravity: f64) -> String {
     rows.map(|(name, value)| paragraph(name, &value)).concat()
 }
 
-/// A line per motion, and why others are left out.
-fn several(lines: &[Line], gravity: f64) -> String {
-    let file = &lines[0].file.path;
-    let of_one_file = lines.iter().all(|line| line.file.path == *file);
+/// A line per motion, and what became of the files.
+fn several(lines: &[Line], suite: &Suite, gravity: f64) -> String {
+    let file = &lines[0].path;
+    let of_one_file = lines.iter().all(|line| line.path == *file);
     let mut parts = Vec::new();
     if of_one_file {
         let formats = lines.iter().filter_map(|line| line.found.as_ref().ok());
@@ -136,14 +134,8 @@ fn several(lines: &[Line], gravity: f64) -> String {
         ));
     }
     parts.push(table_of(lines, gravity, of_one_file));
-    let refused: Vec<String> = lines
-        .iter()
-        .filter_map(|line| line.found.as_ref().err().cloned())
-        .collect();
-    if !refused.is_empty() {
-        parts.push(paragraph("Left out", &refused.join("\n")));
-    }
-    parts.extend(directions(lines, of_one_file));
+    let said = suite.said(true).join("\n");
+    parts.push(paragraph("Records", &by_options(&said)));
     let unusual: Vec<String> = lines
         .iter()
         .flat_map(|line| unusual(line, of_one_file))
@@ -179,47 +171,11 @@ fn several(lines: &[Line], gravity: f64) -> String {
 }
 
 /// How a motion lies, for a program; `None` if nothing tells.
-fn word(placed: &Result<Option<Direction>, Reason>) -> Option<&'static str> {
-    match placed {
-        Ok(Some(_)) => Some("horizontal"),
-        Err(reason)
-            if matches!(
-                reason.kind,
-                ReasonKind::Vertical | ReasonKind::VerticalByName
-            ) =>
-        {
-            Some("vertical")
-        }
-        Ok(None) | Err(_) => None,
+fn word(found: &Found) -> Option<&'static str> {
+    match &found.placed {
+        Ok((direction, _)) => direction.map(|_| "horizontal"),
+        Err(reason) => reason.kind.is_vertical().then_some("vertical"),
     }
-}
-
-/// Which motions shake no row, and of which nothing tells how they lie.
-fn directions(lines: &[Line], of_one_file: bool) -> Vec<String> {
-    let placed = lines.iter().filter_map(|line| {
-        let found = line.found.as_ref().ok()?;
-        Some((name(line, of_one_file), &found.placed))
-    });
-    let placed: Vec<_> = placed.collect();
-    let still = placed.iter().filter_map(|(name, placed)| {
-        let reason = placed.as_ref().err()?;
-        let mut reason = reason.clone();
-        if name.ends_with(&reason.said) {
-            reason.said.clear();
-        }
-        Some(format!("{name}: {}", reason.sentence()))
-    });
-    let still: Vec<String> = still.collect();
-    let untold = placed
-        .iter()
-        .filter(|(_, placed)| matches!(placed, Ok(None)));
-    let untold: Vec<&str> = untold.map(|(name, _)| name.as_str()).collect();
-    let still = (!still.is_empty()).then(|| paragraph("No row", &still.join("\n")));
-    let untold = (!untold.is_empty()).then(|| {
-        let said = "not told, they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
-        paragraph("Direction", &format!("{said}: {}", untold.join(", ")))
-    });
-    [still, untold].into_iter().flatten().collect()
 }
 
 /// What looks wrong in a motion, behind its name.
@@ -274,7 +230,7 @@ const NAME: usize = 21;
 
 /// That of the component where there is one file, else of the file, cut before the component.
 fn name(line: &Line, of_one_file: bool) -> String {
-    let path = &line.file.path;
+    let path = &line.path;
     let name = path.file_name().unwrap_or(path.as_os_str());
     let file = name.to_string_lossy().into_owned();
     match &line.component {
@@ -317,6 +273,7 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
         "file",
         "component",
         "direction",
+        "event",
         "format",
         "unit",
         "gravity_m_per_s2",
@@ -324,24 +281,27 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
     let found = lines.iter().find_map(|line| line.found.as_ref().ok());
     let names = found.map(numbers).into_iter().flatten();
     let names: Vec<&str> = names.map(|(name, _)| name).collect();
-    let header = words.iter().chain(&names).chain(&["refused"]);
+    let header = words.iter().chain(&names).chain(&["left_out", "refused"]);
     let header: Vec<&str> = header.copied().collect();
     let row = |line: &Line| {
         let mut row: Vec<Cell> = vec![
-            line.file.path.display().to_string().into(),
+            line.path.display().to_string().into(),
             line.component.clone().unwrap_or_default().into(),
         ];
         match &line.found {
             Ok(found) => {
-                row.push(word(&found.placed).unwrap_or_default().into());
+                let event = found.placed.as_ref().ok();
+                row.push(word(found).unwrap_or_default().into());
+                row.push(event.map_or_else(Cell::default, |(_, event)| (event + 1).into()));
                 row.push(found.opened.file().format().name().into());
                 row.push(found.opened.file().unit().name().into());
                 row.push(Cell::exact(gravity));
                 row.extend(numbers(found).map(|(_, one)| Cell::exact(one)));
-                row.push(Cell::default());
+                let left_out = found.placed.as_ref().err().map(Reason::sentence);
+                row.extend([left_out.unwrap_or_default().into(), Cell::default()]);
             }
             Err(reason) => {
-                row.resize(words.len() + names.len(), Cell::default());
+                row.resize(words.len() + names.len() + 1, Cell::default());
                 row.push(reason.as_str().into());
             }
         }
@@ -351,18 +311,21 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
 }
 
 /// Every motion with what was read from which line.
-pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
+pub(super) fn json_of(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     let reading = |one: &Reading| json!({"what": one.what, "line": one.line, "found": one.found});
     let line = |line: &Line| {
-        let mut all =
-            json!({"file": line.file.path.display().to_string(), "component": line.component});
+        let mut all = json!({"file": line.path.display().to_string(), "component": line.component});
         match &line.found {
             Err(reason) => all["refused"] = json!(reason),
             Ok(found) => {
                 let file = found.opened.file();
                 let readings = file.readings().iter().map(reading);
                 let unusual = file.unusual().iter().map(|one| json!(one.to_string()));
-                all["direction"] = json!(word(&found.placed));
+                all["direction"] = json!(word(found));
+                match &found.placed {
+                    Ok((_, event)) => all["event"] = json!(event + 1),
+                    Err(reason) => all["left_out"] = json!(reason.sentence()),
+                }
                 all["unusual"] = unusual.collect::<Value>();
                 all["format"] = json!(file.format().name());
                 all["unit"] = json!(file.unit().name());
@@ -378,6 +341,6 @@ pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
         all
     };
     let motions: Vec<Value> = lines.iter().map(line).collect();
-    let all = json!({"gravity_m_per_s2": gravity, "motions": motions});
+    let all = json!({"gravity_m_per_s2": gravity, "records": suite.json(), "motions": motions});
     json_text(&all)
 }

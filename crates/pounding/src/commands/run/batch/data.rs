@@ -58,8 +58,9 @@ fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 11] {
 }
 
 /// Columns of the table.
-const HEADER: [&str; 9] = [
+const HEADER: [&str; 10] = [
     "record",
+    "event",
     "reversed",
     "building",
     "floor",
@@ -75,19 +76,23 @@ type Place = [Cell; 4];
 
 /// A row per number of every structure and pair of every run: of which, what, and its value; SI units.
 pub(super) fn csv(records: &Suite, lines: &[Line]) -> String {
-    let refused = |name: &str, reversed: Cell, reason: &str| {
-        let mut row: [Cell; 9] = std::array::from_fn(|_| Cell::default());
+    let refused = |name: &str, [event, reversed]: [Cell; 2], reason: &str| {
+        let mut row: [Cell; 10] = std::array::from_fn(|_| Cell::default());
         row[0] = name.into();
-        row[1] = reversed;
-        row[8] = reason.into();
+        [row[1], row[2]] = [event, reversed];
+        row[9] = reason.into();
         row
     };
     let rows = lines.iter().flat_map(|line| match &line.found {
         Ok(found) => of_run(line, found),
-        Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
+        Err(reason) => {
+            let run = [(line.event + 1).into(), line.reversed.into()];
+            vec![refused(&line.motion, run, reason)]
+        }
     });
+    let none = || [Cell::default(), Cell::default()];
     let left_out = records.left_out.iter();
-    let left_out = left_out.map(|one| refused(&one.name, Cell::default(), &one.reason.sentence()));
+    let left_out = left_out.map(|one| refused(&one.name, none(), &one.reason.sentence()));
     csv_text(&HEADER, rows.chain(left_out))
 }
 
@@ -95,10 +100,11 @@ fn row(
     line: &Line,
     reversed: bool,
     (place, quantity, value): (Place, &str, Option<f64>),
-) -> [Cell; 9] {
+) -> [Cell; 10] {
     let [building, floor, neighbour, neighbour_floor] = place;
     [
         line.motion.as_str().into(),
+        (line.event + 1).into(),
         reversed.into(),
         building,
         floor,
@@ -110,7 +116,7 @@ fn row(
     ]
 }
 
-fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 9]> {
+fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 10]> {
     let own =
         |place: Place, quantity: &str, value| row(line, line.reversed, (place, quantity, value));
     let at = |floor: usize| -> [Cell; 2] {
@@ -179,13 +185,15 @@ pub(super) fn json(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
             "effects": found.effects,
         }),
         Err(reason) => {
-            json!({"record": line.motion, "reversed": line.reversed, "refused": reason})
+            json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed, "refused": reason})
         }
     };
     json_text(&json!({
         "schema_version": SCHEMA_VERSION,
         "scene": scene,
         "unusual": super::unusual(lines),
+        "records": records.json(),
+        "warnings": super::warnings(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))

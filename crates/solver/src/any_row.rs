@@ -1,9 +1,8 @@
 //! A row with the leanest columns that it needs.
 
-use super::mixed::Mixed;
 use crate::{
-    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Pair, Recorder, Row,
-    RunError, Travel, Work,
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorder,
+    Row, RunError, Travel, Work,
 };
 
 /// A row with the leanest columns that it needs: decided once per run.

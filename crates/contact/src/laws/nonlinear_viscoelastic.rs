@@ -3,83 +3,70 @@
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
-use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
-use crate::form::{Action, Form, Power, Term};
-use crate::given::given;
-use crate::{Calibration, ContactForce, Number, Overlap, oscillator};
+use crate::form::{Action, Form, Power};
+use crate::law::{About, Exact, Law, Name};
+use crate::parameter::{HERTZ, RATIO};
+use crate::{ContactForce, Number, Overlap, Parameter, oscillator};
 
 /// Nonlinear viscoelastic impact element: a Hertz spring, and a damper that acts on approach only.
 ///
 /// Approach (δ̇ > 0): F = β̄ δ^1.5 + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ √δ m), m the reduced mass; restitution: F = β̄ δ^1.5.
 /// The force never pulls. Source: R. Jankowski, *Earthquake Engng Struct. Dyn.* 34 (2005) 595; the paper, Table 3
 /// (misprinted there, see the crate's front page).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(try_from = "Words")]
-#[schemars(with = "Words")]
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct NonlinearViscoelastic {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
-    #[serde(rename = "impact_stiffness_n_per_m1_5")]
     pub impact_stiffness: f64,
     /// Impact damping ratio ξ̄ \[–\], ≥ 0.
     pub impact_damping_ratio: f64,
 }
 
-given!(
-    NonlinearViscoelastic,
-    "impact_stiffness_n_per_m1_5",
-    impact_damping_ratio,
-    NonlinearViscoelastic::calibrated
-);
+impl Law for NonlinearViscoelastic {
+    const ABOUT: About = About {
+        names: &[Name {
+            name: "nonlinear_viscoelastic",
+            label: "Nonlinear viscoelastic",
+            formula: Some(("ξ = (9√5/2)(1−e²)/(e(e(9π−16)+16))", |e| {
+                let slope = 9.0 * PI - 16.0;
+                4.5 * 5.0_f64.sqrt() * (1.0 - e * e) / (e * (e * slope + 16.0))
+            })),
+            citation: "Jankowski, EESD 34 (2005) 595 and 35 (2006) 517",
+        }],
+        force: "approach βδ^1.5 + cδ̇, c = 2ξ√(β√δ m); return βδ^1.5",
+        relation: Some("e = exp(−ζ acos ζ/√(1−ζ²)), ζ = 2ξ/√5"),
+        exact: Exact::Any(|e| 0.5 * 5.0_f64.sqrt() * oscillator::ratio(e)),
+        knows_approach_speed: false,
+    };
+
+    fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
+        vec![
+            (&HERTZ, &mut self.impact_stiffness),
+            (&RATIO, &mut self.impact_damping_ratio),
+        ]
+    }
+
+    fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
+        let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
+        let damper = (self.impact_damping_ratio * critical, Power::Quarter);
+        let spring = (self.impact_stiffness, Power::ThreeHalves);
+        Some(Form::new(spring, damper, Action::Approach))
+    }
+
+    /// With s = δ^2.5 as the variable the approach is a linear damped oscillator of damping ratio ζ, whence the
+    /// relation; it holds for every approach speed.
+    fn restitution(&self) -> Option<f64> {
+        let ratio = 2.0 * self.impact_damping_ratio / 5.0_f64.sqrt();
+        Some(oscillator::given_back(ratio))
+    }
+
+    fn stored(&self) -> Option<f64> {
+        self.restitution().map(|e| e * e)
+    }
+}
 
 impl NonlinearViscoelastic {
-    /// The element of this stiffness \[N/m^1.5\] for an e in (0, 1\].
-    ///
-    /// The literature's formula is ξ̄ = (9√5/2) (1−e²)/(e (e(9π−16) + 16)): R. Jankowski, *Earthquake Engng Struct. Dyn.*
-    /// 35 (2006) 517.
-    ///
-    /// # Errors
-    /// [`ParameterError`] for a stiffness or an e out of range.
-    pub fn calibrated(
-        impact_stiffness: f64,
-        restitution: f64,
-        calibration: Calibration,
-    ) -> Result<Self, ParameterError> {
-        require_restitution(restitution)?;
-        let root = 5.0_f64.sqrt();
-        let impact_damping_ratio = match calibration {
-            Calibration::Literature => {
-                let e = restitution;
-                let slope = 9.0 * std::f64::consts::PI - 16.0;
-                4.5 * root * (1.0 - e * e) / (e * (e * slope + 16.0))
-            }
-            Calibration::Exact => 0.5 * root * oscillator::ratio(restitution),
-        };
-        let law = Self {
-            impact_stiffness,
-            impact_damping_ratio,
-        };
-        law.check().map(|()| law)
-    }
-
-    /// The force as a form, for a reduced mass \[kg\].
-    pub fn form(&self, reduced_mass: f64) -> Form {
-        let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
-        Form {
-            spring: Term {
-                coefficient: self.impact_stiffness,
-                power: Power::ThreeHalves,
-            },
-            damper: Term {
-                coefficient: self.impact_damping_ratio * critical,
-                power: Power::Quarter,
-            },
-            action: Action::Approach,
-        }
-    }
-
     /// Force and tangents while a pair touches.
     ///
     /// Precondition: `overlap.deformation` > 0. The tangents jump at δ̇ = 0, and ∂F/∂δ grows without bound as
@@ -100,28 +87,6 @@ impl NonlinearViscoelastic {
             stiffness: spring_tangent + 0.25 * damping * rate / deformation,
             damping,
         }
-    }
-
-    /// Coefficient of restitution \[–\] delivered to a free pair, exactly: e = exp(−ζ acos ζ/√(1−ζ²)), ζ = 2ξ̄/√5.
-    ///
-    /// With s = δ^2.5 as the variable the approach is a linear damped oscillator of damping ratio ζ, whence the
-    /// relation; it holds for every approach speed.
-    pub fn restitution(&self) -> f64 {
-        oscillator::given_back(2.0 * self.impact_damping_ratio / 5.0_f64.sqrt())
-    }
-
-    /// Part of the kinetic energy \[–\] of a free pair that the spring holds at the largest deformation.
-    pub(crate) fn stored(&self) -> f64 {
-        self.restitution() * self.restitution()
-    }
-
-    /// Checks β̄ > 0 and ξ̄ ≥ 0, both finite.
-    ///
-    /// # Errors
-    /// [`ParameterError`] for the first parameter out of range.
-    pub fn check(&self) -> Result<(), ParameterError> {
-        require_stiffness("impact_stiffness_n_per_m1_5", self.impact_stiffness)?;
-        require_damping("impact_damping_ratio", self.impact_damping_ratio)
     }
 }
 
@@ -169,6 +134,12 @@ mod tests {
         }
     }
 
+    fn delivered(impact_damping_ratio: f64) -> f64 {
+        law(impact_damping_ratio)
+            .restitution()
+            .expect("a closed form")
+    }
+
     /// A free impact, integrated in small steps of the classical Runge–Kutta method: (e, momentum gained / m v₀).
     fn free_impact(law: &NonlinearViscoelastic, reduced_mass: f64, speed: f64) -> (f64, f64) {
         let force = |deformation: f64, rate: f64| {
@@ -208,7 +179,7 @@ mod tests {
     fn reference_restitution_of_a_free_impact() {
         for ratio in [0.0, 0.1, 0.35, 0.8, 1.2, 2.5] {
             let (measured, _) = free_impact(&law(ratio), 73_170.0, 0.3);
-            let stated = law(ratio).restitution();
+            let stated = delivered(ratio);
             assert!(
                 (measured - stated).abs() < 2e-5,
                 "damping ratio {ratio}: measured {measured}, stated {stated}"
@@ -218,7 +189,7 @@ mod tests {
 
     #[test]
     fn limit_restitution_is_smooth_through_critical_damping() {
-        let at = |zeta: f64| law(zeta * 5.0_f64.sqrt() / 2.0).restitution();
+        let at = |zeta: f64| delivered(zeta * 5.0_f64.sqrt() / 2.0);
         for offset in [1e-9, 0.999e-3, 1.001e-3] {
             let middle = 0.5 * (at(1.0 - offset) + at(1.0 + offset));
             assert!(
@@ -234,7 +205,7 @@ mod tests {
     #[test]
     fn limit_no_damping_is_elastic() {
         assert!(
-            (law(0.0).restitution() - 1.0).abs() < 1e-15,
+            (delivered(0.0) - 1.0).abs() < 1e-15,
             "no damping must return all energy"
         );
     }
@@ -261,7 +232,7 @@ mod tests {
             deformation in 1e-12..1.0_f64, rate in -10.0..10.0_f64, ratio in 0.0..5.0_f64, reduced_mass in 1.0..1e9_f64,
         ) {
             let own = law(ratio).respond(&Overlap { deformation, rate, reduced_mass, approach_speed: 0.0 });
-            let form = law(ratio).form(reduced_mass).respond(deformation, rate);
+            let form = law(ratio).form(reduced_mass, 0.0).expect("compliant").respond(deformation, rate);
             for (own, form) in [(own.force, form.force), (own.stiffness, form.stiffness), (own.damping, form.damping)] {
                 prop_assert!((own - form).abs() <= 8.0 * f64::EPSILON * form.abs(), "{own:e} {form:e}");
             }

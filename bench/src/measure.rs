@@ -1,0 +1,139 @@
+//! The way to time, and the way to write a table.
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+
+/// What a benchmark gives, or why it gives nothing.
+pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Wall times of runs \[s\], a list for each number in the order.
+///
+/// A round runs the whole order, every other round backwards: other work of the machine meets all runs. Rounds go on until the patience
+/// ends, and there are at least as many as `least`.
+pub(crate) fn in_turn(
+    order: &[usize],
+    (least, patience): (usize, Duration),
+    mut run: impl FnMut(usize) -> Outcome<()>,
+) -> Outcome<Vec<Vec<f64>>> {
+    let mut times = vec![Vec::new(); order.iter().max().map_or(0, |last| last + 1)];
+    let mut order = order.to_vec();
+    let (started, mut rounds) = (Instant::now(), 0);
+    while rounds < least || started.elapsed() < patience {
+        for one in &order {
+            let start = Instant::now();
+            run(*one)?;
+            times[*one].push(start.elapsed().as_secs_f64());
+        }
+        order.reverse();
+        rounds += 1;
+    }
+    Ok(times)
+}
+
+/// The median; the upper one of two, not a number of none.
+pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// The median ratio of times of the same rounds.
+pub(crate) fn ratio(times: &[f64], others: &[f64]) -> f64 {
+    median(times.iter().zip(others).map(|(time, other)| time / other))
+}
+
+/// A table of ratios.
+pub(crate) struct Table {
+    /// Where it is kept, from the top folder.
+    pub(crate) path: &'static str,
+    /// What is in it, for the terminal.
+    pub(crate) title: &'static str,
+    pub(crate) header: &'static str,
+}
+
+impl Table {
+    /// Writes and prints lines. In a table that begins with the instructions of the machine each line gets them, and replaces those of the
+    /// same instructions; those of others stay.
+    pub(crate) fn write(&self, root: &Path, lines: &[String]) -> Outcome<()> {
+        let Self {
+            path,
+            title,
+            header,
+        } = self;
+        let before = fs::read_to_string(root.join(path)).unwrap_or_default();
+        let by_machine = header.starts_with("instructions,");
+        let own = if by_machine {
+            format!("{},", instructions())
+        } else {
+            String::new()
+        };
+        let others = before.lines().skip(1);
+        let others = others.filter(|line| by_machine && !line.starts_with(&own));
+        let lines = lines.iter().map(|line| format!("{own}{line}"));
+        let all = others.map(str::to_owned).chain(lines);
+        let csv = all.fold(format!("{header}\n"), |csv, line| csv + &line + "\n");
+        keep(root, path, csv.as_bytes())?;
+        println!("\n{title}:\n{csv}\nkept in {path}");
+        Ok(())
+    }
+}
+
+/// The widest instructions of this machine that tables tell apart.
+fn instructions() -> &'static str {
+    fn lanes<S: Simd>(_: S) -> usize {
+        <S::f64s as SimdBase<S>>::LEN
+    }
+    match dispatch!(Level::new(), simd => lanes(simd)) {
+        8 => "AVX-512",
+        4 => "AVX2",
+        _ => "others",
+    }
+}
+
+/// Writes a file of results, from the top folder.
+pub(crate) fn keep(root: &Path, path: &str, bytes: &[u8]) -> Outcome<()> {
+    let place = root.join(path);
+    fs::create_dir_all(place.parent().unwrap_or(root))
+        .and_then(|()| fs::write(&place, bytes))
+        .map_err(|error| format!("{path}: {error}").into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_runs_take_turns_there_and_back() {
+        let mut seen = Vec::new();
+        let times = in_turn(&[0, 1, 1], (2, Duration::ZERO), |one| {
+            seen.push(one);
+            Ok(())
+        });
+        assert_eq!(seen, [0, 1, 1, 1, 1, 0]);
+        let lengths: Vec<usize> = times.unwrap().iter().map(Vec::len).collect();
+        assert_eq!(lengths, [2, 4]);
+    }
+
+    #[test]
+    fn limit_lines_of_other_machines_stay() {
+        let root = std::env::temp_dir().join(format!("pounding-bench-{}", std::process::id()));
+        let table = Table {
+            path: "a/table.csv",
+            title: "A table",
+            header: "instructions,time",
+        };
+        keep(&root, table.path, b"instructions,time\nnone,1\n").unwrap();
+        for time in ["2", "3"] {
+            table.write(&root, &[time.into()]).unwrap();
+        }
+        let text = fs::read_to_string(root.join(table.path)).unwrap();
+        let own = instructions();
+        fs::remove_dir_all(root).unwrap();
+        assert_eq!(text, format!("instructions,time\nnone,1\n{own},3\n"));
+    }
+}

@@ -1,0 +1,119 @@
+use crate::{
+    Action, ContactForce, ContactLaw, FreeImpact, FreePair, Overlap, ParameterError,
+    Stereomechanical,
+};
+
+/// Whether the formula of a law would pull, and is clamped at F = 0 instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clamp {
+    /// It never pulls.
+    Never,
+    /// It would only where something else drives the pair apart faster than v₀/a; in no free impact.
+    DrivenApart,
+    /// It would at the end of every collision.
+    EveryCollision,
+}
+
+impl FreeImpact {
+    /// Integrates the collision of a free pair under a law.
+    ///
+    /// Returns `None` for an impulsive law, and where [`FreeImpact::of_form`] does.
+    pub fn of(law: &ContactLaw, pair: &FreePair) -> Option<Self> {
+        Self::of_form(&law.form(pair.reduced_mass, pair.approach_speed)?, pair)
+    }
+}
+
+impl ContactLaw {
+    /// The law with its stiffness, and what grows with it ([`crate::Parameter::stiffens`]), times a factor. Laws whose damping is a ratio
+    /// or a factor \[–\] keep their restitution. An impulsive law stays as it is.
+    #[must_use]
+    pub fn stiffened(mut self, factor: f64) -> Self {
+        for (parameter, number) in self.parameters() {
+            if parameter.stiffens {
+                *number *= factor;
+            }
+        }
+        self
+    }
+
+    /// Name as scene files spell it.
+    pub const fn name(&self) -> &'static str {
+        self.about().names[0].name
+    }
+
+    /// Checks the parameters against their valid range.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the parameter, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), ParameterError> {
+        let mut law = *self;
+        let mut parameters = law.parameters().into_iter();
+        parameters
+            .try_for_each(|(parameter, number)| parameter.allowed.check(parameter.name, *number))
+    }
+
+    /// The law, if it acts as an impulse.
+    pub const fn impulsive(&self) -> Option<Stereomechanical> {
+        if let Self::Stereomechanical(law) = self {
+            Some(*law)
+        } else {
+            None
+        }
+    }
+
+    /// Whether the law gives a force over time, and not an impulse.
+    #[inline]
+    pub const fn is_compliant(&self) -> bool {
+        self.impulsive().is_none()
+    }
+
+    /// Whether the damper depends on the approach speed, as δ̇/v₀.
+    pub const fn knows_approach_speed(&self) -> bool {
+        self.about().knows_approach_speed
+    }
+
+    /// Force and tangents of a compliant law while a pair touches; nothing for an impulsive one.
+    ///
+    /// Precondition: `overlap.deformation` > 0. Tangents jump at δ̇ = 0 and where the force is clamped, and may grow
+    /// without bound as δ → 0.
+    #[inline]
+    pub fn respond(&self, overlap: &Overlap) -> Option<ContactForce> {
+        // Its root is taken as the paper writes it: the last digits of the paper's tables depend on that.
+        if let Self::NonlinearViscoelastic(law) = self {
+            return Some(law.respond(overlap));
+        }
+        let form = self.form(overlap.reduced_mass, overlap.approach_speed)?;
+        Some(form.respond(overlap.deformation, overlap.rate))
+    }
+
+    /// Force and tangents of a pair at δ ≤ 0 that a step is about to bring together, for a solver that iterates.
+    ///
+    /// A linear dashpot acts from the touch on: its force jumps there, and at the end of a step there may be no equilibrium
+    /// either with it or without. kδ + cδ̇, clamped, goes through. Forces that begin at zero have nothing to go through.
+    pub fn before_touch(&self, overlap: &Overlap) -> Option<ContactForce> {
+        let form = self.form(overlap.reduced_mass, overlap.approach_speed)?;
+        form.before_touch(overlap.deformation, overlap.rate)
+    }
+
+    /// Whether the law's formula would pull and is clamped.
+    pub fn clamp(&self) -> Clamp {
+        match self.form(1.0, 1.0) {
+            Some(form) if form.action == Action::Both && form.damper.coefficient > 0.0 => {
+                // A damper that falls more slowly with the deformation than the spring prevails at last.
+                if form.damper.power == form.spring.power {
+                    Clamp::DrivenApart
+                } else {
+                    Clamp::EveryCollision
+                }
+            }
+            Some(_) | None => Clamp::Never,
+        }
+    }
+
+    /// Largest deformation δmax \[m\] of a free pair, where a closed form exists.
+    pub fn max_deformation(&self, pair: &FreePair) -> Option<f64> {
+        let stored = self.stored()?;
+        let form = self.form(pair.reduced_mass, pair.approach_speed)?;
+        Some(pair.deformation(form.spring, stored))
+    }
+}

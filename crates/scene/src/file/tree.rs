@@ -1,0 +1,272 @@
+//! The words of a file as a tree, whichever language they are in: types are read from it, by one deserialiser.
+//!
+//! What reads a type is large, and there would be a second one of every type for the second language.
+
+use std::fmt::{self, Write};
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{
+    DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
+    Visitor,
+};
+use serde::forward_to_deserialize_any;
+
+use super::refused::{CHOICE, Refused};
+
+/// What stands at a place of a file; fields keep their order, and those that are there twice are there twice.
+#[derive(Debug)]
+pub(super) enum Tree {
+    Nothing,
+    Truth(bool),
+    Natural(u64),
+    Integer(i64),
+    Number(f64),
+    Text(String),
+    List(Vec<Tree>),
+    Table(Vec<(String, Tree)>),
+}
+
+impl Tree {
+    /// Grows a tree from any deserialiser; where it fails, `place` is the place of the fault.
+    pub(super) fn grown<'de, D: Deserializer<'de>>(
+        from: D,
+        place: &mut String,
+    ) -> Result<Self, D::Error> {
+        Grower(place).deserialize(from)
+    }
+
+    fn unexpected(&self) -> Unexpected<'_> {
+        match self {
+            Self::Nothing => Unexpected::Unit,
+            Self::Truth(truth) => Unexpected::Bool(*truth),
+            Self::Natural(number) => Unexpected::Unsigned(*number),
+            Self::Integer(number) => Unexpected::Signed(*number),
+            Self::Number(number) => Unexpected::Float(*number),
+            Self::Text(text) => Unexpected::Str(text),
+            Self::List(_) => Unexpected::Seq,
+            Self::Table(_) => Unexpected::Map,
+        }
+    }
+}
+
+/// Grows a tree, and knows at which place.
+struct Grower<'p>(&'p mut String);
+
+impl<'de> DeserializeSeed<'de> for Grower<'_> {
+    type Value = Tree;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Tree, D::Error> {
+        from.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Grower<'_> {
+    type Value = Tree;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("what TOML or JSON can say")
+    }
+
+    fn visit_unit<E>(self) -> Result<Tree, E> {
+        Ok(Tree::Nothing)
+    }
+
+    fn visit_bool<E>(self, truth: bool) -> Result<Tree, E> {
+        Ok(Tree::Truth(truth))
+    }
+
+    fn visit_u64<E>(self, number: u64) -> Result<Tree, E> {
+        Ok(Tree::Natural(number))
+    }
+
+    fn visit_i64<E>(self, number: i64) -> Result<Tree, E> {
+        Ok(Tree::Integer(number))
+    }
+
+    // Of JSON such a number comes as one with a fraction.
+    fn visit_i128<E>(self, number: i128) -> Result<Tree, E> {
+        Ok(Tree::Number(number as f64))
+    }
+
+    fn visit_u128<E>(self, number: u128) -> Result<Tree, E> {
+        Ok(Tree::Number(number as f64))
+    }
+
+    fn visit_f64<E>(self, number: f64) -> Result<Tree, E> {
+        Ok(Tree::Number(number))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Tree, E> {
+        Ok(Tree::Text(text.into()))
+    }
+
+    fn visit_string<E>(self, text: String) -> Result<Tree, E> {
+        Ok(Tree::Text(text))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Tree, A::Error> {
+        let (mut list, own) = (Vec::new(), self.0.len());
+        loop {
+            let _ = write!(self.0, "[{}]", list.len());
+            match items.next_element_seed(Grower(self.0))? {
+                Some(item) => list.push(item),
+                None => break,
+            }
+            self.0.truncate(own);
+        }
+        self.0.truncate(own);
+        Ok(Tree::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Tree, A::Error> {
+        let (mut table, own) = (Vec::new(), self.0.len());
+        while let Some(name) = fields.next_key::<String>()? {
+            let dot = if own > 0 { "." } else { "" };
+            let _ = write!(self.0, "{dot}{name}");
+            let value = fields.next_value_seed(Grower(self.0))?;
+            self.0.truncate(own);
+            table.push((name, value));
+        }
+        Ok(Tree::Table(table))
+    }
+}
+
+impl<'de> IntoDeserializer<'de, Refused> for &'de Tree {
+    type Deserializer = Self;
+
+    fn into_deserializer(self) -> Self {
+        self
+    }
+}
+
+impl<'de> Deserializer<'de> for &'de Tree {
+    type Error = Refused;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refused> {
+        match self {
+            Tree::Nothing => visitor.visit_unit(),
+            Tree::Truth(truth) => visitor.visit_bool(*truth),
+            Tree::Natural(number) => visitor.visit_u64(*number),
+            Tree::Integer(number) => visitor.visit_i64(*number),
+            Tree::Number(number) => visitor.visit_f64(*number),
+            Tree::Text(text) => visitor.visit_borrowed_str(text),
+            Tree::List(list) => {
+                let mut items = Items { list, next: 0 };
+                let read = visitor.visit_seq(&mut items)?;
+                items.end()?;
+                Ok(read)
+            }
+            Tree::Table(table) => visitor.visit_map(Fields { table, next: 0 }),
+        }
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refused> {
+        if matches!(self, Tree::Nothing) {
+            visitor.visit_none()
+        } else {
+            visitor.visit_some(self)
+        }
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Refused> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        name: &'static str,
+        words: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Refused> {
+        if let Tree::Text(word) = self {
+            return visitor.visit_enum(word.as_str().into_deserializer());
+        }
+        if let Tree::Table(table) = self
+            && table.len() == 1
+        {
+            let fields = Fields { table, next: 0 };
+            return MapAccessDeserializer::new(fields).deserialize_enum(name, words, visitor);
+        }
+        Err(Refused::invalid_type(self.unexpected(), &CHOICE))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit unit_struct seq tuple
+        tuple_struct map struct identifier ignored_any
+    }
+}
+
+/// The items of a list, one by one.
+struct Items<'t> {
+    list: &'t [Tree],
+    next: usize,
+}
+
+impl Items<'_> {
+    /// Refuses a list longer than what was read of it.
+    fn end(&self) -> Result<(), Refused> {
+        if self.next == self.list.len() {
+            return Ok(());
+        }
+        let allowed = format!("an array of length {}", self.next);
+        Err(Refused::invalid_length(self.list.len(), &allowed.as_str()))
+    }
+}
+
+impl<'de> SeqAccess<'de> for &mut Items<'de> {
+    type Error = Refused;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, Refused> {
+        let Some(item) = self.list.get(self.next) else {
+            return Ok(None);
+        };
+        let place = format!("[{}]", self.next);
+        self.next += 1;
+        let read = seed.deserialize(item);
+        read.map(Some).map_err(|refused| refused.within(&place))
+    }
+
+    fn size_hint(&self) -> Option<usize> {
+        Some(self.list.len() - self.next)
+    }
+}
+
+/// The fields of a table, one by one.
+struct Fields<'t> {
+    table: &'t [(String, Tree)],
+    next: usize,
+}
+
+impl<'de> MapAccess<'de> for Fields<'de> {
+    type Error = Refused;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(
+        &mut self,
+        seed: K,
+    ) -> Result<Option<K::Value>, Refused> {
+        let Some((name, _)) = self.table.get(self.next) else {
+            return Ok(None);
+        };
+        let read = seed.deserialize(name.as_str().into_deserializer());
+        read.map(Some)
+            .map_err(|refused: Refused| refused.at_name(name))
+    }
+
+    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Refused> {
+        let (name, value) = &self.table[self.next];
+        self.next += 1;
+        let read = seed.deserialize(value);
+        read.map_err(|refused| refused.within(name))
+    }
+
+    fn size_hint(&self) -> Option<usize> {
+        Some(self.table.len() - self.next)
+    }
+}

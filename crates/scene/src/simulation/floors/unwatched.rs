@@ -1,0 +1,141 @@
+//! Floors whose touches no contact models: floors beside columns of a neighbour, and levels that `levels` leaves out.
+
+use super::{EQUAL_HEIGHTS, Floors};
+
+/// A floor and the column or floor next to it in the neighbouring building, if no contact models their touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unwatched {
+    /// Index of the gap between both, from the left.
+    pub gap: usize,
+    /// The floor, by its place in the row; of two floors of a level the left one.
+    pub floor: usize,
+    /// The floor below the column; `None` if the column stands on the ground.
+    pub below: Option<usize>,
+    /// The floor above the column, or the floor of the same level.
+    pub above: usize,
+    /// Where along the column the floor is \[–\], from 0 at its foot to 1 at its head, where the floor above is level with it.
+    pub along: f64,
+}
+
+impl Unwatched {
+    /// Whether it faces a floor, and no column.
+    pub fn is_level(&self) -> bool {
+        self.along >= 1.0
+    }
+}
+
+impl Floors {
+    /// Floors beside columns, up to the lower roof of two neighbours whose heights are given, and floors of levels that contacts leave out.
+    /// A wall stands only at the levels of its contact.
+    pub fn unwatched(&self) -> Vec<Unwatched> {
+        let gaps = 0..self.structures.len().saturating_sub(1);
+        gaps.flat_map(|gap| self.unwatched_in(gap)).collect()
+    }
+
+    fn unwatched_in(&self, gap: usize) -> Vec<Unwatched> {
+        let facing: Vec<_> = self.levels.facing(gap).collect();
+        let meets = |one: &Unwatched| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
+        let mut all: Vec<_> = self.beside_columns(gap);
+        all.retain(|one| !meets(one));
+        let moves = |floor: usize| !self.all[floor].is_wall();
+        let is_watched = |left: usize| {
+            let found = self.facing.binary_search_by_key(&left, |one| one.left);
+            found.is_ok() || self.facing.is_empty()
+        };
+        let left_out = facing
+            .iter()
+            .filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left));
+        all.extend(left_out.map(|(left, right)| Unwatched {
+            gap,
+            floor: *left,
+            below: None,
+            above: *right,
+            along: 1.0,
+        }));
+        all
+    }
+
+    /// Says that floors face what no contact models, whether or not it comes within reach.
+    pub fn says_unwatched(&self) -> Option<String> {
+        let all = self.unwatched();
+        let first = &self.all[all.first()?.floor].name;
+        Some(format!(
+            "floors that face a column, or a floor that `levels` leaves out: {}, the first {first}; neither is modelled",
+            all.len()
+        ))
+    }
+
+    /// "levels 2 to 4 of A and B", if the contact in a gap leaves levels out.
+    pub fn left_out(&self, gap: usize) -> Option<String> {
+        let all = self.unwatched_in(gap).into_iter();
+        let all = all.filter(Unwatched::is_level);
+        let levels: Vec<usize> = all.map(|one| self.levels.level(one.floor) + 1).collect();
+        let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
+        let levels = match levels[..] {
+            [] => return None,
+            [one] => format!("level {one}"),
+            [first, .., last] if last - first + 1 == levels.len() => {
+                format!("levels {first} to {last}")
+            }
+            _ => {
+                let all: Vec<String> = levels.iter().map(ToString::to_string).collect();
+                format!("levels {}", all.join(", "))
+            }
+        };
+        Some(format!("{levels} of {left} and {right}"))
+    }
+
+    /// Says that two neighbours have no floors of one level, so that no width is known that they need.
+    pub fn says_no_level(&self) -> Vec<String> {
+        let names = self.structures.windows(2).enumerate();
+        // Between two walls nothing moves.
+        let none = names.filter(|(gap, _)| self.levels.facing(*gap).next().is_none());
+        none.map(|(_, names)| {
+            format!(
+                "No floors of {} face each other: the width that they need is not known.",
+                names.join(" and ")
+            )
+        })
+        .collect()
+    }
+
+    /// Whether floors of both sides of a gap stand equally high up to the lower roof, by the heights that the scene gives.
+    pub(crate) fn are_level(&self, gap: usize) -> bool {
+        let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
+        known == [true; 2] && self.beside_columns(gap).is_empty()
+    }
+
+    /// Heights of the floors of a structure, from the ground up; `None` if some are not known, and of a wall.
+    fn heights_of(&self, structure: usize) -> Option<Vec<f64>> {
+        let floors = self.of_structure(structure).iter();
+        floors.map(|floor| self.all[*floor].elevation_m).collect()
+    }
+
+    /// Floors of both sides of a gap whose heights are those of no floor of the other.
+    fn beside_columns(&self, gap: usize) -> Vec<Unwatched> {
+        let of = |own, other| self.beside_columns_of(gap, own, other);
+        [of(gap, gap + 1), of(gap + 1, gap)].concat()
+    }
+
+    fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<Unwatched> {
+        let (Some(heights), Some(others)) = (self.heights_of(own), self.heights_of(other)) else {
+            return Vec::new();
+        };
+        let beside = |(floor, height): (&usize, &f64)| {
+            let next = others
+                .iter()
+                .position(|one| *one >= height - EQUAL_HEIGHTS)?;
+            let foot = next.checked_sub(1);
+            let low = foot.map_or(0.0, |foot| others[foot]);
+            (others[next] > height + EQUAL_HEIGHTS).then(|| Unwatched {
+                gap,
+                floor: *floor,
+                below: foot.map(|foot| self.of_structure(other)[foot]),
+                above: self.of_structure(other)[next],
+                along: (height - low) / (others[next] - low),
+            })
+        };
+        let own = self.of_structure(own).iter().zip(&heights);
+        own.filter_map(beside).collect()
+    }
+}
