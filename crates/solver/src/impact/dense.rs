@@ -2,8 +2,8 @@
 //!
 //! Asked is P with 0 ≤ P ⟂ W P − demand ≥ 0, W = Aᵀ A. The column of a contact is M^(−½) gᵀ: the weights of its points, left
 //! minus right, over the roots of the masses. Or it is D^(−½) L⁻¹ gᵀ, with L D Lᵀ the matrix of a step. P is a minimum of
-//! ½ Pᵀ W P − demandᵀ P over P ≥ 0. A push on a floor may help other contacts of its building, so a contact that pushes may
-//! have to leave again: growing the set, as `chain.rs` does, is not enough.
+//! ½ Pᵀ W P − demandᵀ P over P ≥ 0. A push on a floor may help other contacts of its building: a contact that pushes may have
+//! to leave again. Growing the set, as `chain.rs` does, is not enough.
 //!
 //! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: contacts enter one by one; those
 //! that would pull leave on the way to the next solution. The minimum falls each time, so no set comes twice.
@@ -64,8 +64,8 @@ impl Complementarity {
 
     /// Begins a problem with so many rows in a column.
     ///
-    /// Sums over the rows before `split` and over those behind are added at last: with one body on each side of it the bodies
-    /// may change places, and no bit changes.
+    /// Products sum the rows before `split` and those behind apart. Two bodies, one on each side, may then change places
+    /// without a change of bits.
     pub(crate) fn begin(&mut self, n_rows: usize, split: usize) {
         self.search.begin(n_rows, split);
     }
@@ -99,9 +99,10 @@ impl Complementarity {
         self.search.contacts.iter().map(|contact| contact.impulse)
     }
 
-    /// Finds the impulses; true if they are unique: no contact that pushes may share its impulse otherwise with others.
+    /// Finds the impulses; true if they are unique: no contact that pushes depends on others that get exactly their demand.
     ///
-    /// The caller checks what rounding leaves of the demands.
+    /// Rarely, those others are zero in every answer; the impulses are then unique without being called so. The caller checks
+    /// what rounding leaves of the demands.
     pub(crate) fn solve(&mut self) -> Result<bool, ClosedIn> {
         self.search.solve()?;
         self.gather();
@@ -294,7 +295,7 @@ impl Search {
         dot(self.column(index), &self.driven, self.basis.split)
     }
 
-    /// What a contact lacks of its demand, and the magnitude of what that is a sum of.
+    /// The velocity that a contact still has to lose, and the magnitude of its terms.
     fn lack(&self, index: usize) -> (f64, f64) {
         let Contact { demand, scale, .. } = self.contacts[index];
         let column = self.column(index).iter().zip(&self.sizes);

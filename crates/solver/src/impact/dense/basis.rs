@@ -89,7 +89,7 @@ impl Basis {
         self.len += 1;
     }
 
-    /// What the column expressed last has of each of those kept.
+    /// Writes the column expressed last as a sum of those kept: so much of each.
     pub(super) fn coefficients(&self, shares: &mut Vec<f64>) {
         shares.clear();
         shares.extend_from_slice(&self.factors(self.len)[..self.len]);
