@@ -1,273 +1,411 @@
-//! Impulses of several pairs of the same buildings, found together.
+//! Impulses of any set of contacts, found together.
 //!
-//! Asked is P with 0 ≤ W P − demand ⟂ P ≥ 0. A push on one storey helps the pairs of the same two buildings on others, so
-//! that W has positive elements off its diagonal, and a pair once taken in may have to leave: growing the set, as
-//! `chain.rs` does, is not enough. W is symmetric and positive definite; P then is the one minimum of ½ Pᵀ W P − demandᵀ P
-//! over P ≥ 0.
+//! Asked is P with 0 ≤ P ⟂ W P − demand ≥ 0, W = Aᵀ A. The column of a contact is M^(−½) gᵀ: the weights of its points, left
+//! minus right, over the roots of the masses. Or it is D^(−½) L⁻¹ gᵀ, with L D Lᵀ the matrix of a step. P is a minimum of
+//! ½ Pᵀ W P − demandᵀ P over P ≥ 0. A push on a floor may help other contacts of its building: a contact that pushes may have
+//! to leave again. Growing the set, as `chain.rs` does, is not enough.
 //!
-//! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: pairs enter one by one, those
-//! that would pull leave on the way to the next solution, the minimum falls each time and no set comes twice.
+//! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: contacts enter one by one; those
+//! that would pull leave on the way to the next solution. The minimum falls each time, so no set comes twice.
+//!
+//! We depart in one step. Contacts may depend on each other: three points between a slab and a storey do, and two walls
+//! beside a mass. If their restitution differs, the demand is no Aᵀb, and least squares have no solution. A contact that
+//! depends on those that push takes the place of one of them: impulses move along the dependence, which changes no
+//! velocity, until the first is zero.
+//!
+//! A P is unique, so velocities are. P may not be, where contacts that get exactly their demand depend on each other. The
+//! answer is then the least Σ P², the limit of equal springs: a second problem of this kind, whatever the order of the contacts.
+
+mod basis;
+
+use basis::{Basis, DEPENDENT, add, dot, norm};
 
 /// What rounding leaves of a demand that was met, relative to its terms.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// A pivot less than so much of its diagonal element is none: of a mass held between two walls one pair says all.
-const PIVOT: f64 = 1e-14;
-/// Pairs of one cluster that are solved together without further allocation.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Times that contacts enter, per contact: tests saw one at most. Rounding must not let them enter for ever.
+const ENTRIES: usize = 16;
+/// Contacts that are solved together without further allocation.
 const USUAL: usize = 64;
+
+/// No impulses meet the demands: a contact asks for what others take back that hold the same bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct ClosedIn {
+    pub(crate) contact: usize,
+}
 
 /// The problem, its answer and scratch.
 pub(crate) struct Complementarity {
-    /// W, row by row \[1/kg\].
-    matrix: Vec<f64>,
-    /// Relative velocity every pair is to lose at least \[m/s\].
-    pub(crate) demand: Vec<f64>,
-    /// Impulse of every pair \[N·s\], ≥ 0.
-    pub(crate) impulses: Vec<f64>,
-    /// Pairs that push, in order.
-    active: Vec<usize>,
-    /// Pairs left out for good: rounding alone asks for them.
-    refused: Vec<bool>,
-    /// Cholesky factor of W over the active pairs, row by row.
-    factors: Vec<f64>,
-    /// Impulses of the active pairs if none of them may leave.
-    free: Vec<f64>,
+    search: Search,
+    /// Contacts that get exactly their demand; those that push come first.
+    tight: Vec<usize>,
+    /// Places among them of those that do not depend on others before them.
+    members: Vec<usize>,
+    /// Changes of their impulses that change no velocity, orthonormal.
+    idle: Basis,
+    /// Their impulses without such a change.
+    fixed: Vec<f64>,
+    /// Finds the change.
+    change: Search,
 }
 
 impl Complementarity {
-    pub(crate) fn new(n_pairs: usize) -> Self {
-        let n = n_pairs.min(USUAL);
+    /// For so many contacts and rows of a column.
+    pub(crate) fn new(n_contacts: usize, n_rows: usize) -> Self {
+        let n = n_contacts.min(USUAL);
         Self {
-            matrix: Vec::with_capacity(n * n),
-            demand: Vec::with_capacity(n),
-            impulses: Vec::with_capacity(n),
-            active: Vec::with_capacity(n),
-            refused: Vec::with_capacity(n),
-            factors: Vec::with_capacity(n * n),
+            search: Search::new(n, n_rows),
+            tight: Vec::with_capacity(n),
+            members: Vec::with_capacity(n),
+            idle: Basis::new(n, n),
+            fixed: Vec::with_capacity(n),
+            change: Search::new(n, n),
+        }
+    }
+
+    /// Begins a problem with so many rows in a column.
+    ///
+    /// Products sum the rows before `split` and those behind apart. Two bodies, one on each side, may then change places
+    /// without a change of bits.
+    pub(crate) fn begin(&mut self, n_rows: usize, split: usize) {
+        self.search.begin(n_rows, split);
+    }
+
+    /// Takes a contact, by the elements of its column that are not zero.
+    pub(crate) fn push(&mut self, column: impl Iterator<Item = (usize, f64)>) {
+        self.search.push(column);
+    }
+
+    /// Asks for the velocity that a contact is to lose at least \[m/s\]; `scale` is the magnitude at which that was rounded.
+    pub(crate) fn ask(&mut self, contact: usize, demand: f64, scale: f64) {
+        self.search.contacts[contact].demand = demand;
+        self.search.contacts[contact].scale = scale;
+    }
+
+    /// Applies impulses \[N·s\], in the order of the contacts, for [`Self::taken`].
+    pub(crate) fn apply(&mut self, impulses: impl Iterator<Item = f64>) {
+        for (contact, impulse) in self.search.contacts.iter_mut().zip(impulses) {
+            contact.impulse = impulse;
+        }
+        self.search.drive();
+    }
+
+    /// The velocity that the impulses applied last take from a contact \[m/s\].
+    pub(crate) fn taken(&self, contact: usize) -> f64 {
+        self.search.taken(contact)
+    }
+
+    /// Impulse of every contact \[N·s\], ≥ 0.
+    pub(crate) fn impulses(&self) -> impl Iterator<Item = f64> {
+        self.search.contacts.iter().map(|contact| contact.impulse)
+    }
+
+    /// Finds the impulses; true if they are unique: no contact that pushes depends on others that get exactly their demand.
+    ///
+    /// Rarely, those others are zero in every answer; the impulses are then unique without being called so. The caller checks
+    /// what rounding leaves of the demands.
+    pub(crate) fn solve(&mut self) -> Result<bool, ClosedIn> {
+        self.search.solve()?;
+        self.gather();
+        Ok(self.idle.len == 0 || self.spread())
+    }
+
+    /// Lists the contacts that get exactly their demand, and what their impulses may change without any velocity.
+    fn gather(&mut self) {
+        let search = &mut self.search;
+        self.tight.clone_from(&search.pushing);
+        for contact in 0..search.contacts.len() {
+            if search.contacts[contact].impulse == 0.0 && search.is_tight(contact) {
+                self.tight.push(contact);
+            }
+        }
+        self.idle.begin(self.tight.len(), 0);
+        self.members.clear();
+        self.members.extend(0..search.pushing.len());
+        for place in search.pushing.len()..self.tight.len() {
+            if search.express(self.tight[place]) {
+                search.basis.keep();
+                self.members.push(place);
+            } else {
+                search.basis.coefficients(&mut search.free);
+                self.fixed.clear();
+                self.fixed.resize(self.tight.len(), 0.0);
+                for (member, share) in self.members.iter().zip(&search.free) {
+                    self.fixed[*member] = -share;
+                }
+                self.fixed[place] = 1.0;
+                self.idle.express(&self.fixed);
+                self.idle.keep();
+            }
+        }
+    }
+
+    /// Goes to the least Σ P²; true if no change is possible of a contact that pushes.
+    ///
+    /// Without idle changes Σ P² is least, but some may pull. With N the idle changes as columns, N Nᵀμ mends that,
+    /// 0 ≤ μ ⟂ N Nᵀ μ + those impulses ≥ 0.
+    fn spread(&mut self) -> bool {
+        let (contacts, change) = (&mut self.search.contacts, &mut self.change);
+        self.fixed.clear();
+        let before = self.tight.iter().map(|contact| contacts[*contact].impulse);
+        self.fixed.extend(before);
+        let largest = self.fixed.iter().copied().fold(0.0, f64::max);
+        for vector in self.idle.vectors() {
+            let part = dot(vector, &self.fixed, 0);
+            add(&mut self.fixed, -part, vector);
+        }
+        change.begin(self.idle.len, 0);
+        for (place, impulse) in self.fixed.iter().enumerate() {
+            let elements = self.idle.vectors().map(|vector| vector[place]);
+            change.push(elements.enumerate());
+            let contact = &mut change.contacts[place];
+            contact.scale = largest;
+            contact.demand = if contact.norm > DEPENDENT {
+                -impulse
+            } else {
+                f64::NEG_INFINITY
+            };
+        }
+        // Without a change the impulses meet the demands too: where rounding hides the least ones, they stay.
+        let found = change.solve().is_ok();
+        let mut unique = true;
+        for (place, contact) in self.tight.iter().enumerate() {
+            let impulse = &mut contacts[*contact].impulse;
+            if found {
+                let least = self.fixed[place] + change.taken(place);
+                let pushes = change.contacts[place].impulse == 0.0 && least > ROUNDING * largest;
+                *impulse = if pushes { least } else { 0.0 };
+            }
+            unique &= *impulse == 0.0 || change.contacts[place].norm <= DEPENDENT;
+        }
+        unique
+    }
+}
+
+/// A contact of a search.
+struct Contact {
+    /// Length of its column.
+    norm: f64,
+    demand: f64,
+    /// Magnitude at which that was rounded.
+    scale: f64,
+    impulse: f64,
+    /// Whether rounding alone lets it enter.
+    refused: bool,
+}
+
+/// The search for contacts that push, whose columns do not depend on each other.
+struct Search {
+    contacts: Vec<Contact>,
+    /// A, column by column.
+    columns: Vec<f64>,
+    /// Contacts that push, in the order of the basis.
+    pushing: Vec<usize>,
+    basis: Basis,
+    /// Impulses of those that push if none of them may leave.
+    free: Vec<f64>,
+    /// A P.
+    driven: Vec<f64>,
+    /// The sum of its terms without their signs.
+    sizes: Vec<f64>,
+}
+
+impl Search {
+    fn new(n: usize, n_rows: usize) -> Self {
+        Self {
+            contacts: Vec::with_capacity(n),
+            columns: Vec::with_capacity(n * n_rows),
+            pushing: Vec::with_capacity(n),
+            basis: Basis::new(n, n_rows),
             free: Vec::with_capacity(n),
+            driven: Vec::with_capacity(n_rows),
+            sizes: Vec::with_capacity(n_rows),
         }
     }
 
-    /// Begins a problem of n pairs.
-    pub(crate) fn begin(&mut self, n: usize) {
-        for (values, length) in [
-            (&mut self.matrix, n * n),
-            (&mut self.factors, n * n),
-            (&mut self.demand, n),
-            (&mut self.impulses, n),
-            (&mut self.free, n),
-        ] {
-            values.clear();
-            values.resize(length, 0.0);
+    fn begin(&mut self, n_rows: usize, split: usize) {
+        let n_rows = n_rows.max(1);
+        self.contacts.clear();
+        self.columns.clear();
+        self.basis.begin(n_rows, split);
+        self.driven.resize(n_rows, 0.0);
+        self.sizes.resize(n_rows, 0.0);
+    }
+
+    fn push(&mut self, column: impl Iterator<Item = (usize, f64)>) {
+        let start = self.columns.len();
+        self.columns.resize(start + self.driven.len(), 0.0);
+        let elements = &mut self.columns[start..];
+        for (row, element) in column {
+            elements[row] += element;
         }
-        self.refused.clear();
-        self.refused.resize(n, false);
+        self.contacts.push(Contact {
+            norm: norm(elements, self.basis.split),
+            demand: 0.0,
+            scale: 0.0,
+            impulse: 0.0,
+            refused: false,
+        });
     }
 
-    /// Sets what a unit impulse of one pair takes off the approach of another.
-    pub(crate) fn set(&mut self, pair: usize, by: usize, taken: f64) {
-        let n = self.demand.len();
-        self.matrix[pair * n + by] = taken;
+    fn column(&self, contact: usize) -> &[f64] {
+        let n_rows = self.driven.len();
+        &self.columns[contact * n_rows..][..n_rows]
     }
 
-    /// What some impulses take off the approach of a pair.
-    pub(crate) fn taken(&self, pair: usize, impulses: impl Iterator<Item = f64>) -> f64 {
-        let n = self.demand.len();
-        let row = &self.matrix[pair * n..(pair + 1) * n];
-        row.iter()
-            .zip(impulses)
-            .map(|(by, impulse)| by * impulse)
-            .sum()
-    }
-
-    /// Finds the impulses.
-    pub(crate) fn solve(&mut self) {
-        self.impulses.fill(0.0);
-        self.active.clear();
-        let asks = |(pair, demand): (usize, &f64)| (*demand > 0.0).then_some(pair);
-        self.active
-            .extend(self.demand.iter().enumerate().filter_map(asks));
-        self.shrink();
-        while let Some(pair) = self.most_lacking() {
-            let place = self.active.partition_point(|other| *other < pair);
-            self.active.insert(place, pair);
+    fn solve(&mut self) -> Result<(), ClosedIn> {
+        for contact in &mut self.contacts {
+            contact.impulse = 0.0;
+            contact.refused = false;
+        }
+        self.pushing.clear();
+        self.basis.truncate(0);
+        self.drive();
+        for _ in 0..ENTRIES * self.contacts.len() {
+            let Some(index) = self.most_lacking() else {
+                break;
+            };
+            if self.express(index) {
+                self.basis.keep();
+                self.pushing.push(index);
+            } else {
+                self.exchange(index)?;
+            }
             self.shrink();
-            if self.impulses[pair] == 0.0 {
-                self.refused[pair] = true;
-            }
+            let contact = &mut self.contacts[index];
+            contact.refused = contact.impulse == 0.0;
         }
+        Ok(())
     }
 
-    /// The pair outside the active ones that lacks most.
+    /// The contact without impulse that lacks most, by the length of its column.
     fn most_lacking(&self) -> Option<usize> {
-        let n = self.demand.len();
         let (mut found, mut most) = (None, 0.0);
-        for pair in 0..n {
-            if self.refused[pair] || self.impulses[pair] > 0.0 {
-                continue;
-            }
-            let (mut lack, mut scale) = (self.demand[pair], self.demand[pair].abs());
-            for (by, impulse) in self.matrix[pair * n..].iter().zip(&self.impulses) {
-                lack -= by * impulse;
-                scale += (by * impulse).abs();
-            }
-            if lack > ROUNDING * scale && lack > most {
-                (found, most) = (Some(pair), lack);
+        for (index, contact) in self.contacts.iter().enumerate() {
+            if !contact.refused && contact.impulse == 0.0 {
+                let (lack, terms) = self.lack(index);
+                if lack > ROUNDING * terms && lack / contact.norm > most {
+                    (found, most) = (Some(index), lack / contact.norm);
+                }
             }
         }
         found
     }
 
-    /// Goes to the solution over the active pairs; those that would pull leave on the way.
+    fn taken(&self, index: usize) -> f64 {
+        dot(self.column(index), &self.driven, self.basis.split)
+    }
+
+    /// The velocity that a contact still has to lose, and the magnitude of its terms.
+    fn lack(&self, index: usize) -> (f64, f64) {
+        let Contact { demand, scale, .. } = self.contacts[index];
+        let column = self.column(index).iter().zip(&self.sizes);
+        let terms: f64 = column.map(|(element, size)| element.abs() * size).sum();
+        (demand - self.taken(index), demand.abs().max(scale) + terms)
+    }
+
+    /// Whether a contact gets no more than its demand.
+    fn is_tight(&self, index: usize) -> bool {
+        let (lack, terms) = self.lack(index);
+        lack > -DEPENDENT * terms
+    }
+
+    /// Expresses a column by those of the basis; true if it does not depend on them.
+    fn express(&mut self, index: usize) -> bool {
+        let n_rows = self.driven.len();
+        self.basis
+            .express(&self.columns[index * n_rows..][..n_rows])
+    }
+
+    /// Lets a contact push in place of one that it depends on.
+    fn exchange(&mut self, index: usize) -> Result<(), ClosedIn> {
+        self.basis.coefficients(&mut self.free);
+        let negligible = DEPENDENT * self.contacts[index].norm;
+        let (mut blocking, mut least) = (None, f64::INFINITY);
+        for (place, share) in self.free.iter().enumerate() {
+            let Contact { norm, impulse, .. } = self.contacts[self.pushing[place]];
+            if share * norm > negligible && impulse / share < least {
+                (blocking, least) = (Some(place), impulse / share);
+            }
+        }
+        let place = blocking.ok_or(ClosedIn { contact: index })?;
+        for (other, share) in self.pushing.iter().zip(&self.free) {
+            let impulse = &mut self.contacts[*other].impulse;
+            *impulse = (*impulse - share * least).max(0.0);
+        }
+        self.contacts[self.pushing.remove(place)].impulse = 0.0;
+        self.pushing.push(index);
+        self.contacts[index].impulse = least;
+        self.factorize(place);
+        Ok(())
+    }
+
+    /// Goes to the solution over the pushing contacts; those that would pull leave on the way.
     fn shrink(&mut self) {
         loop {
-            while let Some(singular) = self.factorize() {
-                let pair = self.active.remove(singular);
-                self.impulses[pair] = 0.0;
-                self.refused[pair] = true;
-            }
-            self.solve_active();
-            let Self {
-                active,
-                free,
-                impulses,
-                ..
-            } = self;
-            let ratio = |impulse: f64, free: f64| {
+            self.free.clear();
+            let pushing = self.pushing.iter().map(|index| &self.contacts[*index]);
+            self.free.extend(pushing.map(|contact| contact.demand));
+            self.basis.solve(&mut self.free);
+            // The part of the way after which a contact that would pull is at zero.
+            // It is none of 0 / 0 for a contact that has just entered, which then leaves.
+            let ratio = |contact: &Contact, free: f64| {
                 if free > 0.0 {
-                    1.0
-                } else if impulse > 0.0 {
-                    impulse / (impulse - free)
+                    f64::INFINITY
                 } else {
-                    0.0
+                    (contact.impulse / (contact.impulse - free)).max(0.0)
                 }
             };
-            let ratios = active.iter().zip(&*free);
-            let part = ratios
-                .map(|(pair, free)| ratio(impulses[*pair], *free))
-                .fold(1.0, f64::min);
-            let mut kept = 0;
-            for index in 0..active.len() {
-                let (pair, free) = (active[index], free[index]);
-                let leaves = free <= 0.0 && ratio(impulses[pair], free) <= part;
-                if leaves {
-                    impulses[pair] = 0.0;
+            let pairs = self.pushing.iter().zip(&self.free);
+            let ratios = pairs.map(|(index, free)| ratio(&self.contacts[*index], *free));
+            let part = ratios.fold(1.0, f64::min);
+            let (mut kept, mut first) = (0, self.free.len());
+            for (place, free) in self.free.iter().enumerate() {
+                let index = self.pushing[place];
+                let contact = &mut self.contacts[index];
+                if ratio(contact, *free) <= part {
+                    contact.impulse = 0.0;
+                    first = first.min(place);
                 } else {
-                    impulses[pair] += part * (free - impulses[pair]);
-                    active[kept] = pair;
+                    contact.impulse += part * (free - contact.impulse);
+                    self.pushing[kept] = index;
                     kept += 1;
                 }
             }
-            if kept == active.len() {
-                for (pair, free) in active.iter().zip(free) {
-                    impulses[*pair] = *free;
-                }
-                return;
+            if kept == self.free.len() {
+                break;
             }
-            active.truncate(kept);
+            self.pushing.truncate(kept);
+            self.factorize(first);
+        }
+        for (index, free) in self.pushing.iter().zip(&self.free) {
+            self.contacts[*index].impulse = *free;
+        }
+        self.drive();
+    }
+
+    /// Factors of the pushing contacts from one of them on.
+    fn factorize(&mut self, from: usize) {
+        self.basis.truncate(from);
+        for place in from..self.pushing.len() {
+            self.express(self.pushing[place]);
+            self.basis.keep();
         }
     }
 
-    /// Cholesky factors of W over the active pairs; the first of them that says no more than those before.
-    fn factorize(&mut self) -> Option<usize> {
-        let (n, size) = (self.demand.len(), self.active.len());
-        for row in 0..size {
-            for column in 0..=row {
-                let mut value = self.matrix[self.active[row] * n + self.active[column]];
-                let diagonal = value;
-                for inner in 0..column {
-                    value -= self.factors[row * size + inner] * self.factors[column * size + inner];
+    fn drive(&mut self) {
+        self.driven.fill(0.0);
+        self.sizes.fill(0.0);
+        let columns = self.columns.chunks_exact(self.driven.len());
+        for (contact, column) in self.contacts.iter().zip(columns) {
+            if contact.impulse > 0.0 {
+                add(&mut self.driven, contact.impulse, column);
+                for (size, element) in self.sizes.iter_mut().zip(column) {
+                    *size += contact.impulse * element.abs();
                 }
-                if column < row {
-                    value /= self.factors[column * size + column];
-                } else if value > PIVOT * diagonal {
-                    value = value.sqrt();
-                } else {
-                    return Some(row);
-                }
-                self.factors[row * size + column] = value;
             }
-        }
-        None
-    }
-
-    /// Impulses that meet the demand of every active pair exactly.
-    fn solve_active(&mut self) {
-        let size = self.active.len();
-        for row in 0..size {
-            let mut value = self.demand[self.active[row]];
-            for inner in 0..row {
-                value -= self.factors[row * size + inner] * self.free[inner];
-            }
-            self.free[row] = value / self.factors[row * size + row];
-        }
-        for row in (0..size).rev() {
-            let mut value = self.free[row];
-            for inner in row + 1..size {
-                value -= self.factors[inner * size + row] * self.free[inner];
-            }
-            self.free[row] = value / self.factors[row * size + row];
         }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Numbers between −1 and 1.
-    fn numbers(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) + 1;
-        move || {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        }
-    }
-
-    #[test]
-    fn reference_every_problem_is_solved() {
-        let mut problem = Complementarity::new(12);
-        for seed in 0..2000 {
-            let mut number = numbers(seed);
-            let n = 1 + (seed % 12) as usize;
-            let factor = nalgebra::DMatrix::from_fn(n, n + 2, |_, _| number());
-            let matrix = &factor * factor.transpose();
-            problem.begin(n);
-            for pair in 0..n {
-                problem.demand[pair] = number();
-                for by in 0..n {
-                    problem.set(pair, by, matrix[(pair, by)]);
-                }
-            }
-            problem.solve();
-            for pair in 0..n {
-                let impulse = problem.impulses[pair];
-                let given = problem.taken(pair, problem.impulses.iter().copied());
-                let left = given - problem.demand[pair];
-                let close = 1e-9 * (1.0 + given.abs());
-                assert!(impulse >= 0.0 && left > -close, "{seed}, {pair}: {left}");
-                assert!(impulse == 0.0 || left < close, "{seed}, {pair}: {left}");
-            }
-        }
-    }
-
-    #[test]
-    fn extreme_a_mass_between_two_walls() {
-        // Both pairs say the same with opposite signs; what one asks for the other may not take back.
-        let mut problem = Complementarity::new(2);
-        problem.begin(2);
-        for (pair, by, taken) in [(0, 0, 1.0), (0, 1, -1.0), (1, 0, -1.0), (1, 1, 1.0)] {
-            problem.set(pair, by, taken);
-        }
-        for (demand, wanted) in [
-            ([1.0, -1.0], [1.0, 0.0]),
-            ([-1.0, 0.5], [0.0, 0.5]),
-            ([0.0, 0.0], [0.0, 0.0]),
-        ] {
-            problem.demand.copy_from_slice(&demand);
-            problem.solve();
-            assert_eq!(problem.impulses, wanted);
-        }
-    }
-}
+mod tests;

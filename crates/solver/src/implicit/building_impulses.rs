@@ -4,7 +4,7 @@
 //! that a compliant pair joins to it. Velocities follow impulses by the inverse of the matrix of the step's equations, and
 //! all pairs of a cluster are solved with that.
 
-use crate::impact::dense::Complementarity;
+use crate::impact::dense::{ClosedIn, Complementarity};
 use crate::implicit::clusters::Clusters;
 use crate::implicit::contacts::Contacts;
 use crate::implicit::equation::Slopes;
@@ -23,6 +23,8 @@ pub(crate) struct Joint {
     pairs: Vec<usize>,
     /// What equilibrium leaves open of the velocity of a node \[m/s\].
     uncertain: Vec<f64>,
+    /// Places of its nodes, building by building.
+    places: Vec<usize>,
     problem: Complementarity,
 }
 
@@ -32,24 +34,25 @@ impl Joint {
             members: vec![false; n_pairs],
             pairs: Vec::with_capacity(n_pairs),
             uncertain: vec![0.0; n_nodes],
-            problem: Complementarity::new(n_pairs),
+            places: Vec::with_capacity(n_nodes),
+            problem: Complementarity::new(n_pairs, n_nodes),
         }
     }
 
     /// Finds anew the impulses of every cluster with storeys that has a pair which does not meet the law of impact; true
-    /// when there was such a pair.
+    /// when there was such a pair. Errors with a pair that walls on both sides leave no impulse.
     pub(crate) fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
         contacts: &mut Contacts,
         scratch: &mut Scratch<Column::Memory>,
         slopes: Slopes,
-    ) -> bool {
+    ) -> Result<bool, usize> {
         self.members.fill(false);
         let Some(mut clusters) = scratch.clusters.take() else {
-            return false;
+            return Ok(false);
         };
-        let mut lacked = false;
+        let mut lacked = Ok(false);
         if contacts.closed.contains(&true) {
             let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
             let pairs = row.pairs().iter().enumerate();
@@ -58,7 +61,8 @@ impl Joint {
             for first in 0..clusters.buildings.len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
                 if clusters.gather(row.incidence(), first, joins) && clusters.is_general() {
-                    lacked |= self.settle(row, &mut clusters, (contacts, scratch), slopes);
+                    let settled = self.settle(row, &mut clusters, (contacts, scratch), slopes);
+                    lacked = lacked.and_then(|lacked| Ok(lacked | settled?));
                 }
             }
         }
@@ -73,15 +77,16 @@ impl Joint {
         clusters: &mut Clusters,
         (contacts, scratch): (&mut Contacts, &Scratch<Column::Memory>),
         slopes: Slopes,
-    ) -> bool {
+    ) -> Result<bool, usize> {
         let pairs = clusters.pairs.iter().copied();
         self.pairs.clear();
         self.pairs
             .extend(pairs.filter(|pair| contacts.closed[*pair]));
         if self.pairs.is_empty() {
-            return false;
+            return Ok(false);
         }
         let trials = &scratch.trials;
+        let split = clusters.by_building(&mut self.places);
         let mut joined = clusters.joined(row, |pair| scratch.touching[pair]);
         for (allowed, node) in joined.profile.vector.iter_mut().zip(joined.nodes) {
             *allowed = joined.masses[*node] * trials[*node].allowed_residual();
@@ -99,28 +104,27 @@ impl Joint {
             lacked |= contacts.lacks(index, &row.pairs()[index], scratch, uncertain);
         }
         if !lacked {
-            return false;
+            return Ok(false);
         }
-        self.problem.begin(self.pairs.len());
-        for (by, &index) in self.pairs.iter().enumerate() {
+        self.problem.begin(joined.nodes.len(), split);
+        for &index in &self.pairs {
             let pair = &row.pairs()[index];
             let vector = &mut joined.profile.vector;
             vector.fill(0.0);
-            for (node, impulse) in pair.relation.pushes() {
+            for (node, weight) in pair.relation.pushes() {
                 if !row.nodes()[node].is_wall() {
-                    vector[joined.place[node]] = impulse;
+                    vector[joined.place[node]] = weight;
                 }
             }
-            joined.profile.solve_again();
-            for (other, &index) in self.pairs.iter().enumerate() {
-                let pair = &row.pairs()[index];
-                let velocity = |node: usize| joined.profile.vector[joined.place[node]];
-                let [left, right] = pair.relation.points().map(|point| point.of(velocity));
-                self.problem.set(other, by, right - left);
-            }
+            joined.profile.halve();
+            let column = self
+                .places
+                .iter()
+                .map(|place| joined.profile.vector[*place]);
+            self.problem.push(column.enumerate());
         }
-        self.replace(row, contacts, scratch);
-        true
+        self.replace(row, contacts, scratch)?;
+        Ok(true)
     }
 
     /// Solves for the impulses of the cluster under way.
@@ -129,24 +133,27 @@ impl Joint {
         row: &Row<Column>,
         contacts: &mut Contacts,
         scratch: &Scratch<Column::Memory>,
-    ) {
+    ) -> Result<(), usize> {
+        // Without the impulses found so far, which are to be replaced.
+        let earlier = self.pairs.iter().map(|index| contacts.impulses[*index]);
+        self.problem.apply(earlier);
         for (place, &index) in self.pairs.iter().enumerate() {
             let pair = &row.pairs()[index];
             let rate = contacts.rate(index, pair, &scratch.trials);
-            // Without the impulses found so far, which are to be replaced.
-            let earlier = self.pairs.iter().map(|index| contacts.impulses[*index]);
-            let taken = self.problem.taken(place, earlier);
-            self.problem.demand[place] = rate + contacts.bounce[index] + taken;
+            let demand = rate + contacts.bounce[index] + self.problem.taken(place);
+            self.problem.ask(place, demand, demand.abs());
         }
-        self.problem.solve();
+        let solved = self.problem.solve();
+        solved.map_err(|ClosedIn { contact }| self.pairs[contact])?;
         let halves = contacts.solution >= TRUSTED && contacts.solution.is_multiple_of(2);
-        for (&index, impulse) in self.pairs.iter().zip(&self.problem.impulses) {
+        for (&index, impulse) in self.pairs.iter().zip(self.problem.impulses()) {
             let earlier = contacts.impulses[index];
             contacts.impulses[index] = if halves {
                 0.5 * (earlier + impulse)
             } else {
-                *impulse
+                impulse
             };
         }
+        Ok(())
     }
 }

@@ -194,6 +194,16 @@ impl Clusters {
         !self.is_chain || self.nodes.iter().any(|node| building(node) > 1)
     }
 
+    /// Lists where the nodes of the cluster gathered last come in it, building by building; returns how many the first one has.
+    pub(crate) fn by_building(&self, places: &mut Vec<usize>) -> usize {
+        let building = |place: &usize| self.buildings.of[self.nodes[*place]];
+        places.clear();
+        places.extend(0..self.nodes.len());
+        places.sort_unstable_by_key(|place| (building(place), *place));
+        let first = places.first().map(building);
+        places.partition_point(|place| Some(building(place)) == first)
+    }
+
     /// The cluster gathered last, if no building of it has several storeys: they stand side by side and each touches the next,
     /// so that tall buildings elsewhere in the row do not change their bits.
     pub(crate) fn line(&self) -> Option<Line> {

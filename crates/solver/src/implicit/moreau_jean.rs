@@ -145,26 +145,33 @@ impl Solution {
             if iterations == 0 {
                 self.contacts.approach(row, scratch, ground[0]);
             }
-            if !self.correct(row, scratch, slopes) {
+            let corrected = self.correct(row, scratch, slopes);
+            let closed_in = |index: usize| {
+                let pair = &row.pairs()[index];
+                let [left, right] = [pair.left(), pair.right()];
+                RunError::ClosedIn { left, right, time }
+            };
+            if !corrected.map_err(closed_in)? {
                 return Ok(());
             }
         }
         Err(self.contacts.failure(row, time))
     }
 
-    /// Finds the impulses anew where the last ones do not meet the law of impact; true when there was such a pair.
+    /// Finds the impulses anew where the last ones do not meet the law of impact; true when there was such a pair. Errors with
+    /// a pair that walls on both sides leave no impulse.
     fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
         scratch: &mut Scratch<Column::Memory>,
         slopes: Slopes,
-    ) -> bool {
+    ) -> Result<bool, usize> {
         newton::mobilities(row.nodes(), &scratch.trials, &mut self.contacts.mobilities);
         let mut lacked = false;
         if let Some(joint) = &mut self.joint {
-            lacked = joint.correct(row, &mut self.contacts, scratch, slopes);
+            lacked = joint.correct(row, &mut self.contacts, scratch, slopes)?;
         }
-        lacked | self.correct_lines(row, scratch, slopes)
+        Ok(lacked | self.correct_lines(row, scratch, slopes))
     }
 
     /// The same for clusters of structures of one storey.

@@ -95,16 +95,19 @@ impl Profile {
         self.substitute();
     }
 
-    /// Solves for another right-hand side with the factors.
-    pub(crate) fn solve_again(&mut self) {
+    /// Replaces the right-hand side b by D^(−½) L⁻¹ b with the factors.
+    ///
+    /// The product of two such vectors is that of one right-hand side with the solution for the other. Of a matrix that is not
+    /// positive definite they are not numbers.
+    pub(crate) fn halve(&mut self) {
         for (index, row) in self.rows.iter().enumerate() {
-            let factors = &self.elements[row.start + 1..row.start + row.end - index];
+            let elements = &self.elements[row.start..row.start + row.end - index];
             let (known, unknown) = self.vector.split_at_mut(index + 1);
-            for (unknown, factor) in unknown.iter_mut().zip(factors) {
+            for (unknown, factor) in unknown.iter_mut().zip(&elements[1..]) {
                 *unknown -= factor * known[index];
             }
+            known[index] /= elements[0].sqrt();
         }
-        self.substitute();
     }
 
     /// Finds the unknowns from the last one on.
@@ -151,12 +154,19 @@ mod tests {
             profile.add(row, row, matrix[(row, row)]);
         }
         let right = &matrix * &wanted;
-        for solve in [Profile::solve, Profile::solve_again] {
-            profile.vector.copy_from_slice(right.as_slice());
-            solve(&mut profile);
-            for (found, wanted) in profile.vector.iter().zip(&wanted) {
-                assert!((found - wanted).abs() < 1e-13, "{found} {wanted}");
-            }
+        profile.vector.copy_from_slice(right.as_slice());
+        profile.solve();
+        for (found, wanted) in profile.vector.iter().zip(&wanted) {
+            assert!((found - wanted).abs() < 1e-13, "{found} {wanted}");
         }
+        // Half of the way gives the products of the inverse.
+        let halves = [right.as_slice(), wanted.as_slice()].map(|vector| {
+            profile.vector.copy_from_slice(vector);
+            profile.halve();
+            profile.vector.clone()
+        });
+        let products = halves[0].iter().zip(&halves[1]);
+        let product: f64 = products.map(|(one, other)| one * other).sum();
+        assert!((product - wanted.dot(&wanted)).abs() < 1e-13 * wanted.dot(&wanted));
     }
 }

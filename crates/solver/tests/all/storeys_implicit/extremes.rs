@@ -1,13 +1,14 @@
 //! Stiff contacts, large steps and walls.
 
 use pounding_contact::{ContactLaw, LinearSpring};
-use pounding_solver::{Levels, Node, Row, Storey};
+use pounding_solver::{Excitation, Levels, Node, Row, RunError, Storey};
 
 use super::{DAMPING, SPRING, all, elastic, facing, plastic, run, sampled, smooth, towers};
 use crate::common::{
     AVERAGE, HHT, MOREAU_JEAN, STEREOMECHANICAL, VISCOELASTIC, clock, ground, moreau_jean,
 };
 use crate::towers::{row, uniform};
+use crate::watch::Watch;
 
 /// Newton iterations do not grow with the stiffness of the contact.
 #[test]
@@ -105,4 +106,34 @@ fn extreme_towers_against_a_wall_on_every_level() {
             }
         }
     }
+}
+
+#[test]
+fn issue_walls_that_close_in_on_a_tower_are_named() {
+    // Walls on grounds of their own leave the floors between them nowhere to go. The run said that impulses did not settle, and
+    // advised a smaller time step, which cannot help.
+    let levels = Levels::new(&[2, 2, 2]);
+    let storey = Storey {
+        mass: 1e5,
+        damping: 1e5,
+        ground_damping: 3e4,
+        column: elastic(5e7),
+    };
+    let buildings = (0..6).map(|index| levels.place(index).0);
+    let node = |(index, building)| match building {
+        1 => levels.floor(index, storey),
+        _ => Node::wall(elastic(1.0)),
+    };
+    let nodes = buildings.clone().enumerate().map(node).collect();
+    let faces = levels.facing(0).zip(levels.facing(1));
+    let pairs = faces.flat_map(|(left, right)| [left, right]);
+    let pairs = pairs.filter_map(|(a, b)| facing(0.0, STEREOMECHANICAL)(0, 0, [a, b]));
+    let delays = buildings.map(|building| 0.05 * building as f64);
+    let row = Row::new(nodes, pairs.collect())
+        .and_then(|row| row.delayed(delays.collect()))
+        .expect("a valid row");
+    let ground = ground();
+    let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
+    let ended = MOREAU_JEAN.watch(&row, excitation, clock(0.01, 10.0), &mut ());
+    assert!(matches!(ended, Err(RunError::ClosedIn { .. })), "{ended:?}");
 }
