@@ -338,10 +338,10 @@ impl<Memory: Copy> Scratch<Memory> {
                 continue;
             }
             left.spread(force, |floor, force| {
-                self.bodies[floor].impulses.1 -= half * force
+                self.bodies[floor].impulses.1 -= half * force;
             });
             right.spread(force, |floor, force| {
-                self.bodies[floor].impulses.0 += half * force
+                self.bodies[floor].impulses.0 += half * force;
             });
         }
     }
