@@ -34,9 +34,17 @@ impl<'a> Line<'a> {
         &self.bytes[..self.bytes.len().min(WORDS)]
     }
 
-    /// The [head](Self::head) as text; bytes that are not UTF-8 become replacement characters.
+    /// The [head](Self::head) as text; bytes that are not UTF-8 are letters of Latin-1, such as the `²` of a unit, or replacement
+    /// characters.
     pub(crate) fn text(self) -> Cow<'a, str> {
-        String::from_utf8_lossy(self.head())
+        if let Ok(text) = std::str::from_utf8(self.head()) {
+            return Cow::Borrowed(text);
+        }
+        let letter = |byte: u8| match byte {
+            0x80..0xa0 => char::REPLACEMENT_CHARACTER,
+            byte => char::from(byte),
+        };
+        Cow::Owned(self.head().iter().copied().map(letter).collect())
     }
 
     /// The start of the line, for a message.

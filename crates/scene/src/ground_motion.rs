@@ -222,7 +222,10 @@ impl Origin {
             let tried = Self::of(path, bytes, &taken);
             let before = taken.clone();
             if let Err(Error::Record { source, .. }) = &tried {
-                if matches!(source, ReadError::TimeStepNotStated) {
+                if matches!(
+                    source,
+                    ReadError::TimeStepNotStated | ReadError::UnevenTime { .. }
+                ) {
                     taken.time_step_s = declared.time_step_s;
                 } else if matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. }) {
                     (taken.unit, taken.per_count) = (declared.unit, declared.per_count);
@@ -238,9 +241,30 @@ impl Origin {
                 taken.acceleration = declared.acceleration;
             }
             if taken == before {
+                let tried = tried.map_err(|error| said_by_name(path, error, declared));
                 return tried.map(|origin| (origin, taken));
             }
         }
+    }
+}
+
+/// The error of a file that lacks what nobody declared, unless its name says that it is no acceleration: then no declaration helps.
+fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
+    let lacks = matches!(
+        &error,
+        Error::Record {
+            source: ReadError::TimeStepNotStated
+                | ReadError::UnitNotStated
+                | ReadError::Counts { .. },
+            ..
+        }
+    );
+    let name = shown_name(path);
+    match NamedFile::of(&name).quantity {
+        Some(quantity) if lacks && quantity != Quantity::Acceleration && !declared.acceleration => {
+            Error::NameSaysOtherwise { name, quantity }
+        }
+        _ => error,
     }
 }
 

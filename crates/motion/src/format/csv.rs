@@ -1,7 +1,7 @@
 //! Two-column CSV: a time and an acceleration to a line, comments after `#`.
 
 use super::numbers::Values;
-use super::plain::{cut_by_commas, has_unit, may_be_cut};
+use super::plain::{cut_by_commas, may_be_cut, tells};
 use super::said::Said;
 use super::time_column::TimeColumn;
 use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
@@ -34,10 +34,10 @@ fn recognises(file: &File<'_>) -> bool {
             .next()
             .is_some_and(|word| word.starts_with(b"time_s"));
         let value = fields.next().map(String::from_utf8_lossy);
-        // The header of another program, in a unit that its name tells.
+        // The header of another program, whose name tells the unit, or another quantity.
         let is_other = value
             .as_deref()
-            .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && has_unit(value));
+            .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && tells(value));
         is_time && value.is_some() && fields.next().is_none() && !is_other
     })
 }

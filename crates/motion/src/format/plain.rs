@@ -36,9 +36,9 @@ pub(super) const READER: Reader = Reader {
 
 pub(super) use rows::{cut_by_commas, may_be_cut};
 
-/// Whether the name of a column tells the unit of an acceleration.
-pub(super) fn has_unit(name: &str) -> bool {
-    names::unit_at_end(name).is_some()
+/// Whether the name of a column tells the unit of an acceleration, or that it is another quantity.
+pub(super) fn tells(name: &str) -> bool {
+    names::unit_at_end(name).is_some() || names::other_by_name(name).is_some()
 }
 
 /// The columns of values where there are several; else the one that a title or a name tells.

@@ -119,7 +119,7 @@ fn extreme_nothing_to_read() {
 #[test]
 fn extreme_header_absent_or_unknown() {
     assert_snapshot!(refusal("time_s,acceleration\n0.00,0.1\n0.02,0.2\n"), @r#"line 1 reads "time_s,acceleration", but the header of a CSV must be `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`; put the one that gives the unit above the numbers"#);
-    assert_snapshot!(refusal("time_s,velocity_m_per_s\n0.00,0.1\n"), @r#"line 1 reads "time_s,velocity_m_per_s", but the header of a CSV must be `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`; put the one that gives the unit above the numbers"#);
+    assert_snapshot!(refusal("time_s,velocity_m_per_s\n0.00,0.1\n0.02,0.2\n0.04,-0.1\n"), @r#"line 1 reads "velocity_m_per_s", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use pounding::scene::lines::failed;
 use pounding::scene::{
     Error, Excess, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation,
     Structure, Suite,
@@ -79,11 +80,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else if args.csv {
         csv_of(&scene, &records, lines)
     } else {
-        text(
-            &scene,
-            lines,
-            &suite::records(&records, lines, args.details),
-        )
+        text(&scene, &records, lines, args.details)
     })
 }
 
@@ -105,12 +102,14 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
 }
 
 /// What the widths rest on and should not: motion beyond its model, and floors that face no floor.
-fn warnings(scene: &Scene, lines: &[Line]) -> Vec<String> {
+fn warnings(scene: &Scene, records: &Suite, lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
     let beyond = beyond.filter(|one| one.kind.is_caution());
     let no_level = Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level());
-    beyond.map(|one| one.to_string()).chain(no_level).collect()
+    let missing = records.says_missing(failed(lines).len()).into_iter();
+    let beyond = beyond.map(|one| one.to_string());
+    missing.chain(beyond).chain(no_level).collect()
 }
 
 /// Names of the neighbours of a gap.
@@ -119,17 +118,17 @@ fn names(scene: &Scene, left: usize) -> [&str; 2] {
 }
 
 /// A table per gap, and what of the rules is too narrow.
-fn text(scene: &Scene, lines: &[Line], records: &str) -> String {
+fn text(scene: &Scene, records: &Suite, lines: &[Line], details: bool) -> String {
     let n_gaps = lines.iter().find_map(|line| Some(widths_of(line)?.len()));
     let n_gaps = n_gaps.unwrap_or(0);
     let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
-    let warnings = warnings(scene, lines);
+    let warnings = warnings(scene, records, lines);
     if !warnings.is_empty() {
         parts.push(paragraph("Warnings", &warnings.join("\n")));
     }
     parts.push(paragraph("Scene", &scene.name));
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
-    parts.push(records.into());
+    parts.push(suite::records(records, lines, details));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
     let notes = [Some(NOTES), levels, travels];
@@ -365,7 +364,7 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         "scene": scene,
         "unusual": unusual(lines),
         "records": records.json(),
-        "warnings": warnings(scene, lines),
+        "warnings": warnings(scene, records, lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))

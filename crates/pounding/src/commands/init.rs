@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     /// structures of one storey.
     #[arg(long, value_name = "N,N…", value_delimiter = ',', value_parser = buildings::storeys)]
     storeys: Vec<usize>,
-    /// The gap between neighbours \[m\].
+    /// The gap between neighbours in metres.
     #[arg(long, value_name = "M", default_value_t = 0.02, value_parser = buildings::gap)]
     gap: f64,
     /// Also where the file is there already.

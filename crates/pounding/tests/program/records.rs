@@ -271,3 +271,47 @@ fn issue_directions_that_nothing_tells_are_said() {
     let left_out = json["left_out"].to_string();
     assert!(left_out.contains("A-ELC-1.AT2"), "{left_out}");
 }
+
+/// Of grounds that do not come to rest the least was called the farthest off, and widths stood without a word of records that are missing.
+#[test]
+fn issue_the_worst_of_all_records_is_named() {
+    let folder = suite("worst_drift");
+    for (name, offset) in [("mild.csv", 0.06), ("worst.csv", 2.0)] {
+        let row = |step: usize| {
+            let time = 0.02 * step as f64;
+            format!(
+                "{time:.2},{:.5}\n",
+                2.0 * libm::sin(5.0 * time + offset) + offset
+            )
+        };
+        let rows: String = (0..300).map(row).collect();
+        fs::write(
+            folder.join("records").join(name),
+            format!("time_s,acceleration_m_per_s2\n{rows}"),
+        )
+        .expect("a file");
+    }
+    for command in ["gap", "run"] {
+        let ended = pounding(&folder, &[command, "towers.toml", "--records", "records"]);
+        let said = printed(&ended)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert!(
+            said.contains("farthest off worst.csv: found a ground that"),
+            "{said}"
+        );
+        assert!(!said.contains("missing here"), "{said}");
+    }
+    let cut = suites::at2(", 90");
+    let half = &cut[..cut.len() * 3 / 4];
+    fs::write(folder.join("records").join("cut.AT2"), half).expect("a file");
+    for command in ["gap", "run"] {
+        let ended = pounding(&folder, &[command, "towers.toml", "--records", "records"]);
+        let said = printed(&ended);
+        assert!(
+            said.contains("1 record of the folder is missing here"),
+            "{said}"
+        );
+    }
+}

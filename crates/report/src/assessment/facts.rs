@@ -30,7 +30,7 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "unusual": report.unusual(),
-        "cautions": report.cautions(),
+        "cautions": report.before(),
         "answers": report.answers(),
         "proposals": report.proposals(),
         "neighbour": report.prior_json(),

@@ -42,8 +42,8 @@ pub struct AssessedMotion {
 /// What became of the motions of a folder.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FolderOfMotions {
-    /// Number of files and runs that may be missing: they cannot be read, are refused, or failed.
-    pub n_unusable: usize,
+    /// How many records may be missing, in a sentence: they cannot be read, are refused, or failed.
+    pub missing: Option<String>,
     /// Files, motions and events, counted.
     pub counts: String,
     /// What shakes nothing, for machines.

@@ -9,12 +9,8 @@ impl FolderOfMotions {
     /// What became of the records of a folder, in these runs.
     pub fn of<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> Self {
         let failed = failed(lines);
-        let hidden = suite.left_out.iter();
-        let hidden = hidden
-            .filter(|one| one.reason.kind.hides_a_record())
-            .count();
         Self {
-            n_unusable: hidden + failed.len(),
+            missing: suite.says_missing(failed.len()),
             counts: suite.counts(),
             left_out: suite.left_out_json(),
             remarks: failed.into_iter().chain(suite.remarks(details)).collect(),

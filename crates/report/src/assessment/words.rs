@@ -49,13 +49,7 @@ impl AssessmentReport {
 
     /// Says before the answer how many records of the folder may be missing in it, and what it rests on and should not.
     pub fn before(&self) -> Vec<String> {
-        let n = self.folder.n_unusable;
-        let are = if n == 1 {
-            "record of the folder is"
-        } else {
-            "records of the folder are"
-        };
-        let missing = (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."));
+        let missing = self.folder.missing.clone();
         missing.into_iter().chain(self.cautions()).collect()
     }
 

@@ -252,6 +252,19 @@ impl Suite {
         })
     }
 
+    /// Says how many records of the folder may be missing in an answer, those included of which so many runs failed.
+    pub fn says_missing(&self, n_failed: usize) -> Option<String> {
+        let hidden = self.left_out.iter();
+        let hidden = hidden.filter(|one| one.reason.kind.hides_a_record());
+        let n = hidden.count() + n_failed;
+        let are = if n == 1 {
+            "record of the folder is"
+        } else {
+            "records of the folder are"
+        };
+        (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."))
+    }
+
     /// Says what is left out, what was declared of which file, and what its user should look at; `details` as in
     /// [`Self::said_of_left_out`].
     pub fn remarks(&self, details: bool) -> Vec<String> {

@@ -387,3 +387,32 @@ fn issue_every_seed_of_a_folder_keeps_its_entries() {
         fuzzed::check(&bytes, folder.path());
     }
 }
+
+/// A step to resample to was asked for, and not taken by folders; a `.vel` without a step was told to declare one.
+#[test]
+fn issue_declarations_that_are_asked_for_help() {
+    let row = |step: usize| {
+        format!(
+            "{:.4} {:.6}\n",
+            0.02 * step as f64 + 0.004 * f64::from(step % 3 == 1),
+            value(5.0, step)
+        )
+    };
+    let uneven: String = (0..300).map(row).collect();
+    let folder = Folder::new()
+        .with("uneven.txt", format!("# unit: g\n{uneven}"))
+        .with("quake.csv", motion(5.7))
+        .with("foo.vel", list(6.4));
+    let suite = folder.suite();
+    let reasons = left_out(&suite);
+    assert_eq!(reasons[0], ("foo.vel", ReasonKind::Velocity));
+    assert_eq!(reasons[1].0, "uneven.txt");
+    let declared = FileUse {
+        time_step_s: Some(0.01),
+        ..FileUse::default()
+    };
+    assert_eq!(
+        names(&folder.declared(&declared)),
+        ["quake.csv", "uneven.txt"]
+    );
+}

@@ -72,14 +72,14 @@ fn extreme_scene_name_twice() {
 fn extreme_output_unknown() {
     let mut study = study("table-5");
     study["output"] = json!("momentum_table");
-    assert_snapshot!(refused("output", &study), @"study.json, line 3, column 28: output: found `momentum_table`, allowed are `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `beyond`, `survey`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure`");
+    assert_snapshot!(refused("output", &study), @"study.json, line 3, column 13: output: found `momentum_table`, allowed are `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `beyond`, `survey`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure`");
 }
 
 #[test]
 fn extreme_option_of_output_unknown() {
     let mut study = study("table-2");
     study["output"]["pounding_forces_table"]["offset_s"] = json!(0.02);
-    assert_snapshot!(refused("option", &study), @"study.json, line 6, column 16: output.pounding_forces_table.offset_s: found the field `offset_s`, allowed are `n_collisions`, `label_offset_s`");
+    assert_snapshot!(refused("option", &study), @"study.json, line 6, column 7: output.pounding_forces_table.offset_s: found the field `offset_s`, allowed are `n_collisions`, `label_offset_s`");
 }
 
 #[test]

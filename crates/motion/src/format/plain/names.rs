@@ -43,9 +43,10 @@ impl Name<'_> {
     pub(super) fn is_time(&self) -> bool {
         let name = self.text.to_ascii_lowercase();
         let word = name.split(['_', ' ', '.']).next().unwrap_or_default();
-        matches!(word, "t" | "sec" | "seconds")
-            || name.starts_with("time")
-            || name.ends_with("time")
+        let words = [
+            "t", "sec", "seconds", "zeit", "temps", "tiempo", "tempo", "zaman",
+        ];
+        words.contains(&word) || name.starts_with("time") || name.ends_with("time")
     }
 
     /// Of how many decimals of a second the times are whole numbers, where the name has their unit: 3 for milliseconds.
@@ -80,13 +81,7 @@ impl Name<'_> {
 
     /// Another quantity than an acceleration, by the unit or by the name.
     pub(super) fn other(&self) -> Option<Other> {
-        let name = self.capitals();
-        let by_name = if name.starts_with("VEL") {
-            Some(Other::Velocity)
-        } else {
-            name.starts_with("DIS").then_some(Other::Displacement)
-        };
-        Other::of_unit(&self.unit.to_ascii_lowercase()).or(by_name)
+        Other::of_unit(&self.unit.to_ascii_lowercase()).or_else(|| other_by_name(&self.text))
     }
 
     /// Whether it is a sensor in a borehole: KiK-net numbers it 1, and the one above it at the ground 2.
@@ -137,6 +132,15 @@ pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
         .then_some(unit)
 }
 
+/// Another quantity than an acceleration, by the beginning of the name.
+pub(super) fn other_by_name(name: &str) -> Option<Other> {
+    let name = name.to_ascii_uppercase();
+    let others = [("VEL", Other::Velocity), ("DIS", Other::Displacement)];
+    let mut others = others.into_iter();
+    let (_, other) = others.find(|(start, _)| name.starts_with(start))?;
+    Some(other)
+}
+
 /// What kind of spectrum the columns of these names are.
 pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let (first, values) = names.split_first()?;
@@ -172,7 +176,10 @@ pub(super) fn of_columns<'t>(titles: &[Line<'t>], n_columns: usize) -> Option<Ve
     let above = last.map(|line| named_in(*line, &line.text()));
     let tells = |name: &Name<'_>| {
         let is_history = name.is_time() || name.tells_direction() || name.says_acceleration();
-        is_history || name.acceleration_unit().is_some() || name.is_axis() || name.is_spectral()
+        let is_spectrum = name.is_axis() || name.is_spectral();
+        // A velocity without its unit may be a word of a title.
+        let is_other = !name.unit.is_empty() && name.other().is_some();
+        is_history || is_spectrum || is_other || name.acceleration_unit().is_some()
     };
     let above = above.filter(|names| {
         names.len() == n_columns

@@ -139,3 +139,30 @@ fn issue_decimal_commas_of_four_columns_are_named() {
     // Counts of four channels have no fraction.
     assert!(!refusal("12,34,56,78\n90,12,34,56\n", &IN_G).contains("decimal comma"));
 }
+
+/// A unit in Latin-1, as spreadsheets save it, was not read, and a declaration that contradicts it taken.
+#[test]
+fn issue_units_in_latin_1_are_read() {
+    let text = b"Zeit [s];Beschleunigung [m/s\xb2]\n0,00;0,1\n0,02;-0,25\n0,04;0,05\n";
+    let found = accelerogram(text, &Declared::default());
+    assert_eq!(found.unit(), AccelerationUnit::MetrePerSecondSquared);
+    assert_eq!(found.values(), [0.1, -0.25, 0.05]);
+    assert_snapshot!(refusal(text, &IN_G), @"line 1 says that the values are in m_per_s2, but g is declared as `unit`; leave the declaration away");
+}
+
+/// To put the header of an acceleration above velocities was the advice.
+#[test]
+fn issue_velocities_are_named_as_such() {
+    let rows = "0.00,0.1\n0.02,-0.25\n0.04,0.05\n";
+    for header in [
+        "time_s,velocity_m_per_s",
+        "time_s,velocity (m/s)",
+        "time_s,displacement_m",
+        "Zeit [s],Geschwindigkeit [m/s]",
+        "Temps [s],Weg [mm]",
+    ] {
+        let said = refusal(format!("{header}\n{rows}"), &Declared::default());
+        assert!(!said.contains("put the one"), "{header}: {said}");
+        assert!(said.contains("acceleration"), "{header}: {said}");
+    }
+}

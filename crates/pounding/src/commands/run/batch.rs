@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
+use pounding::scene::lines::failed;
 use pounding::scene::{
     Effects, Error, Errors, Excess, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
     Simulation, Suite,
@@ -160,7 +161,7 @@ fn files(scene: &Scene, records: &Suite, lines: &[Line]) -> BTreeMap<String, Vec
 
 fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
-    let warnings = warnings(lines);
+    let warnings = warnings(records, lines);
     if !warnings.is_empty() {
         parts.push(paragraph("Warnings", &warnings.join("\n")));
     }
@@ -194,10 +195,11 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
 }
 
 /// Responses beyond the model or codes over all runs.
-fn warnings(lines: &[Line]) -> Vec<String> {
+fn warnings(records: &Suite, lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let all = Excess::gathered(found.map(|found| &found.excesses));
-    all.iter().map(ToString::to_string).collect()
+    let missing = records.says_missing(failed(lines).len()).into_iter();
+    missing.chain(all.iter().map(ToString::to_string)).collect()
 }
 
 const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";

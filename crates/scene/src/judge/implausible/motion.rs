@@ -106,7 +106,7 @@ impl Shaking<'_> {
             )
         });
         doubts.unless_far(
-            (drift.is_none(), drift.map_or(1.0, |drift| drift.share)),
+            (drift.is_none(), drift.map_or(1.0, |drift| drift.share / 0.1)),
             RECORD,
             (
                 said,

@@ -193,7 +193,7 @@ pub(super) fn json(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         "scene": scene,
         "unusual": super::unusual(lines),
         "records": records.json(),
-        "warnings": super::warnings(lines),
+        "warnings": super::warnings(records, lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))
