@@ -1,5 +1,7 @@
 //! Where a sensor is: at the ground, in it, or on a structure.
 
+use crate::Unusual;
+
 /// A `Site` is where the sensor of a component is, as its file says.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Site {
@@ -48,6 +50,16 @@ fn is(known: &str, word: &str) -> bool {
 }
 
 impl Site {
+    /// What is unusual of a place that is not the ground.
+    pub(crate) fn off_the_ground(&self) -> Option<Unusual> {
+        match self {
+            Self::Ground => None,
+            Self::Borehole(found) | Self::Structure(found) => Some(Unusual::OffTheGround {
+                found: found.clone(),
+            }),
+        }
+    }
+
     /// Returns where a sensor is by what a header says of its place: `Location: 10TH FLOOR`, `Dam crest`, `Depth 40 m`.
     pub(crate) fn of_location(text: &str) -> Self {
         let capitals = text.to_ascii_uppercase();

@@ -84,6 +84,11 @@ pub enum Unusual {
         /// What the file says.
         found: String,
     },
+    /// A sensor in a borehole or on a structure.
+    OffTheGround {
+        /// What the file says of its place.
+        found: String,
+    },
 }
 
 impl Unusual {
@@ -123,6 +128,23 @@ impl Unusual {
     /// The difference from the peak of the header, if that is much.
     pub(crate) fn of_difference(found: f64) -> Option<Self> {
         (found > USUAL_DIFFERENCE).then_some(Self::HeaderPeak { found })
+    }
+
+    /// Returns how far it is from what is usual, as a ratio: below 1 where something is too small, and 1 where there is no more or less.
+    pub fn ratio(&self) -> f64 {
+        match self {
+            // Over the middle of what is usual.
+            Self::TimeStep { found } => found / 3e-3,
+            Self::Peak { found } | Self::DeclaredUnit { found, .. } => found / 0.25,
+            Self::FirstSample { found, second } => (found / second).abs(),
+            Self::Resampled { lost } => lost / USUAL_LOSS,
+            Self::HeaderPeak { found } => found / USUAL_DIFFERENCE,
+            Self::Zero { .. }
+            | Self::OneSigned { .. }
+            | Self::StepAsSample { .. }
+            | Self::Velocity { .. }
+            | Self::OffTheGround { .. } => 1.0,
+        }
     }
 
     /// Returns what was found, in words.
@@ -180,6 +202,9 @@ impl Unusual {
                     "{found:?} in the file, which speaks for velocities, declared to be accelerations"
                 )
             }
+            Self::OffTheGround { found } => {
+                format!("a sensor that is not at the ground, by its file: {found}")
+            }
         }
     }
 
@@ -200,6 +225,7 @@ impl Unusual {
             Self::Resampled { .. } => "up to 0.1 %; a shorter step keeps more",
             Self::HeaderPeak { .. } => "up to 5 %; the file may be cut, damaged or corrected",
             Self::Velocity { .. } => "the record of an accelerometer, such as channel HNE",
+            Self::OffTheGround { .. } => "the motion of the ground, on which the row stands",
         }
     }
 }

@@ -124,6 +124,7 @@ impl Draft {
             .chain(differs)
             .chain(Unusual::of_resampling(settled.lost))
             .chain(velocity.map(|stated| Unusual::Velocity { found: stated.text }))
+            .chain(component.and_then(|one| one.site.off_the_ground()))
             .collect();
         Ok(Accelerogram {
             format,

@@ -39,25 +39,27 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let wanted = asked.to_lowercase();
     // Words stand there in the singular.
     let singular = wanted.strip_suffix('s').unwrap_or(&wanted);
-    let names = |entry: &&Entry| {
-        let word = entry.word.to_lowercase();
-        word.contains(&wanted) || word.contains(singular)
-    };
-    let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
+    // `pdelta` is P-Δ's other spelling.
     let bare =
         |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
-    let is_alike = |entry: &&Entry| {
-        bare(&entry.word.to_lowercase()).contains(&bare(&wanted)) && !bare(&wanted).is_empty()
+    let bare_word = bare(singular);
+    let names = |entry: &&Entry| {
+        let word = entry.word.to_lowercase();
+        word.contains(&wanted) || (!bare_word.is_empty() && bare(&word).contains(&bare_word))
     };
+    let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
     // The last word is the noun: a `base isolator` is an isolator.
     let noun = wanted.rsplit(' ').next().filter(|noun| noun.len() > 3);
     let is_kind =
         |entry: &&Entry| noun.is_some_and(|noun| entry.word.to_lowercase().contains(noun));
-    let ways: [&dyn Fn(&&Entry) -> bool; 4] = [&names, &is_alike, &mentions, &is_kind];
-    let in_way =
-        |way: &&dyn Fn(&&Entry) -> bool| -> Vec<&Entry> { entries.iter().filter(*way).collect() };
-    let found = ways.iter().map(in_way).find(|found| !found.is_empty());
-    let found = found.unwrap_or_default();
+    let ways: [&dyn Fn(&&Entry) -> bool; 3] = [&names, &mentions, &is_kind];
+    let found = ways
+        .iter()
+        .map(|way| entries.iter().filter(*way).collect::<Vec<_>>());
+    let found = found
+        .into_iter()
+        .find(|found| !found.is_empty())
+        .unwrap_or_default();
     if found.is_empty() {
         return Err(not_known(&asked, &entries));
     }

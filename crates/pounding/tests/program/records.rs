@@ -315,3 +315,52 @@ fn issue_the_worst_of_all_records_is_named() {
         );
     }
 }
+
+/// One kind of doubt stood in two lines, by the peaks of its motions; of a sensor on a roof nothing was said where its file was named.
+#[test]
+fn issue_a_kind_is_one_line_and_a_roof_is_no_ground() {
+    let folder = suite("one_kind");
+    for (name, size) in [("small.csv", 0.3), ("large.csv", 5.0)] {
+        let row = |step: usize| {
+            let time = 0.02 * step as f64;
+            format!("{time:.2},{:.5}\n", size * (1.1 + libm::sin(5.0 * time)))
+        };
+        let rows: String = (0..300).map(row).collect();
+        let text = format!("time_s,acceleration_m_per_s2\n{rows}");
+        fs::write(folder.join("records").join(name), text).expect("a file");
+    }
+    let ended = pounding(&folder, &["gap", "towers.toml", "--records", "records"]);
+    let said = printed(&ended)
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert_eq!(said.matches("that never change sign").count(), 1, "{said}");
+    let header = "Time (s),NS1 (gal),NS2 (gal)\n";
+    let row = |step: usize| {
+        let wave = libm::sin(0.1 * step as f64);
+        format!(
+            "{:.2},{:.3},{:.3}\n",
+            0.02 * step as f64,
+            90.0 * wave,
+            99.0 * wave
+        )
+    };
+    let rows = (0..300).map(row);
+    fs::write(
+        folder.join("records/deep.csv"),
+        header.to_owned() + &rows.collect::<String>(),
+    )
+    .expect("a file");
+    let scene = |component: &str| {
+        let record =
+            format!("record = {{ file = \"records/deep.csv\", component = \"{component}\" }}");
+        let old =
+            "record = { file = \"records/column.txt\", unit = \"cm_per_s2\", time_step_s = 0.02 }";
+        assert!(suites::TOWERS.contains(old));
+        let text = suites::TOWERS.replace(old, &record);
+        fs::write(folder.join("deep.toml"), text).expect("a file");
+        printed(&pounding(&folder, &["run", "deep.toml", "--no-error"])).to_string()
+    };
+    assert!(scene("NS1").contains("a sensor that is not at the ground"));
+    assert!(!scene("NS2").contains("not at the ground"));
+}

@@ -118,6 +118,7 @@ impl Kind<'_> {
         let (is_motion, worst) = (first != self.worst.place, self.worst);
         let place = match (n, is_motion) {
             (1, _) => first.into(),
+            (_, true) if worst.far == 0.0 => format!("{n} motions, the first {first}"),
             (_, true) => format!("{n} motions, the farthest off {first}"),
             (_, false) => format!("{first} and {} more", n - 1),
         };

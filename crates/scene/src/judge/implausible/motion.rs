@@ -78,9 +78,8 @@ impl Shaking<'_> {
             return false;
         };
         let unusual = origin.file.unusual();
-        let peak = self.record.peak().1.abs() / self.scale;
         for one in unusual {
-            doubts.unless_far((false, peak), RECORD, (one.found(), one.usual()));
+            doubts.unless_far((false, one.ratio()), RECORD, (one.found(), one.usual()));
         }
         let is_vertical = origin.file.direction() == Some(Direction::Vertical);
         let component = origin.file.component().unwrap_or_default();
