@@ -173,13 +173,13 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     #[inline(always)]
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self {
-        let buildings = Buildings::of(rows.lane(0));
-        let of_lane = |lane| FloorCoefficients::of(rows.lane(lane), &buildings, time_step);
+        let buildings = rows.lane(0).buildings().clone();
+        let of_lane = |lane| FloorCoefficients::of(rows.lane(lane), time_step);
         let lanes: [_; MOST_LANES] = std::array::from_fn(of_lane);
         let zero = Lanes::splat(simd, 0.0);
         let (mut coefficients, mut ground_damping) = (Vec::new(), Vec::new());
-        let mut places = vec![0; buildings.floors().len()];
-        for (place, node) in buildings.floors().iter().enumerate() {
+        let mut places = vec![0; buildings.all().len()];
+        for (place, node) in buildings.all().iter().enumerate() {
             places[*node] = place;
             let gather = |number: fn(&FloorCoefficients) -> f64| {
                 Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])))
@@ -205,7 +205,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
 
     #[inline(always)]
     fn node(&self, place: usize) -> usize {
-        self.buildings.floors()[place]
+        self.buildings.all()[place]
     }
 
     #[inline(always)]
@@ -263,7 +263,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         lane: usize,
     ) -> Option<f64> {
         let motion = &structures[place].motion;
-        let mut ranges = self.buildings.ranges().iter();
+        let mut ranges = self.buildings.ranges();
         if ranges.any(|range| range.start == place) {
             return motion.peak(lane);
         }

@@ -98,8 +98,8 @@ pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
-    Advice, AllRecorders, Audited, Balance, Extras, Goal, PairOutcome, Recorders, RunResult,
-    Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
+    Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial,
+    Values, holding, in_scene, least_opening,
 };
 pub use spectrum::{
     SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum,

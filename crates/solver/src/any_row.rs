@@ -1,7 +1,7 @@
 //! A row with the leanest columns that it needs.
 
 use crate::{
-    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorder,
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Records,
     Row, RunError, Travel, Work,
 };
 
@@ -57,17 +57,17 @@ impl AnyRow {
         with_row!(self, row => Ledger::new(row, excitation))
     }
 
-    /// Integrates the row; see [`Integrator::run`].
+    /// Integrates the row, in code that is compiled here once; see [`Integrator::run`].
     ///
     /// # Errors
     /// Those of [`Integrator::run`].
-    pub fn run<R: Recorder>(
+    pub fn run(
         &self,
         integrator: &Integrator,
         excitation: Excitation<'_>,
         course: Course,
-        recorder: &mut R,
+        records: &mut Records<'_, '_>,
     ) -> Result<Work, RunError> {
-        with_row!(self, row => integrator.run(row, excitation, course, recorder))
+        with_row!(self, row => integrator.run(row, excitation, course, records))
     }
 }

@@ -44,6 +44,7 @@ mod explicit;
 mod impact;
 mod implicit;
 mod integrator;
+mod march;
 mod model;
 mod quadrature;
 mod record;
@@ -108,8 +109,8 @@ pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
-    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms,
-    TransferredMomentum,
+    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, Records, StructurePeaks,
+    Terms, TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
 pub use work::Work;

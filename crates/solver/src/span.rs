@@ -116,7 +116,7 @@ pub enum Path<'a> {
 ///
 /// With the impulses of the pounding forces it is the step's own balance of momentum: m·Δu̇ equals the sum of the
 /// impulses, less m times the change of the ground's velocity, to rounding. All are 0 unless a recorder
-/// [reads](crate::Recorder::READS_WEIGHED) them.
+/// [reads](crate::Recorder::reads_weighed) them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Weighed {
     /// Impulse of the restoring force, −∫`f_s` dt \[N·s\].
@@ -310,7 +310,7 @@ mod tests {
         };
         let ends = [path(0.5), path(2.5)];
         let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
-        let span = Span::step::<(), _>(0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
+        let span = Span::step(false, 0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
         for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
             let (found, wanted) = (span.at(time), path(time));
             assert!(
@@ -331,7 +331,8 @@ mod tests {
     /// Rounding made a piece of 1e-18 s a thousand times longer, and its ledger with it.
     #[test]
     fn issue_a_span_shorter_than_instants_tell_lasts_as_long_as_its_series() {
-        let mut span = Span::step::<(), 1>(
+        let mut span = Span::step(
+            false,
             0,
             (5.0, 5.0_f64.next_up()),
             [State::default(); 2],
@@ -360,7 +361,8 @@ mod tests {
     fn reference_integrals_over_a_span() {
         // u = 1 + 2x + 3x⁴ with t = 2 + x⁴, so ∫u dt over T = h is h + 8/5 h^(5/4) + 3/2 h².
         let displacement = [1.0, 2.0, 0.0, 0.0, 3.0];
-        let mut span = Span::step::<(), 1>(
+        let mut span = Span::step(
+            false,
             0,
             (2.0, 2.0625),
             [State::default(); 2],
@@ -395,7 +397,7 @@ mod tests {
         };
         let ends = [State::default(), end];
         let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
-        let step = Span::step::<(), _>(0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
+        let step = Span::step(false, 0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
         let [integral] = step.integrate(|_, state| [state.displacement]);
         assert!((integral - 0.25).abs() < 1e-15, "{integral}");
     }

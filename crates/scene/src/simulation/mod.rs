@@ -22,8 +22,7 @@ use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 pub use advice::{Advice, Goal, StepSizes, Trial, holding};
 pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::{PairOutcome, least_opening};
-pub use run::{AllRecorders, Balance, RunResult};
-pub use run::{Audited, Extras, Recorders};
+pub use run::{Audited, Balance, Extras, RunResult};
 pub use values::Values;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.

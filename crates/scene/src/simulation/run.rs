@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
-    LastDisplacements, Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorder, RunError,
+    LastDisplacements, Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Records, RunError,
     Terms, TransferredMomentum, Travel, Work,
 };
 
@@ -78,34 +78,20 @@ impl Extras {
     };
 }
 
-/// Recorders of what is printed of a structure or a pair, with a ledger or `()`.
-pub type Recorders<L> = (Peaks, Collisions, TransferredMomentum, L);
-/// The same with everything else.
-pub type AllRecorders<'a, L> = (
-    Recorders<L>,
-    FloorAccelerations<'a>,
-    LastDisplacements,
-    (Option<Closings>, Option<Histories>),
-);
-
 impl RunResult {
-    /// What recorders have seen of a run, with its ledger.
-    fn of<L>(
-        (usual, accelerations, last, (closings, histories)): AllRecorders<'_, L>,
-        work: Work,
-    ) -> (Self, L) {
-        let (peaks, collisions, momentum, ledger) = usual;
-        let outcome = Self {
-            peaks,
-            collisions,
-            momentum,
-            accelerations: accelerations.into_peaks(),
-            last,
-            closings,
-            histories,
+    /// What records have seen of a run.
+    fn of(records: Records<'_, '_>, work: Work) -> Self {
+        let accelerations = records.accelerations.map(FloorAccelerations::into_peaks);
+        Self {
+            peaks: records.peaks,
+            collisions: records.collisions,
+            momentum: records.momentum,
+            accelerations: accelerations.unwrap_or_default(),
+            last: records.last.unwrap_or_else(|| LastDisplacements::new(0)),
+            closings: records.closings,
+            histories: records.histories,
             work,
-        };
-        (outcome, ledger)
+        }
     }
 }
 
@@ -150,10 +136,12 @@ impl Simulation {
     /// # Errors
     /// [`Error::Run`] when the run ends early.
     pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
-        let ledger = self.ledger().held_to(self.integrator.laws());
-        let (outcome, ledger) = self.watched(asked, ledger)?;
+        let mut ledger = self.ledger().held_to(self.integrator.laws());
+        let mut records = self.records(asked);
+        records.ledger = Some(&mut ledger);
+        let work = self.integrate(&mut records)?;
         Ok(Audited {
-            outcome,
+            outcome: RunResult::of(records, work),
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: Balance {
                 terms: ledger.terms(),
@@ -169,14 +157,9 @@ impl Simulation {
     /// # Errors
     /// [`Error::Run`] when the run ends early.
     pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
-        Ok(self.watched(asked, ())?.0)
-    }
-
-    /// Runs the scene with a ledger or without one.
-    fn watched<L: Recorder>(&self, asked: Extras, ledger: L) -> Result<(RunResult, L), Error> {
-        let mut recorders = self.all_recorders(asked, ledger);
-        let work = self.integrate(&mut recorders)?;
-        Ok(RunResult::of(recorders, work))
+        let mut records = self.records(asked);
+        let work = self.integrate(&mut records)?;
+        Ok(RunResult::of(records, work))
     }
 
     /// Records a run that `run` makes in another way than the scene's method; histories as of [`run`](Self::run).
@@ -186,51 +169,52 @@ impl Simulation {
     pub fn recorded(
         &self,
         interval: Option<f64>,
-        run: impl FnOnce(&mut AllRecorders<'_, ()>) -> Result<Work, RunError>,
+        run: impl FnOnce(&mut Records<'_, '_>) -> Result<Work, RunError>,
     ) -> Result<RunResult, Error> {
-        let asked = Extras {
+        let mut records = self.records(Extras {
             interval,
             ..Extras::default()
-        };
-        let mut recorders = self.all_recorders(asked, ());
-        let work = run(&mut recorders).map_err(|source| self.ended(source))?;
-        Ok(RunResult::of(recorders, work).0)
+        });
+        let work = run(&mut records).map_err(|source| self.ended(source))?;
+        Ok(RunResult::of(records, work))
     }
 
     /// Empty recorders of everything that is asked for.
-    ///
-    /// Whatever is asked for, they are of one type for each ledger: every further one would compile all methods again.
-    fn all_recorders<L>(&self, asked: Extras, ledger: L) -> AllRecorders<'_, L> {
+    fn records<'l>(&self, asked: Extras) -> Records<'l, '_> {
         let n = self.floors.all().len();
         let duration = self.clock.time(self.clock.n_steps);
-        let histories = |interval| Histories::new(n, interval, duration);
-        (
-            self.recorders(ledger),
-            FloorAccelerations::new(n, self.excitation()).travelled(self.travel().as_ref()),
-            LastDisplacements::new(n),
-            (
-                asked.closings.then(|| {
-                    let closings = self.closings();
-                    if asked.reversed_closings {
-                        closings.both_ways()
-                    } else {
-                        closings
-                    }
-                }),
-                asked.interval.map(histories),
-            ),
-        )
+        let closings = || {
+            if asked.reversed_closings {
+                self.closings().both_ways()
+            } else {
+                self.closings()
+            }
+        };
+        let accelerations = FloorAccelerations::new(n, self.excitation());
+        Records {
+            accelerations: Some(accelerations.travelled(self.travel().as_ref())),
+            last: Some(LastDisplacements::new(n)),
+            closings: asked.closings.then(closings),
+            histories: asked
+                .interval
+                .map(|interval| Histories::new(n, interval, duration)),
+            ..self.usual_records()
+        }
     }
 
-    /// Empty recorders of everything but histories.
-    fn recorders<L>(&self, ledger: L) -> Recorders<L> {
+    /// Empty recorders of what is printed of a structure or a pair.
+    fn usual_records<'l>(&self) -> Records<'l, '_> {
         let n = self.floors.all().len();
-        (
-            Peaks::new(n),
-            Collisions::new(n, self.pairs()).travelled(self.travel()),
-            TransferredMomentum::new(n),
-            ledger,
-        )
+        Records {
+            peaks: Peaks::new(n),
+            collisions: Collisions::new(n, self.pairs()).travelled(self.travel()),
+            momentum: TransferredMomentum::new(n),
+            accelerations: None,
+            last: None,
+            closings: None,
+            histories: None,
+            ledger: None,
+        }
     }
 
     /// An empty recorder of how far neighbours come towards each other.
@@ -282,13 +266,16 @@ impl Simulation {
     ///
     /// # Errors
     /// [`RunError`] when the run ends early.
-    pub fn recorded_by(&self, method: Method) -> Result<(Recorders<Ledger<'_>>, Work), RunError> {
+    pub fn recorded_by(&self, method: Method) -> Result<(RunResult, Ledger<'_>), RunError> {
         let integrator = method.integrator();
-        let ledger = self.ledger().held_to(integrator.laws());
-        let mut recorders = self.all_recorders(Extras::default(), ledger);
+        let mut ledger = self.ledger().held_to(integrator.laws());
+        let mut records = Records {
+            ledger: Some(&mut ledger),
+            ..self.usual_records()
+        };
         let clock = method.clock(self.duration());
-        let work = self.run_by(&integrator, clock, &mut recorders)?;
-        Ok((recorders.0, work))
+        let work = self.run_by(&integrator, clock, &mut records)?;
+        Ok((RunResult::of(records, work), ledger))
     }
 
     /// The same with nothing but recorders of what is printed, and nothing kept of them: a run to be timed.
@@ -297,7 +284,7 @@ impl Simulation {
     /// [`RunError`] when the run ends early.
     pub fn timed_by(&self, method: Method) -> Result<Work, RunError> {
         let clock = method.clock(self.duration());
-        self.run_by(&method.integrator(), clock, &mut self.recorders(()))
+        self.run_by(&method.integrator(), clock, &mut self.usual_records())
     }
 
     /// The same by the scene's own method.
@@ -310,23 +297,23 @@ impl Simulation {
     }
 
     /// Runs the scene by any method, whatever its own is.
-    fn run_by<R: Recorder>(
+    fn run_by(
         &self,
         integrator: &Integrator,
         clock: Clock,
-        recorder: &mut R,
+        records: &mut Records<'_, '_>,
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         let course = clock.within(self.budget());
-        self.row.run(integrator, excitation, course, recorder)
+        self.row.run(integrator, excitation, course, records)
     }
 
-    /// Runs the scene with recorders of a type that others use too.
+    /// Runs the scene by its method.
     ///
     /// # Errors
     /// [`Error::Run`] when the run ends early.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, Error> {
-        self.run_by(&self.integrator, self.clock, recorder)
+    fn integrate(&self, records: &mut Records<'_, '_>) -> Result<Work, Error> {
+        self.run_by(&self.integrator, self.clock, records)
             .map_err(|error| self.ended(error))
     }
 

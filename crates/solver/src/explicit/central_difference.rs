@@ -29,6 +29,7 @@ use storeys::Storeys;
 
 use crate::error::require;
 use crate::impact::impacts::Impacts;
+use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
 use crate::span::{Load, Pushes};
@@ -142,7 +143,7 @@ struct Run<'a, Column: RestoringForce> {
     /// Of each the impulse is the excess of a whole step until its span ends.
     pushes: Pushes,
     approaches: Approaches,
-    work: Work,
+    substeps: u32,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -153,38 +154,47 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
     settings.check()?;
+    let begin = |ground: Ground<'_>| Run::new(settings, row, ground, course.clock.time_step);
     let substeps = settings.contact_substeps as usize;
-    let guard = course.begin(row.nodes().len() * substeps);
-    let shaking = row.shaken(excitation, clock);
-    let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
-    // Node n is reached by the step before the last; the last one gives it a velocity.
-    for step in 0..=clock.n_steps {
-        guard.step(step, clock)?;
+    march(row, (excitation, course), (substeps, begin), recorder)
+}
+
+impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {
+    /// Node n is reached by the step before the last; the last one gives it a velocity.
+    const FIRST: usize = 0;
+
+    #[inline]
+    fn step<R: Recorder>(
+        &mut self,
+        _: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let (number, clock, substeps) = (step.number, step.clock, self.substeps);
         let node = Instant {
-            ground: shaking.at(step),
-            time: clock.time(step),
-            next: clock.time(step + 1),
+            ground: step.ground(number),
+            time: clock.time(number),
+            next: clock.time(number + 1),
             fine: false,
         };
-        run.node(node, recorder)?;
-        run.work.steps += 1;
-        let substeps = settings.contact_substeps > 1 && step < clock.n_steps;
-        if substeps && run.refine([node.ground, shaking.at(step + 1)]) {
-            for part in 1..settings.contact_substeps {
-                let fraction = f64::from(part) / f64::from(settings.contact_substeps);
+        self.node(node, work, recorder)?;
+        let refines = substeps > 1 && number < clock.n_steps;
+        if refines && self.refine([node.ground, step.ground(number + 1)]) {
+            for part in 1..substeps {
+                let fraction = f64::from(part) / f64::from(substeps);
                 let between = Instant {
-                    ground: shaking.within(step, fraction),
+                    ground: step.within(number, fraction),
                     time: node.time + fraction * clock.time_step,
                     fine: true,
                     ..node
                 };
-                run.node(between, recorder)?;
+                self.node(between, work, recorder)?;
             }
         }
+        Ok(())
     }
-    Ok(run.work)
 }
 
 /// By how much the displacement at t = 0 is more than that one step before \[m\], from velocity and acceleration there.
@@ -235,17 +245,22 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             jumps: Impacts::new(row),
             pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
-            work: Work::default(),
+            substeps: settings.contact_substeps,
         }
     }
 
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
-    fn node<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
-        let hit = self.touch(node);
+    fn node<R: Recorder>(
+        &mut self,
+        node: Instant<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let hit = self.touch(node, work);
         if self.storeys.is_some() {
-            self.advance_storeys(node, recorder)?;
+            self.advance_storeys(node, work, recorder)?;
         } else {
-            self.advance(node, recorder)?;
+            self.advance(node, work, recorder)?;
         }
         if hit {
             self.jump(node, recorder);
@@ -257,6 +272,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn advance<R: Recorder>(
         &mut self,
         node: Instant<'_>,
+        work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let structures = self.bodies.iter_mut().zip(self.row.nodes());
@@ -297,7 +313,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                     ),
                 ];
                 let weights = (0.5 * constants.time_step, [1.0; 2]);
-                let mut span = Span::step::<R, _>(index, times, ends, weights, loads);
+                let mut span =
+                    Span::step(recorder.reads_weighed(), index, times, ends, weights, loads);
                 span.impulse_from_left -= body.excess.0;
                 span.impulse_from_right -= body.excess.1;
                 let slots = self.row.incidence().slots_at(index);
@@ -308,7 +325,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             body.start = end;
             body.start_time = node.time;
             body.start_ground = ground;
-            self.work.force_evaluations += 1;
+            work.force_evaluations += 1;
         }
         Ok(())
     }

@@ -8,12 +8,11 @@
 //! order. The ground acceleration half way through a step is the record's own.
 
 use crate::impact::impacts::Impacts;
+use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
 use crate::span::{Load, Pushes};
-use crate::{
-    Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
-};
+use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.
 ///
@@ -76,6 +75,7 @@ struct Scratch<Memory> {
     loads: Vec<[Load; 4]>,
     pushes: Pushes,
     approaches: Approaches,
+    impacts: Impacts,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -86,28 +86,27 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
-    let halves = Clock {
-        time_step: 0.5 * clock.time_step,
-        n_steps: 2 * clock.n_steps,
-    };
-    let guard = course.begin(row.nodes().len());
-    let shaking = row.shaken(excitation, halves);
-    let mut scratch = Scratch::new(row, shaking.at(0));
-    let mut impacts = Impacts::new(row);
-    let mut work = Work::default();
-    for step in 1..=clock.n_steps {
-        guard.step(step, clock)?;
-        let ground = [2 * step - 2, 2 * step - 1, 2 * step].map(|half| shaking.at(half));
-        scratch.advance(row, ground, clock.time_step);
-        let instant = (ground[2], clock.time(step));
-        scratch.finish(row, instant.0, clock, step, recorder)?;
-        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
-        impacts.after_step(row, &mut scratch.states, instant, recorder);
-        work.steps += 1;
+    let begin = |ground: Ground<'_>| Scratch::new(row, ground);
+    march(row, (excitation, course), (1, begin), recorder)
+}
+
+impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
+    const PARTS: usize = 2;
+
+    #[inline]
+    fn step<R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        self.advance(row, step.parts(), step.clock.time_step);
+        self.finish(row, step, recorder)?;
+        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder);
         work.force_evaluations += 4 * row.nodes().len() as u64;
+        Ok(())
     }
-    Ok(work)
 }
 
 impl<Memory: Copy> Scratch<Memory> {
@@ -120,6 +119,7 @@ impl<Memory: Copy> Scratch<Memory> {
             loads: vec![[nothing; 4]; states.len()],
             pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
+            impacts: Impacts::new(row),
             states,
             memories,
         }
@@ -184,13 +184,11 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        ground: Ground<'_>,
-        clock: Clock,
-        step: usize,
+        step: Step<'_>,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        let times = (clock.time(step - 1), clock.time(step));
-        let sixth = clock.time_step / 6.0;
+        let (times, [_, _, ground]) = (step.times(), step.parts());
+        let sixth = step.clock.time_step / 6.0;
         let bodies = self.stages.iter_mut().zip(&self.states);
         for ((end, start), slopes) in bodies.zip(&self.slopes) {
             end.displacement = start.displacement + sixth * slopes.0;
@@ -202,11 +200,7 @@ impl<Memory: Copy> Scratch<Memory> {
             .forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {
             if !self.stages[structure].displacement.is_finite() {
-                return Err(RunError::Diverged {
-                    structure,
-                    time: times.1,
-                    time_step: clock.time_step,
-                });
+                return Err(step.diverged(structure));
             }
             let drift = row.drift(structure, &self.stages);
             let response = node.column.respond(drift, self.memories[structure]);
@@ -220,7 +214,14 @@ impl<Memory: Copy> Scratch<Memory> {
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
             let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
-            let span = Span::step::<R, _>(structure, times, [*start, *end], weights, loads);
+            let span = Span::step(
+                recorder.reads_weighed(),
+                structure,
+                times,
+                [*start, *end],
+                weights,
+                loads,
+            );
             let slots = row.incidence().slots_at(structure);
             recorder.span(&Span {
                 pushes: self.pushes.of(slots),

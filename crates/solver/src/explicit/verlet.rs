@@ -22,8 +22,9 @@ use formulas::{Closing, Length};
 use storeys::Storeys;
 
 use crate::impact::impacts::{Impacts, impulsive};
+use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
-use crate::model::ground::{Ground, Shaking};
+use crate::model::ground::Ground;
 use crate::span::{Load, Pushes};
 use crate::{
     Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
@@ -61,32 +62,9 @@ struct Body<Memory> {
     impulses: (f64, f64),
 }
 
-/// One time step.
-#[derive(Clone, Copy)]
-struct Step<'a> {
-    shaking: &'a Shaking<'a>,
-    /// Its number, from 1 on.
-    number: usize,
-    /// Times of both ends \[s\].
-    times: (f64, f64),
-    duration: f64,
-}
-
-impl<'a> Step<'a> {
-    /// Ground and time at an instant counted from the start of the step.
-    fn at(&self, instant: f64) -> (Ground<'a>, f64) {
-        if instant < self.duration {
-            let part = instant / self.duration;
-            let ground = self.shaking.within(self.number - 1, part);
-            (ground, self.times.0 + instant)
-        } else {
-            (self.shaking.at(self.number), self.times.1)
-        }
-    }
-}
-
-/// Scratch of a run.
+/// A run: its state and everything it needs, allocated once.
 struct Scratch<Memory> {
+    when: VerletImpacts,
     bodies: Vec<Body<Memory>>,
     /// Last states, after impacts.
     states: Vec<State>,
@@ -110,45 +88,44 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
-    let guard = course.begin(row.nodes().len());
-    let shaking = row.shaken(excitation, clock);
-    let mut scratch = begin(row, shaking.at(0));
-    let mut work = Work::default();
-    for number in 1..=clock.n_steps {
-        guard.step(number, clock)?;
-        let step = Step {
-            shaking: &shaking,
-            number,
-            times: (clock.time(number - 1), clock.time(number)),
-            duration: clock.time_step,
-        };
-        if settings.impacts == VerletImpacts::Located {
-            scratch.locate(row, step, &mut work, recorder)?;
-        }
-        for body in &mut scratch.bodies {
-            body.due = true;
-        }
-        scratch.predict(step.duration);
-        scratch.finish(row, step, step.duration, &mut work, recorder)?;
-        for body in &mut scratch.bodies {
-            body.since = 0.0;
-        }
-        let instant = step.at(step.duration);
-        scratch
-            .approaches
-            .forget_parted(row.pairs(), &scratch.states, instant.0);
-        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
-        let Scratch {
-            impacts, states, ..
-        } = &mut scratch;
-        impacts.after_step(row, states, instant, recorder);
-        work.steps += 1;
-    }
-    Ok(work)
+    let begin = |ground: Ground<'_>| begin(settings, row, ground);
+    march(row, (excitation, course), (1, begin), recorder)
 }
 
-fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scratch<Column::Memory> {
+impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
+    #[inline]
+    fn step<R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let duration = step.clock.time_step;
+        if self.when == VerletImpacts::Located {
+            self.locate(row, step, work, recorder)?;
+        }
+        for body in &mut self.bodies {
+            body.due = true;
+        }
+        self.predict(duration);
+        self.finish(row, step, duration, work, recorder)?;
+        for body in &mut self.bodies {
+            body.since = 0.0;
+        }
+        let ground = step.ground(step.number);
+        self.approaches
+            .forget_parted(row.pairs(), &self.states, ground);
+        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder);
+        Ok(())
+    }
+}
+
+fn begin<Column: RestoringForce>(
+    settings: Verlet,
+    row: &Row<Column>,
+    ground: Ground<'_>,
+) -> Scratch<Column::Memory> {
     let (states, memories) = row.initial(ground);
     let body = |memory| Body {
         memory,
@@ -157,6 +134,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scrat
         impulses: (0.0, 0.0),
     };
     Scratch {
+        when: settings.impacts,
         bodies: memories.into_iter().map(body).collect(),
         ends: states.clone(),
         states,
@@ -256,8 +234,8 @@ impl<Memory: Copy> Scratch<Memory> {
                     }
                 }
             }
-            if let Some(storeys) = &self.storeys {
-                grown |= storeys.gather(&mut self.bodies);
+            if self.storeys.is_some() {
+                grown |= storeys::gather(row.buildings(), &mut self.bodies);
             }
         }
     }
@@ -289,11 +267,7 @@ impl<Memory: Copy> Scratch<Memory> {
             }
             let (start, end) = (&self.states[structure], &mut self.ends[structure]);
             if !end.displacement.is_finite() {
-                return Err(RunError::Diverged {
-                    structure,
-                    time: step.times.1,
-                    time_step: step.duration,
-                });
+                return Err(step.diverged(structure));
             }
             let h = instant - body.since;
             let ground = ground.under(structure);
@@ -312,7 +286,14 @@ impl<Memory: Copy> Scratch<Memory> {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
                 pushes: self.pushes.of(slots.clone()),
-                ..Span::step::<R, _>(structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
+                ..Span::step(
+                    recorder.reads_weighed(),
+                    structure,
+                    times,
+                    ends,
+                    (0.5 * h, [1.0, 1.0]),
+                    loads,
+                )
             });
             self.pushes.go_on(slots);
             self.states[structure] = *end;
@@ -360,7 +341,7 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
     let bends = |floor: usize| 0.5 * states[floor].acceleration;
     let (mut gap, mut rate) = (pair.gap() - ahead, pair.relation.ahead(faster));
     let mut curvature = pair.relation.ahead(bends);
-    if let Shaking::Delayed(_) = step.shaking {
+    if !step.is_common() {
         let ground = step.at(since).0;
         let opening = ground.opening(pair);
         gap -= opening.displacement;
@@ -373,7 +354,7 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
         curvature,
     };
     let root = closing.instant();
-    if gap >= 0.0 && since + root < step.duration {
+    if gap >= 0.0 && since + root < step.clock.time_step {
         since + root
     } else {
         f64::INFINITY

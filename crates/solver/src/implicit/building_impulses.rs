@@ -57,10 +57,13 @@ impl Joint {
             let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
             let pairs = row.pairs().iter().enumerate();
             let pairs = pairs.filter(|(index, _)| joins(*index));
-            clusters.join(pairs.map(|(_, pair)| (pair.left(), pair.right())));
-            for first in 0..clusters.buildings.len() {
+            clusters.join(
+                row.buildings(),
+                pairs.map(|(_, pair)| (pair.left(), pair.right())),
+            );
+            for first in 0..row.buildings().len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
-                if clusters.gather(row.incidence(), first, joins) && clusters.is_general() {
+                if clusters.gather(row, first, joins) && clusters.is_general() {
                     let settled = self.settle(row, &mut clusters, (contacts, scratch), slopes);
                     lacked = lacked.and_then(|lacked| Ok(lacked | settled?));
                 }
@@ -86,7 +89,7 @@ impl Joint {
             return Ok(false);
         }
         let trials = &scratch.trials;
-        let split = clusters.by_building(&mut self.places);
+        let split = clusters.by_building(row.buildings(), &mut self.places);
         let mut joined = clusters.joined(row, |pair| scratch.touching[pair]);
         for (allowed, node) in joined.profile.vector.iter_mut().zip(joined.nodes) {
             *allowed = joined.masses[*node] * trials[*node].allowed_residual();

@@ -1,66 +1,13 @@
 //! Which buildings move together: those that pairs join.
 
 use crate::implicit::cluster::{Joined, Line, couples};
-use crate::model::incidence::{Incidence, Incident};
+use crate::model::buildings::Buildings;
+use crate::model::incidence::Incident;
 use crate::model::profile::Profile;
 use crate::{Node, RestoringForce, Row};
 
-/// The buildings of a row: the floors of one stand on each other.
-pub(crate) struct Buildings {
-    /// Of every node its building.
-    of: Vec<usize>,
-    /// Floors, building by building, each from the ground up.
-    floors: Vec<usize>,
-    /// Where the floors of each building start, and where the last ones end.
-    starts: Vec<usize>,
-}
-
-impl Buildings {
-    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
-        let n = row.nodes().len();
-        let mut buildings = Self {
-            of: vec![0; n],
-            floors: Vec::with_capacity(n),
-            starts: vec![0],
-        };
-        let grounded = |node: &usize| row.nodes()[*node].support.below().is_none();
-        for ground_floor in (0..n).filter(grounded) {
-            let mut floor = Some(ground_floor);
-            while let Some(node) = floor {
-                buildings.of[node] = buildings.starts.len() - 1;
-                buildings.floors.push(node);
-                floor = row.above(node);
-            }
-            buildings.starts.push(buildings.floors.len());
-        }
-        buildings
-    }
-
-    /// Number of buildings.
-    pub(crate) fn len(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    /// Nodes of a building from the ground up.
-    pub(crate) fn floors(&self, building: usize) -> &[usize] {
-        &self.floors[self.starts[building]..self.starts[building + 1]]
-    }
-
-    /// Number of floors of a building.
-    fn height(&self, building: usize) -> usize {
-        self.starts[building + 1] - self.starts[building]
-    }
-
-    /// Number of floors of the tallest building.
-    pub(crate) fn tallest(&self) -> usize {
-        let heights = (0..self.len()).map(|building| self.height(building));
-        heights.max().unwrap_or(0)
-    }
-}
-
 /// Buildings that pairs join, found anew whenever other pairs join; scratch of a run.
 pub(crate) struct Clusters {
-    pub(crate) buildings: Buildings,
     /// Of every building one that comes no later and is joined to it; itself for the first of a cluster.
     earlier: Vec<usize>,
     /// Of the first building of a cluster the last one.
@@ -81,6 +28,8 @@ pub(crate) struct Clusters {
     masses: Vec<f64>,
     /// Whether the pairs of the row are a chain.
     is_chain: bool,
+    /// Whether the cluster gathered last has a building of several storeys.
+    has_storeys: bool,
     /// Its matrix.
     profile: Profile,
 }
@@ -89,11 +38,10 @@ impl Clusters {
     /// Of a row with buildings of several storeys, or whose pairs are no chain; nothing for other rows, whose clusters are
     /// [lines](Line).
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let has_storeys = (0..row.nodes().len()).any(|node| row.above(node).is_some());
-        if !has_storeys && row.is_chain() {
+        let buildings = row.buildings();
+        if buildings.are_single() && row.is_chain() {
             return None;
         }
-        let buildings = Buildings::new(row);
         let mass = |node: &Node<Column>| {
             if node.is_wall() {
                 1.0
@@ -102,7 +50,8 @@ impl Clusters {
             }
         };
         let (n, n_buildings) = (row.nodes().len(), buildings.len());
-        let width = buildings.tallest().min(n_buildings);
+        let tallest = buildings.each().map(<[usize]>::len).max();
+        let width = tallest.unwrap_or(0).min(n_buildings);
         Some(Self {
             earlier: vec![0; n_buildings],
             last: vec![0; n_buildings],
@@ -114,19 +63,23 @@ impl Clusters {
             place: vec![0; n],
             masses: row.nodes().iter().map(mass).collect(),
             is_chain: row.is_chain(),
+            has_storeys: false,
             profile: Profile::with_capacity(n, n * (width + 1)),
-            buildings,
         })
     }
 
     /// Joins buildings by pairs of nodes.
-    pub(crate) fn join(&mut self, pairs: impl Iterator<Item = (usize, usize)>) {
+    pub(crate) fn join(
+        &mut self,
+        buildings: &Buildings,
+        pairs: impl Iterator<Item = (usize, usize)>,
+    ) {
         for (building, earlier) in self.earlier.iter_mut().enumerate() {
             *earlier = building;
         }
         self.joined.fill(false);
         for (left, right) in pairs {
-            let [left, right] = [left, right].map(|node| self.buildings.of[node]);
+            let [left, right] = [left, right].map(|node| buildings.of(node));
             self.joined[left] = true;
             self.joined[right] = true;
             let [left, right] = [self.first(left), self.first(right)];
@@ -154,9 +107,9 @@ impl Clusters {
     }
 
     /// Gathers the cluster that begins with a building; true if there is one, of more than a building alone.
-    pub(crate) fn gather(
+    pub(crate) fn gather<Column: RestoringForce>(
         &mut self,
-        incidence: &Incidence,
+        row: &Row<Column>,
         first: usize,
         is_taken: impl Fn(usize) -> bool,
     ) -> bool {
@@ -167,11 +120,13 @@ impl Clusters {
         let (mut n_buildings, mut tallest) = (0, 0);
         let mut building = Some(first);
         while let Some(index) = building {
-            self.nodes.extend_from_slice(self.buildings.floors(index));
+            let floors = row.buildings().floors(index);
+            self.nodes.extend_from_slice(floors);
             n_buildings += 1;
-            tallest = tallest.max(self.buildings.height(index));
+            tallest = tallest.max(floors.len());
             building = self.next[index];
         }
+        self.has_storeys = tallest > 1;
         // The matrix is as narrow as there are buildings, level by level, or storeys, building by building.
         if n_buildings <= tallest {
             self.nodes.sort_unstable();
@@ -179,7 +134,7 @@ impl Clusters {
         self.pairs.clear();
         for &node in &self.nodes {
             // Of the floors that carry the left point of a pair, the first to come takes it.
-            for Incident { pair, .. } in incidence.at(node).iter().filter(|at| at.on_left) {
+            for Incident { pair, .. } in row.incidence().at(node).iter().filter(|at| at.on_left) {
                 if is_taken(*pair) && !self.pairs.contains(pair) {
                     self.pairs.push(*pair);
                 }
@@ -190,13 +145,12 @@ impl Clusters {
 
     /// Whether the cluster gathered last is more than a [`Line`]: it has a building of several storeys, or may branch.
     pub(crate) fn is_general(&self) -> bool {
-        let building = |node: &usize| self.buildings.height(self.buildings.of[*node]);
-        !self.is_chain || self.nodes.iter().any(|node| building(node) > 1)
+        !self.is_chain || self.has_storeys
     }
 
     /// Lists where the nodes of the cluster gathered last come in it, building by building; returns how many the first one has.
-    pub(crate) fn by_building(&self, places: &mut Vec<usize>) -> usize {
-        let building = |place: &usize| self.buildings.of[self.nodes[*place]];
+    pub(crate) fn by_building(&self, buildings: &Buildings, places: &mut Vec<usize>) -> usize {
+        let building = |place: &usize| buildings.of(self.nodes[*place]);
         places.clear();
         places.extend(0..self.nodes.len());
         places.sort_unstable_by_key(|place| (building(place), *place));

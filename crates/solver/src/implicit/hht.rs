@@ -10,9 +10,7 @@
 //! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
 
 use crate::error::require;
-use crate::implicit::equation::Slopes;
-use crate::implicit::newmark::{arrive, balance, begin, commit, load};
-use crate::span::Load;
+use crate::implicit::newmark::Family;
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
 /// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
@@ -40,65 +38,12 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     settings.check()?;
-    let (clock, alpha) = (course.clock, settings.alpha);
-    let (dt, gamma) = (clock.time_step, 0.5 - alpha);
-    let beta = 0.25 * (1.0 - alpha) * (1.0 - alpha);
-    let guard = course.begin(row.nodes().len());
-    let shaking = row.shaken(excitation, clock);
-    // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
-    let slopes = Slopes {
-        displacement: beta * dt * dt,
-        velocity: gamma * dt,
-        inertia: 1.0 / (1.0 + alpha),
-        time_step: dt,
+    let alpha = settings.alpha;
+    let family = Family {
+        beta: 0.25 * (1.0 - alpha) * (1.0 - alpha),
+        gamma: 0.5 - alpha,
+        alpha,
+        in_equilibrium: false,
     };
-    let mut scratch = begin(row, shaking.at(0));
-    // What acted a step ago: the acceleration carries it.
-    let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
-    let mut work = Work::default();
-    for step in 1..=clock.n_steps {
-        guard.step(step, clock)?;
-        let at_ends = [step - 1, step].map(|node| shaking.at(node));
-        let states = &scratch.states;
-        for ((node, state), trial) in states.iter().enumerate().zip(&mut scratch.trials) {
-            trial.predicted = (
-                state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
-                state.velocity + dt * (1.0 - gamma) * state.acceleration,
-            );
-            trial.carried =
-                alpha * slopes.inertia * row.acceleration(node, states, at_ends[0].under(node));
-        }
-        let time = clock.time(step);
-        balance(row, &mut scratch, slopes, at_ends, time, &mut work)?;
-        arrive(&mut scratch, clock, step)?;
-        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
-            let load = |at: usize| load::<_, R>(row, node, ends[at], at_ends[at].under(node));
-            let (start, end) = (load(0), load(1));
-            // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
-            let before = earlier[node].replace(start);
-            let carried = if before.is_some() { -alpha } else { 0.0 };
-            let weights = [
-                (1.0 - gamma) * carried,
-                (1.0 - gamma) * (1.0 - carried) - gamma * alpha,
-                gamma * (1.0 + alpha),
-            ];
-            ((dt, weights), [before.unwrap_or(start), start, end])
-        });
-        work.touching_steps += row.n_overlaps(&scratch.states, at_ends[1]);
-        let (states, instant) = (&mut scratch.states, (at_ends[1], time));
-        if scratch.impacts.after_step(row, states, instant, recorder) {
-            let trials = &scratch.trials;
-            for (index, (trial, earlier)) in trials.iter().zip(&mut earlier).enumerate() {
-                let jump = |node: usize| states[node].velocity - trials[node].velocity;
-                let change = row.damping_at(index, jump);
-                let inverse_mass = row.nodes()[index].inverse_mass;
-                states[index].acceleration = trial.acceleration - inverse_mass * change;
-                if let Some(earlier) = earlier {
-                    earlier.damping += change;
-                }
-            }
-        }
-        work.steps += 1;
-    }
-    Ok(work)
+    family.run(row, (excitation, course), recorder)
 }

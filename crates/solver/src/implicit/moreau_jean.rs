@@ -26,6 +26,7 @@ use crate::implicit::contacts::Contacts;
 use crate::implicit::equation::Slopes;
 use crate::implicit::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
 use crate::implicit::newton::{self};
+use crate::march::{Step, Stepping, march};
 use crate::model::ground::Ground;
 use crate::{Course, Excitation, Pair, Recorder, RestoringForce, Row, RunError, Work};
 
@@ -66,51 +67,78 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
     settings.check()?;
-    let (dt, theta) = (clock.time_step, settings.theta);
-    let guard = course.begin(row.nodes().len());
-    let shaking = row.shaken(excitation, clock);
-    let slopes = Slopes {
-        displacement: theta * theta * dt * dt,
-        velocity: theta * dt,
-        inertia: 1.0,
-        time_step: dt,
+    let (dt, theta) = (course.clock.time_step, settings.theta);
+    let begin = |ground: Ground<'_>| {
+        let scratch = begin(row, ground);
+        let size = (row.nodes().len(), row.pairs().len());
+        Run {
+            theta,
+            slopes: Slopes {
+                displacement: theta * theta * dt * dt,
+                velocity: theta * dt,
+                inertia: 1.0,
+                time_step: dt,
+            },
+            solution: Solution::new(size, scratch.clusters.is_some()),
+            scratch,
+        }
     };
-    let mut scratch = begin(row, shaking.at(0));
-    let size = (row.nodes().len(), row.pairs().len());
-    let mut solution = Solution::new(size, scratch.clusters.is_some());
-    let mut work = Work::default();
-    for step in 1..=clock.n_steps {
-        guard.step(step, clock)?;
-        let at_ends = [step - 1, step].map(|node| shaking.at(node));
-        let instant = (at_ends[1], clock.time(step));
-        solution.solve(row, &mut scratch, (slopes, (at_ends, instant.1)), &mut work)?;
-        let contacts = &solution.contacts;
-        arrive(&mut scratch, clock, step)?;
+    march(row, (excitation, course), (1, begin), recorder)
+}
+
+/// A run: its state and everything it needs, allocated once.
+struct Run<Memory> {
+    theta: f64,
+    slopes: Slopes,
+    solution: Solution,
+    scratch: Scratch<Memory>,
+}
+
+impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
+    #[inline]
+    fn step<R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let (dt, theta, at_ends) = (step.clock.time_step, self.theta, step.ends());
+        let (scratch, reads_weighed) = (&mut self.scratch, recorder.reads_weighed());
+        self.solution
+            .solve(row, scratch, (self.slopes, &step), work)?;
+        let contacts = &self.solution.contacts;
+        arrive(scratch, &step)?;
         let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
         if hit {
             contacts.release(row, &mut scratch.ends, at_ends[1]);
         }
-        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
+        commit(row, scratch, &step, recorder, |node, ends| {
             // The smooth forces at the end are those of the velocities after the impulses.
             let after = |node: usize| {
                 ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
-            let start = load::<_, R>(row, node, ends[0], at_ends[0].under(node));
-            let end = load_at::<_, R>(row, node, ends[1], at_ends[1].under(node), after);
+            let start = load(reads_weighed, row, node, ends[0], at_ends[0].under(node));
+            let end = load_at(
+                reads_weighed,
+                row,
+                node,
+                ends[1],
+                at_ends[1].under(node),
+                after,
+            );
             ((dt, [1.0 - theta, theta]), [start, end])
         });
-        work.touching_steps += contacts.n_touching(row, &scratch, at_ends[1]);
+        work.touching_steps += contacts.n_touching(row, scratch, at_ends[1]);
         if hit {
             let Scratch {
                 states, impacts, ..
-            } = &mut scratch;
-            impacts.impose(row, states, &contacts.impulses, instant, recorder);
+            } = scratch;
+            impacts.impose(row, states, &contacts.impulses, step.end(), recorder);
         }
-        work.steps += 1;
+        Ok(())
     }
-    Ok(work)
 }
 
 impl Solution {
@@ -130,9 +158,10 @@ impl Solution {
         &mut self,
         row: &Row<Column>,
         scratch: &mut Scratch<Column::Memory>,
-        (slopes, (ground, time)): (Slopes, ([Ground<'_>; 2], f64)),
+        (slopes, step): (Slopes, &Step<'_>),
         work: &mut Work,
     ) -> Result<(), RunError> {
+        let (ground, time) = (step.ends(), step.end().1);
         self.contacts
             .choose(row, scratch, slopes.time_step, ground[0]);
         for (rate, pair) in self.contacts.opening_rates.iter_mut().zip(row.pairs()) {
@@ -141,7 +170,7 @@ impl Solution {
         for iterations in 0..=MAX_ITERATIONS {
             self.contacts.solution = iterations;
             self.contacts.predict(row, scratch, slopes);
-            balance(row, scratch, slopes, ground, time, work)?;
+            balance(row, scratch, slopes, step, work)?;
             if iterations == 0 {
                 self.contacts.approach(row, scratch, ground[0]);
             }

@@ -10,12 +10,11 @@ use crate::implicit::clusters::Clusters;
 use crate::implicit::equation::{Cluster, Failure, Slopes};
 use crate::implicit::newton::{self};
 use crate::implicit::trial::{PairTrial, TOLERANCE, Trial};
+use crate::march::{Step, Stepping, march};
 use crate::model::approach::speed;
 use crate::model::ground::Ground;
 use crate::span::{Load, Pushes};
-use crate::{
-    Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
-};
+use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
 ///
@@ -74,6 +73,26 @@ pub(crate) struct Scratch<Memory> {
     pub(crate) impacts: Impacts,
 }
 
+/// The methods whose steps follow Newmark's formulas, by their coefficients.
+#[derive(Clone, Copy)]
+pub(crate) struct Family {
+    pub(crate) beta: f64,
+    pub(crate) gamma: f64,
+    /// Part of the forces that the equation takes from the start of the step, ≤ 0.
+    pub(crate) alpha: f64,
+    /// Whether accelerations are in equilibrium at a node, also after a jump.
+    pub(crate) in_equilibrium: bool,
+}
+
+/// A run of one of them.
+pub(crate) struct Run<Memory> {
+    family: Family,
+    slopes: Slopes,
+    scratch: Scratch<Memory>,
+    /// What acted a step ago: the acceleration carries it.
+    earlier: Vec<Option<Load>>,
+}
+
 /// Integrates a row; the shared signature of all methods.
 ///
 /// Each building finds its equilibrium alone; those that then overlap do it again together. A cluster grows while it
@@ -86,47 +105,124 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
     settings.check()?;
-    let dt = clock.time_step;
-    let guard = course.begin(row.nodes().len());
-    let shaking = row.shaken(excitation, clock);
-    let slopes = Slopes {
-        displacement: settings.beta * dt * dt,
-        velocity: settings.gamma * dt,
-        inertia: 1.0,
-        time_step: dt,
+    let family = Family {
+        beta: settings.beta,
+        gamma: settings.gamma,
+        alpha: 0.0,
+        in_equilibrium: true,
     };
-    let mut scratch = begin(row, shaking.at(0));
-    let mut work = Work::default();
-    // The trapezoidal rule where γ = 1/2.
-    let weights = (0.5 * dt, [2.0 - 2.0 * settings.gamma, 2.0 * settings.gamma]);
-    for step in 1..=clock.n_steps {
-        guard.step(step, clock)?;
-        let at_ends = [step - 1, step].map(|node| shaking.at(node));
-        for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
-            trial.predicted = (
-                state.displacement
-                    + dt * (state.velocity + dt * (0.5 - settings.beta) * state.acceleration),
-                state.velocity + dt * (1.0 - settings.gamma) * state.acceleration,
-            );
-        }
-        let time = clock.time(step);
-        balance(row, &mut scratch, slopes, at_ends, time, &mut work)?;
-        arrive(&mut scratch, clock, step)?;
-        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
-            let load =
-                |index: usize| load::<_, R>(row, node, ends[index], at_ends[index].under(node));
-            (weights, [load(0), load(1)])
-        });
-        work.touching_steps += row.n_overlaps(&scratch.states, at_ends[1]);
-        let instant = (at_ends[1], time);
-        scratch
-            .impacts
-            .after_step(row, &mut scratch.states, instant, recorder);
-        work.steps += 1;
+    family.run(row, (excitation, course), recorder)
+}
+
+impl Family {
+    /// Integrates a row.
+    pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+        self,
+        row: &Row<Column>,
+        (excitation, course): (Excitation<'_>, Course),
+        recorder: &mut R,
+    ) -> Result<Work, RunError> {
+        let dt = course.clock.time_step;
+        let begin = |ground: Ground<'_>| Run {
+            family: self,
+            // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
+            slopes: Slopes {
+                displacement: self.beta * dt * dt,
+                velocity: self.gamma * dt,
+                inertia: 1.0 / (1.0 + self.alpha),
+                time_step: dt,
+            },
+            scratch: begin(row, ground),
+            earlier: vec![None; row.nodes().len()],
+        };
+        march(row, (excitation, course), (1, begin), recorder)
     }
-    Ok(work)
+
+    /// Weights of the loads a step before, at the start and at the end of a step; m ü at the start is (1+α) times its own load
+    /// less α times the one before, at t = 0 its own.
+    fn weights(&self, is_first: bool) -> [f64; 3] {
+        let Self { gamma, alpha, .. } = self;
+        let carried = if is_first { 0.0 } else { -alpha };
+        [
+            (1.0 - gamma) * carried,
+            (1.0 - gamma) * (1.0 - carried) - gamma * alpha,
+            gamma * (1.0 + alpha),
+        ]
+    }
+}
+
+impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
+    #[inline]
+    fn step<R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let (dt, at_ends) = (step.clock.time_step, step.ends());
+        let family = self.family;
+        self.predict(row, dt, at_ends[0]);
+        let scratch = &mut self.scratch;
+        balance(row, scratch, self.slopes, &step, work)?;
+        arrive(scratch, &step)?;
+        let (earlier, reads_weighed) = (&mut self.earlier, recorder.reads_weighed());
+        commit(row, scratch, &step, recorder, |node, ends| {
+            let load = |at: usize| {
+                let ground = at_ends[at].under(node);
+                load(reads_weighed, row, node, ends[at], ground)
+            };
+            let (start, end) = (load(0), load(1));
+            let before = earlier[node].replace(start);
+            let weights = family.weights(before.is_none());
+            ((dt, weights), [before.unwrap_or(start), start, end])
+        });
+        let ended = (&mut scratch.states[..], &mut scratch.impacts);
+        if step.collide(row, ended, work, recorder) && !family.in_equilibrium {
+            self.change_accelerations(row);
+        }
+        Ok(())
+    }
+}
+
+impl<Memory: Copy> Run<Memory> {
+    /// Displacements and velocities at the end of a step without its acceleration.
+    fn predict<Column: RestoringForce<Memory = Memory>>(
+        &mut self,
+        row: &Row<Column>,
+        dt: f64,
+        ground: Ground<'_>,
+    ) {
+        let Family {
+            beta, gamma, alpha, ..
+        } = self.family;
+        let states = &self.scratch.states;
+        for ((node, state), trial) in states.iter().enumerate().zip(&mut self.scratch.trials) {
+            trial.predicted = (
+                state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
+                state.velocity + dt * (1.0 - gamma) * state.acceleration,
+            );
+            if alpha < 0.0 {
+                let acceleration = row.acceleration(node, states, ground.under(node));
+                trial.carried = alpha * self.slopes.inertia * acceleration;
+            }
+        }
+    }
+
+    /// Lets accelerations jump by what damping forces do, as if the velocities a step ago had jumped as well.
+    fn change_accelerations<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>) {
+        let Scratch { states, trials, .. } = &mut self.scratch;
+        for (index, (trial, earlier)) in trials.iter().zip(&mut self.earlier).enumerate() {
+            let jump = |node: usize| states[node].velocity - trials[node].velocity;
+            let change = row.damping_at(index, jump);
+            let inverse_mass = row.nodes()[index].inverse_mass;
+            states[index].acceleration = trial.acceleration - inverse_mass * change;
+            if let Some(earlier) = earlier {
+                earlier.damping += change;
+            }
+        }
+    }
 }
 
 /// State of every structure at t = 0, accelerations from equilibrium.
@@ -152,16 +248,15 @@ pub(crate) fn begin<Column: RestoringForce>(
     }
 }
 
-/// Equilibrium at the end of a step, of which the ground is known at both ends: every building alone first, then the
-/// clusters that touch.
+/// Equilibrium at the end of a step: every building alone first, then the clusters that touch.
 pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
     slopes: Slopes,
-    ground: [Ground<'_>; 2],
-    time: f64,
+    step: &Step<'_>,
     work: &mut Work,
 ) -> Result<(), RunError> {
+    let ground = step.ends();
     let Scratch {
         states,
         trials,
@@ -175,7 +270,7 @@ pub(crate) fn balance<Column: RestoringForce>(
         trials,
         pairs,
         step: (slopes, ground[1]),
-        time,
+        time: step.end().1,
         work,
     };
     match clusters {
@@ -187,9 +282,8 @@ pub(crate) fn balance<Column: RestoringForce>(
                 })?;
             }
         }
-        Some(Clusters { buildings, .. }) => {
-            for building in 0..buildings.len() {
-                let floors = buildings.floors(building);
+        Some(_) => {
+            for floors in row.buildings().each() {
                 equation.solve(Alone { floors })?;
             }
         }
@@ -259,13 +353,13 @@ impl<Column: RestoringForce> Equation<'_, Column> {
         clusters: &mut Clusters,
         touching: &[bool],
     ) -> Result<(), RunError> {
-        clusters.join(marked(self.row, touching));
-        for building in 0..clusters.buildings.len() {
-            let incidence = self.row.incidence();
-            if clusters.gather(incidence, building, |pair| touching[pair]) {
+        let row = self.row;
+        clusters.join(row.buildings(), marked(row, touching));
+        for building in 0..row.buildings().len() {
+            if clusters.gather(row, building, |pair| touching[pair]) {
                 match clusters.line() {
                     Some(line) => self.solve(line)?,
-                    None => self.solve(clusters.joined(self.row, |_| true))?,
+                    None => self.solve(clusters.joined(row, |_| true))?,
                 }
             }
         }
@@ -330,18 +424,13 @@ pub(crate) fn marked<Column: RestoringForce>(
 /// Takes over the states at the end of a step.
 pub(crate) fn arrive<Memory: Copy>(
     scratch: &mut Scratch<Memory>,
-    clock: Clock,
-    step: usize,
+    step: &Step<'_>,
 ) -> Result<(), RunError> {
     let ends = scratch.ends.iter_mut().zip(&scratch.trials);
     for (structure, (end, trial)) in ends.enumerate() {
         *end = trial.state();
         if !end.displacement.is_finite() {
-            return Err(RunError::Diverged {
-                structure,
-                time: clock.time(step),
-                time_step: clock.time_step,
-            });
+            return Err(step.diverged(structure));
         }
     }
     Ok(())
@@ -349,19 +438,21 @@ pub(crate) fn arrive<Memory: Copy>(
 
 /// What acts on a node, as much of it as a recorder reads.
 #[inline]
-pub(crate) fn load<Column: RestoringForce, R: Recorder>(
+pub(crate) fn load<Column: RestoringForce>(
+    reads_weighed: bool,
     row: &Row<Column>,
     node: usize,
     states: &[State],
     ground: f64,
 ) -> Load {
     let velocity = |index: usize| states[index].velocity;
-    load_at::<_, R>(row, node, states, ground, velocity)
+    load_at(reads_weighed, row, node, states, ground, velocity)
 }
 
 /// The same with damping at other velocities than those of the states.
 #[inline]
-pub(crate) fn load_at<Column: RestoringForce, R: Recorder>(
+pub(crate) fn load_at<Column: RestoringForce>(
+    reads_weighed: bool,
     row: &Row<Column>,
     node: usize,
     states: &[State],
@@ -369,7 +460,7 @@ pub(crate) fn load_at<Column: RestoringForce, R: Recorder>(
     velocity: impl Fn(usize) -> f64,
 ) -> Load {
     let state = &states[node];
-    let forces = if !R::READS_WEIGHED {
+    let forces = if !reads_weighed {
         (0.0, 0.0)
     } else if row.stands_alone(node) {
         let damping = row.nodes()[node].damping;
@@ -398,12 +489,11 @@ fn storeys<Column: RestoringForce>(
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    clock: Clock,
-    step: usize,
+    step: &Step<'_>,
     recorder: &mut R,
     mut weighed: impl FnMut(usize, [&[State]; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) {
-    let times = (clock.time(step - 1), clock.time(step));
+    let (times, reads_weighed) = (step.times(), recorder.reads_weighed());
     let (pushes, incidence) = (&mut scratch.pushes, row.incidence());
     for (pair, known) in scratch.pairs.iter().enumerate() {
         let force = if scratch.touching[pair] {
@@ -418,7 +508,7 @@ pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     let all: [&[State]; 2] = [&scratch.states, &scratch.ends];
     for (node, (start, end)) in all[0].iter().zip(all[1]).enumerate() {
         let (weights, loads) = weighed(node, all);
-        let mut span = Span::step::<R, N>(node, times, [*start, *end], weights, loads);
+        let mut span = Span::step(reads_weighed, node, times, [*start, *end], weights, loads);
         span.below = row.below(node, all);
         let slots = incidence.slots_at(node);
         pushes.weigh(slots.clone(), weights);

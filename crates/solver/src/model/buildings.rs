@@ -2,55 +2,122 @@
 
 use std::ops::Range;
 
-use crate::{RestoringForce, Row};
+use crate::{Floor, ModelError, Node, Support};
 
-/// The floors of a row building by building, from left to right, each from the ground up.
-#[derive(Debug)]
+/// The buildings of a row, from left to right; a structure of one storey, or a wall, is a building of one floor.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Buildings {
-    /// Their nodes.
+    /// Nodes, building by building, each from the ground up.
     floors: Vec<usize>,
-    /// Where each building lies in them.
-    ranges: Vec<Range<usize>>,
+    /// Where the floors of each building start among them, and where the last ones end.
+    starts: Vec<usize>,
+    /// Of every node its building.
+    of: Vec<usize>,
+    /// For every node the floor that stands on it.
+    above: Vec<Option<usize>>,
 }
 
 impl Buildings {
-    /// Nothing for a row in which no floor stands on another one.
-    pub fn of_storeys<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let mut nodes = row.nodes().iter();
-        nodes
-            .any(|node| node.support.below().is_some())
-            .then(|| Self::of(row))
-    }
-
-    /// Of any row; a structure of one storey, or a wall, is a building of one floor.
-    pub fn of<Column: RestoringForce>(row: &Row<Column>) -> Self {
-        let stands = |index: &usize| row.nodes()[*index].support.below().is_some();
-        let n = row.nodes().len();
-        let (mut floors, mut ranges) = (Vec::with_capacity(n), Vec::new());
-        for ground in (0..n).filter(|index| !stands(index)) {
-            let first = floors.len();
-            let mut floor = Some(ground);
-            while let Some(index) = floor {
-                floors.push(index);
-                floor = row.above(index);
+    /// Finds them anew, in the memory of the last ones.
+    ///
+    /// # Errors
+    /// [`ModelError`] for a floor that does not stand on an earlier one, or not alone.
+    pub(crate) fn renew<Column>(&mut self, nodes: &[Node<Column>]) -> Result<(), ModelError> {
+        find_above(nodes, &mut self.above)?;
+        self.floors.clear();
+        self.starts.clear();
+        self.starts.push(0);
+        self.of.clear();
+        self.of.resize(nodes.len(), 0);
+        for (ground, node) in nodes.iter().enumerate() {
+            if node.support.below().is_some() {
+                continue;
             }
-            ranges.push(first..floors.len());
+            let mut floor = Some(ground);
+            while let Some(node) = floor {
+                self.of[node] = self.starts.len() - 1;
+                self.floors.push(node);
+                floor = self.above[node];
+            }
+            self.starts.push(self.floors.len());
         }
-        Self { floors, ranges }
+        Ok(())
     }
 
-    /// Nodes of all floors.
-    pub fn floors(&self) -> &[usize] {
+    /// Number of buildings.
+    pub fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.floors.is_empty()
+    }
+
+    /// Whether no floor stands on another one.
+    #[inline]
+    pub fn are_single(&self) -> bool {
+        self.len() == self.floors.len()
+    }
+
+    /// Nodes of all floors, building by building.
+    pub fn all(&self) -> &[usize] {
         &self.floors
     }
 
-    /// Where among the floors each building lies.
-    pub fn ranges(&self) -> &[Range<usize>] {
-        &self.ranges
+    /// Where among all floors each building lies.
+    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> {
+        self.starts.windows(2).map(|ends| ends[0]..ends[1])
     }
 
     /// The floors of each building.
     pub fn each(&self) -> impl Iterator<Item = &[usize]> {
-        self.ranges.iter().map(|range| &self.floors[range.clone()])
+        self.ranges().map(|range| &self.floors[range])
     }
+
+    /// The floors of a building.
+    pub fn floors(&self, building: usize) -> &[usize] {
+        &self.floors[self.starts[building]..self.starts[building + 1]]
+    }
+
+    /// The building of a node.
+    pub fn of(&self, node: usize) -> usize {
+        self.of[node]
+    }
+
+    /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
+    pub fn above(&self, node: usize) -> Option<usize> {
+        self.above[node]
+    }
+}
+
+fn find_above<Column>(
+    nodes: &[Node<Column>],
+    above: &mut Vec<Option<usize>>,
+) -> Result<(), ModelError> {
+    above.clear();
+    above.resize(nodes.len(), None);
+    for (index, node) in nodes.iter().enumerate() {
+        let Support::Floor(Floor {
+            below,
+            ground_damping,
+        }) = node.support
+        else {
+            continue;
+        };
+        if !(ground_damping >= 0.0 && ground_damping.is_finite()) {
+            return Err(ModelError::Node {
+                node: index,
+                field: "support.ground_damping",
+                found: ground_damping,
+                allowed: "a finite number >= 0",
+            });
+        }
+        let free = below < index && above[below].is_none();
+        if !free || node.is_wall() || nodes[below].is_wall() {
+            return Err(ModelError::NotAFloor { node: index, below });
+        }
+        above[below] = Some(index);
+    }
+    Ok(())
 }

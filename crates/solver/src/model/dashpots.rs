@@ -14,7 +14,6 @@ use std::ops::Range;
 
 use pounding_contact::Number;
 
-use crate::model::buildings::Buildings;
 use crate::{RestoringForce, Row};
 
 /// Damping coefficients of a floor over its mass \[1/s\].
@@ -94,7 +93,7 @@ impl Eliminated {
 #[derive(Debug)]
 pub(crate) struct Dashpots {
     floors: Vec<FloorEquation>,
-    /// What is known, for every floor in the order of [`Buildings`]; then x.
+    /// What is known, for every floor, building by building; then x.
     pub(crate) values: Vec<f64>,
 }
 
@@ -112,7 +111,7 @@ struct FloorEquation {
 }
 
 impl Dashpots {
-    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let floor = |index: &usize| FloorEquation {
             rates: DampingRates::new(row, *index),
             step: 0.0,
@@ -122,15 +121,15 @@ impl Dashpots {
             from_below: 0.0,
         };
         Self {
-            floors: buildings.floors().iter().map(floor).collect(),
+            floors: row.buildings().all().iter().map(floor).collect(),
             values: vec![0.0; row.nodes().len()],
         }
     }
 
     /// Replaces what is known by x on the floors of a building, for a step h \[s\].
-    pub(crate) fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
+    pub(crate) fn solve(&mut self, building: Range<usize>, step: f64) -> &[f64] {
         let floors = &mut self.floors[building.clone()];
-        let values = &mut self.values[building.clone()];
+        let values = &mut self.values[building];
         if (step - floors[0].step).abs() > 0.0 {
             eliminate(floors, step);
         }
@@ -184,15 +183,16 @@ mod tests {
             levels.floor(node, storey)
         });
         let row = Row::new(nodes.collect(), vec![]).expect("a valid row");
-        let buildings = Buildings::of_storeys(&row).expect("floors stand on floors");
-        assert_eq!(buildings.floors(), [0, 3, 5, 6, 1, 2, 4]);
-        assert_eq!(buildings.ranges(), [0..4, 4..5, 5..7]);
-        let mut dashpots = Dashpots::new(&row, &buildings);
+        let buildings = row.buildings();
+        assert_eq!(buildings.all(), [0, 3, 5, 6, 1, 2, 4]);
+        let ranges: Vec<_> = buildings.ranges().collect();
+        assert_eq!(ranges, [0..4, 4..5, 5..7]);
+        let mut dashpots = Dashpots::new(&row);
         for step in [0.1, 7.0, 0.1] {
             let known: Vec<f64> = (0..7_i32).map(|n| f64::from(n * n) - 9.5).collect();
             dashpots.values.copy_from_slice(&known);
             for range in buildings.ranges() {
-                let x = dashpots.solve(range, step).to_vec();
+                let x = dashpots.solve(range.clone(), step).to_vec();
                 let at = |floor: Option<usize>| {
                     floor.and_then(|floor| x.get(floor)).copied().unwrap_or(0.0)
                 };

@@ -181,29 +181,16 @@ impl Damping {
     }
 }
 
-impl<Column: RestoringForce> Row<Column> {
-    /// Lowest nodes of the buildings, walls left out; a structure of one storey is a building.
-    pub fn buildings(&self) -> impl Iterator<Item = usize> {
-        let nodes = self.nodes().iter().enumerate();
-        nodes
-            .filter(|(_, node)| node.support.below().is_none() && !node.is_wall())
-            .map(|(index, _)| index)
-    }
-
-    /// Nodes of the building that stands on the ground at a node, from there up.
-    pub fn floors(&self, ground: usize) -> impl Iterator<Item = usize> {
-        std::iter::successors(Some(ground), |floor| self.above(*floor))
-    }
-}
+impl<Column: RestoringForce> Row<Column> {}
 
 impl<Column: Hysteretic> Row<Column> {
-    /// Natural modes of the building that stands on the ground at a node, the slowest first.
+    /// Natural modes of the building of a node, the slowest first.
     ///
     /// # Errors
     /// [`ModelError`] for a wall, and as [`modes`] has them.
-    pub fn modes(&self, ground: usize) -> Result<Vec<Mode>, ModelError> {
-        let storey = |floor: usize| {
-            let node = &self.nodes()[floor];
+    pub fn modes(&self, node: usize) -> Result<Vec<Mode>, ModelError> {
+        let storey = |floor: &usize| {
+            let node = &self.nodes()[*floor];
             Storey {
                 mass: 1.0 / node.inverse_mass,
                 damping: node.damping,
@@ -211,7 +198,9 @@ impl<Column: Hysteretic> Row<Column> {
                 column: node.column,
             }
         };
-        let storeys: Vec<_> = self.floors(ground).map(storey).collect();
+        let building = self.buildings().of(node);
+        let floors = self.buildings().floors(building);
+        let storeys: Vec<_> = floors.iter().map(storey).collect();
         modes(&storeys)
     }
 }

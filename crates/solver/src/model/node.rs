@@ -1,7 +1,7 @@
 //! Floors and walls.
 
 use crate::model::support::{Floor, Support};
-use crate::{ModelError, RestoringForce, State};
+use crate::{RestoringForce, State};
 
 /// One floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
 ///
@@ -77,39 +77,4 @@ impl<Column: RestoringForce> Node<Column> {
         let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;
         self.inverse_mass * force - ground
     }
-}
-
-/// For every node the floor that stands on it.
-///
-/// # Errors
-/// [`ModelError`] for a floor that does not stand on an earlier one, or not alone.
-pub(crate) fn floors_above<Column>(
-    nodes: &[Node<Column>],
-    above: &mut Vec<Option<usize>>,
-) -> Result<(), ModelError> {
-    above.clear();
-    above.resize(nodes.len(), None);
-    for (index, node) in nodes.iter().enumerate() {
-        let Support::Floor(Floor {
-            below,
-            ground_damping,
-        }) = node.support
-        else {
-            continue;
-        };
-        if !(ground_damping >= 0.0 && ground_damping.is_finite()) {
-            return Err(ModelError::Node {
-                node: index,
-                field: "support.ground_damping",
-                found: ground_damping,
-                allowed: "a finite number >= 0",
-            });
-        }
-        let free = below < index && above[below].is_none();
-        if !free || node.is_wall() || nodes[below].is_wall() {
-            return Err(ModelError::NotAFloor { node: index, below });
-        }
-        above[below] = Some(index);
-    }
-    Ok(())
 }

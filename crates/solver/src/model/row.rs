@@ -1,7 +1,7 @@
 use crate::model::approach::Approaches;
+use crate::model::buildings::Buildings;
 use crate::model::ground::{Ground, Shaking};
 use crate::model::incidence::Incidence;
-use crate::model::node::floors_above;
 use crate::span::Pushes;
 use crate::{
     Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, Share, State, Travel,
@@ -15,8 +15,7 @@ use pounding_contact::{ContactForce, Overlap, reduced_mass};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<Column> {
     nodes: Vec<Node<Column>>,
-    /// For every node the floor that stands on it.
-    above: Vec<Option<usize>>,
+    buildings: Buildings,
     pairs: Vec<Pair>,
     /// Which of them meet which nodes.
     incidence: Incidence,
@@ -39,7 +38,7 @@ impl<Column: RestoringForce> Row<Column> {
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         let unchecked = Self {
             nodes,
-            above: Vec::new(),
+            buildings: Buildings::default(),
             pairs,
             incidence: Incidence::default(),
             arrivals: None,
@@ -70,7 +69,7 @@ impl<Column: RestoringForce> Row<Column> {
         for (index, node) in nodes.iter().enumerate() {
             check_node(index, node)?;
         }
-        floors_above(nodes, &mut self.above)?;
+        self.buildings.renew(nodes)?;
         for (index, pair) in pairs.iter().enumerate() {
             self.check_points(index, pair)?;
             check_pair(index, pair)?;
@@ -117,15 +116,9 @@ impl<Column: RestoringForce> Row<Column> {
         if !points.into_iter().all(is_sound) {
             return Err(refused);
         }
-        let base = |point: Point| {
-            let mut floor = point.floor();
-            while let Some(below) = self.nodes[floor].support.below() {
-                floor = below;
-            }
-            floor
-        };
-        let [left, right] = points.map(base);
-        if left == right || (self.nodes[left].is_wall() && self.nodes[right].is_wall()) {
+        let floors = points.map(Point::floor);
+        let [left, right] = floors.map(|floor| self.buildings.of(floor));
+        if left == right || floors.iter().all(|floor| self.nodes[*floor].is_wall()) {
             return Err(refused);
         }
         Ok(())
@@ -195,9 +188,14 @@ impl<Column: RestoringForce> Row<Column> {
         &self.incidence
     }
 
+    /// Which floors make a building.
+    pub fn buildings(&self) -> &Buildings {
+        &self.buildings
+    }
+
     /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
     pub fn above(&self, node: usize) -> Option<usize> {
-        self.above[node]
+        self.buildings.above(node)
     }
 
     /// Number of pairs that overlap.

@@ -8,6 +8,7 @@ mod last_displacements;
 mod ledger;
 mod peaks;
 pub(crate) mod recorder;
+mod records;
 mod transferred_momentum;
 
 pub use closings::{Closing, Closings};
@@ -18,4 +19,5 @@ pub use histories::{Histories, History};
 pub use last_displacements::LastDisplacements;
 pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};
+pub use records::Records;
 pub use transferred_momentum::TransferredMomentum;

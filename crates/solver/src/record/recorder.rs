@@ -100,8 +100,10 @@ impl Touch {
 /// `()` records nothing and costs nothing; a tuple records what its members do.
 pub trait Recorder {
     /// Whether the recorder reads the impulses of [`Weighed`](crate::Weighed); where none does, they are left at zero
-    /// and cost nothing.
-    const READS_WEIGHED: bool = false;
+    /// and cost nothing. It is asked anew for every span, and always answers the same.
+    fn reads_weighed(&self) -> bool {
+        false
+    }
 
     /// Sees the motion of one structure over one span.
     fn span(&mut self, span: &Span<'_>);
@@ -114,12 +116,13 @@ pub trait Recorder {
 }
 
 impl Span<'_> {
-    /// A step of a stepping method for a recorder R.
+    /// A step of a stepping method for a recorder that reads the impulses of forces, or does not.
     ///
     /// The method made of the loads in the step their sum with these weights, times `scale` \[s\]; the trapezoidal
     /// rule is Δt/2 times 1 and 1 of the loads at both ends.
     #[inline]
-    pub(crate) fn step<R: Recorder, const N: usize>(
+    pub(crate) fn step<const N: usize>(
+        reads_weighed: bool,
         structure: usize,
         (start_time, end_time): (f64, f64),
         [start, end]: [State; 2],
@@ -131,7 +134,7 @@ impl Span<'_> {
             let sum = terms.map(|(weight, load)| weight * force(load));
             scale * sum.reduce(|sum, term| sum + term).unwrap_or(0.0)
         };
-        let weighed = if R::READS_WEIGHED {
+        let weighed = if reads_weighed {
             Weighed {
                 restoring: -weigh(|load| load.restoring),
                 damping: -weigh(|load| load.damping),
@@ -161,7 +164,10 @@ impl Recorder for () {
 }
 
 impl<R: Recorder> Recorder for &mut R {
-    const READS_WEIGHED: bool = R::READS_WEIGHED;
+    #[inline]
+    fn reads_weighed(&self) -> bool {
+        (**self).reads_weighed()
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         (**self).span(span);
@@ -178,7 +184,10 @@ impl<R: Recorder> Recorder for &mut R {
 
 /// Records where there is a recorder: one type of run serves those that ask for it and those that do not.
 impl<R: Recorder> Recorder for Option<R> {
-    const READS_WEIGHED: bool = R::READS_WEIGHED;
+    #[inline]
+    fn reads_weighed(&self) -> bool {
+        self.as_ref().is_some_and(Recorder::reads_weighed)
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         if let Some(recorder) = self {
@@ -202,8 +211,12 @@ impl<R: Recorder> Recorder for Option<R> {
 macro_rules! record_in_each {
     ($($name:ident)+) => {
         impl<$($name: Recorder),+> Recorder for ($($name,)+) {
-            const READS_WEIGHED: bool = $($name::READS_WEIGHED)||+;
-
+            #[inline]
+            #[expect(non_snake_case, reason = "type names serve as variables")]
+            fn reads_weighed(&self) -> bool {
+                let ($($name,)+) = self;
+                $($name.reads_weighed())||+
+            }
             #[expect(non_snake_case, reason = "type names serve as variables")]
             fn span(&mut self, span: &Span<'_>) {
                 let ($($name,)+) = self;

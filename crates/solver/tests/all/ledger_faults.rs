@@ -23,7 +23,9 @@ struct Faulty<'a, S, I> {
 }
 
 impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S, I> {
-    const READS_WEIGHED: bool = true;
+    fn reads_weighed(&self) -> bool {
+        true
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         let mut faulty = *span;

@@ -40,7 +40,9 @@ fn step(span: &Span<'_>) -> Span<'static> {
 }
 
 impl<F: Fn(&mut [Span<'static>; 2])> Recorder for Faulty<'_, F> {
-    const READS_WEIGHED: bool = true;
+    fn reads_weighed(&self) -> bool {
+        true
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         let Some(lower) = self.lower.take() else {

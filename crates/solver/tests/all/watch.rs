@@ -3,44 +3,26 @@ use pounding_solver::{
     Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Row, RunError, Span, Touch, Work,
 };
 
-/// A [`Recorder`] without its constant, which trait objects cannot have.
-trait Sees {
-    fn sees_span(&mut self, span: &Span<'_>);
-    fn sees_impact(&mut self, impact: &Impact);
-    fn sees_touch(&mut self, touch: &Touch);
-}
+/// Any recorder.
+struct Any<'a>(&'a mut dyn Recorder);
 
-impl<R: Recorder> Sees for R {
-    fn sees_span(&mut self, span: &Span<'_>) {
-        self.span(span);
+impl Recorder for Any<'_> {
+    fn reads_weighed(&self) -> bool {
+        self.0.reads_weighed()
     }
-    fn sees_impact(&mut self, impact: &Impact) {
-        self.impact(impact);
-    }
-    fn sees_touch(&mut self, touch: &Touch) {
-        self.touch(touch);
-    }
-}
-
-/// Any recorder, with the constant that it had.
-struct Any<'a, const READS_WEIGHED: bool>(&'a mut dyn Sees);
-
-impl<const READS_WEIGHED: bool> Recorder for Any<'_, READS_WEIGHED> {
-    const READS_WEIGHED: bool = READS_WEIGHED;
-
     fn span(&mut self, span: &Span<'_>) {
-        self.0.sees_span(span);
+        self.0.span(span);
     }
     fn impact(&mut self, impact: &Impact) {
-        self.0.sees_impact(impact);
+        self.0.impact(impact);
     }
     fn touch(&mut self, touch: &Touch) {
-        self.0.sees_touch(touch);
+        self.0.touch(touch);
     }
 }
 
 pub(crate) trait Watch {
-    /// [`Integrator::run`], compiled twice per type of columns: for recorders that read weighed impulses and for others.
+    /// [`Integrator::run`], compiled once per type of columns.
     fn watch<Column: Hysteretic, R: Recorder>(
         &self,
         row: &Row<Column>,
@@ -58,10 +40,6 @@ impl Watch for Integrator {
         clock: Clock,
         recorder: &mut R,
     ) -> Result<Work, RunError> {
-        if R::READS_WEIGHED {
-            self.run(row, excitation, clock, &mut Any::<true>(recorder))
-        } else {
-            self.run(row, excitation, clock, &mut Any::<false>(recorder))
-        }
+        self.run(row, excitation, clock, &mut Any(recorder))
     }
 }

@@ -3,7 +3,9 @@
 use pounding_motion::Record;
 use pounding_scene::{RunResult, Simulation};
 use pounding_solver::OnRow;
-use pounding_solver::{Clock, Hysteretic, Recorder, Row, RunError, TransferredMomentum, Work};
+use pounding_solver::{
+    Clock, Hysteretic, Recorder, Records, Row, RunError, TransferredMomentum, Work,
+};
 
 use super::choices::Program;
 use super::stepping::Run;
@@ -19,14 +21,20 @@ impl Program {
         prepared: &Simulation,
         interval: Option<f64>,
     ) -> Result<RunResult, pounding_scene::Error> {
-        prepared.recorded(interval, |recorders| {
-            let (usual, _, last, (_, histories)) = recorders;
-            let (peaks, collisions, momentum, ()) = usual;
+        prepared.recorded(interval, |records| {
+            let Records {
+                peaks,
+                collisions,
+                momentum,
+                last,
+                histories,
+                ..
+            } = records;
             let run = ProgramRun {
                 program: self,
                 record: prepared.record(),
                 clock: prepared.clock(),
-                seen: (peaks, (collisions, (last, histories))),
+                seen: (peaks, collisions, last, histories),
                 momentum,
             };
             prepared.on_row(run)?;

@@ -11,7 +11,6 @@
 use pounding_contact::Number;
 
 use super::coefficients::Coefficients;
-use crate::model::buildings::Buildings;
 use crate::model::dashpots::{DampingRates, Eliminated};
 use crate::{RestoringForce, Row};
 
@@ -32,14 +31,10 @@ pub struct FloorCoefficients<N = f64> {
 
 impl FloorCoefficients {
     /// Of all floors, building by building, for steps of this length \[s\].
-    pub fn of<Column: RestoringForce>(
-        row: &Row<Column>,
-        buildings: &Buildings,
-        dt: f64,
-    ) -> Vec<Self> {
+    pub fn of<Column: RestoringForce>(row: &Row<Column>, dt: f64) -> Vec<Self> {
         let (inertia, weigh) = (1.0 / (dt * dt), |rate: f64| 0.5 * rate / dt);
         let mut all = Vec::with_capacity(row.nodes().len());
-        for building in buildings.each() {
+        for building in row.buildings().each() {
             let (first, mut above) = (all.len(), None);
             for index in building.iter().rev() {
                 let rates = DampingRates::new(row, *index);

@@ -6,14 +6,18 @@ use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::ground::Ground;
 use crate::span::Pushes;
-use crate::{Recorder, RestoringForce, Row};
+use crate::{Recorder, RestoringForce, Row, Work};
 
 impl<Column: RestoringForce> Run<'_, Column> {
     /// Contact at a node, each pair alone; true when an impulsive pair is closed and may jump.
     ///
     /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
     /// earlier was negative.
-    pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>) -> bool {
+    pub(super) fn touch(
+        &mut self,
+        Instant { ground, fine, .. }: Instant<'_>,
+        work: &mut Work,
+    ) -> bool {
         let (row, bodies) = (self.row, &mut self.bodies);
         for (index, body) in bodies.iter_mut().enumerate() {
             if body.fine || !fine {
@@ -39,7 +43,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
             if deformation < 0.0 {
                 continue;
             }
-            self.work.touching_steps += u64::from(overlaps);
+            work.touching_steps += u64::from(overlaps);
             if pair.law.impulsive().is_some() {
                 self.jumps.touching[index] = true;
                 hit = true;
@@ -119,8 +123,8 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 any = true;
             }
         }
-        if let Some(storeys) = self.storeys.as_ref().filter(|_| any) {
-            refine_buildings(&storeys.buildings, &mut self.bodies);
+        if any && self.storeys.is_some() {
+            refine_buildings(self.row.buildings(), &mut self.bodies);
         }
         for body in self.bodies.iter_mut().filter(|body| body.fine) {
             body.restart(self.steps[1]);

@@ -5,14 +5,12 @@
 
 use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, Instant, Run};
-use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
 use crate::span::{Load, Pushes};
-use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State};
+use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// What only rows in which floors stand on floors need; all of it building by building.
 pub(super) struct Storeys {
-    pub(super) buildings: Buildings,
     /// For whole steps and sub-steps.
     coefficients: [Vec<FloorCoefficients>; 2],
     solutions: Vec<Solution>,
@@ -36,12 +34,13 @@ struct Solution {
 impl Storeys {
     /// Nothing for a row of structures of one storey.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
-        let buildings = Buildings::of_storeys(row)?;
+        if row.buildings().are_single() {
+            return None;
+        }
         Some(Self {
-            coefficients: steps.map(|dt| FloorCoefficients::of(row, &buildings, dt)),
+            coefficients: steps.map(|dt| FloorCoefficients::of(row, dt)),
             solutions: vec![Solution::default(); row.nodes().len()],
-            dashpots: Dashpots::new(row, &buildings),
-            buildings,
+            dashpots: Dashpots::new(row),
         })
     }
 }
@@ -52,14 +51,15 @@ impl<Column: RestoringForce> Run<'_, Column> {
     pub(super) fn advance_storeys<R: Recorder>(
         &mut self,
         node: Instant<'_>,
+        work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let divides = self.steps[1] < self.steps[0];
         let Some(storeys) = &mut self.storeys else {
             return Ok(());
         };
-        for range in storeys.buildings.ranges() {
-            let floors = &storeys.buildings.floors()[range.clone()];
+        for range in self.row.buildings().ranges() {
+            let floors = &self.row.buildings().all()[range.clone()];
             let fine = self.bodies[floors[0]].fine;
             if node.fine && !fine {
                 continue;
@@ -90,7 +90,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 building.give_back(storeys.dashpots.solve(range, self.steps[0]));
             }
             building.go_on(node.time, ground, met_late, recorder);
-            self.work.force_evaluations += floors.len() as u64;
+            work.force_evaluations += floors.len() as u64;
         }
         Ok(())
     }
@@ -273,7 +273,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
             };
             [(&lower.start).into(), end]
         });
-        let forces = if R::READS_WEIGHED {
+        let forces = if recorder.reads_weighed() {
             self.forces(level, &mut above.forces)
         } else {
             [(0.0, 0.0); 2]
@@ -284,7 +284,14 @@ impl<Column: RestoringForce> Building<'_, Column> {
         ];
         let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
         let times = (body.start_time, time);
-        let span = Span::step::<R, _>(index, times, [body.start, end], weights, loads);
+        let span = Span::step(
+            recorder.reads_weighed(),
+            index,
+            times,
+            [body.start, end],
+            weights,
+            loads,
+        );
         let (from_left, from_right) = body.excess;
         let slots = self.row.incidence().slots_at(index);
         self.pushes.end(slots.clone(), weights.0);

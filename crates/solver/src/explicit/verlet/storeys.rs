@@ -3,7 +3,8 @@
 //! The damping of the end is that of its own velocities, which the dashpots between floors join. All floors of a building
 //! are due together, so that its equations have one step.
 
-use super::{Body, Scratch, Step};
+use super::{Body, Scratch};
+use crate::march::Step;
 use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
 use crate::span::{Load, Pushes};
@@ -11,32 +12,30 @@ use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// What only rows in which floors stand on floors need.
 pub(super) struct Storeys {
-    buildings: Buildings,
     dashpots: Dashpots,
 }
 
 impl Storeys {
     /// Nothing for a row of structures of one storey.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let buildings = Buildings::of_storeys(row)?;
-        Some(Self {
-            dashpots: Dashpots::new(row, &buildings),
-            buildings,
+        let dashpots = || Dashpots::new(row);
+        (!row.buildings().are_single()).then(|| Self {
+            dashpots: dashpots(),
         })
     }
+}
 
-    /// Lets all floors of a building be due with one of them; true when one was not.
-    pub(super) fn gather<Memory>(&self, bodies: &mut [Body<Memory>]) -> bool {
-        let mut grown = false;
-        for floors in self.buildings.each() {
-            let due = floors.iter().any(|index| bodies[*index].due);
-            for index in floors {
-                grown |= bodies[*index].due != due;
-                bodies[*index].due = due;
-            }
+/// Lets all floors of a building be due with one of them; true when one was not.
+pub(super) fn gather<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) -> bool {
+    let mut grown = false;
+    for floors in buildings.each() {
+        let due = floors.iter().any(|index| bodies[*index].due);
+        for index in floors {
+            grown |= bodies[*index].due != due;
+            bodies[*index].due = due;
         }
-        grown
     }
+    grown
 }
 
 impl<Memory: Copy> Scratch<Memory> {
@@ -53,8 +52,8 @@ impl<Memory: Copy> Scratch<Memory> {
         let Some(storeys) = &mut self.storeys else {
             return Ok(());
         };
-        for range in storeys.buildings.ranges() {
-            let floors = &storeys.buildings.floors()[range.clone()];
+        for range in row.buildings().ranges() {
+            let floors = &row.buildings().all()[range.clone()];
             let since = self.bodies[floors[0]].since;
             if !(self.bodies[floors[0]].due && instant > since) {
                 continue;
@@ -75,11 +74,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 span: (instant - since, [start, end]),
             };
             if let Some(structure) = building.diverged() {
-                return Err(RunError::Diverged {
-                    structure,
-                    time: step.times.1,
-                    time_step: step.duration,
-                });
+                return Err(step.diverged(structure));
             }
             building.respond(&mut storeys.dashpots.values[range.clone()]);
             let velocities = storeys.dashpots.solve(range, instant - since);
@@ -159,7 +154,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 above[at] = (restoring, damping);
                 (restoring - carried.0, all - carried.1)
             };
-            let first = if R::READS_WEIGHED {
+            let first = if recorder.reads_weighed() {
                 net(0, &start, before)
             } else {
                 (0.0, 0.0)
@@ -182,8 +177,15 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
                 pushes: self.pushes.of(slots.clone()),
-                ..Span::step::<R, _>(index, times, [start, end], weights, loads)
-                    .over(self.row.below(index, [self.states, self.ends]))
+                ..Span::step(
+                    recorder.reads_weighed(),
+                    index,
+                    times,
+                    [start, end],
+                    weights,
+                    loads,
+                )
+                .over(self.row.below(index, [self.states, self.ends]))
             });
             self.pushes.go_on(slots);
             self.states[index] = end;

@@ -1,12 +1,12 @@
 //! The energy and impulse ledger of a run.
 
 mod account;
-mod buildings;
 mod columns;
 mod contact;
 mod error;
 mod largest;
 mod opening;
+mod sightings;
 mod terms;
 
 pub use contact::PairTerms;
@@ -14,11 +14,12 @@ pub use error::LedgerError;
 pub use terms::Terms;
 
 use account::Account;
-use buildings::Buildings;
 use contact::{Contact, Push};
 use largest::{Balances, Largest};
 use opening::{opening_part, work_of};
+use sightings::Sightings;
 
+use crate::model::buildings::Buildings;
 use crate::model::incidence::{Incidence, Incident};
 use crate::span::Expansion;
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span, Travel};
@@ -49,6 +50,7 @@ pub struct Ledger<'a> {
     /// One for each node.
     accounts: Vec<Account>,
     buildings: Buildings,
+    sightings: Sightings,
     contacts: Vec<Contact>,
     /// Which pairs meet which floors.
     incidence: Incidence,
@@ -112,7 +114,8 @@ impl<'a> Ledger<'a> {
             accounts: (0..row.nodes().len())
                 .map(|node| Account::new(row, node))
                 .collect(),
-            buildings: Buildings::new(row),
+            buildings: row.buildings().clone(),
+            sightings: Sightings::new(row.buildings()),
             contacts: row.pairs().iter().map(Contact::new).collect(),
             incidence: row.incidence().clone(),
             meeting: None,
@@ -141,8 +144,8 @@ impl<'a> Ledger<'a> {
     /// Terms of the building that a node is of: the sum over its floors.
     pub fn of_building(&self, node: usize) -> Terms {
         let mut sum = Terms::default();
-        for place in self.buildings.around(node) {
-            sum += self.accounts[place.node].terms;
+        for floor in self.buildings.floors(self.buildings.of(node)) {
+            sum += self.accounts[*floor].terms;
         }
         sum
     }
@@ -248,7 +251,8 @@ impl<'a> Ledger<'a> {
         let works = account.span(span, &self.excitation);
         let outcome = account.flowed(hysteretic, span);
         self.judge(outcome);
-        self.buildings.see(span.structure, span.end_time);
+        self.sightings
+            .see(&self.buildings, span.structure, span.end_time);
         self.n_meeting -= self.count_at(span.structure);
         let ground = self.travel.as_ref().map_or(0.0, |travel| {
             travel.ground(span.structure, span.end_time).displacement
@@ -314,15 +318,15 @@ impl<'a> Ledger<'a> {
                 now.add(account.balances(), account.momentum_magnitude());
             }
         } else {
-            let mut sums = Balances::default();
-            for place in self.buildings.places() {
-                let account = &self.accounts[place.node];
-                row += account.terms;
-                sums += account.balances();
-                now.momentum_scale += account.momentum_magnitude();
-                if place.is_roof {
-                    now.add(std::mem::take(&mut sums), 0.0);
+            for building in self.buildings.each() {
+                let mut sums = Balances::default();
+                for floor in building {
+                    let account = &self.accounts[*floor];
+                    row += account.terms;
+                    sums += account.balances();
+                    now.momentum_scale += account.momentum_magnitude();
                 }
+                now.add(sums, 0.0);
             }
         }
         now.scale = row.magnitude();
@@ -333,7 +337,7 @@ impl<'a> Ledger<'a> {
     /// step.
     fn measure(&mut self, spans: usize) {
         self.unmeasured += 1;
-        if self.unmeasured >= spans && self.buildings.are_whole() {
+        if self.unmeasured >= spans && self.sightings.are_whole() {
             self.largest = self.measured();
             self.unmeasured = 0;
         }
@@ -371,7 +375,10 @@ impl Meeting {
 }
 
 impl Recorder for Ledger<'_> {
-    const READS_WEIGHED: bool = true;
+    #[inline]
+    fn reads_weighed(&self) -> bool {
+        true
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         match span.path {

@@ -46,7 +46,9 @@ impl Keeper {
 }
 
 impl Recorder for Keeper {
-    const READS_WEIGHED: bool = true;
+    fn reads_weighed(&self) -> bool {
+        true
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         let Path::Cubic(weighed) = span.path else {

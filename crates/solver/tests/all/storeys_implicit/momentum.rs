@@ -35,7 +35,9 @@ impl Momentum {
 }
 
 impl Recorder for Momentum {
-    const READS_WEIGHED: bool = true;
+    fn reads_weighed(&self) -> bool {
+        true
+    }
 
     fn span(&mut self, span: &Span<'_>) {
         let Path::Cubic(weighed) = span.path else {

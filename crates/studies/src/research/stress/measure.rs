@@ -149,7 +149,7 @@ fn of_exact(exact: &Simulation, reference: Option<&RunResult>) -> Run {
         return Run::all("exact", None, Class::NotVerified, reason.into());
     }
     let known = reference.map(|reference| {
-        let own = Quantities::of_outcome(reference, n);
+        let own = Quantities::of(reference, n);
         let second = crate::second_route(exact, Fineness::FINE);
         second.map(|second| (own, Quantities::of_second_route(&second)))
     });
@@ -236,7 +236,7 @@ fn judge(
         Some(reference) => prepared.warnings(outcome, reference).1,
         None => vec![Warning::ErrorUnknown],
     };
-    let quantities = |of: &RunResult| Quantities::of_outcome(of, prepared.scene().structures.len());
+    let quantities = |of: &RunResult| Quantities::of(of, prepared.scene().structures.len());
     let (found, truth) = (quantities(outcome), reference.map(quantities));
     MethodQuantity::ALL.map(|quantity| {
         let asked = number(quantity, !is_impulsive(prepared));

@@ -145,19 +145,19 @@ struct Results {
 
 impl Results {
     fn of(run: &Run<'_>) -> Result<Self, String> {
-        let (recorder, _) = run.recorded()?;
+        let (outcome, _) = run.recorded()?;
         let mut pairs = vec![Vec::new(); run.prepared.pairs().len()];
         for Collision {
             pair,
             start,
             impulse,
             ..
-        } in recorder.1.all()
+        } in outcome.collisions.all()
         {
             pairs[*pair].push([*start, *impulse]);
         }
         Ok(Self {
-            quantities: Quantities::of(&recorder, run.scene.structures.len()),
+            quantities: Quantities::of(&outcome, run.scene.structures.len()),
             pairs,
         })
     }

@@ -1,8 +1,8 @@
 //! What is compared: six quantities and a count.
 
 use pounding_reference::Response;
-use pounding_scene::{AT_ONCE, Recorders, RunResult, ZERO, relative_to};
-use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
+use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
+use pounding_solver::Collision;
 use strum::EnumCount;
 
 /// A quantity in which methods are compared.
@@ -89,30 +89,13 @@ struct Moved {
 
 impl Quantities {
     /// The quantities of a run of so many structures.
-    pub(crate) fn of<L>(
-        (peaks, collisions, momentum, _): &Recorders<L>,
-        n_structures: usize,
-    ) -> Self {
-        Self::of_parts(peaks, collisions, momentum, n_structures)
-    }
-
-    /// The quantities of an outcome.
-    pub(crate) fn of_outcome(outcome: &RunResult, n_structures: usize) -> Self {
+    pub(crate) fn of(outcome: &RunResult, n_structures: usize) -> Self {
         let RunResult {
             peaks,
             collisions,
             momentum,
             ..
         } = outcome;
-        Self::of_parts(peaks, collisions, momentum, n_structures)
-    }
-
-    fn of_parts(
-        peaks: &Peaks,
-        collisions: &Collisions,
-        momentum: &TransferredMomentum,
-        n_structures: usize,
-    ) -> Self {
         let met = |collision: &Collision| Met {
             start: collision.start,
             impulse: collision.impulse,

@@ -1,6 +1,6 @@
 //! A run of one method on one scene.
 
-use pounding_scene::{ComparedMethod, Method, Recorders, Scene, Simulation};
+use pounding_scene::{ComparedMethod, Method, RunResult, Scene, Simulation};
 use pounding_solver::{Ledger, Work};
 
 use super::quantities::Quantities;
@@ -19,15 +19,15 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub(super) fn outcome(&self) -> Ended<'a> {
-        let (recorder, work) = self.recorded()?;
-        let quantities = Quantities::of(&recorder, self.scene.structures.len());
-        Ok((quantities, recorder.3, work))
+        let (outcome, ledger) = self.recorded()?;
+        let quantities = Quantities::of(&outcome, self.scene.structures.len());
+        Ok((quantities, ledger, outcome.work))
     }
 
-    /// What the run leaves in its recorders, and what it cost; fails with the reason where it ends early.
+    /// The outcome of the run, and its ledger; fails with the reason where it ends early.
     ///
     /// The verdict of the ledger is a column of the table.
-    pub(super) fn recorded(&self) -> Result<(Recorders<Ledger<'a>>, Work), String> {
+    pub(super) fn recorded(&self) -> Result<(RunResult, Ledger<'a>), String> {
         let recorded = self.prepared.recorded_by(self.method());
         recorded.map_err(|error| error.to_string())
     }

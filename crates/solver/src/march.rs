@@ -1,0 +1,149 @@
+//! The loop of every stepping method.
+
+use crate::impact::impacts::Impacts;
+use crate::model::ground::{Ground, Shaking};
+use crate::{Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
+
+/// A stepping method and all it needs, allocated once.
+pub(crate) trait Stepping<Column: RestoringForce> {
+    /// Its first step: 0 of a method that finds the velocity at a node in the step after it.
+    const FIRST: usize = 1;
+    /// Parts of a step at whose ends it asks for the ground.
+    const PARTS: usize = 1;
+
+    /// Takes a step and reports it.
+    fn step<R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError>;
+}
+
+/// A step of the clock.
+#[derive(Clone, Copy)]
+pub(crate) struct Step<'a> {
+    shaking: &'a Shaking<'a>,
+    /// Its number; step 1 begins at t = 0.
+    pub(crate) number: usize,
+    pub(crate) clock: Clock,
+    /// Its parts at whose ends the ground is known.
+    parts: usize,
+}
+
+/// Integrates a row by a method that begins with the ground at t = 0; `substeps` is how many its steps may take.
+pub(crate) fn march<Column, Method, R>(
+    row: &Row<Column>,
+    (excitation, Course { clock, budget }): (Excitation<'_>, Course),
+    (substeps, begin): (usize, impl FnOnce(Ground<'_>) -> Method),
+    recorder: &mut R,
+) -> Result<Work, RunError>
+where
+    Column: RestoringForce,
+    Method: Stepping<Column>,
+    R: Recorder,
+{
+    let parts = Clock {
+        time_step: clock.time_step / Method::PARTS as f64,
+        n_steps: clock.n_steps * Method::PARTS,
+    };
+    let guard = clock.within(budget).begin(row.nodes().len() * substeps);
+    let shaking = row.shaken(excitation, parts);
+    let mut method = begin(shaking.at(0));
+    let mut work = Work::default();
+    for number in Method::FIRST..=clock.n_steps {
+        guard.step(number, clock)?;
+        let step = Step {
+            shaking: &shaking,
+            number,
+            clock,
+            parts: Method::PARTS,
+        };
+        method.step(row, step, &mut work, recorder)?;
+        work.steps += 1;
+    }
+    Ok(work)
+}
+
+impl<'a> Step<'a> {
+    /// The ground at a node of the clock, or of its parts.
+    #[inline]
+    pub(crate) fn ground(&self, node: usize) -> Ground<'a> {
+        self.shaking.at(node)
+    }
+
+    /// The ground at both ends and half way, of a method whose steps have two parts.
+    #[inline]
+    pub(crate) fn parts(&self) -> [Ground<'a>; 3] {
+        [2, 1, 0].map(|before| self.ground(2 * self.number - before))
+    }
+
+    /// The ground at both ends, of a method whose steps have one part.
+    #[inline]
+    pub(crate) fn ends(&self) -> [Ground<'a>; 2] {
+        [self.number - 1, self.number].map(|node| self.ground(node))
+    }
+
+    /// Times of both ends \[s\].
+    #[inline]
+    pub(crate) fn times(&self) -> (f64, f64) {
+        (
+            self.clock.time(self.number - 1),
+            self.clock.time(self.number),
+        )
+    }
+
+    /// The ground at a part of the step after a node.
+    pub(crate) fn within(&self, node: usize, part: f64) -> Ground<'a> {
+        self.shaking.within(node, part)
+    }
+
+    /// The ground and the time at an instant counted from the start of the step \[s\].
+    #[inline]
+    pub(crate) fn at(&self, instant: f64) -> (Ground<'a>, f64) {
+        let (start, end) = self.times();
+        if instant < self.clock.time_step {
+            let part = instant / self.clock.time_step;
+            (self.within(self.number - 1, part), start + instant)
+        } else {
+            (self.ground(self.number), end)
+        }
+    }
+
+    /// Whether all grounds move alike.
+    pub(crate) fn is_common(&self) -> bool {
+        matches!(self.shaking, Shaking::Common(_))
+    }
+
+    /// Why a run ends in which the displacement of a structure is no longer a finite number.
+    pub(crate) fn diverged(&self, structure: usize) -> RunError {
+        RunError::Diverged {
+            structure,
+            time: self.clock.time(self.number),
+            time_step: self.clock.time_step,
+        }
+    }
+
+    /// Its end: the ground there, and the time.
+    #[inline]
+    pub(crate) fn end(&self) -> (Ground<'a>, f64) {
+        (
+            self.ground(self.parts * self.number),
+            self.clock.time(self.number),
+        )
+    }
+
+    /// Counts the pairs that overlap after the step and lets impulsive ones jump; true when one did.
+    pub(crate) fn collide<Column: RestoringForce, R: Recorder>(
+        &self,
+        row: &Row<Column>,
+        (states, impacts): (&mut [State], &mut Impacts),
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> bool {
+        let instant = self.end();
+        work.touching_steps += row.n_overlaps(states, instant.0);
+        impacts.after_step(row, states, instant, recorder)
+    }
+}
