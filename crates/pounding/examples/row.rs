@@ -25,12 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     // Towers stand from left to right. A pair names neighbours, the gap between them [m], and what happens when it closes.
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 });
-    let gap = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.03,
-        law,
-    };
+    let gap = Pair::of_floors(0, 1, 0.03, law);
     let row = Row::new(vec![tower(1e5, 1.2), tower(3e5, 0.4)], vec![gap])?;
 
     // The ground: accelerations [m/s²], here a sine of 1 Hz for four seconds, and the time between two of them [s].

@@ -82,10 +82,10 @@ impl Point {
     ///
     /// Returns `None` where that is the ground itself.
     pub fn between(lower: Option<usize>, upper: usize, upper_part: f64) -> Option<Self> {
-        if upper_part == 1.0 {
+        if upper_part >= 1.0 {
             return Some(Self::Floor(upper));
         }
-        if upper_part == 0.0 {
+        if upper_part <= 0.0 {
             return lower.map(Self::Floor);
         }
         let (base, other, lean) = if upper_part >= 0.5 {

@@ -6,7 +6,7 @@
 use pounding_contact::{Overlap, reduced_mass};
 use pounding_motion::Record;
 use pounding_solver::{
-    Clock, Impact, Pair, Path, Recorder, RestoringForce, Row, RunError, Span, State,
+    Clock, Impact, Pair, Path, Push, Recorder, RestoringForce, Row, RunError, Span, State, Struck,
     TransferredMomentum, Velocities, Weighed,
 };
 
@@ -46,6 +46,8 @@ pub(super) struct Run<'a, Column: RestoringForce> {
     bodies: Vec<Body<Column::Memory>>,
     /// Impacts that are forces of the next step.
     hits: Vec<Impact>,
+    /// What pairs do to a structure over a step.
+    pushes: Vec<Push<'static>>,
 }
 
 impl<'a, Column: RestoringForce> Run<'a, Column> {
@@ -68,6 +70,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             time_step,
             bodies: row.nodes().iter().map(body).collect(),
             hits: Vec::new(),
+            pushes: Vec::new(),
         }
     }
 
@@ -187,10 +190,21 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             };
             self.bodies[pair.left()].velocities[1] = after.left;
             self.bodies[pair.right()].velocities[1] = after.right;
+            let struck = |floor, part, velocities| Struck {
+                floor,
+                part,
+                velocities,
+            };
             self.hits.push(Impact {
                 pair: index,
                 left: pair.left(),
                 right: pair.right(),
+                floors: [
+                    Some(struck(pair.left(), -1.0, [left, after.left])),
+                    Some(struck(pair.right(), 1.0, [right, after.right])),
+                    None,
+                    None,
+                ],
                 time,
                 impulse,
                 before: Velocities { left, right },
@@ -258,6 +272,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let start = body.last;
             if end_time > start_time {
                 let mean = |one: f64, other: f64| 0.5 * dt * (one + other);
+                list_pushes(&mut self.pushes, row, structure, ([start, end], dt));
                 let span = Span {
                     structure,
                     start_time,
@@ -268,6 +283,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                     impulse_from_right: mean(start.force_from_right, end.force_from_right),
                     below: None,
                     path: Path::Cubic(Weighed::default()),
+                    pushes: &self.pushes,
                 };
                 seen.span(&span);
                 let acts = |state: State, force: f64| State {
@@ -289,6 +305,37 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         for impact in self.hits.drain(..) {
             seen.impact(&impact);
         }
+    }
+}
+
+/// Lists what the pairs of a structure do to it between the ends of a step \[s\]: one on each side at most.
+fn list_pushes<Column: RestoringForce>(
+    pushes: &mut Vec<Push<'_>>,
+    row: &Row<Column>,
+    structure: usize,
+    (ends, time_step): ([State; 2], f64),
+) {
+    pushes.clear();
+    for (pair, of) in row.pairs().iter().enumerate() {
+        if ![of.left(), of.right()].contains(&structure) {
+            continue;
+        }
+        let on_left = of.left() == structure;
+        let forces = ends.map(|state| {
+            if on_left {
+                -state.force_from_right
+            } else {
+                state.force_from_left
+            }
+        });
+        pushes.push(Push {
+            pair,
+            on_left,
+            part: 1.0,
+            forces,
+            impulse: 0.5 * time_step * (forces[0] + forces[1]),
+            series: &[],
+        });
     }
 }
 

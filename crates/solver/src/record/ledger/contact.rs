@@ -239,7 +239,7 @@ impl Contact {
             side.work = 0.0;
         }
         let pushed = self.sides.iter().any(|side| side.pushed_last);
-        if pushed || works != [0.0; 4] {
+        if pushed || works.iter().any(|work| *work != 0.0) {
             let taken = -works.iter().sum::<f64>();
             collision.n_spans += 1;
             collision.taken += taken.max(0.0);

@@ -71,8 +71,10 @@ fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) 
     let is_alone = is_alone(span, push);
     move |time, state| match span.path {
         Path::Series(series) if !is_alone => value(push.series, series.x(time)),
-        _ if push.on_left => -state.force_from_right,
-        _ => state.force_from_left,
+        Path::Series(_) | Path::Cubic(_) | Path::Flight(_) if push.on_left => {
+            -state.force_from_right
+        }
+        Path::Series(_) | Path::Cubic(_) | Path::Flight(_) => state.force_from_left,
     }
 }
 
@@ -82,5 +84,5 @@ fn is_alone(span: &Span<'_>, push: &Push<'_>) -> bool {
         .pushes
         .iter()
         .filter(|other| other.on_left == push.on_left);
-    push.part == 1.0 && on_side.count() == 1
+    push.part >= 1.0 && on_side.count() == 1
 }
