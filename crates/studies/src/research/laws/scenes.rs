@@ -73,8 +73,7 @@ fn run(
     let prepared = Simulation::new(&scene, completed.file.base());
     let outcome = prepared.and_then(|prepared| prepared.run(None));
     let outcome = outcome.map_err(|error| error.to_string())?;
-    let recorders = (outcome.peaks, outcome.collisions, outcome.momentum, ());
-    Ok(Quantities::of(&recorders, scene.structures.len()))
+    Ok(Quantities::of(&outcome, scene.structures.len()))
 }
 
 fn inverse_mass(structure: &Structure) -> f64 {
