@@ -8,7 +8,7 @@ use crate::impact::dense::{ClosedIn, Complementarity};
 use crate::implicit::clusters::Clusters;
 use crate::implicit::contacts::Contacts;
 use crate::implicit::equation::Slopes;
-use crate::implicit::newmark::Scratch;
+use crate::implicit::step::Scratch;
 use crate::{RestoringForce, Row};
 
 /// Solutions of a step after which every other one is taken half way: columns that yield under one impulse and do not under

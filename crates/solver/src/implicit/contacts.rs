@@ -2,7 +2,7 @@
 
 use crate::impact::impacts::impulsive;
 use crate::implicit::equation::Slopes;
-use crate::implicit::newmark::Scratch;
+use crate::implicit::step::Scratch;
 use crate::implicit::trial::Trial;
 use crate::model::ground::Ground;
 use crate::{Pair, RestoringForce, Row, RunError, State};

@@ -10,4 +10,5 @@ pub(crate) mod hht;
 pub(crate) mod moreau_jean;
 pub(crate) mod newmark;
 pub(crate) mod newton;
+pub(crate) mod step;
 pub(crate) mod trial;

@@ -135,11 +135,8 @@ impl<Column: RestoringForce> Building<'_, Column> {
         for (level, &index) in self.floors.iter().enumerate().rev() {
             let floor = &self.row.nodes()[index];
             let below = floor.support.below();
-            let below_velocity = if level > 0 {
-                velocities[level - 1]
-            } else {
-                0.0
-            };
+            let lower = level.checked_sub(1);
+            let below_velocity = lower.map_or(0.0, |lower| velocities[lower]);
             if let Some(below) = below {
                 self.ends[below].velocity = below_velocity;
             }
