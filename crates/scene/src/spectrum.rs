@@ -7,16 +7,13 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{
-    Budget, Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, ModelError, Node,
-    Peaks, Recorder, Row, RunError, Span, State,
+    AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator,
+    ModelError, Node, Records, Row, RunError,
 };
 use rayon::prelude::*;
 
 /// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
 const MOST_VALUES: usize = 1_000_000;
-
-/// Halvings of a span that find a peak in it to rounding.
-const HALVINGS: u32 = 53;
 
 /// The response spectrum of a record for one damping ratio.
 #[derive(Debug, Clone, PartialEq)]
@@ -234,75 +231,25 @@ fn values(
     let damping = Damping::Ratio(damping_ratio).coefficient(1.0, stiffness);
     let node = Node::structure(1.0, damping, Elastic { stiffness });
     let row = Row::new(vec![node], vec![]).expect("mass, damping and stiffness are finite");
+    let row = AnyRow::Elastic(row);
     let clock = Clock {
         time_step: end,
         n_steps: 1,
     };
-    let mut recorders = (
-        Peaks::new(1),
-        AbsolutePeak {
-            stiffness,
-            damping,
-            peak: 0.0,
-        },
-    );
-    Integrator::Exact(Exact::default()).run(
-        &row,
-        excitation,
-        clock.within(budget),
-        &mut recorders,
-    )?;
-    let displacement = recorders.0.of(0).displacement.value.abs();
+    let mut records = Records {
+        accelerations: Some(FloorAccelerations::new(1, excitation)),
+        ..Records::usual(1, row.pairs())
+    };
+    let exact = Integrator::Exact(Exact::default());
+    row.run(&exact, excitation, clock.within(budget), &mut records)?;
+    let displacement = records.peaks.of(0).displacement.value.abs();
+    let accelerations = records.accelerations.iter();
+    let absolute = accelerations.map(|all| all.of(0).value.abs());
     Ok(SpectralValues {
         period,
         displacement,
         pseudo_velocity: frequency * displacement,
         pseudo_acceleration: stiffness * displacement,
-        absolute_acceleration: recorders.1.peak,
+        absolute_acceleration: absolute.fold(0.0, f64::max),
     })
-}
-
-/// Records the largest magnitude of the absolute acceleration of a structure of unit mass, −c·u̇ − k·u.
-struct AbsolutePeak {
-    stiffness: f64,
-    damping: f64,
-    peak: f64,
-}
-
-impl AbsolutePeak {
-    /// Magnitude of the force at a state.
-    fn force(&self, state: &State) -> f64 {
-        (self.damping * state.velocity + self.stiffness * state.displacement).abs()
-    }
-
-    /// How fast the force changes.
-    fn rate(&self, state: &State) -> f64 {
-        self.damping * state.acceleration + self.stiffness * state.velocity
-    }
-}
-
-impl Recorder for AbsolutePeak {
-    fn span(&mut self, span: &Span<'_>) {
-        let ends = self.force(&span.start).max(self.force(&span.end));
-        self.peak = self.peak.max(ends);
-        let [first, last] = [&span.start, &span.end].map(|state| self.rate(state));
-        // A span is at most one radian long: inside, the force goes beyond its ends by less than this.
-        let reach = span.duration() * (first.abs() + last.abs());
-        let turns = (first > 0.0) != (last > 0.0);
-        if !turns || ends + reach <= self.peak {
-            return;
-        }
-        let [mut before, mut after] = [span.start_time, span.end_time];
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (before + after);
-            if (self.rate(&span.at(middle)) > 0.0) == (first > 0.0) {
-                before = middle;
-            } else {
-                after = middle;
-            }
-        }
-        self.peak = self.peak.max(self.force(&span.at(before)));
-    }
-
-    fn impact(&mut self, _: &Impact) {}
 }

@@ -108,9 +108,9 @@ pub use model::support::{Floor, Support};
 pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
-    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
-    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, Records, StructurePeaks,
-    Terms, TransferredMomentum,
+    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History, LastStates,
+    Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, Records, StructurePeaks, Terms,
+    TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
 pub use work::Work;

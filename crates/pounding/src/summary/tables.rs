@@ -56,7 +56,7 @@ pub(super) fn motions(
         let peak = outcome.accelerations[index];
         let row = vec![
             floor.name.clone(),
-            short(1e3 * outcome.last.of(index)),
+            short(1e3 * outcome.last.of(index).displacement),
             short(peak.value / gravity),
             instant(peak.time),
         ];
@@ -97,13 +97,13 @@ pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunE
         let drift = peaks.drift();
         let below = floors
             .below(index)
-            .map_or(0.0, |below| outcome.last.of(below));
+            .map_or(0.0, |below| outcome.last.of(below).displacement);
         let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
         let row = vec![
             floor.name.clone(),
             short(1e3 * drift.value),
             instant(drift.time),
-            short(1e3 * (outcome.last.of(index) - below)),
+            short(1e3 * (outcome.last.of(index).displacement - below)),
             floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
             short(1e-3 * peaks.restoring_force.value),
             number(floor.ductility(drift.value)),

@@ -131,7 +131,7 @@ fn structure(
     let drift = peaks.drift();
     let acceleration = review.outcome.accelerations[index];
     // A negative zero loses its sign.
-    let last = |index| review.outcome.last.of(index) + 0.0;
+    let last = |index| review.outcome.last.of(index).displacement + 0.0;
     let upper = floor.is_upper();
     StructureSummary {
         period_s: Some(period),

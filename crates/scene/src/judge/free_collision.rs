@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{
-    Budget, Clock, Elastic, Excitation, Impact, Integrator, Node, Pair, Recorder, Row, RunError,
-    Span,
+    AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Records, Row,
+    RunError,
 };
 
 use crate::Method;
@@ -74,7 +74,7 @@ impl FreeCollision {
     ///
     /// # Errors
     /// [`CollisionError`] of a number that the solver refuses.
-    pub fn row(&self, law: ContactLaw, gap: f64) -> Result<Row<Elastic>, CollisionError> {
+    pub fn row(&self, law: ContactLaw, gap: f64) -> Result<AnyRow, CollisionError> {
         let inverse = self.masses.map(|mass| 1.0 / mass);
         // About the common centre, so that neither velocity is small against the other's rounding.
         let node = |inverse_mass: f64, sign: f64| Node {
@@ -84,7 +84,8 @@ impl FreeCollision {
         };
         let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
         let pair = Pair::of_floors(0, 1, gap, law);
-        Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)
+        let row = Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)?;
+        Ok(AnyRow::Elastic(row))
     }
 
     /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
@@ -118,9 +119,12 @@ impl FreeCollision {
             pieces: MOST_PIECES,
             ..Budget::default()
         };
-        let mut seen = Seen::default();
-        match integrator.run(&row, rest, clock.within(budget), &mut seen) {
-            Ok(_) => Ok(seen),
+        let mut records = Records {
+            last: Some(LastStates::new(2)),
+            ..Records::usual(2, row.pairs())
+        };
+        match row.run(integrator, rest, clock.within(budget), &mut records) {
+            Ok(_) => Ok(Seen::of(&records)),
             Err(RunError::TooManyPieces { .. }) => Err(CollisionError::TooManyPieces { contact }),
             Err(error) => Err(error.into()),
         }
@@ -132,7 +136,7 @@ const MOST_STEPS: f64 = 1e6;
 /// Most pieces of the exact method: a tenth of a second. Collisions of buildings take less than 3000.
 const MOST_PIECES: f64 = 1e5;
 
-/// The last velocities, and the impulse.
+/// The last velocities \[m/s\], and the impulse \[N·s\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Seen {
     velocities: [f64; 2],
@@ -140,22 +144,17 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    pub(crate) fn restitution(&self, speed: f64) -> f64 {
-        (self.velocities[1] - self.velocities[0]) / speed
-    }
-}
-
-impl Recorder for Seen {
-    fn span(&mut self, span: &Span<'_>) {
-        self.velocities[span.structure] = span.end.velocity;
-        if span.structure == 0 {
-            self.impulse -= span.impulse_from_right;
+    fn of(records: &Records<'_, '_>) -> Self {
+        let velocity = |node: usize| records.last.as_ref().map(|last| last.of(node).velocity);
+        let impulses = records.collisions.all().iter().map(|met| met.impulse);
+        Self {
+            velocities: [0, 1].map(|node| velocity(node).unwrap_or_default()),
+            impulse: impulses.sum(),
         }
     }
 
-    fn impact(&mut self, impact: &Impact) {
-        self.velocities = [impact.after.left, impact.after.right];
-        self.impulse += impact.impulse;
+    pub(crate) fn restitution(&self, speed: f64) -> f64 {
+        (self.velocities[1] - self.velocities[0]) / speed
     }
 }
 

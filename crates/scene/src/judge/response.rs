@@ -166,8 +166,8 @@ impl Simulation {
         let drift = peaks.drift().value.abs();
         let below = floors
             .below(floor)
-            .map_or(0.0, |below| result.last.of(below));
-        let residual = result.last.of(floor) - below;
+            .map_or(0.0, |below| result.last.of(below).displacement);
+        let residual = result.last.of(floor).displacement - below;
         let mut all = Vec::new();
         all.extend(
             one.ductility(drift)

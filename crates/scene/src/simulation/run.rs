@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
-    LastDisplacements, Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Records, RunError,
-    Terms, TransferredMomentum, Travel, Work,
+    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates,
+    Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Records, RunError, Terms,
+    TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
@@ -26,7 +26,7 @@ pub struct RunResult {
     /// Peak absolute accelerations of every floor \[m/s²\]; impulsive impacts, which have none, left out.
     pub accelerations: Vec<Peak>,
     /// Where every floor is at the end.
-    pub last: LastDisplacements,
+    pub last: LastStates,
     /// How far neighbours came towards each other, where asked for.
     pub closings: Option<Closings>,
     /// Histories of every structure, where asked for.
@@ -87,7 +87,7 @@ impl RunResult {
             collisions: records.collisions,
             momentum: records.momentum,
             accelerations: accelerations.unwrap_or_default(),
-            last: records.last.unwrap_or_else(|| LastDisplacements::new(0)),
+            last: records.last.unwrap_or_else(|| LastStates::new(0)),
             closings: records.closings,
             histories: records.histories,
             work,
@@ -193,7 +193,7 @@ impl Simulation {
         let accelerations = FloorAccelerations::new(n, self.excitation());
         Records {
             accelerations: Some(accelerations.travelled(self.travel().as_ref())),
-            last: Some(LastDisplacements::new(n)),
+            last: Some(LastStates::new(n)),
             closings: asked.closings.then(closings),
             histories: asked
                 .interval
@@ -204,17 +204,9 @@ impl Simulation {
 
     /// Empty recorders of what is printed of a structure or a pair.
     fn usual_records<'l>(&self) -> Records<'l, '_> {
-        let n = self.floors.all().len();
-        Records {
-            peaks: Peaks::new(n),
-            collisions: Collisions::new(n, self.pairs()).travelled(self.travel()),
-            momentum: TransferredMomentum::new(n),
-            accelerations: None,
-            last: None,
-            closings: None,
-            histories: None,
-            ledger: None,
-        }
+        let mut records = Records::usual(self.floors.all().len(), self.pairs());
+        records.collisions = records.collisions.travelled(self.travel());
+        records
     }
 
     /// An empty recorder of how far neighbours come towards each other.

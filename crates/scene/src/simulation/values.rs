@@ -46,7 +46,7 @@ impl Values<'_> {
         }
         let peaks = self.result.peaks.of(index);
         // A negative zero loses its sign.
-        let last = |index| self.result.last.of(index) + 0.0;
+        let last = |index| self.result.last.of(index).displacement + 0.0;
         match quantity {
             FloorQuantity::PeakDisplacementM => Some(peaks.displacement.value),
             FloorQuantity::PeakDisplacementTimeS => Some(peaks.displacement.time),

@@ -44,7 +44,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
             let run = scene(&law, &json!(trial.method));
             let run = run.run_with(Extras::COMPARED).expect("it runs");
             for floor in 0..prepared.floors().all().len() {
-                let [found, wanted] = [&run, &exact].map(|run| run.last.of(floor));
+                let [found, wanted] = [&run, &exact].map(|run| run.last.of(floor).displacement);
                 let peak = exact.peaks.of(floor).displacement.value.abs();
                 let size = wanted.abs().max(LEAST_PART * peak);
                 assert!(

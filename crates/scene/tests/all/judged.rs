@@ -192,7 +192,7 @@ fn reference_a_chain_that_comes_to_rest_together() {
         2.538_064_839_435_834_1e-3,
     ];
     for (node, wanted) in wanted.into_iter().enumerate() {
-        let found = result.last.of(node);
+        let found = result.last.of(node).displacement;
         assert!((found - wanted).abs() < 1e-13, "{node}: {found} {wanted}");
     }
 }

@@ -1,7 +1,7 @@
 //! What runs are asked for, in one recorder.
 
 use crate::{
-    Closings, Collisions, FloorAccelerations, Histories, Impact, LastDisplacements, Ledger, Peaks,
+    Closings, Collisions, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks,
     Recorder, Span, Touch, TransferredMomentum,
 };
 
@@ -20,7 +20,7 @@ pub struct Records<'l, 'a> {
     /// Peak absolute accelerations of every floor, where asked for.
     pub accelerations: Option<FloorAccelerations<'a>>,
     /// Where every floor is at the end, where asked for.
-    pub last: Option<LastDisplacements>,
+    pub last: Option<LastStates>,
     /// How far neighbours came towards each other, where asked for.
     pub closings: Option<Closings>,
     /// Histories of every structure, where asked for.
@@ -30,6 +30,20 @@ pub struct Records<'l, 'a> {
 }
 
 impl Records<'_, '_> {
+    /// Those of what is printed of a structure or a pair, for a row of `n_nodes`, walls included, with these pairs.
+    pub fn usual(n_nodes: usize, pairs: &[Pair]) -> Self {
+        Self {
+            peaks: Peaks::new(n_nodes),
+            collisions: Collisions::new(n_nodes, pairs),
+            momentum: TransferredMomentum::new(n_nodes),
+            accelerations: None,
+            last: None,
+            closings: None,
+            histories: None,
+            ledger: None,
+        }
+    }
+
     fn all(&mut self) -> impl Recorder {
         let usual = (&mut self.peaks, &mut self.collisions, &mut self.momentum);
         let asked = (&mut self.ledger, &mut self.accelerations, &mut self.last);

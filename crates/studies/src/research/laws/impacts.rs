@@ -1,7 +1,7 @@
 //! Free impacts of the laws at one e: forces over deformation and time, and their extremes.
 
 use pounding_contact::{Clamp, ContactLaw, LawName};
-use pounding_solver::{Clock, Collisions, Exact, Excitation, Histories, Integrator, State};
+use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Records, State};
 use rayon::prelude::*;
 
 use super::entry::{Entry, label, shade};
@@ -61,14 +61,16 @@ impl Impact {
         };
         let rest =
             Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
-        let n = row.nodes().len();
-        let mut recorder = (
-            Histories::new(n, interval, end),
-            Collisions::new(n, row.pairs()),
-        );
-        Integrator::Exact(Exact::default()).run(&row, rest, clock, &mut recorder)?;
-        let (histories, collisions) = recorder;
-        let states = |structure| histories.of(structure).states.iter();
+        let mut records = Records {
+            histories: Some(Histories::new(2, interval, end)),
+            ..Records::usual(2, row.pairs())
+        };
+        let exact = Integrator::Exact(Exact::default());
+        row.run(&exact, rest, clock.into(), &mut records)?;
+        let states = |structure| {
+            let histories = records.histories.iter();
+            histories.flat_map(move |all| all.of(structure).states.iter())
+        };
         let state = |(i, (left, right)): (usize, (&State, &State))| {
             let deformation = left.displacement - right.displacement - gap;
             let time = i as f64 * interval - touch;
@@ -85,7 +87,11 @@ impl Impact {
             .skip(BESIDE as usize + 1);
         points.extend(after.map(state).take_while(|[time, ..]| *time <= duration));
         points.push([duration, 0.0, 0.0]);
-        let forces = collisions.all().iter().map(|met| met.end - met.start);
+        let forces = records
+            .collisions
+            .all()
+            .iter()
+            .map(|met| met.end - met.start);
         Ok(Self {
             points,
             force_duration: forces.fold(0.0, f64::max),

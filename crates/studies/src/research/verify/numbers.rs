@@ -41,7 +41,7 @@ impl Numbers {
                 displacement: peaks.displacement.value.abs(),
                 drift: peaks.drift().value.abs(),
                 restoring_force: peaks.restoring_force.value.abs(),
-                last_displacement: outcome.last.of(index),
+                last_displacement: outcome.last.of(index).displacement,
                 momentum: outcome.momentum.of(index),
             }
         };
