@@ -158,12 +158,7 @@ pub(crate) fn rows<Column: Beside, const L: usize, const R: usize>(
                 },
             )
         };
-        let pair = |(left, right)| Pair {
-            left,
-            right,
-            gap: group.gaps[lane],
-            law,
-        };
+        let pair = |(left, right)| Pair::of_floors(left, right, group.gaps[lane], law);
         let nodes = (0..L + R).map(node).collect();
         Row::new(nodes, levels.facing(0).map(pair).collect())
     };

@@ -78,12 +78,7 @@ fn rows(size: usize, in_round: usize) -> Outcome<Vec<Row<Elastic>>> {
             Node::structure(drawn.mass, drawn.damping, Elastic::of(drawn.column))
         };
         let nodes = (0..size).map(&mut node).collect();
-        let pair = |left| Pair {
-            left,
-            right: left + 1,
-            gap: between(&mut random, GAPS),
-            law,
-        };
+        let pair = |left| Pair::of_floors(left, left + 1, between(&mut random, GAPS), law);
         Row::new(nodes, (0..size - 1).map(pair).collect())
     };
     let rows = (0..in_round.div_ceil(size)).map(|_| row());

@@ -229,7 +229,7 @@ fn structures_as_json(row: &Row<Elastic>) -> Value {
         right.column.stiffness,
         left.damping,
         right.damping,
-        row.pairs()[0].gap
+        row.pairs()[0].gap()
     ])
 }
 
@@ -255,7 +255,7 @@ fn towers_as_json(row: &Row<Bilinear>) -> Value {
         ])
     };
     let towers = [0, 1].map(|tower| levels.of(tower).iter().map(storey).collect::<Vec<_>>());
-    json!({"towers": towers, "gap": row.pairs()[0].gap})
+    json!({"towers": towers, "gap": row.pairs()[0].gap()})
 }
 
 /// What one measurement gives.

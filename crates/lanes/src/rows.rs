@@ -79,7 +79,7 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         Some(Pair {
             index,
             lingers: false,
-            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap())),
+            gap: Lanes::new(simd, &pairs.map(pounding_solver::Pair::gap)),
             law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
             deformation: Lanes::splat(simd, 0.0),
             tally: SceneSum::new(simd),

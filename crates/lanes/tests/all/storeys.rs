@@ -147,7 +147,7 @@ fn row<Column: Hysteretic>(
             ));
         }
     }
-    pairs.sort_by_key(|pair| pair.left());
+    pairs.sort_by_key(Pair::left);
     let nodes = (0..levels.n_nodes()).map(node).collect();
     Row::new(nodes, pairs).expect("the row is valid")
 }

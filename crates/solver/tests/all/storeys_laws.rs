@@ -119,7 +119,7 @@ impl Case {
                 pairs.push(Pair::of_floors(a, b, gap, law));
             }
         }
-        pairs.sort_by_key(|pair| pair.left());
+        pairs.sort_by_key(Pair::left);
         Row::new(nodes, pairs).expect("a valid row")
     }
 }

@@ -46,7 +46,7 @@ pub(crate) fn row<Column: Hysteretic>(
             pairs.extend(pair(left, storey, [a, b]));
         }
     }
-    pairs.sort_by_key(|pair| pair.left());
+    pairs.sort_by_key(Pair::left);
     let row = Row::new(nodes, pairs).expect("a valid row");
     (row, levels)
 }
