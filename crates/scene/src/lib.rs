@@ -38,6 +38,7 @@ mod assess;
 mod file;
 mod ground_motion;
 mod judge;
+pub mod parallel;
 mod quantity;
 mod simulation;
 mod spectrum;

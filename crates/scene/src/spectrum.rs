@@ -2,6 +2,7 @@
 //!
 //! The recurrence of Nigam and Jennings takes a hundredth of the time, but finds peaks at samples only; tests compare with it.
 
+use crate::parallel;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
@@ -10,7 +11,6 @@ use pounding_solver::{
     AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator,
     ModelError, Node, Records, Row, RunError,
 };
-use rayon::prelude::*;
 
 /// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
 const MOST_VALUES: usize = 1_000_000;
@@ -162,7 +162,7 @@ fn spectrum(
         done();
         found
     };
-    periods.par_iter().map(values).collect()
+    parallel::try_each(periods, values)
 }
 
 /// Periods from one to another, both > 0 \[s\], in equal ratios; the first alone where one is asked for.

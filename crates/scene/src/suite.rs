@@ -11,10 +11,11 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
-use rayon::prelude::*;
 
 use crate::ground_motion::{opened, shown_name};
-use crate::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source};
+use crate::{
+    Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel,
+};
 use copies::Copies;
 pub use entries::files_in;
 use entries::{Entry, entries_of};
@@ -169,10 +170,10 @@ impl Suite {
             let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
             NamedFile::of_all(&names)
         });
-        let named: Vec<NamedFile> = named.collect();
-        let read: Vec<_> = (files.par_iter().zip(named))
-            .map(|(file, named)| of_file(file, named, declared))
-            .collect();
+        let named: Vec<_> = files.iter().zip(named).collect();
+        let read = parallel::each(&named, |(file, named)| {
+            of_file(file, named.clone(), declared)
+        });
         let n_entries = files.len() + left_out.len();
         let (mut all, mut first) = (Vec::new(), None);
         for (file, read) in files.iter().zip(read) {

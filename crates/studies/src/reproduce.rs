@@ -9,10 +9,9 @@ use crate::{
     PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
     figure_png, paper,
 };
+use pounding_scene::parallel;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-use rayon::prelude::*;
 
 /// The studies of a folder and the published numbers they are compared with.
 #[derive(Debug)]
@@ -95,22 +94,12 @@ impl Studies {
     /// # Errors
     /// The first [`StudyError`] in the order of the studies.
     pub fn reproduce(self, done: &(dyn Fn() + Sync)) -> Result<Reproduction, StudyError> {
-        let completed = self
-            .files
-            .into_par_iter()
-            .map(|file| Completed::run(file, done))
-            .collect::<Vec<_>>();
-        // Collected first: of several errors, the first in order is reported, not the first in time.
-        let completed = completed.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let made = completed
-            .par_iter()
-            .map(|study| {
-                let made = RenderedStudy::of(study, self.extent, done);
-                done();
-                made
-            })
-            .collect::<Vec<_>>();
-        let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let completed = parallel::try_each(&self.files, |file| Completed::run(file.clone(), done))?;
+        let made = parallel::try_each(&completed, |study| {
+            let made = RenderedStudy::of(study, self.extent, done);
+            done();
+            made
+        })?;
         let (mut files, values) = collected(&completed, made);
         let comparisons = self.published.compare(&values);
         let claims = claims(&completed)?;
@@ -178,12 +167,14 @@ fn collected(
 
 /// The claims by the method as the paper describes it.
 fn without_slips(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
-    let again = completed
-        .par_iter()
+    let all = completed.iter();
+    let by_program: Vec<_> = all
         .filter(|study| study.file.study.program.is_some())
-        .map(|study| study.by_program(|_| Program::DESCRIBED))
-        .collect::<Vec<_>>();
-    claims(&again.into_iter().collect::<Result<Vec<_>, _>>()?)
+        .collect();
+    let again = parallel::try_each(&by_program, |study| {
+        study.by_program(|_| Program::DESCRIBED)
+    });
+    claims(&again?)
 }
 
 /// The scenes under other ground motions, where a study lists some.

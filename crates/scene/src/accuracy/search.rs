@@ -1,12 +1,11 @@
 //! The search for the method and time step that reach an accuracy at the least cost.
 
-use rayon::prelude::*;
-
 use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
 use crate::accuracy::price::Going;
 use crate::{
     Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
+    parallel,
 };
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
@@ -34,14 +33,11 @@ pub fn advise(
     let runs: Vec<_> = entries(prepared.scene(), &ladder)
         .filter(|(contender, _)| contender.knob == Knob::TimeStep)
         .collect();
-    let trials: Vec<_> = runs
-        .par_iter()
-        .map(|&(contender, step)| {
-            let trial = trial(prepared, (contender, step), &exact, goal.quantity);
-            done(runs.len());
-            Some((contender.key, trial?))
-        })
-        .collect();
+    let trials = parallel::each(&runs, |&(contender, step)| {
+        let trial = trial(prepared, (contender, step), &exact, goal.quantity);
+        done(runs.len());
+        Some((contender.key, trial?))
+    });
     let rungs = |contender: &ComparedMethod| {
         let own = trials
             .iter()

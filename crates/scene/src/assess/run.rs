@@ -1,13 +1,14 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::alone::Alone;
 use super::peaks::{FloorPeaks, peaks};
 use super::separation::Separation;
-use crate::{Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation};
+use crate::{
+    Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel,
+};
 
 /// Factors on the impact stiffness: soft, as the scene has it, and stiff.
 pub type StiffnessFactors = [f64; 3];
@@ -108,14 +109,9 @@ impl Simulation {
         let mut variants = Vec::new();
         if pushes.any(|one| one.peak_force.is_some()) {
             let others = factors.map(|factor| ((factor - 1.0).abs() > 0.0).then_some(factor));
-            let run = |factor: f64| exact.stiffened(factor)?.run(None);
+            let others: Vec<f64> = others.into_iter().flatten().collect();
             // Side by side, so that the last motion of a folder does not leave processors idle.
-            let ran: Vec<Result<RunResult, Error>> = others
-                .into_par_iter()
-                .filter_map(|factor| factor.map(run))
-                .collect();
-            // Of two errors the first by order, not by time.
-            variants = ran.into_iter().collect::<Result<_, _>>()?;
+            variants = parallel::try_each(&others, |factor| exact.stiffened(*factor)?.run(None))?;
         }
         variants.push(beside);
         let pairs = 0..self.pairs().len();

@@ -2,10 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use rayon::prelude::*;
-
 use super::{Motion, Suite};
-use crate::{Error, Scene, Simulation};
+use crate::{Error, Scene, Simulation, parallel};
 
 /// What became of a scene under one motion in one direction.
 #[derive(Debug, Clone)]
@@ -90,8 +88,9 @@ fn until_stopped<C: Sync, L: Send>(
     stopped: &AtomicBool,
     line: impl Fn(&C) -> Option<L> + Sync,
 ) -> Vec<L> {
-    let unless = |case| (!stopped.load(Ordering::Relaxed)).then(|| line(case))?;
-    cases.par_iter().filter_map(unless).collect()
+    let unless = |case: &C| (!stopped.load(Ordering::Relaxed)).then(|| line(case))?;
+    let lines = parallel::each(cases, unless);
+    lines.into_iter().flatten().collect()
 }
 
 /// Runs a scene under every motion of a suite, in these directions (whether reversed); a line each, in order. Every motion has a
@@ -107,11 +106,8 @@ pub fn lines_of<T: Send, K: Send + Sync>(
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
 ) -> Result<Lines<T>, String> {
     // Once for both directions: to scale a record takes its spectrum.
-    let scenes: Vec<Result<(Scene, K), String>> = suite
-        .motions
-        .par_iter()
-        .map(|motion| scene(motion).map_err(|error| error.reason()))
-        .collect();
+    let scene = |motion: &Motion| scene(motion).map_err(|error| error.reason());
+    let scenes: Vec<Result<(Scene, K), String>> = parallel::each(&suite.motions, scene);
     let under = suite.motions.iter().zip(&scenes);
     let cases: Vec<Case<'_, K>> = under
         .flat_map(|(motion, scene)| {

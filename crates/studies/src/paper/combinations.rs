@@ -2,10 +2,9 @@
 
 use crate::program::{Choice, Program, Start};
 use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
+use pounding_scene::parallel;
 use pounding_text::to_csv;
 use std::collections::BTreeMap;
-
-use rayon::prelude::*;
 
 /// Tables whose numbers are counted, and the text.
 const COUNTED: [&str; 6] = ["2", "4", "5", "6", "7", "text"];
@@ -90,7 +89,7 @@ pub(super) fn combinations(
     });
     header.extend(counts.iter().map(String::as_str));
     header.extend(["digits_of_all", "largest_difference_of_tables_6_and_7"]);
-    let row = |combination: Combination| {
+    let row = |combination: &Combination| {
         let compared = combination.compared(completed, published)?;
         let count = |table: Option<&str>| {
             let printed = compared.iter().filter(|one| {
@@ -112,11 +111,9 @@ pub(super) fn combinations(
             .to_vec();
         row.extend(COUNTED.map(|table| count(Some(table))));
         row.extend([count(None), format!("{largest:.1e}")]);
-        Ok(row)
+        Ok::<_, StudyError>(row)
     };
-    let rows: Vec<Result<Vec<String>, StudyError>> =
-        Combination::all().into_par_iter().map(row).collect();
-    let rows = rows.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let rows = parallel::try_each(&Combination::all(), row)?;
     let header: Vec<_> = header.iter().map(ToString::to_string).collect();
     Ok(to_csv(&header, &rows))
 }

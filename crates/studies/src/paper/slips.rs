@@ -6,11 +6,10 @@ use crate::paper::tables::Value;
 use crate::program::{Choice, Program};
 use crate::{Completed, Printed, Published, StudyError};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
+use pounding_scene::parallel;
 use pounding_text::{digits, to_csv};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-
-use rayon::prelude::*;
 
 /// Marks of the choices in the figure.
 const MARKS: [Mark; Choice::ALL.len()] = [
@@ -50,17 +49,12 @@ impl<'a> Slips<'a> {
             let again = of_totals.map(|study| study.by_program(change));
             quantities(&again.collect::<Result<Vec<_>, _>>()?)
         };
-        let without = Choice::ALL
-            .into_par_iter()
-            .map(|choice| changed(&|program| choice.taken_back(program)));
+        let taken_back = |choice: &Choice| changed(&|program| choice.taken_back(program));
         Ok(Self {
             published,
             exact,
             printed: changed(&|program| program)?,
-            without: without
-                .collect::<Vec<_>>()
-                .into_iter()
-                .collect::<Result<_, _>>()?,
+            without: parallel::try_each(&Choice::ALL, taken_back)?,
             described: changed(&|_| Program::DESCRIBED)?,
         })
     }

@@ -4,10 +4,8 @@ use crate::StudyError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use pounding_report::Report;
-use pounding_scene::{Effects, Scene, Simulation, files_in};
+use pounding_scene::{Effects, Scene, Simulation, files_in, parallel};
 
 /// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
 #[derive(Debug)]
@@ -46,14 +44,12 @@ impl Examples {
         &self,
         done: &(dyn Fn() + Sync),
     ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let made = self.scenes.par_iter().map(|(path, scene)| {
+        let made = parallel::try_each(&self.scenes, |(path, scene)| {
             let files = of_scene(path, scene).map_err(|error| error.in_file(path));
             done();
             files
-        });
-        let made: Vec<_> = made.collect();
-        let made: Result<Vec<_>, _> = made.into_iter().collect();
-        Ok(made?.into_iter().flatten().collect())
+        })?;
+        Ok(made.into_iter().flatten().collect())
     }
 }
 

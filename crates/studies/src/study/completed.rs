@@ -2,7 +2,7 @@
 
 use crate::program::Program;
 use crate::{StudyError, StudyFile};
-use pounding_scene::{RunResult, Scene, Simulation};
+use pounding_scene::{RunResult, Scene, Simulation, parallel};
 
 /// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`](crate::Output::Beyond).
 #[derive(Debug)]
@@ -75,26 +75,20 @@ impl Completed {
         change: impl Fn(Program) -> Program + Sync,
         done: &(dyn Fn() + Sync),
     ) -> Result<Self, StudyError> {
-        use rayon::prelude::*;
         let keeps_histories = file.study.output.needs_histories();
-        let outcomes = prepared
-            .par_iter()
-            .zip(&file.study.scenes)
-            .map(|(prepared, scene)| {
-                let interval = keeps_histories.then(|| {
-                    let of_record = prepared.record().time_step();
-                    scene.method.time_step().unwrap_or(of_record)
-                });
-                let outcome = match file.study.program_of(scene) {
-                    Some(program) => change(program).run(prepared, interval),
-                    None => prepared.run(interval),
-                };
-                done();
-                outcome.map_err(|error| error.in_file(&file.path))
-            })
-            .collect::<Vec<_>>();
-        // Collected first: of several errors, the first in order is reported, not the first in time.
-        let outcomes = outcomes.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let scenes: Vec<_> = prepared.iter().zip(&file.study.scenes).collect();
+        let outcomes = parallel::try_each(&scenes, |(prepared, scene)| {
+            let interval = keeps_histories.then(|| {
+                let of_record = prepared.record().time_step();
+                scene.method.time_step().unwrap_or(of_record)
+            });
+            let outcome = match file.study.program_of(scene) {
+                Some(program) => change(program).run(prepared, interval),
+                None => prepared.run(interval),
+            };
+            done();
+            outcome.map_err(|error| error.in_file(&file.path))
+        })?;
         Ok(Self {
             file,
             prepared,

@@ -6,10 +6,9 @@
 mod cases;
 mod csv;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Simulation};
+use crate::{Error, Simulation, parallel};
 use cases::{Answer, Case, cases};
 
 /// A change of the record [of one per cent](Effects) that moves a number by no more than this part of it leaves it robust \[–\].
@@ -129,11 +128,7 @@ impl Effects {
     /// [`Error::Run`] when one of them ends early, [`Error::Broken`] when it breaks a law of mechanics.
     pub fn of(prepared: &Simulation) -> Result<Self, Error> {
         let cases = cases();
-        let answers: Result<Vec<_>, _> = cases
-            .into_par_iter()
-            .map(|case| case.answer(prepared))
-            .collect();
-        let answers = answers?;
+        let answers = parallel::try_each(&cases, |case| case.answer(prepared))?;
         let (as_given, reversed) = answers.split_at(answers.len() / 2);
         let of = |answers: &[Answer]| {
             let floors = 0..prepared.floors().all().len();

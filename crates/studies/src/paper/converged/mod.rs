@@ -13,11 +13,9 @@ mod tables;
 use crate::noise::Noise;
 use crate::paper::claims::{Claim, Survival, survivals, verdicts};
 use crate::{Completed, Output, PublishedValues, StudyError, StudyFile};
-use pounding_scene::Method;
+use pounding_scene::{Method, parallel};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-
-use rayon::prelude::*;
 
 pub(crate) use quantities::{Quantities, find, quantities};
 pub(crate) use scenes::Scenes;
@@ -74,15 +72,12 @@ impl Converged {
         let scenes = Scenes::of(&files, &STUDIES, |_| Method::EXACT)?;
         let whole = scenes.running_on()?;
         let of_claims = Scenes::of(&files, &[OF_CLAIMS], |_| Method::EXACT)?;
-        let finer = TIME_STEPS
-            .into_par_iter()
-            .map(|step| {
-                let runs = Scenes::of(&files, &["table-6", "table-7"], |method| {
-                    method.with_time_step(step)
-                })?;
-                quantities(&runs.run(None)?)
-            })
-            .collect::<Vec<_>>();
+        let finer = parallel::try_each(&TIME_STEPS, |step| {
+            let runs = Scenes::of(&files, &["table-6", "table-7"], |method| {
+                method.with_time_step(*step)
+            })?;
+            quantities(&runs.run(None)?)
+        })?;
         let world = |noise: Option<&Noise>, asks: bool| -> Result<MotionCase, StudyError> {
             let quantities = quantities(&whole.run(noise)?)?;
             let verdicts = if asks {
@@ -99,10 +94,8 @@ impl Converged {
         let mut noisy_verdicts = Vec::new();
         for (level, sigma) in LEVELS.into_iter().enumerate() {
             let asks = level == LEVEL;
-            let one = |run| world(Some(&Noise::new(sigma, level, run)), asks);
-            let worlds: Vec<_> = (0..n_runs).into_par_iter().map(one).collect();
-            // Collected first: of several errors, the first in order is reported, not the first in time.
-            let worlds = worlds.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let one = |run: &usize| world(Some(&Noise::new(sigma, level, *run)), asks);
+            let worlds = parallel::try_each(&(0..n_runs).collect::<Vec<_>>(), one)?;
             let (values, verdicts): (Vec<_>, Vec<_>) = worlds.into_iter().unzip();
             noisy.push(values);
             if asks {
@@ -112,7 +105,7 @@ impl Converged {
         Ok(Self {
             exact_of_loads: quantities(&scenes.run(None)?)?,
             stepped: quantities(completed)?,
-            finer: finer.into_iter().collect::<Result<_, _>>()?,
+            finer,
             exact,
             noisy,
             survivals: survivals(&verdicts, &noisy_verdicts),

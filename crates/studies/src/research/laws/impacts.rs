@@ -2,12 +2,11 @@
 
 use pounding_contact::{Clamp, ContactLaw, LawName};
 use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Records, State};
-use rayon::prelude::*;
 
 use super::entry::{Entry, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
-use pounding_scene::{CollisionError, FreeCollision};
+use pounding_scene::{CollisionError, FreeCollision, parallel};
 use pounding_text::digits;
 use pounding_text::to_csv;
 
@@ -31,16 +30,10 @@ pub(super) fn collide(
     settings: &AtlasSettings,
 ) -> Result<Vec<Option<Impact>>, CollisionError> {
     let collision = settings.collision();
-    let impacts: Vec<_> = entries
-        .par_iter()
-        .map(|entry| match entry.certificate.impact {
-            Some(impact) => {
-                Impact::new(entry.certificate.law, &collision, impact.duration).map(Some)
-            }
-            None => Ok(None),
-        })
-        .collect();
-    impacts.into_iter().collect()
+    parallel::try_each(entries, |entry| match entry.certificate.impact {
+        Some(impact) => Impact::new(entry.certificate.law, &collision, impact.duration).map(Some),
+        None => Ok(None),
+    })
 }
 
 impl Impact {

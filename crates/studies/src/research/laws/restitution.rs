@@ -1,12 +1,11 @@
 //! The e that laws deliver to the free pair against the e asked of them, and against the approach speed.
 
 use pounding_contact::{FreeImpact, FreePair, LawName};
-use rayon::prelude::*;
 
 use super::entry::{Entry, key, label, mark, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
-use pounding_scene::Certificate;
+use pounding_scene::{Certificate, parallel};
 use pounding_text::digits;
 use pounding_text::to_csv;
 
@@ -25,7 +24,7 @@ pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
         .into_iter()
         .flat_map(|law| settings.restitutions.iter().map(move |e| (law, *e)))
         .collect();
-    let answer = |(law, restitution)| {
+    let answer = |&(law, restitution): &(LawName, f64)| {
         let certificate = settings.certificate(law, restitution);
         Asked {
             law,
@@ -33,7 +32,7 @@ pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
             outcome: certificate.map_err(|error| error.to_string()),
         }
     };
-    questions.into_par_iter().map(answer).collect()
+    parallel::each(&questions, answer)
 }
 
 /// e asked for, and delivered by either calibration.

@@ -5,10 +5,9 @@ use crate::Completed;
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::laws::AtlasSettings;
 use pounding_contact::{Calibration, FreePair, reduced_mass};
-use pounding_scene::{Scene, Simulation, Structure};
+use pounding_scene::{Scene, Simulation, Structure, parallel};
 use pounding_text::digits;
 use pounding_text::to_csv;
-use rayon::prelude::*;
 
 /// What a scene gives under every law, in their order.
 #[derive(Debug)]
@@ -31,13 +30,12 @@ pub(super) fn play(
         .iter()
         .flat_map(|scene| entries.iter().map(move |entry| (scene, entry)))
         .collect();
-    let run = |(scene, entry): (&Scene, &Entry)| {
+    let run = |&(scene, entry): &(&Scene, &Entry)| {
         let outcome = run(completed, scene, (entry, settings));
         done();
         outcome
     };
-    let outcomes: Vec<_> = runs.into_par_iter().map(run).collect();
-    let mut outcomes = outcomes.into_iter();
+    let mut outcomes = parallel::each(&runs, run).into_iter();
     let played = |scene: &Scene| Played {
         scene: scene.name.clone(),
         n_structures: scene.structures.len(),

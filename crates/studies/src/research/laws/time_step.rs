@@ -1,13 +1,12 @@
 //! The e that stepping methods deliver to the free pair, over the time step.
 
 use pounding_contact::LawName;
-use rayon::prelude::*;
 
 use super::entry::{Entry, N_LAWS, label};
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
-use pounding_scene::{Delivered, StepMethod};
+use pounding_scene::{Delivered, StepMethod, parallel};
 use pounding_text::digits;
 use pounding_text::to_csv;
 
@@ -49,7 +48,7 @@ pub(super) fn climb(
             StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method))
         })
         .collect();
-    let ladder = |(index, method): (usize, StepMethod)| {
+    let ladder = |&(index, method): &(usize, StepMethod)| {
         let certificate = &entries[index].certificate;
         let duration = certificate.impact.map_or(usual, |impact| impact.duration);
         let rung = |steps: &f64| {
@@ -69,7 +68,7 @@ pub(super) fn climb(
             rungs,
         }
     };
-    races.into_par_iter().map(ladder).collect()
+    parallel::each(&races, ladder)
 }
 
 /// How often [`climb`] calls `done`.

@@ -23,11 +23,11 @@ use crate::StudyError;
 use crate::paper::claims::{ClaimCount, ClaimCounts, asked};
 use crate::study::change::Change;
 use pounding_plot::{PlotError, render_png, writable};
+use pounding_scene::parallel;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use shaking::Shaking;
@@ -116,11 +116,7 @@ impl Beyond {
             let name = folder.join(page_name("spectra", &pages));
             files.insert(name, self.drawn(render_png(&spectra))?);
         }
-        let groups: Vec<_> = self
-            .groups
-            .par_iter()
-            .map(|group| self.of_group(group))
-            .collect();
+        let groups = parallel::each(&self.groups, |group| self.of_group(group));
         for (group, made) in self.groups.iter().zip(groups) {
             let folder = match group.change {
                 None => folder.to_path_buf(),

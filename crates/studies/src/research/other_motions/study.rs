@@ -6,10 +6,8 @@ use super::{Beyond, Case, Change, Group};
 use crate::paper::converged::{OF_CLAIMS, STUDIES, Scenes};
 use crate::study::other_motions::{BeyondSettings, ListedMotion};
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Method, Scene, Simulation, Structure, Suite};
+use pounding_scene::{Method, Scene, Simulation, Structure, Suite, parallel};
 use std::path::{Path, PathBuf};
-
-use rayon::prelude::*;
 
 /// The paper's scenes and the ground motions that are to shake them.
 #[derive(Debug)]
@@ -137,20 +135,19 @@ impl BeyondStudy {
         let motions = std::mem::take(&mut self.motions);
         let changes = self.changes.iter().copied().map(Some);
         let changes: Vec<_> = std::iter::once(None).chain(changes).collect();
-        let of_motion = |motion: Shaking| {
-            let worlds = changes.par_iter().map(|change| {
-                let world = |reversed| {
-                    let world = MotionCase::new(&self.scenes, (&motion, reversed), *change);
+        let of_motion = |motion: &Shaking| {
+            parallel::try_each(&changes, |change| {
+                let world = |reversed: &bool| {
+                    let world = MotionCase::new(&self.scenes, (motion, *reversed), *change);
                     done();
                     world
                 };
-                let (recorded, reversed) = rayon::join(|| world(false), || world(true));
-                recorded.and_then(|recorded| Ok([recorded, reversed?]))
-            });
-            let worlds: Vec<_> = worlds.collect();
-            (motion, worlds.into_iter().collect::<Result<Vec<_>, _>>())
+                let [recorded, reversed] = parallel::both(&[false, true], world);
+                Ok::<_, StudyError>([recorded?, reversed?])
+            })
         };
-        let ran: Vec<_> = motions.into_par_iter().map(of_motion).collect();
+        let ran = parallel::each(&motions, of_motion);
+        let ran = motions.into_iter().zip(ran);
         let group = |change: &Option<Change>| Group {
             change: *change,
             worlds: Vec::new(),

@@ -11,10 +11,10 @@ mod table;
 
 use crate::study::stress::{Cell, Edges, Extent};
 use crate::{Completed, StudyError};
+use pounding_scene::parallel;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use measure::{Measured, measure};
@@ -41,19 +41,15 @@ impl Extremes {
         done: &(dyn Fn() + Sync),
     ) -> Result<Self, StudyError> {
         let cells = edges.cells(&completed.file, extent)?;
-        let measured: Vec<_> = cells
-            .par_iter()
-            .map(|cell| {
-                let (index, _) = cell.scene;
-                let base = &completed.prepared[index];
-                let scene = &completed.file.study.scenes[index];
-                let pushed = cell.pushed(base, scene, edges.time_step_s);
-                let measured = pushed.map(|pushed| measure(base, &pushed));
-                done();
-                measured
-            })
-            .collect();
-        let measured = measured.into_iter().collect::<Result<Vec<_>, _>>();
+        let measured = parallel::try_each(&cells, |cell| {
+            let (index, _) = cell.scene;
+            let base = &completed.prepared[index];
+            let scene = &completed.file.study.scenes[index];
+            let pushed = cell.pushed(base, scene, edges.time_step_s);
+            let measured = pushed.map(|pushed| measure(base, &pushed));
+            done();
+            measured
+        });
         let measured = measured.map_err(|found| {
             completed.refuse("output.extremes", found, "changes that the scenes take")
         })?;

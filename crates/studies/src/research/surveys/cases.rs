@@ -3,11 +3,9 @@
 use crate::research::other_motions::motions_of;
 use crate::{BeyondSettings, StudyError, StudyFile};
 use pounding_scene::{
-    GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure,
+    GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure, parallel,
 };
 use std::path::Path;
-
-use rayon::prelude::*;
 
 /// A ground motion in one direction, and how long it shakes \[s\].
 #[derive(Debug, Clone)]
@@ -183,6 +181,5 @@ pub(super) fn each<T: Sync, R: Send>(
     all: &[T],
     make: impl Fn(&T) -> Result<R, StudyError> + Send + Sync,
 ) -> Result<Vec<R>, StudyError> {
-    let made: Vec<_> = all.par_iter().map(make).collect();
-    made.into_iter().collect()
+    parallel::try_each(all, make)
 }

@@ -5,12 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
-use rayon::prelude::*;
-
 use super::check::{Checked, Verdict};
 use super::generator;
 use super::stage::Stage;
-use pounding_scene::Scene;
+use pounding_scene::{Scene, parallel};
 
 /// Random scenes, each run by both routes.
 #[derive(Debug, Clone)]
@@ -31,12 +29,11 @@ impl Campaign {
 
     /// Runs scenes, in their order whatever the number of threads; `done` is called after each.
     pub fn run(&self, scenes: &[usize], done: &(dyn Fn(&Checked) + Sync)) -> Vec<Checked> {
-        let checked = scenes.par_iter().map(|&index| {
+        parallel::each(scenes, |&index| {
             let checked = self.watched(index);
             done(&checked);
             checked
-        });
-        checked.collect()
+        })
     }
 
     fn watched(&self, index: usize) -> Checked {

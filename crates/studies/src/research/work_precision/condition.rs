@@ -4,9 +4,8 @@ use super::quantities::{MethodQuantity, Quantities};
 use super::run::Run;
 use crate::noise::Noise;
 use pounding_reference::Response;
-use pounding_scene::{Simulation, relative};
+use pounding_scene::{Simulation, parallel, relative};
 use pounding_solver::Collision;
-use rayon::prelude::*;
 
 /// Relative change of the records, small enough that what a result does is proportional to it.
 const CHANGE: f64 = 1e-9;
@@ -69,16 +68,15 @@ impl Knowledge {
     /// The reason where a run of the reference fails.
     pub(super) fn measure(run: &Run<'_>, second: Option<&Response>) -> Result<Self, String> {
         let truth = Results::of(run)?;
-        let near = (0..=N_RECORDS).into_par_iter().map(|index| {
+        let records: Vec<_> = (0..=N_RECORDS).collect();
+        let near = parallel::try_each(&records, |&index| {
             let prepared = under(run.prepared, CHANGE, index).map_err(|error| error.to_string())?;
             let run = Run {
                 prepared: &prepared,
                 ..*run
             };
             Results::of(&run)
-        });
-        let near: Vec<_> = near.collect();
-        let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
+        })?;
         let second = second.map(Results::of_second_route);
         let known = |distance: &dyn Fn(&Results) -> f64| Known {
             condition: near.iter().map(distance).fold(0.0, f64::max) / CHANGE,

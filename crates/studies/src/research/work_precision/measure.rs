@@ -5,9 +5,10 @@ use super::quantities::{MethodQuantity, Quantities};
 use super::run::{Ended, Run};
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
-use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant};
+use pounding_scene::{
+    ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant, parallel,
+};
 use pounding_solver::{Ledger, Work};
-use rayon::prelude::*;
 
 /// All runs of one scene.
 #[derive(Debug)]
@@ -156,18 +157,13 @@ pub(super) fn races(
         .collect();
     let finest = ladder.tolerances[ladder.tolerances.len() - 1];
     let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
-    let (known, outcomes): (Vec<_>, Vec<_>) = rayon::join(
-        || {
-            runs.par_iter()
-                .filter(is_reference)
-                .map(knowledge)
-                .collect()
-        },
-        || {
-            let outcomes = runs.par_iter().map(Run::outcome);
-            outcomes.inspect(|_| done()).collect()
-        },
-    );
+    let references: Vec<_> = runs.iter().filter(is_reference).collect();
+    let known = parallel::each(&references, |run| knowledge(run));
+    let outcomes = parallel::each(&runs, |run| {
+        let outcome = run.outcome();
+        done();
+        outcome
+    });
     let mut outcomes = outcomes.into_iter();
     scenes
         .iter()
