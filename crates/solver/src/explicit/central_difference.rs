@@ -248,7 +248,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             self.advance(node, recorder)?;
         }
         if hit {
-            self.jump(node, recorder);
+            self.jump(node, recorder)?;
         }
         Ok(())
     }

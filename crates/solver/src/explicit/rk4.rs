@@ -103,7 +103,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         let instant = (ground[2], clock.time(step));
         scratch.finish(row, instant.0, clock, step, recorder)?;
         work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
-        impacts.after_step(row, &mut scratch.states, instant, recorder);
+        impacts.after_step(row, &mut scratch.states, instant, recorder)?;
         work.steps += 1;
         work.force_evaluations += 4 * row.nodes().len() as u64;
     }

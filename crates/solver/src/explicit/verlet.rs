@@ -142,7 +142,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         let Scratch {
             impacts, states, ..
         } = &mut scratch;
-        impacts.after_step(row, states, instant, recorder);
+        impacts.after_step(row, states, instant, recorder)?;
         work.steps += 1;
     }
     Ok(work)
@@ -201,7 +201,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 }
             }
             self.impacts
-                .jump(row, &mut self.states, step.at(instant), recorder);
+                .jump(row, &mut self.states, step.at(instant), recorder)?;
         }
     }
 

@@ -86,7 +86,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         });
         work.touching_steps += row.n_overlaps(&scratch.states, at_ends[1]);
         let (states, instant) = (&mut scratch.states, (at_ends[1], time));
-        if scratch.impacts.after_step(row, states, instant, recorder) {
+        if scratch.impacts.after_step(row, states, instant, recorder)? {
             let trials = &scratch.trials;
             for (index, (trial, earlier)) in trials.iter().zip(&mut earlier).enumerate() {
                 let jump = |node: usize| states[node].velocity - trials[node].velocity;

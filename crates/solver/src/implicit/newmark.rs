@@ -123,7 +123,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         let instant = (at_ends[1], time);
         scratch
             .impacts
-            .after_step(row, &mut scratch.states, instant, recorder);
+            .after_step(row, &mut scratch.states, instant, recorder)?;
         work.steps += 1;
     }
     Ok(work)
