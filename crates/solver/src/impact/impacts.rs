@@ -34,7 +34,7 @@ pub(crate) struct Impacts {
 
 /// What finds the impulses of a row.
 enum Solver {
-    Chain(Rounds<f64>),
+    Chain(Box<Rounds<f64>>),
     Any(Box<AnyRounds>),
 }
 
@@ -48,7 +48,7 @@ impl Impacts {
         let (n, n_pairs) = (row.nodes().len(), row.pairs().len());
         let rounds = if row.is_chain() {
             let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
-            Solver::Chain(Rounds::new(mobilities.collect(), n_pairs))
+            Solver::Chain(Box::new(Rounds::new(mobilities.collect(), n_pairs)))
         } else {
             Solver::Any(Box::new(AnyRounds::new(row.nodes(), n_pairs)))
         };
