@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, Hertz, LinearSpring, Stereomechanical};
 use pounding_solver::{
     Elastic, Excitation, Floor, Histories, Impact, Integrator, Levels, Node, Pair, Point, Recorder,
-    Relation, Row, Span, Storey,
+    Relation, Row, RunError, Span, Storey,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -371,6 +371,30 @@ impl Recorder for Instants {
         let speeds = impact.before.left.abs() + impact.before.right.abs();
         let approach = impact.rates()[1] / speeds;
         self.approach = self.approach.max(approach);
+    }
+}
+
+/// Velocities that were no numbers ended a run one step later, with advice on the time step.
+#[test]
+fn issue_walls_that_close_in_on_pairs_of_any_points_are_named() {
+    let wall = || Node::wall(Elastic { stiffness: 1.0 });
+    let nodes = vec![wall(), free(2e5, 0.0), above(1, 2e5, 0.0), wall()];
+    let law = restitution(0.5);
+    let pairs = vec![
+        pair([Point::Floor(0), between(1, 2, 0.4)], 0.0, law),
+        pair([between(1, 2, 0.4), Point::Floor(3)], 0.0, law),
+    ];
+    let row = Row::new(nodes, pairs)
+        .and_then(|row| row.delayed(vec![0.0, 0.05, 0.05, 0.1]))
+        .expect("a valid row");
+    let ground = ground();
+    let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
+    for (name, method) in METHODS {
+        let ended = method.watch(&row, excitation, clock(1e-3, 10.0), &mut ());
+        assert!(
+            matches!(ended, Err(RunError::ClosedIn { .. })),
+            "{name}: {ended:?}"
+        );
     }
 }
 
