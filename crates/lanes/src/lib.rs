@@ -9,7 +9,8 @@
 //! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many.
 //! [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
 //!
-//! Left out: other methods; motions that travel, sub-steps in contact, columns that yield smoothly.
+//! Left out: other methods; motions that travel, sub-steps in contact, columns that yield smoothly, pairs that are no
+//! [chain](Row::is_chain).
 //!
 //! Where to start: [`SideBySide`], then `group.rs`, as many scenes as there are lanes; for the exact method `exact/mod.rs`.
 
@@ -115,18 +116,21 @@ impl<'a> SideBySide<'a> {
         Self { closings, ..self }
     }
 
-    /// Whether two rows have the same floors and pairs, with laws of the same kinds, and the ground motion arrives everywhere in the first
-    /// at once.
+    /// Whether two rows have the same floors and pairs, which are a [chain](Row::is_chain), with laws of the same kinds, and the ground motion
+    /// arrives everywhere in the first at once.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
         let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
         let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
         let mut pairs = row.pairs().iter().zip(other.pairs());
         let mut nodes = row.nodes().iter().zip(other.nodes());
         at_once
+            && row.is_chain()
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
-            && pairs.all(|(pair, other)| pair.left() == other.left() && kind(pair) == kind(other))
+            && pairs.all(|(pair, other)| {
+                pair.relation.points() == other.relation.points() && kind(pair) == kind(other)
+            })
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they

@@ -47,6 +47,11 @@ impl AnyRow {
         with_row!(self, row => row.pairs())
     }
 
+    /// Whether the pairs are a chain ([`Row::is_chain`]).
+    pub fn is_chain(&self) -> bool {
+        with_row!(self, row => row.is_chain())
+    }
+
     /// Returns how an excitation travels along the row; `None` if it arrives everywhere at t = 0.
     pub fn travel(&self, excitation: Excitation<'_>) -> Option<Travel> {
         with_row!(self, row => row.travel(excitation))

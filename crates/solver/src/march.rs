@@ -141,7 +141,7 @@ impl<'a> Step<'a> {
         (states, impacts): (&mut [State], &mut Impacts),
         work: &mut Work,
         recorder: &mut R,
-    ) -> bool {
+    ) -> Result<bool, RunError> {
         let instant = self.end();
         work.touching_steps += row.n_overlaps(states, instant.0);
         impacts.after_step(row, states, instant, recorder)

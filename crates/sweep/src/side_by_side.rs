@@ -77,12 +77,15 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     };
     let travels = scene.travel().is_some();
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
-    let of_row = || match (smooth, travels) {
-        (true, _) => Some("Bouc–Wen columns are those of one scene"),
-        (false, true) => {
+    let of_row = || match (smooth, travels, scene.row().is_chain()) {
+        (true, ..) => Some("Bouc–Wen columns are those of one scene"),
+        (false, true, _) => {
             Some("a motion that arrives at one structure after the other is that of one scene")
         }
-        (false, false) => None,
+        (false, false, false) => Some(
+            "several pairs on one side of a floor, or points between floors, are those of one scene",
+        ),
+        (false, false, true) => None,
     };
     of_row().or(of_method)
 }

@@ -1,8 +1,10 @@
 //! Chains of impacts side by side: several pairs hit at one instant.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_lanes::RowsOf;
-use pounding_solver::{Collision, Collisions, Elastic, Excitation, Integrator, Node, Pair, Row};
+use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
+use pounding_solver::{
+    Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Point, Relation, Row,
+};
 
 use crate::steps::{CLOCK, SCENES, SETTINGS, all, compare};
 use crate::watch::Watch;
@@ -82,5 +84,36 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
             found.is_ok(),
             "{structures}, {restitution}, {wall:?}: {found:?}"
         );
+    }
+}
+
+/// Lanes hold a pair of every floor and its right neighbour: others are left to runs of a scene alone.
+#[test]
+fn extreme_pairs_that_are_no_chain_are_left_alone() {
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });
+    let structure = || Node::structure(1e5, 0.0, Elastic { stiffness: 1e7 });
+    let floors = Pair::of_floors(0, 1, 0.01, law);
+    let above_the_ground = Pair {
+        relation: Relation {
+            left: Point::Floor(0),
+            right: Point::between(None, 1, 0.6).expect("above the ground"),
+            offset: 0.01,
+        },
+        law,
+    };
+    let row = |pairs| Row::new(vec![structure(), structure()], pairs).expect("valid");
+    let excitation = Excitation::new(0.01, &[0.0]).expect("valid");
+    for (pairs, is_chain) in [
+        (vec![floors], true),
+        (vec![floors, floors], false),
+        (vec![above_the_ground], false),
+    ] {
+        let row = row(pairs);
+        let together = SideBySide::new(SETTINGS, excitation, CLOCK).expect("valid");
+        let mut found = SceneSums::default();
+        let runs = together.run(RowsOf::Elastic(&[&row]), &[CLOCK.n_steps], &mut found);
+        assert_eq!(runs, is_chain);
+        assert_eq!(SideBySide::are_alike(&row, &row), is_chain);
+        assert_eq!(ExactSideBySide::takes(&row, Exact::default()), is_chain);
     }
 }

@@ -263,7 +263,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             self.advance(node, work, recorder)?;
         }
         if hit {
-            self.jump(node, recorder);
+            self.jump(node, recorder)?;
         }
         Ok(())
     }

@@ -116,7 +116,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
         let ground = step.ground(step.number);
         self.approaches
             .forget_parted(row.pairs(), &self.states, ground);
-        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder);
+        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder)?;
         Ok(())
     }
 }
@@ -179,7 +179,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 }
             }
             self.impacts
-                .jump(row, &mut self.states, step.at(instant), recorder);
+                .jump(row, &mut self.states, step.at(instant), recorder)?;
         }
     }
 

@@ -21,7 +21,7 @@ mod basis;
 use basis::{Basis, DEPENDENT, add, dot, norm};
 
 /// What rounding leaves of a demand that was met, relative to its terms.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Times that contacts enter, per contact: tests saw one at most. Rounding must not let them enter for ever.
 const ENTRIES: usize = 16;
 /// Contacts that are solved together without further allocation.

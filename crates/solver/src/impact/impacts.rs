@@ -12,9 +12,10 @@
 
 use pounding_contact::Stereomechanical;
 
+use crate::impact::any_rounds::AnyRounds;
 use crate::impact::rounds::{Rounds, Touching};
 use crate::model::ground::Ground;
-use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Struck, Velocities};
+use crate::{Impact, Pair, Recorder, RestoringForce, Row, RunError, State, Struck, Velocities};
 
 /// Scratch of the rule, allocated once per run.
 pub(crate) struct Impacts {
@@ -26,7 +27,15 @@ pub(crate) struct Impacts {
     before: Vec<f64>,
     /// Net impulse on every structure, where impulses were found with the step.
     net: Vec<f64>,
-    rounds: Rounds<f64>,
+    /// Its velocity after the impulses, where pairs are no chain.
+    after: Vec<f64>,
+    rounds: Solver,
+}
+
+/// What finds the impulses of a row.
+enum Solver {
+    Chain(Box<Rounds<f64>>),
+    Any(Box<AnyRounds>),
 }
 
 /// The impulsive law of a pair, if it has one.
@@ -37,61 +46,75 @@ pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
 impl Impacts {
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let (n, n_pairs) = (row.nodes().len(), row.pairs().len());
-        let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
+        let rounds = if row.is_chain() {
+            let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
+            Solver::Chain(Box::new(Rounds::new(mobilities.collect(), n_pairs)))
+        } else {
+            Solver::Any(Box::new(AnyRounds::new(row.nodes(), n_pairs)))
+        };
         Self {
             touching: vec![false; n_pairs],
             impulses: vec![0.0; n_pairs],
             before: vec![0.0; n],
             net: vec![0.0; n],
-            rounds: Rounds::new(mobilities.collect(), n_pairs),
+            after: vec![0.0; n],
+            rounds,
         }
     }
 
-    /// Lets the impulsive pairs whose gap is closed jump; true when one did.
+    /// Lets the impulsive pairs whose gap is closed jump; true when one did. Errors are those of [`Self::jump`].
     pub(crate) fn after_step<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
         instant: (Ground<'_>, f64),
         recorder: &mut R,
-    ) -> bool {
+    ) -> Result<bool, RunError> {
         let mut touches = false;
         for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
             *touching = instant.0.deformation_of(pair, states) >= 0.0 && impulsive(pair).is_some();
             touches |= *touching;
         }
-        touches && self.jump(row, states, instant, recorder)
+        if touches {
+            self.jump(row, states, instant, recorder)
+        } else {
+            Ok(false)
+        }
     }
 
     /// Lets the pairs marked as touching jump: velocities, then accelerations from equilibrium; true when one did.
     ///
-    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported.
+    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported. Errors with pairs that
+    /// are no chain and whose walls close in on them; of a chain the velocities are then no longer finite.
     pub(crate) fn jump<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
         instant: (Ground<'_>, f64),
         recorder: &mut R,
-    ) -> bool {
+    ) -> Result<bool, RunError> {
         self.remember(states);
         self.gather(row.pairs(), instant.0);
-        let jumps = self.strike_all();
+        let closed_in = |pair: usize| {
+            let pair = &row.pairs()[pair];
+            let ([left, right], time) = ([pair.left(), pair.right()], instant.1);
+            RunError::ClosedIn { left, right, time }
+        };
+        let jumps = self.strike_all().map_err(closed_in)?;
         if jumps {
-            for (link, impulse) in self.rounds.struck() {
-                self.impulses[link.pair] = impulse;
-                for node in [link.left, link.right] {
-                    states[node].velocity = self.rounds.velocity(node);
-                }
-            }
+            self.tell(states);
             self.settle(row, states, instant, recorder);
         }
-        jumps
+        Ok(jumps)
     }
 
     /// Lists the pairs marked as touching.
     fn gather(&mut self, pairs: &[Pair], ground: Ground<'_>) {
         self.impulses.fill(0.0);
-        self.rounds.clear();
+        match &mut self.rounds {
+            Solver::Chain(rounds) => rounds.clear(),
+            Solver::Any(rounds) => rounds.clear(),
+        }
         for (index, pair) in pairs.iter().enumerate() {
             if let Some(law) = impulsive(pair).filter(|_| self.touching[index]) {
                 let touching = Touching {
@@ -100,15 +123,46 @@ impl Impacts {
                     opening_rate: ground.opening(pair).velocity,
                     speeds: ground.extent(pair).velocity,
                 };
-                self.rounds.push((index, pair.left()), touching);
+                match &mut self.rounds {
+                    Solver::Chain(rounds) => rounds.push((index, pair.left()), touching),
+                    Solver::Any(rounds) => rounds.push((index, pair.relation), touching),
+                }
             }
         }
     }
 
     /// Compiled once, not for every column and recorder.
     #[inline(never)]
-    fn strike_all(&mut self) -> bool {
-        self.rounds.strike_all(|node| self.before[node])
+    fn strike_all(&mut self) -> Result<bool, usize> {
+        match &mut self.rounds {
+            Solver::Chain(rounds) => Ok(rounds.strike_all(|node| self.before[node])),
+            Solver::Any(rounds) => {
+                self.after.copy_from_slice(&self.before);
+                rounds.strike_all(&mut self.after)
+            }
+        }
+    }
+
+    /// Keeps the impulses found, and gives states the velocities after them.
+    fn tell(&mut self, states: &mut [State]) {
+        match &self.rounds {
+            Solver::Chain(rounds) => {
+                for (link, impulse) in rounds.struck() {
+                    self.impulses[link.pair] = impulse;
+                    for node in [link.left, link.right] {
+                        states[node].velocity = rounds.velocity(node);
+                    }
+                }
+            }
+            Solver::Any(rounds) => {
+                for (pair, impulse) in rounds.struck() {
+                    self.impulses[pair] = impulse;
+                }
+                for (state, after) in states.iter_mut().zip(&self.after) {
+                    state.velocity = *after;
+                }
+            }
+        }
     }
 
     /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.
@@ -213,9 +267,8 @@ fn strike<Column: RestoringForce>(
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {
         // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
-        let [left, right] = pair.relation.points();
-        left.spread(*impulse, |floor, impulse| net[floor] -= impulse);
-        right.spread(*impulse, |floor, impulse| net[floor] += impulse);
+        pair.relation
+            .spread(*impulse, |floor, impulse| net[floor] += impulse);
     }
     for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
         state.velocity += node.inverse_mass * *net;

@@ -1,4 +1,4 @@
-//! Rounds of impulses between pairs that touch, of one scene or of several side by side.
+//! Rounds of impulses between pairs that touch and are a chain, of one scene or of several side by side.
 
 #![expect(
     clippy::inline_always,
@@ -10,7 +10,7 @@ use pounding_contact::Number;
 use crate::impact::chain::{Link, Together};
 
 /// Rounds after which the rest is plastic: what still touches and approaches then stays together.
-const MAX_ROUNDS: u32 = 50;
+pub(crate) const MAX_ROUNDS: u32 = 50;
 /// An approach left by rounding, relative to the velocities.
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
 

@@ -157,7 +157,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             ((dt, weights), [before.unwrap_or(start), start, end])
         });
         let ended = (&mut scratch.states[..], &mut scratch.impacts);
-        if step.collide(row, ended, work, recorder) && !family.in_equilibrium {
+        if step.collide(row, ended, work, recorder)? && !family.in_equilibrium {
             self.change_accelerations(row);
         }
         Ok(())

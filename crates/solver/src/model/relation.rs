@@ -181,6 +181,13 @@ impl Relation {
         self.left.of(&quantity) - self.right.of(&quantity)
     }
 
+    /// Gives floors what they get of a force that pushes both points apart \[N\], or of an impulse \[N·s\]: positive to the right.
+    #[inline]
+    pub fn spread(&self, force: f64, mut give: impl FnMut(usize, f64)) {
+        self.left.spread(force, |floor, force| give(floor, -force));
+        self.right.spread(force, give);
+    }
+
     /// Both points.
     #[inline]
     pub fn points(&self) -> [Point; 2] {

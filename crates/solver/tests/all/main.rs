@@ -27,6 +27,7 @@ mod opensees_loops;
 mod order;
 mod random_rows;
 mod refusals;
+mod relations;
 mod rests;
 mod silent_faults;
 mod slow_touches;

@@ -6,7 +6,7 @@ use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::ground::Ground;
 use crate::span::Pushes;
-use crate::{Recorder, RestoringForce, Row, Work};
+use crate::{Recorder, RestoringForce, Row, RunError, Work};
 
 impl<Column: RestoringForce> Run<'_, Column> {
     /// Contact at a node, each pair alone; true when an impulsive pair is closed and may jump.
@@ -82,13 +82,17 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 
     /// Lets the velocities of a node jump; the increments of those that do are restarted.
-    pub(super) fn jump<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) {
+    pub(super) fn jump<R: Recorder>(
+        &mut self,
+        node: Instant<'_>,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
         for (state, body) in self.states.iter_mut().zip(&self.bodies) {
             *state = body.start;
         }
         let instant = (node.ground, node.time);
         self.jumps
-            .jump(self.row, &mut self.states, instant, recorder);
+            .jump(self.row, &mut self.states, instant, recorder)?;
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
             // Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
             let jumped = (state.velocity - body.start.velocity).abs() > 0.0
@@ -99,6 +103,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 body.restart(self.steps[usize::from(body.fine)]);
             }
         }
+        Ok(())
     }
 
     /// Chooses the structures that sub-step from this node on, with the grounds here and at the next one; true when there
