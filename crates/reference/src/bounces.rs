@@ -1,11 +1,12 @@
 //! Impacts of an instant, and the bounces that end in rest.
 
+use super::block::Block;
 use super::impact::{self, NOISE, SHORTEST};
 use super::law::Law;
 use super::model::{TIME, velocity};
 use super::phases::Contact;
 use super::runner::Runner;
-use super::state::Bounces;
+use super::state::{Bounces, Sum};
 
 /// Impacts of a pair, each within that time of the one before, after which it stops.
 const MOST_BOUNCES: u32 = 50;
@@ -75,8 +76,8 @@ impl Runner {
         }
     }
 
-    /// Whether a pair that is hit now stops: it has been hit again and again, or the pair on the other side of a floor that both hit in
-    /// turn has come to rest. Of what that series would still give this pair all is given at once.
+    /// Whether a pair that is hit now stops: it has been hit again and again, or another pair on a floor that both hit in turn has come to
+    /// rest. Of what that series would still give this pair all is given at once.
     fn stops(&self, pair: usize, touching: &[usize], time: f64) -> bool {
         let soon = |pair: usize| time - self.bounces[pair].last < SHORTEST;
         if !soon(pair) {
@@ -84,7 +85,8 @@ impl Runner {
         }
         let pairs = &self.motion.model.pairs;
         let shares = |other: usize| {
-            pairs[other].right == pairs[pair].left || pairs[other].left == pairs[pair].right
+            let mut met = pairs[pair].parts();
+            other != pair && met.any(|(floor, _)| pairs[other].part(floor) != 0.0)
         };
         let rests = |other: usize| {
             matches!(
@@ -145,24 +147,18 @@ impl Runner {
         self.unite();
     }
 
-    /// Gives floors of a block the velocity of the heaviest, over the ground of each, to the last digit.
+    /// Gives floors of a block the velocities that those they follow give them, over the ground of each, to the last digit.
     fn unite(&mut self) {
-        let blocks: Vec<_> = self.motion.blocks().collect();
-        for block in blocks {
-            let model = &self.motion.model;
-            let floors: Vec<_> = self.motion.floors(block).collect();
-            let inverse_mass = |floor: &usize| model.structures[*floor].inverse_mass;
-            let heaviest = floors
-                .iter()
-                .copied()
-                .min_by(|one, other| inverse_mass(one).total_cmp(&inverse_mass(other)));
-            let Some(heaviest) = heaviest else { continue };
-            for floor in floors {
-                let since = self.state.high[TIME];
-                let carried = self.motion.segment.faster([heaviest, floor], since);
-                let [from, to] = [heaviest, floor].map(velocity);
-                self.state.copy(from, to, carried);
+        let since = self.state.high[TIME];
+        let Self { motion, state, .. } = self;
+        for (floor, leaders) in motion.blocks.iter().flat_map(Block::followers) {
+            let mut sum = Sum::default();
+            for (leader, part) in leaders {
+                let carried = part * motion.segment.faster([leader, floor], since);
+                let own = state.sum(velocity(leader));
+                sum = sum.plus_product(Sum::of(part), own).plus(carried);
             }
+            state.put_sum(velocity(floor), sum);
         }
     }
 }

@@ -68,6 +68,7 @@ impl Runner {
         let longest_step = interval / f64::from(fineness.steps_per_sample);
         let motion = Motion {
             phases: Phases::new(&model),
+            blocks: Vec::new(),
             model,
             segment: Segment::default(),
         };
@@ -134,16 +135,16 @@ impl Runner {
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
-            let size =
-                scales.sizes()[displacement(pair.left)] + scales.sizes()[displacement(pair.right)];
+            let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
                 for (own, unknown, gap) in [
                     (0, displacement as fn(usize) -> usize, pair.gap),
                     (1, velocity, 0.0),
                 ] {
-                    let [left, right] = [pair.left, pair.right].map(unknown);
-                    let over_ground = state.difference(left, right);
+                    let ahead = |state: &[f64]| pair.ahead(|floor| state[unknown(floor)]);
+                    let over_ground = ahead(&state.high) + ahead(&state.low);
+                    let [left, right] = pair.grounds().map(unknown);
                     let closed = over_ground + moved.difference(left, right) - gap;
                     state.set(pair.deformation + own, closed);
                 }
