@@ -1,9 +1,9 @@
 //! Pairs that push at once, whatever floors they meet and however many of one floor.
 //!
-//! With G the parts that floors have in the rates of pairs and M their masses, pairs that press keep G a = 0. So some floors follow
-//! others, a = N q, which elimination finds, the lightest following. With a₀ the accelerations without the block, those that lead have
-//! Nᵀ M N q = Nᵀ M a₀, and walls lead as they will. The forces have W F = G a₀, W = G M⁻¹ Gᵀ. Where pairs ask for what others ask for,
-//! they share the force so that Σ F² is least. Which pairs push is found by trying all sets of them.
+//! With G the parts that floors have in the rates of pairs, M their masses and a₀ the accelerations without them, pairs that press have
+//! W F = G a₀, W = G M⁻¹ Gᵀ. Where some ask for what others ask for, they share the force so that Σ F² is least. After that G a = 0: some
+//! floors follow others, which elimination finds, the lightest following. The others have a₀ − M⁻¹ Gᵀ F, and floors that follow what this
+//! makes of their own, to the last digit. Which pairs push is found by trying all sets of them.
 
 use super::model::Model;
 
@@ -34,14 +34,21 @@ impl Block {
         let part = |pair: usize, floor: usize| model.pairs[pair].part(floor);
         let rows = matrix(&pairs, &floors, part);
         let forces = least(&mobility(model, &pairs), &rows);
-        let inverse = |floor: usize| model.structures[floor].inverse_mass;
-        let ways = ways(rows, |position| inverse(floors[position]).sqrt());
-        let masses = floors.iter().map(|&floor| match inverse(floor) {
-            0.0 => 0.0,
-            inverse => 1.0 / inverse,
-        });
+        let inverse_mass = |position: usize| model.structures[floors[position]].inverse_mass;
+        let all: Vec<_> = (0..floors.len()).collect();
+        let lead = |floor: usize, other: usize| -> f64 {
+            let pushed = rows.iter().zip(&forces);
+            let pushed = pushed.map(|(row, forces)| row[floor] * forces[other]);
+            f64::from(u8::from(floor == other)) - inverse_mass(floor) * pushed.sum::<f64>()
+        };
+        let leads = matrix(&all, &all, lead);
+        let ways = ways(rows, |position| inverse_mass(position).sqrt());
+        let follow = |floor: usize, other: usize| {
+            let leaders = ways[floor].iter().zip(&leads);
+            leaders.map(|(way, lead)| way * lead[other]).sum()
+        };
         Self {
-            accelerations: led(&ways, &masses.collect::<Vec<_>>()),
+            accelerations: matrix(&all, &all, follow),
             pairs,
             floors,
             ways,
@@ -126,37 +133,6 @@ fn ways(mut rows: Vec<Vec<f64>>, lightness: impl Fn(usize) -> f64) -> Vec<Vec<f6
     ways
 }
 
-/// Accelerations of floors per acceleration of each without the block; walls have no mass here.
-fn led(ways: &[Vec<f64>], masses: &[f64]) -> Vec<Vec<f64>> {
-    let all: Vec<_> = (0..masses.len()).collect();
-    let leads = all.iter().filter(|&&floor| ways[floor][floor] != 0.0);
-    let (free, walls): (Vec<usize>, Vec<usize>) = leads.partition(|&&floor| masses[floor] > 0.0);
-    let product = |one: usize, other: usize| -> f64 {
-        let of = |&floor: &usize| masses[floor] * (ways[floor][one] * ways[floor][other]);
-        all.iter().map(of).sum()
-    };
-    let load = |leader: usize, floor: usize| {
-        if walls.contains(&floor) {
-            -product(leader, floor)
-        } else {
-            masses[floor] * ways[floor][leader]
-        }
-    };
-    let found = least(&matrix(&free, &free, product), &matrix(&free, &all, load));
-    matrix(&all, &all, |floor, without| {
-        let leaders = free.iter().zip(&found);
-        let own: f64 = leaders
-            .map(|(&leader, of)| ways[floor][leader] * of[without])
-            .sum();
-        let by_wall = if walls.contains(&without) {
-            ways[floor][without]
-        } else {
-            0.0
-        };
-        own + by_wall
-    })
-}
-
 fn unit(n: usize) -> Vec<Vec<f64>> {
     let all: Vec<_> = (0..n).collect();
     matrix(&all, &all, |row, column| f64::from(u8::from(row == column)))
@@ -232,7 +208,9 @@ fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
         columns[row] = Some(column);
         let mut taken = std::mem::take(&mut rows[row]);
         let scale = taken[column];
-        taken.iter_mut().for_each(|entry| *entry /= scale);
+        for entry in &mut taken {
+            *entry /= scale;
+        }
         for entries in rows.iter_mut().filter(|entries| !entries.is_empty()) {
             let factor = entries[column];
             let changes = entries.iter_mut().zip(&taken);

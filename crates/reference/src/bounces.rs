@@ -1,5 +1,6 @@
 //! Impacts of an instant, and the bounces that end in rest.
 
+use super::SecondRouteError;
 use super::block::Block;
 use super::impact::{self, NOISE, SHORTEST};
 use super::law::Law;
@@ -13,8 +14,9 @@ const MOST_BOUNCES: u32 = 50;
 
 impl Runner {
     /// Impacts of all impulsive pairs that touch now; then they rest or part.
-    pub(super) fn collide(&mut self, time: f64) {
+    pub(super) fn collide(&mut self, time: f64) -> Result<(), SecondRouteError> {
         let touching = impact::touching(&self.motion, &self.state.high);
+        let groups = impact::together(&self.motion.model, &touching, time)?;
         for &pair in &touching {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);
@@ -25,7 +27,7 @@ impl Runner {
         let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
         let impulses = loop {
             let model = &self.motion.model;
-            let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
+            let impulses = impact::collide(model, &mut self.state.high, &groups, &stops);
             self.motion.phases.redirect(model, &self.state.high);
             self.motion.grip_again(&self.state.high);
             let model = &self.motion.model;
@@ -74,6 +76,7 @@ impl Runner {
         for &pair in &touching {
             self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
         }
+        Ok(())
     }
 
     /// Whether a pair that is hit now stops: it has been hit again and again, or another pair on a floor that both hit in turn has come to
@@ -126,13 +129,16 @@ impl Runner {
     }
 
     /// Decides which pairs at rest press on.
-    pub(super) fn rest(&mut self, time: f64) {
+    pub(super) fn rest(&mut self, time: f64) -> Result<(), SecondRouteError> {
         if !self.motion.rests() {
-            return;
+            return Ok(());
         }
+        let touching = impact::touching(&self.motion, &self.state.high);
+        impact::together(&self.motion.model, &touching, time)?;
         let before = self.motion.phases.clone();
         self.motion.decide(&self.state.high, &mut self.scratch);
         self.begin_or_end(&before, time);
+        Ok(())
     }
 
     /// Records which pairs begin to press at rest, and which no longer do.

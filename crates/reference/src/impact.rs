@@ -4,6 +4,7 @@
 //! that pushes leaves with −e r, and others do at least as much. There is no impulse for what separates, and all is done again while
 //! a touching pair still approaches. Which pairs push is found by trying all sets of them.
 
+use super::SecondRouteError;
 use super::block::{best, groups, least, mobility};
 use super::law::Law;
 use super::model::Model;
@@ -30,15 +31,35 @@ pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     (0..model.pairs.len()).filter(touches).collect()
 }
 
-/// Jumps the velocities of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
+/// Most pairs of a group: all sets of so many can be tried in a second.
+const MOST_AT_ONCE: usize = 14;
+
+/// The groups of pairs that touch at a time \[s\].
+pub(super) fn together(
+    model: &Model,
+    touching: &[usize],
+    time: f64,
+) -> Result<Vec<Vec<usize>>, SecondRouteError> {
+    let groups = groups(model, touching);
+    match groups.iter().map(Vec::len).max() {
+        Some(found) if found > MOST_AT_ONCE => Err(SecondRouteError::TooManyAtOnce {
+            time,
+            found,
+            limit: MOST_AT_ONCE,
+        }),
+        Some(_) | None => Ok(groups),
+    }
+}
+
+/// Jumps the velocities of groups of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
 pub(super) fn collide(
     model: &Model,
     y: &mut [f64],
-    touching: &[usize],
+    groups: &[Vec<usize>],
     plastic: &[bool],
 ) -> Vec<f64> {
     let mut total = vec![0.0; model.pairs.len()];
-    for group in groups(model, touching) {
+    for group in groups {
         for round in 0..=MOST_ROUNDS {
             if !group.iter().any(|&pair| model.rate(pair, y) > 0.0) {
                 break;
@@ -57,7 +78,7 @@ pub(super) fn collide(
                 })
             };
             let turns: Vec<_> = group.iter().filter_map(turn).collect();
-            for (pair, impulse) in jump(model, y, &group, &turns) {
+            for (pair, impulse) in jump(model, y, group, &turns) {
                 total[pair] += impulse;
             }
         }

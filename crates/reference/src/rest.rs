@@ -39,6 +39,22 @@ impl Probe {
     };
 }
 
+/// Accelerations in space of all floors and walls while some pairs press, of those without \[m/s²\], and their terms.
+fn with(blocks: &[Block], slope: &[f64], terms: &[f64]) -> [Vec<f64>; 2] {
+    let own = |floor: usize| slope[velocity(floor)];
+    let mut found = [(0..terms.len()).map(own).collect(), terms.to_vec()];
+    for block in blocks {
+        let accelerations = block.accelerations(identity, own);
+        let sizes = block.accelerations(f64::abs, |floor| terms[floor]);
+        for (found, of) in found.iter_mut().zip([accelerations, sizes]) {
+            for (floor, value) in of {
+                found[floor] = value;
+            }
+        }
+    }
+    found
+}
+
 impl Motion {
     /// Whether any pair is at rest.
     pub(super) fn rests(&self) -> bool {
@@ -108,21 +124,6 @@ impl Motion {
         neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
-    /// Accelerations in space of all floors and walls while some pairs press, of those without \[m/s²\], and their terms.
-    fn with(&self, blocks: &[Block], slope: &[f64], terms: &[f64]) -> [Vec<f64>; 2] {
-        let own = |floor: usize| slope[velocity(floor)];
-        let mut found = [(0..terms.len()).map(own).collect(), terms.to_vec()];
-        for block in blocks {
-            let accelerations = block.accelerations(identity, own);
-            let sizes = block.accelerations(f64::abs, |floor| terms[floor]);
-            for (found, of) in found.iter_mut().zip([accelerations, sizes]) {
-                of.into_iter()
-                    .for_each(|(floor, value)| found[floor] = value);
-            }
-        }
-        found
-    }
-
     /// Acceleration with which a pair closes or opens \[m/s²\] while floors and walls move so in space, and what rounding leaves of it.
     fn apart(&self, pair: usize, [accelerations, terms]: &[Vec<f64>; 2]) -> [f64; 2] {
         let pair = &self.model.pairs[pair];
@@ -135,7 +136,7 @@ impl Motion {
     /// Negative once an idle pair closes or opens by more than rounding.
     pub(super) fn idles(&self, pair: usize, y: &[f64], scratch: &mut [f64]) -> f64 {
         self.accelerate(NOW, y, scratch);
-        let moving = self.with(&self.blocks, scratch, &self.terms(y));
+        let moving = with(&self.blocks, scratch, &self.terms(y));
         let [closing, rounding] = self.apart(pair, &moving);
         rounding - closing.abs()
     }
@@ -155,7 +156,7 @@ impl Motion {
         self.blocks = pressing
             .map(|pairs| Block::new(&self.model, pairs))
             .collect();
-        let moving = self.with(&self.blocks, scratch, &terms);
+        let moving = with(&self.blocks, scratch, &terms);
         for &pair in &resting {
             let [closing, rounding] = self.apart(pair, &moving);
             let presses = self.blocks.iter().any(|block| block.has(pair));
@@ -192,7 +193,7 @@ impl Motion {
             let forces: Vec<_> = forces
                 .map(|((pair, force), (_, size))| (pair, force, IDLE * size))
                 .collect();
-            let moving = self.with(&[block], slope, terms);
+            let moving = with(&[block], slope, terms);
             let closes = group.iter().map(|pair| {
                 let [closing, rounding] = self.apart(*pair, &moving);
                 closing - rounding

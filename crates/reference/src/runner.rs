@@ -115,7 +115,7 @@ impl Runner {
         }
         self.measure();
         // The acceleration of the ground may jump.
-        self.rest(self.now());
+        self.rest(self.now())?;
         self.observe();
         while self.state.high[TIME] < length {
             self.advance()?;
@@ -336,7 +336,7 @@ impl Runner {
             });
         }
         if !self.fired.is_empty() {
-            self.happen();
+            self.happen()?;
             self.observe();
         }
         self.motion.settle(&self.scratch);
@@ -351,7 +351,7 @@ impl Runner {
     }
 
     /// Lets the fired events happen.
-    fn happen(&mut self) {
+    fn happen(&mut self) -> Result<(), SecondRouteError> {
         let time = self.now();
         let mut collides = false;
         for index in 0..self.fired.len() {
@@ -378,9 +378,9 @@ impl Runner {
             }
         }
         if collides {
-            self.collide(time);
+            self.collide(time)
         } else {
-            self.rest(time);
+            self.rest(time)
         }
     }
 

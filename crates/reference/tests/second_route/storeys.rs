@@ -44,7 +44,7 @@ pub(super) fn buildings<Column: Hysteretic>(
     let mut pairs: Vec<_> = facing
         .map(|(left, right)| Pair::of_floors(left, right, gap, law))
         .collect();
-    pairs.sort_by_key(|pair| pair.left());
+    pairs.sort_by_key(Pair::left);
     Row::new(nodes, pairs).expect("a valid row")
 }
 
