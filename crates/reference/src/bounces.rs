@@ -2,7 +2,7 @@
 
 use super::SecondRouteError;
 use super::block::Block;
-use super::impact::{self, NOISE, SHORTEST};
+use super::impact::{self, NOISE, Outcome, SHORTEST};
 use super::law::Law;
 use super::model::{TIME, velocity};
 use super::phases::Contact;
@@ -21,13 +21,18 @@ impl Runner {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);
         }
-        let mut stops: Vec<bool> = (0..self.bounces.len())
-            .map(|pair| self.stops(pair, &touching, time))
-            .collect();
+        let outcome = |pair| {
+            if self.stops(pair, &touching, time) {
+                Outcome::Stops
+            } else {
+                Outcome::Bounces
+            }
+        };
+        let mut outcomes: Vec<_> = (0..self.bounces.len()).map(outcome).collect();
         let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
         let impulses = loop {
             let model = &self.motion.model;
-            let impulses = impact::collide(model, &mut self.state.high, &groups, &stops);
+            let impulses = impact::collide(model, &mut self.state.high, &groups, &outcomes);
             self.motion.phases.redirect(model, &self.state.high);
             self.motion.grip_again(&self.state.high);
             let model = &self.motion.model;
@@ -39,14 +44,14 @@ impl Runner {
                 self.motion.phases.pairs[pair].contact = contact;
             }
             self.motion.decide(&self.state.high, &mut self.scratch);
-            let hit = touching.iter().filter(|&&pair| impulses[pair] > 0.0);
-            let over = hit.filter(|&&pair| !stops[pair] && self.is_over(pair));
+            let over = touching.iter().filter(|&&pair| self.is_over(pair));
             let over: Vec<_> = over.collect();
             if over.is_empty() {
                 break impulses;
             }
             for &pair in over {
-                stops[pair] = true;
+                let hit = impulses[pair] > 0.0 && outcomes[pair] == Outcome::Bounces;
+                outcomes[pair] = if hit { Outcome::Stops } else { Outcome::Stays };
             }
             self.state.copy_from(&state);
             self.motion.phases.clone_from(&phases);

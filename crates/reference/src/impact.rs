@@ -51,12 +51,23 @@ pub(super) fn together(
     }
 }
 
-/// Jumps the velocities of groups of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
+/// What an impact makes of a pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Outcome {
+    /// It bounces with its restitution.
+    Bounces,
+    /// It does so without: its bounces are over.
+    Stops,
+    /// It stays together whatever hits its floors: it would be back at once.
+    Stays,
+}
+
+/// Jumps the velocities of groups of touching pairs; the impulse of every pair \[N·s\].
 pub(super) fn collide(
     model: &Model,
     y: &mut [f64],
     groups: &[Vec<usize>],
-    plastic: &[bool],
+    outcomes: &[Outcome],
 ) -> Vec<f64> {
     let mut total = vec![0.0; model.pairs.len()];
     for group in groups {
@@ -67,14 +78,16 @@ pub(super) fn collide(
             let stops = round == MOST_ROUNDS;
             let turn = |&pair: &usize| {
                 let rate = model.rate(pair, y);
-                let restitution = match model.pairs[pair].law {
-                    Law::Impulsive { restitution } if !plastic[pair] && !stops => restitution,
-                    Law::Impulsive { .. } | Law::Compliant(_) => 0.0,
+                let stays = outcomes[pair] == Outcome::Stays;
+                let restitution = match (model.pairs[pair].law, outcomes[pair]) {
+                    (Law::Impulsive { restitution }, Outcome::Bounces) if !stops => restitution,
+                    _ => 0.0,
                 };
-                (rate >= 0.0 || stops).then_some(Turn {
+                (rate >= 0.0 || stops || stays).then_some(Turn {
                     pair,
                     rate,
                     after: -restitution * rate,
+                    stays,
                 })
             };
             let turns: Vec<_> = group.iter().filter_map(turn).collect();
@@ -94,6 +107,8 @@ struct Turn {
     rate: f64,
     /// The largest rate after, and that of a pair that pushes \[m/s\].
     after: f64,
+    /// Whether it has that rate in any case.
+    stays: bool,
 }
 
 /// Gives the impulses of some turns of a group.
@@ -109,7 +124,7 @@ fn jump(model: &Model, y: &mut [f64], group: &[usize], turns: &[Turn]) -> Vec<(u
     let pairs = turns.iter().map(|turn| turn.pair);
     let found: Vec<_> = pairs.zip(impulses).collect();
     for (turn, (_, impulse)) in turns.iter().zip(&found) {
-        if *impulse > 0.0 {
+        if turn.stays || *impulse > 0.0 {
             y[model.pairs[turn.pair].deformation + 1] = turn.after;
         }
     }
@@ -143,16 +158,25 @@ fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
                 .map(|(by, impulse)| by * impulse);
             let terms = lost.clone().map(f64::abs).sum::<f64>() + demand(one).abs();
             let lack = demand(one) - lost.sum::<f64>();
-            let lack = if set.contains(&one) { lack.abs() } else { lack };
-            (lack - NOISE * terms).max(-impulses[one] * all[one][one])
+            let Turn { stays, .. } = turns[one];
+            let off = if stays || set.contains(&one) {
+                lack.abs()
+            } else {
+                lack
+            };
+            let pull = if stays { 0.0 } else { -impulses[one] };
+            (off - NOISE * terms).max(pull * all[one][one])
         };
         let miss = (0..turns.len()).map(miss).fold(0.0, f64::max);
         let squares = impulses.iter().map(|impulse| impulse * impulse).sum();
         (miss, squares, impulses)
     };
     let impulses = best(turns.len(), judge).unwrap_or_default();
+    let least = |turn: &Turn| if turn.stays { f64::NEG_INFINITY } else { 0.0 };
+    let least = turns.iter().map(least);
     impulses
         .into_iter()
-        .map(|impulse| impulse.max(0.0))
+        .zip(least)
+        .map(|(impulse, least)| impulse.max(least))
         .collect()
 }

@@ -59,12 +59,22 @@ fn approaches<Column: Hysteretic>(
     what: &str,
 ) {
     let row = buildings(towers, (ALPHA, BETA), contact);
-    let known = run(&row, &ground(), DURATION);
     if contact.0 < 1.0 {
+        let known = run(&row, &ground(), DURATION);
         let count: Vec<_> = known.collisions.iter().map(Vec::len).collect();
         assert!(count.iter().all(|n| *n > 0), "{what}: {count:?}");
     }
-    let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(&row, &known, n_steps));
+    approach(&row, [nearest, order], what);
+}
+
+/// The same of a row.
+pub(super) fn approach<Column: Hysteretic>(
+    row: &Row<Column>,
+    [nearest, order]: [f64; 2],
+    what: &str,
+) {
+    let known = run(row, &ground(), DURATION);
+    let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(row, &known, n_steps));
     let slope = libm::log2(coarse / fine) / 4.0;
     assert!(
         fine < nearest && slope > order,

@@ -1,0 +1,341 @@
+//! Pairs of any points: several on one floor, and points between floors.
+
+use libm::{cos, sin, sqrt};
+use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt};
+use pounding_reference::Response;
+use pounding_solver::{Elastic, Floor, Node, Pair, Point, Relation, Row};
+
+use super::stepping::approach;
+use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, ground, spring};
+use super::{FREE, close, moving, run, stereomechanical};
+
+fn on_floor<Column>(below: usize, node: Node<Column>) -> Node<Column> {
+    node.on_floor(Floor {
+        below,
+        ground_damping: 0.0,
+    })
+}
+
+/// The point that has such a part of the upper floor's displacement.
+fn between(lower: impl Into<Option<usize>>, upper: usize, upper_part: f64) -> Point {
+    Point::between(lower.into(), upper, upper_part).expect("a point of the row")
+}
+
+fn pair(left: impl Into<Point>, right: impl Into<Point>, offset: f64, law: ContactLaw) -> Pair {
+    let (left, right) = (left.into(), right.into());
+    Pair {
+        relation: Relation {
+            left,
+            right,
+            offset,
+        },
+        law,
+    }
+}
+
+/// Two slabs hit points of the columns above and below one floor: alone the impulse of one of them would be a pull.
+#[test]
+fn reference_slabs_that_share_a_floor() {
+    let law = stereomechanical(0.65);
+    let nodes = vec![
+        moving(3e5, 1.0, FREE),
+        moving(3e5, 0.2, FREE),
+        moving(2e5, 0.0, FREE),
+        on_floor(2, moving(2e5, 0.0, FREE)),
+        on_floor(3, moving(2e5, 0.0, FREE)),
+    ];
+    let mut pairs = vec![
+        pair(0, between(2, 3, 0.6), 0.0, law),
+        pair(1, between(3, 4, 0.3), 0.0, law),
+    ];
+    for _ in 0..2 {
+        let row = Row::new(nodes.clone(), pairs.clone()).expect("a valid row");
+        let response = run(&row, &[0.0], 0.1);
+        let v = |index: usize| response.structures[index].end_velocity;
+        let [one, other] = [
+            v(0) - (0.4 * v(2) + 0.6 * v(3)),
+            v(1) - (0.7 * v(3) + 0.3 * v(4)),
+        ];
+        close(one, -0.65, 1e-14, "rate of the first");
+        close(other, -0.383_988_764_044_943_8, 1e-14, "rate of the second");
+        let hit = pairs.iter().position(|pair| pair.left() == 0).expect("it");
+        let collisions = &response.collisions;
+        assert!(collisions[1 - hit].is_empty(), "{collisions:?}");
+        close(
+            collisions[hit][0].impulse,
+            278_089.887_640_449_4,
+            1e-14,
+            "impulse",
+        );
+        pairs.reverse();
+    }
+}
+
+#[test]
+fn reference_a_slab_hits_a_column() {
+    let floors = [
+        (
+            0.6,
+            142_898.383_371_824_5,
+            [
+                0.023_672_055_427_251_73,
+                0.228_637_413_394_919_2,
+                0.428_695_150_115_473_4,
+            ],
+        ),
+        (
+            0.648,
+            139_159.022_947_351,
+            [
+                0.036_136_590_175_496_68,
+                0.195_935_904_309_870_2,
+                0.450_875_234_349_417_2,
+            ],
+        ),
+    ];
+    for (part, impulse, velocities) in floors {
+        let nodes = vec![
+            moving(3e5, 0.5, FREE),
+            moving(2.5e5, 0.0, FREE),
+            on_floor(1, moving(2e5, 0.0, FREE)),
+        ];
+        let pairs = vec![pair(0, between(1, 2, part), 0.05, stereomechanical(0.65))];
+        let response = run(&Row::new(nodes, pairs).expect("a valid row"), &[0.0], 0.2);
+        close(response.collisions[0][0].impulse, impulse, 1e-13, "impulse");
+        for (structure, velocity) in response.structures.iter().zip(velocities) {
+            close(structure.end_velocity, velocity, 1e-13, "velocity");
+        }
+    }
+}
+
+#[test]
+fn reference_a_slab_presses_a_column_through_a_spring() {
+    let of = |stiffness| Elastic { stiffness };
+    let parting = 0.154_679_328_180_761_6;
+    let nodes = vec![
+        moving(3e5, 0.5, of(2e7)),
+        moving(2.5e5, 0.0, of(1.2e8)),
+        on_floor(1, moving(2e5, 0.0, of(9e7))),
+    ];
+    let law = spring(67_045_698.347_993_99);
+    let pairs = vec![pair(0, between(1, 2, 0.648), 0.0, law)];
+    let row = Row::new(nodes, pairs).expect("a valid row");
+    let response = run(&row, &[0.0], 0.2);
+    let [met] = response.collisions[0][..] else {
+        panic!("{:?}", response.collisions);
+    };
+    close(met.end, parting, 1e-12, "parting");
+    close(
+        met.peak_force.expect("a force"),
+        1_568_605.779_959_222,
+        1e-12,
+        "peak force",
+    );
+    let response = run(&row, &[0.0], parting);
+    let ends = [
+        (0.022_317_527_690_277_47, -0.239_565_052_716_423_8),
+        (0.014_431_865_961_790_43, 0.122_635_516_920_282_3),
+        (0.026_601_097_024_270_43, 0.169_406_317_370_665_5),
+    ];
+    for (structure, (displacement, velocity)) in response.structures.iter().zip(ends) {
+        close(
+            structure.end_displacement,
+            displacement,
+            1e-12,
+            "displacement",
+        );
+        close(structure.end_velocity, velocity, 1e-12, "velocity");
+    }
+}
+
+/// Pairs that ask for what others ask for share the impulse, and the force at rest, so that the sum of squares is least.
+#[test]
+fn reference_pairs_too_many_share_alike() {
+    for restitution in [0.5, 0.0] {
+        let law = stereomechanical(restitution);
+        // Unlike the floors, the slab is held back: all three press on after the impact.
+        let nodes = vec![
+            moving(3e5, 1.0, FREE),
+            moving(2e5, 0.0, Elastic { stiffness: 1e7 }),
+            on_floor(1, moving(2e5, 0.0, FREE)),
+            on_floor(0, moving(3e5, 1.0, FREE)),
+        ];
+        let pairs = vec![
+            pair(0, 1, 0.0, law),
+            pair(between(0, 3, 0.5), between(1, 2, 0.5), 0.0, law),
+            pair(3, 2, 0.0, law),
+        ];
+        let response = run(&Row::new(nodes, pairs).expect("a valid row"), &[0.0], 1e-3);
+        let impulses: Vec<f64> = response.collisions.iter().map(|of| of[0].impulse).collect();
+        // Each floor gets 2/3 of what the middle gets from both ends: (1 + e) v m/3 beside half of it.
+        let mass = 3e5 * 2e5 / 5e5;
+        for impulse in impulses {
+            close(
+                impulse,
+                2.0 / 3.0 * (1.0 + restitution) * mass,
+                1e-3,
+                "impulse",
+            );
+        }
+    }
+}
+
+/// A slab at rest against a point between two floors: all move as the floors do with part of its mass on each.
+#[test]
+fn reference_a_slab_rests_on_a_column() {
+    let (slab, floors, stiffnesses, part) = (2e5, [3e5, 2e5], [8e7, 5e7], 0.65);
+    let nodes = vec![
+        moving(slab, 0.5, FREE),
+        moving(
+            floors[0],
+            0.0,
+            Elastic {
+                stiffness: stiffnesses[0],
+            },
+        ),
+        on_floor(
+            1,
+            moving(
+                floors[1],
+                0.0,
+                Elastic {
+                    stiffness: stiffnesses[1],
+                },
+            ),
+        ),
+    ];
+    let pairs = vec![pair(0, between(1, 2, part), 0.0, stereomechanical(0.0))];
+    let row = Row::new(nodes, pairs).expect("a valid row");
+    let response = run(&row, &[0.0], 1.0);
+    let rest = response.collisions[0][0];
+    // M of the floors with m g gᵀ of the slab, K of the storeys.
+    let g = [1.0 - part, part];
+    let m = |i: usize, j: usize| slab * g[i] * g[j] + if i == j { floors[i] } else { 0.0 };
+    let (a, b, c) = (m(0, 0), m(0, 1), m(1, 1));
+    let [lower, upper] = stiffnesses;
+    let (k00, k01, k11) = (lower + upper, -upper, upper);
+    // det(K − λM) = 0.
+    let (two, one, zero) = (
+        a * c - b * b,
+        k00 * c + k11 * a - 2.0 * k01 * b,
+        k00 * k11 - k01 * k01,
+    );
+    let root = sqrt(one * one - 4.0 * two * zero);
+    let impulse = slab * 0.5;
+    let after = |t: f64| {
+        let mut found = [[0.0; 2]; 3];
+        for square in [(one - root) / (2.0 * two), (one + root) / (2.0 * two)] {
+            let shape = [-(k01 - square * b), k00 - square * a];
+            let mass =
+                shape[0] * (a * shape[0] + b * shape[1]) + shape[1] * (b * shape[0] + c * shape[1]);
+            let speed = impulse * (g[0] * shape[0] + g[1] * shape[1]) / mass;
+            let omega = sqrt(square);
+            for (row, factor) in found.iter_mut().zip([
+                sin(omega * t) / omega,
+                cos(omega * t),
+                -omega * sin(omega * t),
+            ]) {
+                for floor in 0..2 {
+                    row[floor] += speed * factor * shape[floor];
+                }
+            }
+        }
+        found.map(|[lower, upper]| (lower, upper, g[0] * lower + g[1] * upper))
+    };
+    // Nothing but the pair pushes the slab.
+    let [_, before, _] = after(0.0);
+    let [_, at_parting, pull] = after(rest.end);
+    let largest = after(0.25 * rest.end)[2].2.abs();
+    assert!(pull.2.abs() < 1e-10 * largest, "{pull:?} of {largest}");
+    close(
+        rest.impulse,
+        slab * (0.5 - before.2) + slab * (before.2 - at_parting.2),
+        1e-12,
+        "impulse",
+    );
+    for part in [0.3, 0.7, 1.0] {
+        let response = run(&row, &[0.0], part * rest.end);
+        let [(lower, upper, middle), (slow, fast, speed), _] = after(part * rest.end);
+        let wanted = [(middle, speed), (lower, slow), (upper, fast)];
+        for (found, (displacement, velocity)) in response.structures.iter().zip(wanted) {
+            close(found.end_displacement, displacement, 1e-12, "displacement");
+            close(found.end_velocity, velocity, 1e-11, "velocity");
+        }
+    }
+}
+
+/// Towers of three and two storeys, of which one floor is hit by two, one meets a point between two, and one hits a point above the ground.
+fn towers(law: ContactLaw) -> Row<Elastic> {
+    let of = TOWERS.map(elastic);
+    let row = buildings(&of[..2], (ALPHA, BETA), (0.01, law));
+    let pairs = vec![
+        pair(2, between(1, 3, 0.65), 0.008, law),
+        pair(4, 3, 0.012, law),
+        pair(2, 3, 0.009, law),
+        pair(between(None, 0, 0.4), between(None, 1, 0.45), 0.001, law),
+        pair(0, 1, 0.005, law),
+    ];
+    Row::new(row.nodes().to_vec(), pairs).expect("a valid row")
+}
+
+/// The laws with forces.
+fn compliant() -> [ContactLaw; 2] {
+    [
+        ContactLaw::KelvinVoigt(KelvinVoigt {
+            impact_stiffness: 9e8,
+            impact_damping_ratio: 0.15,
+        }),
+        ContactLaw::HertzDamp(HertzDamp {
+            impact_stiffness: 3e9,
+            impact_damping_factor: 0.6,
+        }),
+    ]
+}
+
+fn all_meet(response: &Response) {
+    let counts: Vec<_> = response.collisions.iter().map(Vec::len).collect();
+    assert!(counts.iter().all(|count| *count > 1), "{counts:?}");
+}
+
+#[test]
+fn limit_the_order_of_pairs_is_nothing() {
+    for law in compliant()
+        .into_iter()
+        .chain([0.6, 0.0].map(stereomechanical))
+    {
+        let row = towers(law);
+        let one = run(&row, &ground(), 3.0);
+        all_meet(&one);
+        let order = [3, 1, 4, 0, 2];
+        let pairs = order.map(|pair| row.pairs()[pair]).to_vec();
+        let permuted = Row::new(row.nodes().to_vec(), pairs).expect("a valid row");
+        let other = run(&permuted, &ground(), 3.0);
+        for (one, other) in one.structures.iter().zip(&other.structures) {
+            close(
+                one.displacement.value,
+                other.displacement.value,
+                1e-11,
+                "peak",
+            );
+            close(
+                one.transferred_momentum,
+                other.transferred_momentum,
+                1e-11,
+                "momentum",
+            );
+        }
+        for (index, pair) in order.into_iter().enumerate() {
+            let (one, other) = (&one.collisions[pair], &other.collisions[index]);
+            assert_eq!(one.len(), other.len(), "{law:?}, pair {pair}");
+        }
+    }
+}
+
+#[test]
+fn reference_runge_kutta_comes_near_pairs_of_any_points() {
+    for law in compliant() {
+        let row = towers(law);
+        all_meet(&run(&row, &ground(), 3.0));
+        approach(&row, [8e-6, 0.8], &format!("{law:?}"));
+    }
+}
