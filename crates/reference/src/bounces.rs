@@ -21,41 +21,8 @@ impl Runner {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);
         }
-        let outcome = |pair| {
-            if self.stops(pair, &touching, time) {
-                Outcome::Stops
-            } else {
-                Outcome::Bounces
-            }
-        };
-        let mut outcomes: Vec<_> = (0..self.bounces.len()).map(outcome).collect();
-        let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
-        let impulses = loop {
-            let model = &self.motion.model;
-            let impulses = impact::collide(model, &mut self.state.high, &groups, &outcomes);
-            self.motion.phases.redirect(model, &self.state.high);
-            self.motion.grip_again(&self.state.high);
-            let model = &self.motion.model;
-            for &pair in &touching {
-                // What rounding took from the rate before is none of this one.
-                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
-                let rests = model.rate(pair, &self.state.high) >= 0.0;
-                let contact = if rests { Contact::IDLE } else { Contact::Apart };
-                self.motion.phases.pairs[pair].contact = contact;
-            }
-            self.motion.decide(&self.state.high, &mut self.scratch);
-            let over = touching.iter().filter(|&&pair| self.is_over(pair));
-            let over: Vec<_> = over.collect();
-            if over.is_empty() {
-                break impulses;
-            }
-            for &pair in over {
-                let hit = impulses[pair] > 0.0 && outcomes[pair] == Outcome::Bounces;
-                outcomes[pair] = if hit { Outcome::Stops } else { Outcome::Stays };
-            }
-            self.state.copy_from(&state);
-            self.motion.phases.clone_from(&phases);
-        };
+        let mut phases = self.motion.phases.clone();
+        let impulses = self.strike(&touching, &groups, time);
         self.motion.rise_again(&self.state.high, &self.scratch);
         for &pair in touching.iter().filter(|&&pair| impulses[pair] > 0.0) {
             let bounces = &mut self.bounces[pair];
@@ -82,6 +49,45 @@ impl Runner {
             self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
         }
         Ok(())
+    }
+
+    /// Jumps the velocities, without bounces that are over; the impulse of every pair \[N·s\].
+    fn strike(&mut self, touching: &[usize], groups: &[Vec<usize>], time: f64) -> Vec<f64> {
+        let outcome = |pair| {
+            if self.stops(pair, touching, time) {
+                Outcome::Stops
+            } else {
+                Outcome::Bounces
+            }
+        };
+        let mut outcomes: Vec<_> = (0..self.bounces.len()).map(outcome).collect();
+        let (state, phases) = (self.state.clone(), self.motion.phases.clone());
+        loop {
+            let model = &self.motion.model;
+            let impulses = impact::collide(model, &mut self.state.high, groups, &outcomes);
+            self.motion.phases.redirect(model, &self.state.high);
+            self.motion.grip_again(&self.state.high);
+            let model = &self.motion.model;
+            for &pair in touching {
+                // What rounding took from the rate before is none of this one.
+                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
+                let rests = model.rate(pair, &self.state.high) >= 0.0;
+                let contact = if rests { Contact::IDLE } else { Contact::Apart };
+                self.motion.phases.pairs[pair].contact = contact;
+            }
+            self.motion.decide(&self.state.high, &mut self.scratch);
+            let over = touching.iter().filter(|&&pair| self.is_over(pair));
+            let over: Vec<_> = over.collect();
+            if over.is_empty() {
+                return impulses;
+            }
+            for &pair in over {
+                let hit = impulses[pair] > 0.0 && outcomes[pair] == Outcome::Bounces;
+                outcomes[pair] = if hit { Outcome::Stops } else { Outcome::Stays };
+            }
+            self.state.copy_from(&state);
+            self.motion.phases.clone_from(&phases);
+        }
     }
 
     /// Whether a pair that is hit now stops: it has been hit again and again, or another pair on a floor that both hit in turn has come to
