@@ -56,6 +56,11 @@ impl Block {
         }
     }
 
+    /// How many of the pairs do not ask for what the others ask for.
+    pub(super) fn rank(&self) -> usize {
+        self.followers().count()
+    }
+
     pub(super) fn has(&self, pair: usize) -> bool {
         self.pairs.contains(&pair)
     }

@@ -183,33 +183,50 @@ impl Motion {
     }
 
     /// Those of a group of pairs at rest that press; `slope` has accelerations in space without them, of the size of `terms`.
+    ///
+    /// A pair presses that would close without its force. Where others keep it from that, it presses if it shares their force.
     fn pressing(&self, group: &[usize], slope: &[f64], terms: &[f64]) -> Option<Vec<usize>> {
+        let without = |floor: usize| slope[velocity(floor)];
+        let block = |set: &mut dyn Iterator<Item = usize>| {
+            Block::new(&self.model, set.map(|member| group[member]).collect())
+        };
+        let closing = |block: &Block, member: usize| {
+            let moving = with(std::slice::from_ref(block), slope, terms);
+            self.apart(group[member], &moving)
+        };
         let judge = |set: &[usize]| {
-            let pairs = set.iter().map(|member| group[*member]).collect();
-            let block = Block::new(&self.model, pairs);
-            let forces = block.forces(identity, |floor| slope[velocity(floor)]);
-            let sizes = block.forces(f64::abs, |floor| terms[floor]);
-            let forces = forces.into_iter().zip(sizes);
-            let forces: Vec<_> = forces
-                .map(|((pair, force), (_, size))| (pair, force, IDLE * size))
-                .collect();
-            let moving = with(&[block], slope, terms);
-            let closes = group.iter().map(|pair| {
-                let [closing, rounding] = self.apart(*pair, &moving);
+            let all = block(&mut set.iter().copied());
+            let forces = all.forces(identity, without);
+            let sizes = all.forces(f64::abs, |floor| terms[floor]);
+            let lacks = |position: usize| {
+                let member = set[position];
+                let others = block(&mut set.iter().copied().filter(|other| *other != member));
+                let [excess, rounding] = if others.rank() < all.rank() {
+                    closing(&others, member)
+                } else {
+                    [forces[position].1, IDLE * sizes[position].1]
+                        .map(|force| force / self.model.pairs[group[member]].reduced_mass)
+                };
+                let lack = rounding - excess;
+                if lack < 0.0 {
+                    0.0
+                } else {
+                    lack.max(f64::MIN_POSITIVE)
+                }
+            };
+            let closes = |member: usize| {
+                let [closing, rounding] = closing(&all, member);
                 closing - rounding
-            });
-            let pulls = forces.iter().map(|(pair, force, rounding)| {
-                (-force - rounding) / self.model.pairs[*pair].reduced_mass
-            });
-            let miss = closes.chain(pulls).fold(0.0, f64::max);
-            let squares = forces.iter().map(|(_, force, _)| force * force).sum();
-            let press = forces
-                .iter()
-                .filter(|(_, force, rounding)| force > rounding);
+            };
+            let mut miss = (0..group.len()).map(closes).fold(0.0, f64::max);
+            if miss == 0.0 {
+                miss = (0..set.len()).map(lacks).fold(0.0, f64::max);
+            }
+            let squares = forces.iter().map(|(_, force)| force * force).sum();
             (
                 miss,
                 squares,
-                press.map(|(pair, _, _)| *pair).collect::<Vec<_>>(),
+                forces.iter().map(|(pair, _)| *pair).collect::<Vec<_>>(),
             )
         };
         best(group.len(), judge).filter(|pressing| !pressing.is_empty())
