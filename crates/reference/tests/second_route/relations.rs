@@ -279,6 +279,14 @@ fn towers(law: ContactLaw) -> Row<Elastic> {
     Row::new(row.nodes().to_vec(), pairs).expect("a valid row")
 }
 
+/// The same without gaps.
+fn towers_without_gaps(law: ContactLaw) -> Row<Elastic> {
+    let row = towers(law);
+    let pairs = row.pairs().iter();
+    let pairs = pairs.map(|one| pair(one.relation.left, one.relation.right, 0.0, law));
+    Row::new(row.nodes().to_vec(), pairs.collect()).expect("a valid row")
+}
+
 /// The laws with forces.
 fn compliant() -> [ContactLaw; 2] {
     [
@@ -347,6 +355,16 @@ fn reference_the_exact_method_agrees_on_pairs_of_any_points() {
                 close(found.1, known.1, 1e-11, &what);
             }
         }
+    }
+}
+
+/// Most of the time several pairs are at rest, on one floor or across each other.
+#[test]
+fn reference_the_exact_method_agrees_on_pairs_without_gaps() {
+    for law in [0.0, 0.3].map(stereomechanical) {
+        let row = towers_without_gaps(law);
+        let (_, other) = agree_on_floors(&row, 3.0, (1e-11, &format!("{law:?}")));
+        all_meet(&other);
     }
 }
 
