@@ -1,53 +1,28 @@
 //! Impacts of an instant, and the bounces that end in rest.
 
-use super::impact::{self, NOISE, SHORTEST};
+use super::SecondRouteError;
+use super::block::Block;
+use super::impact::{self, NOISE, Outcome, SHORTEST};
 use super::law::Law;
 use super::model::{TIME, velocity};
 use super::phases::Contact;
 use super::runner::Runner;
-use super::state::Bounces;
+use super::state::{Bounces, Sum};
 
 /// Impacts of a pair, each within that time of the one before, after which it stops.
 const MOST_BOUNCES: u32 = 50;
 
 impl Runner {
     /// Impacts of all impulsive pairs that touch now; then they rest or part.
-    pub(super) fn collide(&mut self, time: f64) {
+    pub(super) fn collide(&mut self, time: f64) -> Result<(), SecondRouteError> {
         let touching = impact::touching(&self.motion, &self.state.high);
+        let groups = impact::together(&self.motion.model, &touching, time)?;
         for &pair in &touching {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);
         }
-        let mut stops: Vec<bool> = (0..self.bounces.len())
-            .map(|pair| self.stops(pair, &touching, time))
-            .collect();
-        let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
-        let impulses = loop {
-            let model = &self.motion.model;
-            let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
-            self.motion.phases.redirect(model, &self.state.high);
-            self.motion.grip_again(&self.state.high);
-            let model = &self.motion.model;
-            for &pair in &touching {
-                // What rounding took from the rate before is none of this one.
-                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
-                let rests = model.rate(pair, &self.state.high) >= 0.0;
-                let contact = if rests { Contact::IDLE } else { Contact::Apart };
-                self.motion.phases.pairs[pair].contact = contact;
-            }
-            self.motion.decide(&self.state.high, &mut self.scratch);
-            let hit = touching.iter().filter(|&&pair| impulses[pair] > 0.0);
-            let over = hit.filter(|&&pair| !stops[pair] && self.is_over(pair));
-            let over: Vec<_> = over.collect();
-            if over.is_empty() {
-                break impulses;
-            }
-            for &pair in over {
-                stops[pair] = true;
-            }
-            self.state.copy_from(&state);
-            self.motion.phases.clone_from(&phases);
-        };
+        let mut phases = self.motion.phases.clone();
+        let impulses = self.strike(&touching, &groups, time);
         self.motion.rise_again(&self.state.high, &self.scratch);
         for &pair in touching.iter().filter(|&&pair| impulses[pair] > 0.0) {
             let bounces = &mut self.bounces[pair];
@@ -73,10 +48,50 @@ impl Runner {
         for &pair in &touching {
             self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
         }
+        Ok(())
     }
 
-    /// Whether a pair that is hit now stops: it has been hit again and again, or the pair on the other side of a floor that both hit in
-    /// turn has come to rest. Of what that series would still give this pair all is given at once.
+    /// Jumps the velocities, without bounces that are over; the impulse of every pair \[N·s\].
+    fn strike(&mut self, touching: &[usize], groups: &[Vec<usize>], time: f64) -> Vec<f64> {
+        let outcome = |pair| {
+            if self.stops(pair, touching, time) {
+                Outcome::Stops
+            } else {
+                Outcome::Bounces
+            }
+        };
+        let mut outcomes: Vec<_> = (0..self.bounces.len()).map(outcome).collect();
+        let (state, phases) = (self.state.clone(), self.motion.phases.clone());
+        loop {
+            let model = &self.motion.model;
+            let impulses = impact::collide(model, &mut self.state.high, groups, &outcomes);
+            self.motion.phases.redirect(model, &self.state.high);
+            self.motion.grip_again(&self.state.high);
+            let model = &self.motion.model;
+            for &pair in touching {
+                // What rounding took from the rate before is none of this one.
+                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
+                let rests = model.rate(pair, &self.state.high) >= 0.0;
+                let contact = if rests { Contact::IDLE } else { Contact::Apart };
+                self.motion.phases.pairs[pair].contact = contact;
+            }
+            self.motion.decide(&self.state.high, &mut self.scratch);
+            let over = touching.iter().filter(|&&pair| self.is_over(pair));
+            let over: Vec<_> = over.collect();
+            if over.is_empty() {
+                return impulses;
+            }
+            for &pair in over {
+                let hit = impulses[pair] > 0.0 && outcomes[pair] == Outcome::Bounces;
+                outcomes[pair] = if hit { Outcome::Stops } else { Outcome::Stays };
+            }
+            self.state.copy_from(&state);
+            self.motion.phases.clone_from(&phases);
+        }
+    }
+
+    /// Whether a pair that is hit now stops: it has been hit again and again, or another pair on a floor that both hit in turn has come to
+    /// rest. Of what that series would still give this pair all is given at once.
     fn stops(&self, pair: usize, touching: &[usize], time: f64) -> bool {
         let soon = |pair: usize| time - self.bounces[pair].last < SHORTEST;
         if !soon(pair) {
@@ -84,7 +99,8 @@ impl Runner {
         }
         let pairs = &self.motion.model.pairs;
         let shares = |other: usize| {
-            pairs[other].right == pairs[pair].left || pairs[other].left == pairs[pair].right
+            let mut met = pairs[pair].parts();
+            other != pair && met.any(|(floor, _)| pairs[other].part(floor) != 0.0)
         };
         let rests = |other: usize| {
             matches!(
@@ -124,13 +140,16 @@ impl Runner {
     }
 
     /// Decides which pairs at rest press on.
-    pub(super) fn rest(&mut self, time: f64) {
+    pub(super) fn rest(&mut self, time: f64) -> Result<(), SecondRouteError> {
         if !self.motion.rests() {
-            return;
+            return Ok(());
         }
+        let touching = impact::touching(&self.motion, &self.state.high);
+        impact::together(&self.motion.model, &touching, time)?;
         let before = self.motion.phases.clone();
         self.motion.decide(&self.state.high, &mut self.scratch);
         self.begin_or_end(&before, time);
+        Ok(())
     }
 
     /// Records which pairs begin to press at rest, and which no longer do.
@@ -145,24 +164,18 @@ impl Runner {
         self.unite();
     }
 
-    /// Gives floors of a block the velocity of the heaviest, over the ground of each, to the last digit.
+    /// Gives floors of a block the velocities that those they follow give them, over the ground of each, to the last digit.
     fn unite(&mut self) {
-        let blocks: Vec<_> = self.motion.blocks().collect();
-        for block in blocks {
-            let model = &self.motion.model;
-            let floors: Vec<_> = self.motion.floors(block).collect();
-            let inverse_mass = |floor: &usize| model.structures[*floor].inverse_mass;
-            let heaviest = floors
-                .iter()
-                .copied()
-                .min_by(|one, other| inverse_mass(one).total_cmp(&inverse_mass(other)));
-            let Some(heaviest) = heaviest else { continue };
-            for floor in floors {
-                let since = self.state.high[TIME];
-                let carried = self.motion.segment.faster([heaviest, floor], since);
-                let [from, to] = [heaviest, floor].map(velocity);
-                self.state.copy(from, to, carried);
+        let since = self.state.high[TIME];
+        let Self { motion, state, .. } = self;
+        for (floor, leaders) in motion.blocks.iter().flat_map(Block::followers) {
+            let mut sum = Sum::default();
+            for (leader, part) in leaders {
+                let carried = part * motion.segment.faster([leader, floor], since);
+                let own = state.sum(velocity(leader));
+                sum = sum.plus_product(Sum::of(part), own).plus(carried);
             }
+            state.put_sum(velocity(floor), sum);
         }
     }
 }

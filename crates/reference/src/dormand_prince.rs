@@ -166,6 +166,7 @@ mod tests {
         Motion {
             model,
             phases,
+            blocks: Vec::new(),
             segment: Segment {
                 grounds: vec![(0.0, 0.0); 2],
                 ..Segment::default()

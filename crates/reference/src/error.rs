@@ -37,4 +37,16 @@ pub enum SecondRouteError {
         /// The limit.
         limit: usize,
     },
+    /// More pairs push on each other at once than all sets of them can be tried for.
+    #[error(
+        "second route: found {found} impulsive pairs that touch and meet floors of each other at t = {time} s, allowed {limit}; set a gap between some of them"
+    )]
+    TooManyAtOnce {
+        /// When they do \[s\].
+        time: f64,
+        /// How many do.
+        found: usize,
+        /// The limit.
+        limit: usize,
+    },
 }

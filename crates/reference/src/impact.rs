@@ -1,9 +1,11 @@
 //! Impacts of all impulsive pairs that touch at one instant, solved together.
 //!
-//! With u the velocity at which a pair separates and W = G M⁻¹ Gᵀ: u⁺ = −e u⁻ for every touching pair that does not
-//! separate, no impulse for the others, and again while a touching pair still approaches. W is then an M-matrix and
-//! −(1+e) u⁻ ≥ 0, so the impulses that solve W P = −(1+e) u⁻ are ≥ 0 without a search.
+//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0: a pair
+//! that pushes leaves with −e r, and others do at least as much. There is no impulse for what separates, and all is done again while
+//! a touching pair still approaches. Which pairs push is found by trying all sets of them.
 
+use super::SecondRouteError;
+use super::block::{best, groups, least, mobility};
 use super::law::Law;
 use super::model::Model;
 use super::motion::Motion;
@@ -18,7 +20,7 @@ pub(super) const SHORTEST: f64 = 1e-12;
 /// Part of what a velocity or an impulse is a sum of that is rounding.
 pub(super) const NOISE: f64 = 1e-14;
 
-/// Impulsive pairs that touch, from left to right.
+/// Impulsive pairs that touch.
 pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     let model = &motion.model;
     let touches = |&index: &usize| {
@@ -29,78 +31,72 @@ pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     (0..model.pairs.len()).filter(touches).collect()
 }
 
-/// Jumps the velocities of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
+/// Most pairs of a group: all sets of so many can be tried in a second.
+const MOST_AT_ONCE: usize = 14;
+
+/// The groups of pairs that touch at a time \[s\].
+pub(super) fn together(
+    model: &Model,
+    touching: &[usize],
+    time: f64,
+) -> Result<Vec<Vec<usize>>, SecondRouteError> {
+    let groups = groups(model, touching);
+    match groups.iter().map(Vec::len).max() {
+        Some(found) if found > MOST_AT_ONCE => Err(SecondRouteError::TooManyAtOnce {
+            time,
+            found,
+            limit: MOST_AT_ONCE,
+        }),
+        Some(_) | None => Ok(groups),
+    }
+}
+
+/// What an impact makes of a pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Outcome {
+    /// It bounces with its restitution.
+    Bounces,
+    /// It does so without: its bounces are over.
+    Stops,
+    /// It stays together whatever hits its floors: it would be back at once.
+    Stays,
+}
+
+/// Jumps the velocities of groups of touching pairs; the impulse of every pair \[N·s\].
 pub(super) fn collide(
     model: &Model,
     y: &mut [f64],
-    touching: &[usize],
-    plastic: &[bool],
+    groups: &[Vec<usize>],
+    outcomes: &[Outcome],
 ) -> Vec<f64> {
     let mut total = vec![0.0; model.pairs.len()];
-    for round in 0..=MOST_ROUNDS {
-        if !touching.iter().any(|&pair| model.rate(pair, y) > 0.0) {
-            break;
-        }
-        let impulses = if round < MOST_ROUNDS {
-            restitute(model, y, touching, plastic)
-        } else {
-            stop(model, y, touching)
-        };
-        for (pair, impulse) in impulses {
-            total[pair] += impulse;
+    for group in groups {
+        for round in 0..=MOST_ROUNDS {
+            if !group.iter().any(|&pair| model.rate(pair, y) > 0.0) {
+                break;
+            }
+            let stops = round == MOST_ROUNDS;
+            let turn = |&pair: &usize| {
+                let rate = model.rate(pair, y);
+                let stays = outcomes[pair] == Outcome::Stays;
+                let restitution = match (model.pairs[pair].law, outcomes[pair]) {
+                    (Law::Impulsive { restitution }, Outcome::Bounces) if !stops => restitution,
+                    _ => 0.0,
+                };
+                (rate >= 0.0 || stops || stays).then_some(Turn {
+                    pair,
+                    rate,
+                    after: -restitution * rate,
+                    stays,
+                })
+            };
+            let turns: Vec<_> = group.iter().filter_map(turn).collect();
+            for (pair, impulse) in jump(model, y, group, &turns) {
+                total[pair] += impulse;
+            }
         }
     }
     total
-}
-
-/// One round: the pairs that do not separate turn round.
-fn restitute(
-    model: &Model,
-    y: &mut [f64],
-    touching: &[usize],
-    plastic: &[bool],
-) -> Vec<(usize, f64)> {
-    let turns = touching.iter().copied().filter_map(|pair| {
-        let rate = model.rate(pair, y);
-        let restitution = match model.pairs[pair].law {
-            Law::Impulsive { restitution } if !plastic[pair] => restitution,
-            Law::Impulsive { .. } | Law::Compliant(_) => 0.0,
-        };
-        (rate >= 0.0).then_some(Turn {
-            pair,
-            rate,
-            after: -restitution * rate,
-        })
-    });
-    let turns: Vec<_> = turns.collect();
-    jump(model, y, touching, &turns)
-}
-
-/// Leaves no touching pair approaching; the set of those that push grows until none does.
-fn stop(model: &Model, y: &mut [f64], touching: &[usize]) -> Vec<(usize, f64)> {
-    let mut after = y.to_vec();
-    let mut active: Vec<usize> = Vec::new();
-    let mut impulses = Vec::new();
-    loop {
-        let before = active.len();
-        active = touching
-            .iter()
-            .copied()
-            .filter(|pair| active.contains(pair) || model.rate(*pair, &after) > 0.0)
-            .collect();
-        if active.len() == before {
-            y.copy_from_slice(&after);
-            return impulses;
-        }
-        let turn = |&pair: &usize| Turn {
-            pair,
-            rate: model.rate(pair, y),
-            after: 0.0,
-        };
-        let turns: Vec<_> = active.iter().map(turn).collect();
-        after.copy_from_slice(y);
-        impulses = jump(model, &mut after, touching, &turns);
-    }
 }
 
 /// A pair whose rate of deformation is to change.
@@ -109,71 +105,78 @@ struct Turn {
     pair: usize,
     /// The rate before \[m/s\].
     rate: f64,
-    /// The rate after \[m/s\].
+    /// The largest rate after, and that of a pair that pushes \[m/s\].
     after: f64,
+    /// Whether it has that rate in any case.
+    stays: bool,
 }
 
-/// Gives the impulses of some turns.
-fn jump(model: &Model, y: &mut [f64], touching: &[usize], turns: &[Turn]) -> Vec<(usize, f64)> {
-    let impulses = solve(model, turns);
-    let before: Vec<_> = touching.iter().map(|&pair| model.rate(pair, y)).collect();
-    for &(pair, impulse) in &impulses {
-        let neighbours = model.pairs[pair];
-        let gained = |structure: usize| impulse * model.structures[structure].inverse_mass;
-        model.push(neighbours.left, -gained(neighbours.left), y);
-        model.push(neighbours.right, gained(neighbours.right), y);
+/// Gives the impulses of some turns of a group.
+fn jump(model: &Model, y: &mut [f64], group: &[usize], turns: &[Turn]) -> Vec<(usize, f64)> {
+    let impulses = answer(model, turns);
+    let before: Vec<_> = group.iter().map(|&pair| model.rate(pair, y)).collect();
+    for (turn, &impulse) in turns.iter().zip(&impulses) {
+        for (floor, part) in model.pairs[turn.pair].parts() {
+            let gained = part * impulse * model.structures[floor].inverse_mass;
+            model.push(floor, -gained, y);
+        }
     }
-    for turn in turns {
-        y[model.pairs[turn.pair].deformation + 1] = turn.after;
+    let pairs = turns.iter().map(|turn| turn.pair);
+    let found: Vec<_> = pairs.zip(impulses).collect();
+    for (turn, (_, impulse)) in turns.iter().zip(&found) {
+        if turn.stays || *impulse > 0.0 {
+            y[model.pairs[turn.pair].deformation + 1] = turn.after;
+        }
     }
     // Of what stops by the push of a neighbour, rounding is left.
-    for (&pair, before) in touching.iter().zip(before) {
+    for (&pair, before) in group.iter().zip(before) {
         let rate = &mut y[model.pairs[pair].deformation + 1];
         if *rate > 0.0 && *rate <= NOISE * before.abs() {
             *rate = 0.0;
         }
     }
-    impulses
+    found
 }
 
-/// Impulses of turns, from left to right: W P = the turns, tridiagonal.
-///
-/// The pivot of a pair is 1/(all mass of its block to the left) + 1/(the mass on the right): no term is taken from another.
-fn solve(model: &Model, turns: &[Turn]) -> Vec<(usize, f64)> {
-    let inverse_mass = |structure: usize| model.structures[structure].inverse_mass;
-    // −W between a pair and the one before it: the inverse mass of the structure they share.
-    let shared = |position: usize| {
-        let structure = model.pairs[turns[position].pair].left;
-        if model.pairs[turns[position - 1].pair].right == structure {
-            inverse_mass(structure)
-        } else {
-            0.0
+/// Impulses of turns.
+fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
+    let pairs: Vec<_> = turns.iter().map(|turn| turn.pair).collect();
+    let all = mobility(model, &pairs);
+    let demand = |of: usize| turns[of].rate - turns[of].after;
+    let judge = |set: &[usize]| {
+        let own = |&one: &usize| set.iter().map(|other| all[one][*other]).collect();
+        let of_set: Vec<Vec<f64>> = set.iter().map(own).collect();
+        let demands: Vec<_> = set.iter().map(|one| vec![demand(*one)]).collect();
+        let mut impulses = vec![0.0; turns.len()];
+        for (one, found) in set.iter().zip(least(&of_set, &demands)) {
+            impulses[*one] = found[0];
         }
-    };
-    let mut pivots = vec![0.0; turns.len()];
-    let mut impulses = vec![0.0; turns.len()];
-    let mut lighter = 0.0;
-    for (position, turn) in turns.iter().enumerate() {
-        let pair = model.pairs[turn.pair];
-        impulses[position] = turn.rate - turn.after;
-        let joined = position > 0 && shared(position) > 0.0;
-        // 1/(mass to the left): of the structure alone, or with what it leans on.
-        lighter = if joined {
-            1.0 / (1.0 / lighter + 1.0 / inverse_mass(pair.left))
-        } else {
-            inverse_mass(pair.left)
+        let miss = |one: usize| {
+            let lost = all[one]
+                .iter()
+                .zip(&impulses)
+                .map(|(by, impulse)| by * impulse);
+            let terms = lost.clone().map(f64::abs).sum::<f64>() + demand(one).abs();
+            let lack = demand(one) - lost.sum::<f64>();
+            let Turn { stays, .. } = turns[one];
+            let off = if stays || set.contains(&one) {
+                lack.abs()
+            } else {
+                lack
+            };
+            let pull = if stays { 0.0 } else { -impulses[one] };
+            (off - NOISE * terms).max(pull * all[one][one])
         };
-        pivots[position] = lighter + inverse_mass(pair.right);
-        if joined {
-            impulses[position] += shared(position) / pivots[position - 1] * impulses[position - 1];
-        }
-    }
-    for position in (0..turns.len()).rev() {
-        if position + 1 < turns.len() {
-            impulses[position] += shared(position + 1) * impulses[position + 1];
-        }
-        impulses[position] /= pivots[position];
-    }
-    let pairs = turns.iter().map(|turn| turn.pair);
-    pairs.zip(impulses).collect()
+        let miss = (0..turns.len()).map(miss).fold(0.0, f64::max);
+        let squares = impulses.iter().map(|impulse| impulse * impulse).sum();
+        (miss, squares, impulses)
+    };
+    let impulses = best(turns.len(), judge).unwrap_or_default();
+    let least = |turn: &Turn| if turn.stays { f64::NEG_INFINITY } else { 0.0 };
+    let least = turns.iter().map(least);
+    impulses
+        .into_iter()
+        .zip(least)
+        .map(|(impulse, least)| impulse.max(least))
+        .collect()
 }

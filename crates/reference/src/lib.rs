@@ -38,6 +38,7 @@
 //! Where to start: [`run`], [`Fineness`] and [`Response`]; then `events.rs`, all events, and `law.rs`, the contact laws from their sources.
 
 mod arrivals;
+mod block;
 mod bounces;
 mod branch;
 mod dormand_prince;

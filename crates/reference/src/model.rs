@@ -1,6 +1,6 @@
 //! The row as plain numbers, and where each of them stands in the vector of unknowns.
 
-use pounding_solver::{Hysteretic, Node, Row, Support};
+use pounding_solver::{Hysteretic, Node, Pair, Point, Row, Share, Support};
 
 use super::law::Law;
 use super::storey::{Columns, Smooth};
@@ -27,7 +27,10 @@ pub(super) fn velocity(structure: usize) -> usize {
 /// The row as plain numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Model {
+    /// Those of the row, then the grounds under points between a ground and a first floor, as walls.
     pub structures: Vec<Structure>,
+    /// Number of nodes of the row.
+    pub n_nodes: usize,
     pub pairs: Vec<Neighbours>,
     /// Number of storeys with columns that yield smoothly.
     n_smooth: usize,
@@ -50,16 +53,71 @@ pub(super) struct Structure {
     pub initial_velocity: f64,
 }
 
-/// Two neighbours.
+/// A point that has a part `lean` of the motion of the far floor and the rest of that of the near one; of one floor both are that.
+#[derive(Debug, Clone, Copy)]
+struct Spot {
+    near: usize,
+    far: usize,
+    lean: f64,
+}
+
+impl Spot {
+    /// What it has of a quantity of floors: just what they have where they agree.
+    fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
+        let near = quantity(self.near);
+        near + self.lean * (quantity(self.far) - near)
+    }
+
+    /// Parts of a force on it that floors carry.
+    fn parts(self) -> impl Iterator<Item = (usize, f64)> {
+        let parts = [(self.near, 1.0 - self.lean), (self.far, self.lean)];
+        parts.into_iter().filter(|(_, part)| *part > 0.0)
+    }
+}
+
+/// Two points that can touch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbours {
-    pub left: usize,
-    pub right: usize,
+    left: Spot,
+    right: Spot,
     pub gap: f64,
     /// Index of the deformation in the vector of unknowns, before that of its rate.
     pub deformation: usize,
     pub reduced_mass: f64,
     pub law: Law,
+}
+
+impl Neighbours {
+    /// What the left point has of a quantity of floors beyond the right one.
+    pub(super) fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
+        self.left.of(&quantity) - self.right.of(&quantity)
+    }
+
+    /// What every floor and wall that it meets gives to the rate of deformation; a force pushes it with as much, the other way.
+    pub(super) fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
+        let right = self.right.parts().map(|(floor, part)| (floor, -part));
+        self.left.parts().chain(right)
+    }
+
+    /// The same of one floor; 0 where it does not meet it.
+    pub(super) fn part(&self, floor: usize) -> f64 {
+        let mut parts = self.parts();
+        parts
+            .find(|(met, _)| *met == floor)
+            .map_or(0.0, |(_, part)| part)
+    }
+
+    /// What rounding is a part of, of quantities of these sizes.
+    pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
+        self.parts()
+            .map(|(floor, part)| part.abs() * sizes(floor))
+            .sum()
+    }
+
+    /// A floor or wall on the ground of the left point, and of the right one.
+    pub(super) fn grounds(&self) -> [usize; 2] {
+        [self.left.near, self.right.near]
+    }
 }
 
 impl Model {
@@ -68,6 +126,12 @@ impl Model {
         let mut structures: Vec<_> = nodes
             .map(|(index, node)| structure(node, row.arrival(index)))
             .collect();
+        let n_nodes = structures.len();
+        let spots = |pair: &Pair| {
+            let points = [pair.relation.left, pair.relation.right];
+            points.map(|point| spot(point, &mut structures))
+        };
+        let spots: Vec<_> = row.pairs().iter().map(spots).collect();
         let n_pairs = row.pairs().len();
         let of_pairs = 1 + 2 * structures.len() + n_pairs;
         let first = of_pairs + 2 * n_pairs;
@@ -78,21 +142,25 @@ impl Model {
                 next += 1;
             }
         }
-        let neighbours = |(index, pair): (usize, &pounding_solver::Pair)| {
-            let inverse_mass = |index: usize| structures[index].inverse_mass;
-            let reduced_mass = 1.0 / (inverse_mass(pair.left()) + inverse_mass(pair.right()));
+        let neighbours = |(index, (pair, [left, right])): (usize, (&Pair, [Spot; 2]))| {
+            let parts = left.parts().chain(right.parts());
+            let mobility =
+                |(floor, part): (usize, f64)| part * part * structures[floor].inverse_mass;
+            let reduced_mass = 1.0 / parts.map(mobility).sum::<f64>();
             Neighbours {
-                left: pair.left(),
-                right: pair.right(),
-                gap: pair.gap(),
+                left,
+                right,
+                gap: pair.relation.offset,
                 deformation: of_pairs + 2 * index,
                 reduced_mass,
                 law: Law::of(pair.law, reduced_mass),
             }
         };
-        let pairs = row.pairs().iter().enumerate().map(neighbours).collect();
+        let pairs = row.pairs().iter().zip(spots).enumerate();
+        let pairs = pairs.map(neighbours).collect();
         Self {
             pairs,
+            n_nodes,
             n_smooth: next - first,
             structures,
         }
@@ -146,10 +214,9 @@ impl Model {
 
     /// Deformation of a pair at t = 0 and its rate \[m\], \[m/s\]; grounds are at rest then.
     pub(super) fn initial_deformation(&self, pair: &Neighbours) -> [f64; 2] {
-        let [left, right] = [pair.left, pair.right].map(|index| &self.structures[index]);
         [
-            left.initial_displacement - right.initial_displacement - pair.gap,
-            left.initial_velocity - right.initial_velocity,
+            pair.ahead(|floor| self.structures[floor].initial_displacement) - pair.gap,
+            pair.ahead(|floor| self.structures[floor].initial_velocity),
         ]
     }
 
@@ -161,11 +228,47 @@ impl Model {
     pub(super) fn push(&self, structure: usize, gained: f64, unknowns: &mut [f64]) {
         unknowns[velocity(structure)] += gained;
         for pair in &self.pairs {
-            if pair.left == structure {
-                unknowns[pair.deformation + 1] += gained;
-            } else if pair.right == structure {
-                unknowns[pair.deformation + 1] -= gained;
-            }
+            unknowns[pair.deformation + 1] += pair.part(structure) * gained;
+        }
+    }
+}
+
+/// A point of the row; a ground that it shares becomes one more wall.
+fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
+    let (near, far, lean) = match point {
+        Point::Floor(floor) => (Some(floor), Some(floor), 0.0),
+        Point::Share(Share { base, other, lean }) => (base, other, lean),
+    };
+    let floor = near.or(far).expect("a point shares a floor at least");
+    let mut or_ground = |met: Option<usize>| {
+        met.unwrap_or_else(|| {
+            structures.push(structures[floor].ground());
+            structures.len() - 1
+        })
+    };
+    Spot {
+        near: or_ground(near),
+        far: or_ground(far),
+        lean,
+    }
+}
+
+impl Structure {
+    /// The ground on which it stands, as a wall.
+    fn ground(&self) -> Self {
+        let columns = Columns {
+            smooth: None,
+            ..self.columns
+        };
+        Self {
+            inverse_mass: 0.0,
+            below: None,
+            damping: 0.0,
+            ground_damping: 0.0,
+            columns,
+            arrival: self.arrival,
+            initial_displacement: 0.0,
+            initial_velocity: 0.0,
         }
     }
 }

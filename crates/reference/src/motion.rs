@@ -1,5 +1,6 @@
 //! Equations of motion between two events.
 
+use super::block::Block;
 use super::branch::{Branch, sign};
 use super::law::{Law, Touching};
 use super::model::{Model, TIME, displacement, velocity};
@@ -15,6 +16,8 @@ pub(super) const NOW: (Variable, f64) = (Variable::Time, 0.0);
 pub(super) struct Motion {
     pub model: Model,
     pub phases: Phases,
+    /// The pairs that press at rest; decided with the phases.
+    pub blocks: Vec<Block>,
     pub segment: Segment,
 }
 
@@ -49,11 +52,41 @@ impl Segment {
 
 impl Motion {
     /// Derivative of the unknowns with respect to a variable, at a position of it.
-    pub(super) fn slope(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
+    pub(super) fn slope(&self, place: (Variable, f64), y: &[f64], dy: &mut [f64]) {
+        let Self { model, segment, .. } = self;
+        self.accelerate(place, y, dy);
+        self.lean(dy);
+        self.close(y, dy);
+        for index in 0..model.structures.len() {
+            let slope = &mut dy[velocity(index)];
+            *slope = if model.is_wall(index) {
+                0.0
+            } else {
+                *slope - segment.ground(index, y[TIME])
+            };
+        }
+        dy[TIME] = 1.0;
+        let (variable, position) = place;
+        if !matches!(variable, Variable::Time) {
+            let pace = variable.pace(position, |pair| model.rate(pair, y));
+            for slope in dy {
+                *slope *= pace;
+            }
+        }
+    }
+
+    /// Pounding forces and accelerations in space, without what presses at rest, and what else changes.
+    pub(super) fn accelerate(
+        &self,
+        (variable, position): (Variable, f64),
+        y: &[f64],
+        dy: &mut [f64],
+    ) {
         let Self {
             model,
             phases,
             segment,
+            ..
         } = self;
         for (index, structure) in model.structures.iter().enumerate() {
             dy[displacement(index)] = y[velocity(index)];
@@ -72,8 +105,9 @@ impl Motion {
                 let known = variable.deformation(index, position);
                 let deformation = known.unwrap_or_else(|| model.deformation(index, y));
                 force = self.pounding_force(index, deformation, model.rate(index, y));
-                dy[velocity(pair.left)] -= force;
-                dy[velocity(pair.right)] += force;
+                for (floor, part) in pair.parts() {
+                    dy[velocity(floor)] -= part * force;
+                }
             }
             dy[model.impulse(index)] = force;
         }
@@ -86,23 +120,6 @@ impl Motion {
                 *slope * structure.inverse_mass
             };
         }
-        self.lean(dy);
-        self.close(y, dy);
-        for index in 0..model.structures.len() {
-            let slope = &mut dy[velocity(index)];
-            *slope = if model.is_wall(index) {
-                0.0
-            } else {
-                *slope - segment.ground(index, y[TIME])
-            };
-        }
-        dy[TIME] = 1.0;
-        if !matches!(variable, Variable::Time) {
-            let pace = variable.pace(position, |pair| model.rate(pair, y));
-            for slope in dy {
-                *slope *= pace;
-            }
-        }
     }
 
     /// Derivatives of deformations and their rates, from accelerations in space.
@@ -112,8 +129,8 @@ impl Motion {
             let [rate, closing] = if rests {
                 [0.0; 2]
             } else {
-                let of = |structure: usize| dy[velocity(structure)];
-                [y[pair.deformation + 1], of(pair.left) - of(pair.right)]
+                let closing = pair.ahead(|floor| dy[velocity(floor)]);
+                [y[pair.deformation + 1], closing]
             };
             dy[pair.deformation] = rate;
             dy[pair.deformation + 1] = closing;
@@ -186,26 +203,21 @@ impl Motion {
     pub(super) fn push(&self, structure: usize, slope: &[f64]) -> f64 {
         let mut push = 0.0;
         for (index, pair) in self.model.pairs.iter().enumerate() {
-            let force = slope[self.model.impulse(index)];
-            if pair.left == structure {
-                push -= force;
-            } else if pair.right == structure {
-                push += force;
-            }
+            push -= pair.part(structure) * slope[self.model.impulse(index)];
         }
         push
     }
 
-    /// Whether both neighbours of a structure touch it.
+    /// Whether a structure is touched from both sides.
     pub(super) fn is_between(&self, structure: usize) -> bool {
-        let pairs = self.model.pairs.iter().zip(&self.phases.pairs);
-        let touching = pairs.filter(|(pair, phase)| {
-            (pair.left == structure || pair.right == structure) && phase.contact.touches()
-        });
-        touching.count() == 2
+        let from = |side: f64| {
+            let mut pairs = self.model.pairs.iter().zip(&self.phases.pairs);
+            pairs.any(|(pair, phase)| phase.contact.touches() && side * pair.part(structure) > 0.0)
+        };
+        from(1.0) && from(-1.0)
     }
 
-    /// Takes the sign of the net pounding force where both neighbours have begun to touch.
+    /// Takes the sign of the net pounding force where both sides have begun to touch.
     pub(super) fn settle(&mut self, slope: &[f64]) {
         for index in 0..self.model.structures.len() {
             let known = self.phases.structures[index].push;

@@ -77,7 +77,7 @@ fn take(peak: &mut Peak, value: f64, time: f64) {
 
 impl Record {
     pub(super) fn new(motion: &Motion) -> Self {
-        let structures = vec![StructureResponse::default(); motion.model.structures.len()];
+        let structures = vec![StructureResponse::default(); motion.model.n_nodes];
         let response = Response {
             collisions: vec![Vec::new(); motion.model.pairs.len()],
             structures,
@@ -87,7 +87,7 @@ impl Record {
             response,
             open: vec![None; motion.model.pairs.len()],
             instant: 0.0,
-            net: vec![0.0; motion.model.structures.len()],
+            net: vec![0.0; motion.model.n_nodes],
         }
     }
 
@@ -119,12 +119,8 @@ impl Record {
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
             let mut net = 0.0;
             for (index, pair) in motion.model.pairs.iter().enumerate() {
-                let gained = || to[motion.model.impulse(index)] - from[motion.model.impulse(index)];
-                if pair.left == structure {
-                    net -= gained();
-                } else if pair.right == structure {
-                    net += gained();
-                }
+                let impulse = motion.model.impulse(index);
+                net -= pair.part(structure) * (to[impulse] - from[impulse]);
             }
             response.transferred_momentum += net.abs();
         }
@@ -182,16 +178,9 @@ impl Record {
             self.net.fill(0.0);
         }
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
-            let on_it = impacts.iter().map(|&(index, impulse)| {
-                let pair = motion.model.pairs[index];
-                if pair.left == structure {
-                    -impulse
-                } else if pair.right == structure {
-                    impulse
-                } else {
-                    0.0
-                }
-            });
+            let on_it = impacts
+                .iter()
+                .map(|&(index, impulse)| -motion.model.pairs[index].part(structure) * impulse);
             let net = &mut self.net[structure];
             response.transferred_momentum -= net.abs();
             *net += on_it.sum::<f64>();

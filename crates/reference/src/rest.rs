@@ -1,15 +1,14 @@
-//! Rest: neighbours of impulsive pairs that press against each other.
+//! Rest: pairs of an impulsive law that press.
 //!
-//! A block of them has one acceleration in space: all forces on it over all its mass, or that of its wall. With F the forces
-//! on what lies left and right of a pair and M the masses there, the pair presses with (`M_r` `F_l` − `M_l` `F_r`)/(`M_l` + `M_r`).
-//! Grounds that move differently change nothing in this.
+//! With a₀ the accelerations in space of all that no pair at rest pushes, F has 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses, and then it does
+//! not close, or it opens without a force. Grounds that move differently change nothing in this.
 //!
-//! Which pairs press is found by growing: those that would close without a force do, and make others close. What closes and
-//! opens by no more than rounding is *idle*: it stays together without a force until it does more. That decides ties: between
-//! an acceleration of zero and one of ten thousand roundings lies no time that a result could show.
+//! What closes and opens by no more than rounding is *idle*: it stays together without a force until it does more. That decides ties:
+//! between an acceleration of zero and one of ten thousand roundings lies no time that a result could show.
 
-use std::ops::Range;
+use std::convert::identity;
 
+use super::block::{Block, best, groups};
 use super::branch::sign;
 use super::model::{TIME, displacement, velocity};
 use super::motion::{Motion, NOW};
@@ -40,6 +39,22 @@ impl Probe {
     };
 }
 
+/// Accelerations in space of all floors and walls while some pairs press, of those without \[m/s²\], and their terms.
+fn with(blocks: &[Block], slope: &[f64], terms: &[f64]) -> [Vec<f64>; 2] {
+    let own = |floor: usize| slope[velocity(floor)];
+    let mut found = [(0..terms.len()).map(own).collect(), terms.to_vec()];
+    for block in blocks {
+        let accelerations = block.accelerations(identity, own);
+        let sizes = block.accelerations(f64::abs, |floor| terms[floor]);
+        for (found, of) in found.iter_mut().zip([accelerations, sizes]) {
+            for (floor, value) in of {
+                found[floor] = value;
+            }
+        }
+    }
+    found
+}
+
 impl Motion {
     /// Whether any pair is at rest.
     pub(super) fn rests(&self) -> bool {
@@ -47,89 +62,16 @@ impl Motion {
         pairs.any(|phase| matches!(phase.contact, Contact::Resting { .. }))
     }
 
-    /// Pairs that press on each other in a row, block by block; a wall ends one and may begin another.
-    pub(super) fn blocks(&self) -> impl Iterator<Item = Range<usize>> {
-        let pairs = &self.model.pairs;
-        let goes_on = |pair: usize| {
-            let shared = pairs[pair].left;
-            pairs[pair - 1].right == shared && !self.model.is_wall(shared)
-        };
-        let mut next = 0;
-        std::iter::from_fn(move || {
-            let first = (next..pairs.len()).find(|&pair| self.phases.presses(pair))?;
-            let mut rest = first + 1..pairs.len();
-            next = rest
-                .find(|&pair| !(self.phases.presses(pair) && goes_on(pair)))
-                .unwrap_or(pairs.len());
-            Some(first..next)
-        })
-    }
-
-    /// Floors of a block, from the left.
-    pub(super) fn floors(&self, block: Range<usize>) -> impl Iterator<Item = usize> {
-        let first = self.model.pairs[block.start].left;
-        std::iter::once(first).chain(block.map(|pair| self.model.pairs[pair].right))
-    }
-
-    fn mass(&self, structure: usize) -> f64 {
-        1.0 / self.model.structures[structure].inverse_mass
-    }
-
-    /// What pushes a pair of a block together, less what pulls it apart, as two terms \[N\].
-    ///
-    /// `acceleration` is that of every floor without the block \[m/s²\].
-    fn squeeze(
-        &self,
-        block: &Range<usize>,
-        pair: usize,
-        acceleration: impl Fn(usize) -> f64,
-    ) -> [f64; 2] {
-        let pairs = &self.model.pairs;
-        let sum = |floors: &mut dyn Iterator<Item = usize>| {
-            floors.fold([0.0; 2], |[force, mass], floor| {
-                let own = self.mass(floor);
-                [force + own * acceleration(floor), mass + own]
-            })
-        };
-        let of_left = sum(&mut (block.start..=pair).map(|index| pairs[index].left));
-        let of_right = sum(&mut (pair..block.end).rev().map(|index| pairs[index].right));
-        let (first, last) = (pairs[block.start].left, pairs[block.end - 1].right);
-        if self.model.is_wall(last) {
-            [of_left[0], of_left[1] * acceleration(last)]
-        } else if self.model.is_wall(first) {
-            [of_right[1] * acceleration(first), of_right[0]]
-        } else {
-            let mass = of_left[1] + of_right[1];
-            [
-                of_right[1] / mass * of_left[0],
-                of_left[1] / mass * of_right[0],
-            ]
-        }
-    }
-
-    /// Acceleration of a block \[m/s²\], of those of its floors without it.
-    fn common(&self, block: &Range<usize>, acceleration: impl Fn(usize) -> f64) -> f64 {
-        let mut sums = [0.0; 2];
-        for floor in self.floors(block.clone()) {
-            if self.model.is_wall(floor) {
-                return acceleration(floor);
-            }
-            sums[0] += self.mass(floor) * acceleration(floor);
-            sums[1] += self.mass(floor);
-        }
-        sums[0] / sums[1]
-    }
-
     /// Gives floors at rest the accelerations of their blocks and the pairs their forces; `slope` has accelerations in space.
     pub(super) fn lean(&self, slope: &mut [f64]) {
-        for block in self.blocks() {
-            for pair in block.clone() {
-                let [together, apart] = self.squeeze(&block, pair, |floor| slope[velocity(floor)]);
-                slope[self.model.impulse(pair)] = together - apart;
+        for block in &self.blocks {
+            let forces = block.forces(identity, |floor| slope[velocity(floor)]);
+            let accelerations = block.accelerations(identity, |floor| slope[velocity(floor)]);
+            for (pair, force) in forces {
+                slope[self.model.impulse(pair)] = force;
             }
-            let common = self.common(&block, |floor| slope[velocity(floor)]);
-            for floor in self.floors(block) {
-                slope[velocity(floor)] = common;
+            for (floor, acceleration) in accelerations {
+                slope[velocity(floor)] = acceleration;
             }
         }
     }
@@ -159,8 +101,9 @@ impl Motion {
                     self.model.rate(index, y),
                 )
                 .abs();
-            forces[pair.left] += force;
-            forces[pair.right] += force;
+            for (floor, part) in pair.parts() {
+                forces[floor] += part.abs() * force;
+            }
         }
         for (index, force) in forces.iter_mut().enumerate() {
             *force = if self.model.is_wall(index) {
@@ -172,44 +115,30 @@ impl Motion {
         forces
     }
 
-    /// How much the ground of the left neighbour of a pair accelerates beyond that of the right one \[m/s²\].
-    fn carried(&self, pair: usize, y: &[f64]) -> f64 {
-        let neighbours = self.model.pairs[pair];
-        let ground = |floor: usize| self.segment.ground(floor, y[TIME]);
-        ground(neighbours.left) - ground(neighbours.right)
-    }
-
-    /// Acceleration with which a pair closes, or would if it were not at rest \[m/s²\]; `slope` is the derivative of the
-    /// unknowns.
+    /// Acceleration with which a pair closes that is not at rest \[m/s²\]; `slope` is the derivative of the unknowns.
     pub(super) fn closing(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
         let neighbours = self.model.pairs[pair];
-        let ahead = slope[velocity(neighbours.left)] - slope[velocity(neighbours.right)];
-        ahead + self.carried(pair, y)
+        let [left, right] = neighbours
+            .grounds()
+            .map(|one| self.segment.ground(one, y[TIME]));
+        neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
-    /// What rounding leaves of it.
-    fn rounding(&self, pair: usize, y: &[f64], terms: &[f64]) -> f64 {
-        let neighbours = self.model.pairs[pair];
-        IDLE * (terms[neighbours.left] + terms[neighbours.right] + self.carried(pair, y).abs())
-    }
-
-    /// The same magnitudes, those of floors in blocks being their blocks'.
-    fn terms_of_blocks(&self, y: &[f64]) -> Vec<f64> {
-        let alone = self.terms(y);
-        let mut terms = alone.clone();
-        for block in self.blocks() {
-            let common = self.common(&block, |floor| alone[floor]);
-            for floor in self.floors(block) {
-                terms[floor] = common;
-            }
-        }
-        terms
+    /// Acceleration with which a pair closes or opens \[m/s²\] while floors and walls move so in space, and what rounding leaves of it.
+    fn apart(&self, pair: usize, [accelerations, terms]: &[Vec<f64>; 2]) -> [f64; 2] {
+        let pair = &self.model.pairs[pair];
+        [
+            pair.ahead(|floor| accelerations[floor]),
+            IDLE * pair.size(|floor| terms[floor]),
+        ]
     }
 
     /// Negative once an idle pair closes or opens by more than rounding.
     pub(super) fn idles(&self, pair: usize, y: &[f64], scratch: &mut [f64]) -> f64 {
-        self.slope(NOW, y, scratch);
-        self.rounding(pair, y, &self.terms_of_blocks(y)) - self.closing(pair, y, scratch).abs()
+        self.accelerate(NOW, y, scratch);
+        let moving = with(&self.blocks, scratch, &self.terms(y));
+        let [closing, rounding] = self.apart(pair, &moving);
+        rounding - closing.abs()
     }
 
     /// Decides which pairs at rest press, which part, and which are idle.
@@ -219,33 +148,27 @@ impl Motion {
         let rests =
             |&pair: &usize| matches!(self.phases.pairs[pair].contact, Contact::Resting { .. });
         let resting: Vec<usize> = (0..self.model.pairs.len()).filter(rests).collect();
+        self.blocks.clear();
+        self.accelerate(NOW, y, scratch);
+        let terms = self.terms(y);
+        let groups = groups(&self.model, &resting).into_iter();
+        let pressing = groups.filter_map(|group| self.pressing(&group, scratch, &terms));
+        self.blocks = pressing
+            .map(|pairs| Block::new(&self.model, pairs))
+            .collect();
+        let moving = with(&self.blocks, scratch, &terms);
         for &pair in &resting {
-            self.phases.pairs[pair].contact = Contact::IDLE;
-        }
-        let mut idle = resting.clone();
-        loop {
-            self.slope(NOW, y, scratch);
-            let terms = self.terms_of_blocks(y);
-            let excess = |pair: usize, direction: f64| {
-                direction * self.closing(pair, y, scratch) > self.rounding(pair, y, &terms)
+            let [closing, rounding] = self.apart(pair, &moving);
+            let presses = self.blocks.iter().any(|block| block.has(pair));
+            let phase = &mut self.phases.pairs[pair];
+            phase.contact = Contact::Resting {
+                presses,
+                rising: -1.0,
             };
-            let (pressed, left): (Vec<_>, Vec<_>) =
-                idle.iter().partition(|&&pair| excess(pair, 1.0));
-            idle = left;
-            if pressed.is_empty() {
-                idle.retain(|&pair| excess(pair, -1.0));
-                break;
+            if !presses && closing < -rounding {
+                phase.contact = Contact::Apart;
+                phase.direction = -1.0;
             }
-            for pair in pressed {
-                self.phases.pairs[pair].contact = Contact::Resting {
-                    presses: true,
-                    rising: 1.0,
-                };
-            }
-        }
-        for &pair in &idle {
-            self.phases.pairs[pair].contact = Contact::Apart;
-            self.phases.pairs[pair].direction = -1.0;
         }
         self.slope(NOW, y, scratch);
         for &pair in &resting {
@@ -257,6 +180,56 @@ impl Motion {
                 };
             }
         }
+    }
+
+    /// Those of a group of pairs at rest that press; `slope` has accelerations in space without them, of the size of `terms`.
+    ///
+    /// A pair presses that would close without its force. Where others keep it from that, it presses if it shares their force.
+    fn pressing(&self, group: &[usize], slope: &[f64], terms: &[f64]) -> Option<Vec<usize>> {
+        let without = |floor: usize| slope[velocity(floor)];
+        let block = |set: &mut dyn Iterator<Item = usize>| {
+            Block::new(&self.model, set.map(|member| group[member]).collect())
+        };
+        let closing = |block: &Block, member: usize| {
+            let moving = with(std::slice::from_ref(block), slope, terms);
+            self.apart(group[member], &moving)
+        };
+        let judge = |set: &[usize]| {
+            let all = block(&mut set.iter().copied());
+            let forces = all.forces(identity, without);
+            let sizes = all.forces(f64::abs, |floor| terms[floor]);
+            let lacks = |position: usize| {
+                let member = set[position];
+                let others = block(&mut set.iter().copied().filter(|other| *other != member));
+                let [excess, rounding] = if others.rank() < all.rank() {
+                    closing(&others, member)
+                } else {
+                    [forces[position].1, IDLE * sizes[position].1]
+                        .map(|force| force / self.model.pairs[group[member]].reduced_mass)
+                };
+                let lack = rounding - excess;
+                if lack < 0.0 {
+                    0.0
+                } else {
+                    lack.max(f64::MIN_POSITIVE)
+                }
+            };
+            let closes = |member: usize| {
+                let [closing, rounding] = closing(&all, member);
+                closing - rounding
+            };
+            let mut miss = (0..group.len()).map(closes).fold(0.0, f64::max);
+            if miss == 0.0 {
+                miss = (0..set.len()).map(lacks).fold(0.0, f64::max);
+            }
+            let squares = forces.iter().map(|(_, force)| force * force).sum();
+            (
+                miss,
+                squares,
+                forces.iter().map(|(pair, _)| *pair).collect::<Vec<_>>(),
+            )
+        };
+        best(group.len(), judge).filter(|pressing| !pressing.is_empty())
     }
 
     /// Rate of the force of a pair at rest \[N/s\], `slope` being the derivative of the unknowns, and what rounding leaves of it.
@@ -281,11 +254,12 @@ impl Motion {
         let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
         let rate = (force(time) - force(-time)) / (2.0 * time);
         let terms = self.terms(y);
-        let block = self.blocks().find(|block| block.contains(&pair));
-        let sizes = block.map_or([0.0; 2], |block| {
-            self.squeeze(&block, pair, |floor| terms[floor])
-        });
-        [rate, rounding * (sizes[0] + sizes[1])]
+        let sizes = self
+            .blocks
+            .iter()
+            .flat_map(|block| block.forces(f64::abs, |floor| terms[floor]));
+        let size = sizes.filter(|(of, _)| *of == pair).map(|(_, size)| size);
+        [rate, rounding * size.sum::<f64>()]
     }
 
     /// Negative once the force of a pair at rest has passed a maximum or minimum.

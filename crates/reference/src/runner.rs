@@ -68,6 +68,7 @@ impl Runner {
         let longest_step = interval / f64::from(fineness.steps_per_sample);
         let motion = Motion {
             phases: Phases::new(&model),
+            blocks: Vec::new(),
             model,
             segment: Segment::default(),
         };
@@ -114,7 +115,7 @@ impl Runner {
         }
         self.measure();
         // The acceleration of the ground may jump.
-        self.rest(self.now());
+        self.rest(self.now())?;
         self.observe();
         while self.state.high[TIME] < length {
             self.advance()?;
@@ -134,16 +135,16 @@ impl Runner {
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
-            let size =
-                scales.sizes()[displacement(pair.left)] + scales.sizes()[displacement(pair.right)];
+            let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
                 for (own, unknown, gap) in [
                     (0, displacement as fn(usize) -> usize, pair.gap),
                     (1, velocity, 0.0),
                 ] {
-                    let [left, right] = [pair.left, pair.right].map(unknown);
-                    let over_ground = state.difference(left, right);
+                    let ahead = |state: &[f64]| pair.ahead(|floor| state[unknown(floor)]);
+                    let over_ground = ahead(&state.high) + ahead(&state.low);
+                    let [left, right] = pair.grounds().map(unknown);
                     let closed = over_ground + moved.difference(left, right) - gap;
                     state.set(pair.deformation + own, closed);
                 }
@@ -335,7 +336,7 @@ impl Runner {
             });
         }
         if !self.fired.is_empty() {
-            self.happen();
+            self.happen()?;
             self.observe();
         }
         self.motion.settle(&self.scratch);
@@ -350,7 +351,7 @@ impl Runner {
     }
 
     /// Lets the fired events happen.
-    fn happen(&mut self) {
+    fn happen(&mut self) -> Result<(), SecondRouteError> {
         let time = self.now();
         let mut collides = false;
         for index in 0..self.fired.len() {
@@ -377,9 +378,9 @@ impl Runner {
             }
         }
         if collides {
-            self.collide(time);
+            self.collide(time)
         } else {
-            self.rest(time);
+            self.rest(time)
         }
     }
 

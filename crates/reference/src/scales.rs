@@ -45,8 +45,7 @@ impl Scales {
     /// Largest speed so far of the structures of a pair, summed, or of their grounds to each other \[m/s\].
     fn speed(&self, model: &Model, pair: usize) -> f64 {
         let neighbours = model.pairs[pair];
-        let speed =
-            self.largest[velocity(neighbours.left)] + self.largest[velocity(neighbours.right)];
+        let speed = neighbours.size(|floor| self.largest[velocity(floor)]);
         speed.max(self.largest[neighbours.deformation + 1])
     }
 
@@ -67,8 +66,8 @@ impl Scales {
             self.sizes[model.impulse(index)] = momentum;
             // A structure that a first collision wakes has no size of its own yet; relative to itself, the error of
             // what begins like a high power of the variable is the same in every step, however short.
-            for structure in [pair.left, pair.right] {
-                let gained = momentum * model.structures[structure].inverse_mass;
+            for (structure, part) in pair.parts() {
+                let gained = momentum * (part.abs() * model.structures[structure].inverse_mass);
                 let size = &mut self.sizes[velocity(structure)];
                 *size = size.max(gained);
             }

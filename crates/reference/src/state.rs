@@ -70,17 +70,16 @@ impl State {
 
     /// Becomes `from` plus an increment, without a loss: many small steps would otherwise round as often.
     pub(super) fn add(&mut self, from: &Self, index: usize, increment: f64) {
-        self.put(index, from.high[index], from.low[index] + increment);
+        let sum = Sum::of(from.high[index]).plus(from.low[index] + increment);
+        self.put_sum(index, sum);
     }
 
-    /// Makes an unknown another one plus an increment, without a loss.
-    pub(super) fn copy(&mut self, from: usize, to: usize, increment: f64) {
-        self.put(to, self.high[from], self.low[from] + increment);
-    }
-
-    /// Sets an unknown to a sum.
-    fn put(&mut self, index: usize, base: f64, added: f64) {
-        self.put_sum(index, Sum::of(base).plus(added));
+    /// An unknown with what rounding took from it.
+    pub(super) fn sum(&self, index: usize) -> Sum {
+        Sum {
+            high: self.high[index],
+            low: self.low[index],
+        }
     }
 
     /// Sets an unknown to a sum with what rounding took from it.

@@ -1,5 +1,6 @@
 //! The second route beside the exact method.
 
+use pounding_reference::Response;
 use pounding_solver::{
     Clock, Collisions, Exact, Excitation, Hysteretic, Integrator, Node, Peaks, Row,
     TransferredMomentum,
@@ -40,8 +41,11 @@ impl Met {
     }
 }
 
-/// Both routes on one row under shaking sampled every 0.1 s; what happens to every pair.
-pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: &str) -> Vec<Met> {
+/// The exact method on a row under shaking sampled every 0.1 s.
+fn exact<Column: Hysteretic>(
+    row: &Row<Column>,
+    duration: f64,
+) -> (Peaks, TransferredMomentum, Collisions) {
     let samples = ground();
     let excitation = Excitation::new(0.1, &samples).expect("finite samples");
     let n = row.nodes().len();
@@ -57,18 +61,33 @@ pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: 
     Integrator::Exact(Exact::default())
         .run(row, excitation, clock, &mut recorders)
         .expect("the run ends");
-    let (peaks, momentum, collisions) = recorders;
-    let other = run(row, &samples, duration);
+    recorders
+}
+
+/// Both routes on one row: peaks and transferred momenta of its floors are the same.
+pub(super) fn agree_on_floors<Column: Hysteretic>(
+    row: &Row<Column>,
+    duration: f64,
+    (tolerance, what): (f64, &str),
+) -> (Collisions, Response) {
+    let (peaks, momentum, collisions) = exact(row, duration);
+    let other = run(row, &ground(), duration);
     for (index, node) in row.nodes().iter().enumerate() {
         let what = format!("{what}, node {index}");
         let (one, other) = (peaks.of(index), &other.structures[index]);
         if !Node::is_wall(node) {
             let [one, other] = [one.displacement.value, other.displacement.value].map(f64::abs);
-            close(one, other, TOLERANCE, &what);
+            close(one, other, tolerance, &what);
         }
         let found = momentum.of(index);
-        close(found, other.transferred_momentum, TOLERANCE, &what);
+        close(found, other.transferred_momentum, tolerance, &what);
     }
+    (collisions, other)
+}
+
+/// Both routes on one row; what happens to every pair.
+pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: &str) -> Vec<Met> {
+    let (collisions, other) = agree_on_floors(row, duration, (TOLERANCE, what));
     let of_pair = |(pair, wanted): (usize, &Vec<pounding_reference::Collision>)| {
         let what = format!("{what}, pair {pair}");
         let impulsive = !row.pairs()[pair].law.is_compliant();

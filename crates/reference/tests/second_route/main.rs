@@ -7,6 +7,7 @@ mod laws;
 mod limits;
 mod loops;
 mod opensees;
+mod relations;
 mod rest;
 mod stepping;
 mod storeys;

@@ -27,7 +27,12 @@ impl Recorder for Ends {
 
 /// Largest distance of displacements and velocities at the end of a run, as parts of the largest displacement and of
 /// 30/s times that.
-fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, n_steps: usize) -> f64 {
+pub(super) fn error<Column: Hysteretic>(
+    row: &Row<Column>,
+    known: &Response,
+    method: Integrator,
+    n_steps: usize,
+) -> f64 {
     let ground = ground();
     let excitation = Excitation::new(0.1, &ground).expect("finite samples");
     let clock = Clock {
@@ -35,7 +40,7 @@ fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, n_steps: usize
         n_steps,
     };
     let mut ends = Ends(vec![State::default(); row.nodes().len()]);
-    Integrator::Rk4(Rk4)
+    method
         .run(row, excitation, clock, &mut ends)
         .expect("the run ends");
     let peaks = known.structures.iter();
@@ -59,12 +64,23 @@ fn approaches<Column: Hysteretic>(
     what: &str,
 ) {
     let row = buildings(towers, (ALPHA, BETA), contact);
-    let known = run(&row, &ground(), DURATION);
     if contact.0 < 1.0 {
+        let known = run(&row, &ground(), DURATION);
         let count: Vec<_> = known.collisions.iter().map(Vec::len).collect();
         assert!(count.iter().all(|n| *n > 0), "{what}: {count:?}");
     }
-    let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(&row, &known, n_steps));
+    approach(&row, Integrator::Rk4(Rk4), [nearest, order], what);
+}
+
+/// The same of a row and a method.
+pub(super) fn approach<Column: Hysteretic>(
+    row: &Row<Column>,
+    method: Integrator,
+    [nearest, order]: [f64; 2],
+    what: &str,
+) {
+    let known = run(row, &ground(), DURATION);
+    let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(row, &known, method, n_steps));
     let slope = libm::log2(coarse / fine) / 4.0;
     assert!(
         fine < nearest && slope > order,

@@ -165,7 +165,7 @@ fn reference_two_storeys_under_shaking_in_modal_form() {
 }
 
 /// Kinetic and elastic energy of undamped towers.
-fn energy(row: &Row<Elastic>, state: impl Fn(usize) -> (f64, f64)) -> f64 {
+pub(super) fn energy(row: &Row<Elastic>, state: impl Fn(usize) -> (f64, f64)) -> f64 {
     let nodes = row.nodes().iter().enumerate();
     let of = nodes.map(|(index, node)| {
         let (u, v) = state(index);

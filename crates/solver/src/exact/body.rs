@@ -4,10 +4,12 @@ use std::ops::Range;
 
 use crate::exact::clock::Past;
 use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::groups::beside;
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
 use crate::exact::{Run, rounding};
+use crate::model::incidence::Incident;
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
@@ -66,11 +68,8 @@ impl<R: Recorder> Run<'_, R> {
         let stop = self.shake(first, time).min(self.end);
         let group = self.groups.of(first);
         let any = |asked: fn(&Contact) -> bool| {
-            let contact = |pair: usize| &self.contacts[pair];
-            group
-                .pairs()
-                .iter()
-                .any(|joined| asked(contact(joined.pair)))
+            let mut pairs = group.pairs().iter();
+            pairs.any(|pair| asked(&self.contacts[*pair]))
         };
         let bends = |node: &usize| self.members[*node].bend.is_some();
         let (power, len) = if any(begins) {
@@ -82,7 +81,7 @@ impl<R: Recorder> Run<'_, R> {
             (Power::One, in_flight((stop - time) / radius))
         };
         let system = (&mut self.members[..], &mut self.contacts[..]);
-        series::expand(group, system, power, len);
+        series::expand(group, system, self.incidence, power, len);
         let tame = |n: &usize| {
             let moves = |node: &usize| {
                 let Member {
@@ -99,7 +98,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let tame = |contact: &Contact| !touching(contact) || pushes(contact);
             let mut pairs = group.pairs().iter();
-            group.nodes().iter().all(moves) && pairs.all(|joined| tame(&self.contacts[joined.pair]))
+            group.nodes().iter().all(moves) && pairs.all(|pair| tame(&self.contacts[*pair]))
         };
         (power, (0..len).take_while(tame).count())
     }
@@ -174,7 +173,7 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether some neighbours of a body rest against each other.
     fn rests(&self, first: usize) -> bool {
         let mut pairs = self.groups.of(first).pairs().iter();
-        pairs.any(|joined| self.contacts[joined.pair].link == Link::Resting)
+        pairs.any(|pair| self.contacts[*pair].link == Link::Resting)
     }
 
     /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
@@ -190,9 +189,10 @@ impl<R: Recorder> Run<'_, R> {
         let group = self.groups.of(first);
         let limits = (longest, self.settings.tolerance);
         // Each from the same start, so that their order does not matter.
-        for joined in group.pairs() {
-            let (left, right) = (joined.left, joined.left + 1);
-            let reach = reach(&self.contacts[joined.pair], (power, len), limits);
+        for pair in group.pairs() {
+            let contact = &self.contacts[*pair];
+            let [left, right] = contact.floors();
+            let reach = reach(contact, (power, len), limits);
             length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
         }
         for &node in group.followed() {
@@ -211,8 +211,8 @@ impl<R: Recorder> Run<'_, R> {
     /// Expands a body; once more where the first expansion shows that columns unload, or that its first coefficients are only rounding.
     fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
         let group = self.groups.of(first);
-        for joined in group.pairs() {
-            self.contacts[joined.pair].alike = 0;
+        for pair in group.pairs() {
+            self.contacts[*pair].alike = 0;
         }
         for &node in group.followed() {
             if let Some(bend) = &mut self.members[node].bend {
@@ -232,9 +232,8 @@ impl<R: Recorder> Run<'_, R> {
                 corrected |= alone && member.goes_astray(below, known);
             }
         }
-        for joined in group.pairs() {
-            let sides = &members[joined.left..joined.left + 2];
-            corrected |= self.contacts[joined.pair].find_alike(sides, power, len);
+        for pair in group.pairs() {
+            corrected |= self.contacts[*pair].find_alike(members, power, len);
         }
         if !corrected {
             return (power, len);
@@ -251,16 +250,17 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Ends the run where a contact goes on and on: each piece is as short as the relaxation of its damper.
     fn count_pieces(&mut self, first: usize, time: f64) -> Result<(), RunError> {
-        for joined in self.groups.of(first).pairs() {
-            let (contact, left) = (&mut self.contacts[joined.pair], joined.left);
+        for pair in self.groups.of(first).pairs() {
+            let contact = &mut self.contacts[*pair];
             if !(contact.law.knows_approach_speed() && matches!(contact.link, Link::Touching(_))) {
                 continue;
             }
             contact.pieces += 1;
             if contact.pieces > MOST_IN_CONTACT {
+                let [left, right] = contact.floors();
                 return Err(RunError::CrawlsInContact {
                     left,
-                    right: left + 1,
+                    right,
                     time,
                     approach_speed: contact.approach_speed,
                     law: contact.law.name(),
@@ -273,8 +273,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Restitution whose remaining energy is below the tolerance is over.
     fn find_partings(&mut self, first: usize) {
-        for joined in self.groups.of(first).pairs() {
-            let contact = &mut self.contacts[joined.pair];
+        for pair in self.groups.of(first).pairs() {
+            let contact = &mut self.contacts[*pair];
             let Some(left) = contact.rough_remainder() else {
                 continue;
             };
@@ -294,11 +294,12 @@ impl<R: Recorder> Run<'_, R> {
         power: Power,
         len: usize,
     ) -> Result<(), RunError> {
-        let (left, right) = self.forces_on(node);
         // As at its end: what rounding leaves of a force that fades does not pull.
-        let force =
-            |pair: Option<usize>| pair.map_or(0.0, |pair| pushing(self.contacts[pair].force[0]));
-        let (left, right) = (force(left), -force(right));
+        let force = |on_left| {
+            self.pushed(node, on_left, |contact| pushing(contact.force[0]))
+                .unwrap_or(0.0)
+        };
+        let (left, right) = (force(false), -force(true));
         let member = &mut self.members[node];
         member.state.acceleration = member.acceleration[0];
         member.state.force_from_left = left;
@@ -313,8 +314,8 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// First of the neighbours that share this one's velocity because they rest against each other on grounds that move
-    /// alike.
+    /// First of the neighbours in a chain that share this one's velocity because they rest against each other on grounds that
+    /// move alike.
     pub(super) fn leader(&self, node: usize) -> usize {
         let mut leader = node;
         while self.is_led(leader) {
@@ -332,21 +333,32 @@ impl<R: Recorder> Run<'_, R> {
         leader..end
     }
 
-    /// Whether a node shares the velocity of its left neighbour.
+    /// Whether a node of a chain shares the velocity of its left neighbour. In other rows each turns by itself.
     fn is_led(&self, node: usize) -> bool {
         let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
-        let left = node.checked_sub(1);
-        let pair = left.and_then(|left| self.pair_right_of[left]);
-        pair.is_some_and(|pair| alike(&self.contacts[pair]))
+        let left = beside(self.incidence, node)[0].filter(|_| self.is_chain());
+        left.is_some_and(|pair| alike(&self.contacts[pair]))
     }
 
-    /// The pairs on the left and right of a node that carry a force.
-    pub(super) fn forces_on(&self, node: usize) -> (Option<usize>, Option<usize>) {
-        let joined = |pair: &usize| self.contacts[*pair].link != Link::Apart;
-        let left = node
-            .checked_sub(1)
-            .and_then(|left| self.pair_right_of[left]);
-        (left.filter(joined), self.pair_right_of[node].filter(joined))
+    /// The pairs at a node that touch or rest.
+    pub(super) fn joined_at(&self, node: usize) -> impl Iterator<Item = &Incident> {
+        let all = self.incidence.at(node).iter();
+        all.filter(|at| self.contacts[at.pair].link != Link::Apart)
+    }
+
+    /// What those of them that have the node on their left, or on their right, give it of some quantity of theirs; nothing where there
+    /// are none.
+    #[inline]
+    pub(super) fn pushed(
+        &self,
+        node: usize,
+        on_left: bool,
+        quantity: impl Fn(&Contact) -> f64,
+    ) -> Option<f64> {
+        self.joined_at(node)
+            .filter(|at| at.on_left == on_left)
+            .map(|at| at.part * quantity(&self.contacts[at.pair]))
+            .reduce(|sum, given| sum + given)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::exact::member::Member;
 use crate::exact::rounding::noise;
 use crate::roots::CAPACITY;
 use crate::span::Power;
+use crate::{Pair, Point, Relation};
 
 /// How a pair is joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,6 +53,7 @@ pub(super) enum Grounds {
 /// A pair between events.
 #[derive(Debug, Clone)]
 pub(super) struct Contact {
+    pub(super) relation: Relation,
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
     pub(super) grounds: Grounds,
@@ -62,6 +64,8 @@ pub(super) struct Contact {
     /// Pieces of the present contact, where its law knows that speed.
     pub(super) pieces: u32,
     pub(super) link: Link,
+    /// Rests without a force: those of others hold it.
+    pub(super) idle: bool,
     /// The instant of `deformation` and `rate`.
     pub(super) time: f64,
     pub(super) deformation: f64,
@@ -111,15 +115,17 @@ pub(super) struct Deformation {
 }
 
 impl Contact {
-    pub(super) fn new(law: ContactLaw, reduced_mass: f64, deformation: f64, rate: f64) -> Self {
+    pub(super) fn new(pair: &Pair, reduced_mass: f64, [deformation, rate]: [f64; 2]) -> Self {
         Self {
-            law,
+            relation: pair.relation,
+            law: pair.law,
             reduced_mass,
             grounds: Grounds::Alike,
             form: None,
             approach_speed: 0.0,
             pieces: 0,
             link: Link::Apart,
+            idle: false,
             time: 0.0,
             deformation,
             rate,
@@ -158,6 +164,11 @@ impl Contact {
         self.hit -= by;
     }
 
+    /// The floors of its points, of one between two floors the nearer one: they stand on the grounds of both buildings.
+    pub(super) fn floors(&self) -> [usize; 2] {
+        self.relation.points().map(Point::floor)
+    }
+
     /// Whether its grounds move towards each other, and apart.
     pub(super) fn opens(&self) -> bool {
         self.grounds == Grounds::Apart
@@ -190,6 +201,14 @@ impl Contact {
         (self.link, self.crossed) = (Link::Touching(phase), self.time);
     }
 
+    /// Gives its floors an impulse \[N·s\].
+    pub(super) fn kick(&self, impulse: f64, members: &mut [Member]) {
+        for (floor, part) in self.relation.pushes() {
+            let member = &mut members[floor];
+            member.state.velocity += member.inverse_mass * (part * impulse);
+        }
+    }
+
     /// Phase of compliant contact at a deformation and rate that have jumped.
     pub(super) fn phase(&self) -> Phase {
         let pulls = |form: &Form| {
@@ -210,7 +229,7 @@ impl Contact {
     }
 
     /// Coefficient `n` of the deformation, from the motion of both sides.
-    fn deformation_of(&self, sides: &[Member], p: usize, n: usize) -> f64 {
+    fn deformation_of(&self, members: &[Member], p: usize, n: usize) -> f64 {
         if n == 0 {
             self.deformation
         } else if n == p {
@@ -218,52 +237,48 @@ impl Contact {
         } else if n < (2 + self.alike) * p {
             0.0
         } else {
-            self.between(sides, p, n)
-        }
-    }
-
-    /// The same from the motion of both sides and of their grounds.
-    fn between(&self, sides: &[Member], p: usize, n: usize) -> f64 {
-        let ahead = sides[0].displacement[n] - sides[1].displacement[n];
-        if self.opens() {
-            let ground = |side: &Member| side.ground_displacement(p, n);
-            ahead + (ground(&sides[0]) - ground(&sides[1]))
-        } else {
-            ahead
+            let ahead = self.relation.ahead(|node| members[node].displacement[n]);
+            self.over_grounds(ahead, |node| members[node].ground_displacement(p, n))
         }
     }
 
     /// Coefficient `n` of the rate of deformation.
-    fn rate_of(&self, sides: &[Member], p: usize, n: usize) -> f64 {
+    fn rate_of(&self, members: &[Member], p: usize, n: usize) -> f64 {
         if n == 0 {
             self.rate
         } else if n < (1 + self.alike) * p {
             0.0
         } else {
-            let faster = sides[0].velocity[n] - sides[1].velocity[n];
-            if self.opens() {
-                let ground = |side: &Member| side.ground_velocity(p, n);
-                faster + (ground(&sides[0]) - ground(&sides[1]))
-            } else {
-                faster
-            }
+            let faster = self.relation.ahead(|node| members[node].velocity[n]);
+            self.over_grounds(faster, |node| members[node].ground_velocity(p, n))
+        }
+    }
+
+    /// How far the left point is ahead of the right one in what they also have by their grounds.
+    #[inline]
+    pub(super) fn over_grounds(&self, ahead: f64, ground: impl Fn(usize) -> f64) -> f64 {
+        if self.opens() {
+            let [left, right] = self.floors().map(ground);
+            ahead + (left - right)
+        } else {
+            ahead
         }
     }
 
     /// Takes what is known of deformation and rate once the accelerations below `n` are: p and 2p coefficients more.
-    fn follow(&mut self, sides: &[Member], p: usize, n: usize) {
+    fn follow(&mut self, members: &[Member], p: usize, n: usize) {
         let begin = |order: usize| if n == 0 { 0 } else { n + order - 1 };
         for index in begin(2 * p)..n + 2 * p {
-            self.deformations[index] = self.deformation_of(sides, p, index);
+            self.deformations[index] = self.deformation_of(members, p, index);
         }
         for index in begin(p)..n + p {
-            self.rates[index] = self.rate_of(sides, p, index);
+            self.rates[index] = self.rate_of(members, p, index);
         }
     }
 
     /// Finds coefficient `n` of a compliant force; those below `n` and what they imply are known.
-    pub(super) fn find_force(&mut self, sides: &[Member], power: Power, n: usize) {
-        self.follow(sides, power.order(), n);
+    pub(super) fn find_force(&mut self, members: &[Member], power: Power, n: usize) {
+        self.follow(members, power.order(), n);
         let (Link::Touching(phase), Some(form)) = (self.link, self.form) else {
             self.force[n] = 0.0;
             return;
@@ -322,26 +337,33 @@ impl Contact {
         }
     }
 
-    /// Coefficient `n` of the displacement of a side, with that of its ground where it moves on its own.
-    pub(super) fn displacement_of(&self, side: &Member, p: usize, n: usize) -> f64 {
+    /// Coefficient `n` of the displacement of one of its points, with that of its ground where it moves on its own.
+    pub(super) fn displacement_of(
+        &self,
+        members: &[Member],
+        point: Point,
+        (p, n): (usize, usize),
+    ) -> f64 {
+        let own = point.of(|node| members[node].displacement[n]);
         if self.opens() {
-            side.displacement[n] + side.ground_displacement(p, n)
+            own + members[point.floor()].ground_displacement(p, n)
         } else {
-            side.displacement[n]
+            own
         }
     }
 
     /// Finds in how many orders neighbours that begin to touch without a rate move alike but for rounding; true when in
     /// any: rounding would part them, or press them, at once.
-    pub(super) fn find_alike(&mut self, sides: &[Member], power: Power, len: usize) -> bool {
+    pub(super) fn find_alike(&mut self, members: &[Member], power: Power, len: usize) -> bool {
         let begins = matches!(self.link, Link::Touching(_));
         if !begins || self.deformation > 0.0 || self.rate != 0.0 {
             return false;
         }
         let p = power.order();
         let differ = |n: &usize| {
-            let values = [0, 1].map(|side| self.displacement_of(&sides[side], p, *n));
-            (values[0] - values[1]).abs() > noise(sides, values, p, *n)
+            let points = self.relation.points();
+            let values = points.map(|point| self.displacement_of(members, point, (p, *n)));
+            (values[0] - values[1]).abs() > noise(members, self.relation, values, (p, *n))
         };
         let first = (2 * p..len).find(differ).unwrap_or(len);
         self.alike = first / p - 2;

@@ -38,12 +38,13 @@ impl<R: Recorder> Run<'_, R> {
             let pieces = sum;
             return Err(RunError::TooLarge { pieces, allowed });
         }
-        for (contact, &left) in self.contacts.iter().zip(&self.lefts) {
+        for contact in &self.contacts {
             let pieces = TOUCHING * contact.relaxation() * self.end;
             if pieces > allowed {
+                let [left, right] = contact.floors();
                 return Err(RunError::TooDamped {
                     left,
-                    right: left + 1,
+                    right,
                     pieces,
                     allowed,
                 });

@@ -9,9 +9,11 @@ use crate::exact::ahead::Ahead;
 use crate::exact::body::in_flight;
 use crate::exact::columns::Branch;
 use crate::exact::contact::Link;
+use crate::exact::landing::Room;
 use crate::exact::look_ahead::CARRIED;
 use crate::exact::member::Member;
-use crate::{Flight, Path, Push, Recorder, Span, State};
+use crate::exact::rounding::weighed;
+use crate::{Flight, Path, Recorder, Relation, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
 pub const LONGEST: f64 = 0.999;
@@ -250,20 +252,31 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         let bow = 0.125 * (interval.to - interval.from) * (interval.to - interval.from);
-        let mut pairs = self.lefts.iter().zip(&self.contacts).zip(&self.gaps);
-        pairs.all(|((left, contact), gap)| {
-            let [left, right] = [left, &(left + 1)].map(|node| self.members[*node].way());
-            let (before, after) = (left.0[0] - right.0[0], left.0[1] - right.0[1]);
-            before.max(after) - gap + bow * (left.1 + right.1) < -2.0 * CARRIED * contact.scale
+        self.contacts.iter().all(|contact| {
+            let Relation {
+                left,
+                right,
+                offset,
+            } = contact.relation;
+            let at = |end: usize| contact.relation.ahead(|node| self.members[node].way()[end]);
+            let most = |node: usize| self.members[node].most();
+            let closest =
+                at(0).max(at(1)) - offset + bow * (weighed(left, most) + weighed(right, most));
+            closest < -2.0 * CARRIED * contact.scale
         })
     }
 
     /// Reports the way of every structure to the next sample, and brings its state there.
     fn land_flights(&mut self, interval: &Interval) {
         self.work.events += 1;
-        let pairs = self.lefts.iter().zip(&mut self.contacts).zip(&self.gaps);
-        for ((left, contact), gap) in pairs {
-            let reach = self.members[*left].reach() + self.members[left + 1].reach() + gap;
+        for contact in &mut self.contacts {
+            let Relation {
+                left,
+                right,
+                offset,
+            } = contact.relation;
+            let reach = |node: usize| self.members[node].reach();
+            let reach = weighed(left, reach) + weighed(right, reach) + offset;
             contact.scale = contact.scale.max(reach);
         }
         for (structure, member) in self.members.iter_mut().enumerate() {
@@ -281,11 +294,9 @@ impl<R: Recorder> Run<'_, R> {
                 ..member.state
             };
             self.work.segments += 1;
-            let mut pushes = [Push::default(); 2];
             let incidents = self.incidence.at(structure);
-            for (push, at) in pushes.iter_mut().zip(incidents) {
-                *push = at.into();
-            }
+            let mut room = Room::default();
+            let pushes = room.of(incidents);
             self.recorder.span(&Span {
                 structure,
                 start_time: clock.absolute(interval.from),
@@ -296,7 +307,7 @@ impl<R: Recorder> Run<'_, R> {
                 impulse_from_right: 0.0,
                 below: None,
                 path: Path::Flight(flight),
-                pushes: &pushes[..incidents.len()],
+                pushes,
             });
             (member.state, member.hysteretic_force) = (ahead.state, ahead.hysteretic_force);
         }
@@ -305,8 +316,8 @@ impl<R: Recorder> Run<'_, R> {
     /// Brings all pairs here after flights.
     fn find_deformations(&mut self, time: f64) {
         for pair in 0..self.contacts.len() {
-            let left = self.lefts[pair];
-            let sides = [left, left + 1].map(|node| (&self.members[node].state).into());
+            let points = self.contacts[pair].relation.points();
+            let sides = points.map(|point| self.motion_of(point, time));
             let (deformation, rate) = self.closing(pair, time, sides);
             let contact = &mut self.contacts[pair];
             (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
@@ -332,13 +343,16 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 impl Member {
-    /// Displacements at both ends of the way to the next sample, and what the acceleration does not exceed there.
-    fn way(&self) -> ([f64; 2], f64) {
+    /// Displacements at both ends of the way to the next sample.
+    fn way(&self) -> [f64; 2] {
         let start = self.state.displacement;
-        match &self.ahead {
-            None => ([start; 2], 0.0),
-            Some(ahead) => ([start, ahead.state.displacement], ahead.acceleration),
-        }
+        let end = self.ahead.as_ref();
+        [start, end.map_or(start, |ahead| ahead.state.displacement)]
+    }
+
+    /// What the acceleration does not exceed there.
+    fn most(&self) -> f64 {
+        self.ahead.as_ref().map_or(0.0, |ahead| ahead.acceleration)
     }
 
     /// Magnitude of its displacement at the end of the way.

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::member::Member;
+use crate::exact::tie::Tie;
+use crate::model::incidence::Incidence;
 
 /// The bodies of a row, from its links.
 #[derive(Debug, Default)]
@@ -14,8 +16,12 @@ pub(super) struct Groups {
     nodes: Vec<usize>,
     /// Those of them that stand on a floor, or whose columns yield smoothly.
     followed: Vec<usize>,
+    /// Of a chain alone.
     blocks: Vec<Block>,
-    pairs: Vec<Joined>,
+    /// Of a row that is no chain alone: what rests, by the first node of its body; nothing where none does.
+    ties: Vec<Option<Tie>>,
+    /// Pairs that touch or rest.
+    pairs: Vec<usize>,
     /// Pairs that touch a body or are inside it.
     around: Vec<usize>,
     /// Where those of a body are, by its first node.
@@ -24,6 +30,15 @@ pub(super) struct Groups {
     links: Vec<Kind>,
     /// The next node of a body, by node; its own place at the end.
     next: Vec<usize>,
+    is_chain: bool,
+}
+
+/// What bodies are made of.
+#[derive(Clone, Copy)]
+pub(super) struct System<'a> {
+    pub(super) members: &'a [Member],
+    pub(super) contacts: &'a [Contact],
+    pub(super) incidence: &'a Incidence,
 }
 
 /// Nodes that rest against each other and share their acceleration, or one alone.
@@ -96,17 +111,10 @@ impl Block {
     }
 }
 
-/// A pair that touches or rests.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Joined {
-    pub(super) pair: usize,
-    /// Node on its left.
-    pub(super) left: usize,
-}
-
 /// Parts of the lists of all bodies.
 #[derive(Debug, Clone, Default)]
 struct Places {
+    first: usize,
     nodes: Range<usize>,
     followed: Range<usize>,
     blocks: Range<usize>,
@@ -140,8 +148,20 @@ impl<'a> Group<'a> {
 
     /// Pairs inside that touch or rest.
     #[inline]
-    pub(super) fn pairs(self) -> &'a [Joined] {
+    pub(super) fn pairs(self) -> &'a [usize] {
         &self.groups.pairs[self.places.pairs.clone()]
+    }
+
+    /// What rests in a row that is no chain.
+    #[inline]
+    pub(super) fn tie(self) -> Option<&'a Tie> {
+        self.groups.ties[self.places.first].as_ref()
+    }
+
+    /// Whether its row is a chain, and the group has blocks.
+    #[inline]
+    pub(super) fn is_of_chain(self) -> bool {
+        self.groups.is_chain
     }
 }
 
@@ -149,6 +169,7 @@ impl<'a> Group<'a> {
 enum Kind {
     Apart,
     Resting,
+    Idle,
     Touching,
 }
 
@@ -156,6 +177,7 @@ impl Contact {
     fn kind(&self) -> Kind {
         match self.link {
             Link::Apart => Kind::Apart,
+            Link::Resting if self.idle => Kind::Idle,
             Link::Resting => Kind::Resting,
             Link::Touching(_) => Kind::Touching,
         }
@@ -164,65 +186,64 @@ impl Contact {
 
 impl Groups {
     /// Bodies of a row in which nothing touches.
-    pub(super) fn new(
-        members: &[Member],
-        contacts: &[Contact],
-        pair_right_of: &[Option<usize>],
-    ) -> Self {
-        let n = members.len();
+    pub(super) fn new(system: System<'_>, is_chain: bool) -> Self {
+        let n = system.members.len();
         let mut groups = Self {
             body_of: vec![0; n],
+            ties: vec![None; n],
             places: vec![Places::default(); n],
             next: vec![0; n],
+            is_chain,
             ..Self::default()
         };
-        groups.rebuild(members, contacts, pair_right_of);
+        groups.rebuild(system);
         groups
     }
 
     /// Bodies anew, where the links have changed.
-    pub(super) fn update(
-        &mut self,
-        members: &[Member],
-        contacts: &[Contact],
-        pair_right_of: &[Option<usize>],
-    ) {
+    pub(super) fn update(&mut self, system: System<'_>) {
         let same = |(kind, contact): (&Kind, &Contact)| *kind == contact.kind();
-        if !self.links.iter().zip(contacts).all(same) {
-            self.rebuild(members, contacts, pair_right_of);
+        if !self.links.iter().zip(system.contacts).all(same) {
+            self.rebuild(system);
         }
     }
 
-    fn rebuild(
-        &mut self,
-        members: &[Member],
-        contacts: &[Contact],
-        pair_right_of: &[Option<usize>],
-    ) {
+    fn rebuild(&mut self, system: System<'_>) {
         self.links.clear();
-        self.links.extend(contacts.iter().map(Contact::kind));
-        self.unite(members, pair_right_of);
+        self.links.extend(system.contacts.iter().map(Contact::kind));
+        self.unite(system);
         self.nodes.clear();
         self.followed.clear();
         self.blocks.clear();
         self.pairs.clear();
         self.around.clear();
-        for first in 0..members.len() {
+        for first in 0..system.members.len() {
+            self.ties[first] = None;
             if self.body_of[first] == first {
-                self.list(first, members, pair_right_of);
+                self.list(first, system);
             }
         }
     }
 
     /// The first node of every node's body, and the next one.
-    fn unite(&mut self, members: &[Member], pair_right_of: &[Option<usize>]) {
-        for node in 0..members.len() {
-            self.body_of[node] = node;
-            if let Some(storey) = &members[node].storey {
+    fn unite(
+        &mut self,
+        System {
+            members, contacts, ..
+        }: System<'_>,
+    ) {
+        for (node, body) in self.body_of.iter_mut().enumerate() {
+            *body = node;
+        }
+        for (node, member) in members.iter().enumerate() {
+            if let Some(storey) = &member.storey {
                 self.join(storey.below, node);
             }
-            if node > 0 && self.joined(pair_right_of[node - 1]).is_some() {
-                self.join(node - 1, node);
+        }
+        for (pair, contact) in contacts.iter().enumerate() {
+            if self.links[pair] != Kind::Apart {
+                let [left, right] = contact.floors();
+                self.join(left, right);
             }
         }
         for node in 0..members.len() {
@@ -254,17 +275,12 @@ impl Groups {
         self.body_of[a.max(b)] = a.min(b);
     }
 
-    /// A pair that touches or rests.
-    fn joined(&self, pair: Option<usize>) -> Option<usize> {
-        pair.filter(|pair| self.links[*pair] != Kind::Apart)
-    }
-
     /// Lists what belongs to the body of a first node.
-    fn list(&mut self, first: usize, members: &[Member], pair_right_of: &[Option<usize>]) {
+    fn list(&mut self, first: usize, system: System<'_>) {
         let starts = self.lengths();
         let mut node = first;
         loop {
-            self.add(node, &members[node], pair_right_of);
+            self.add(node, system);
             if self.next[node] == node {
                 break;
             }
@@ -273,12 +289,18 @@ impl Groups {
         let ends = self.lengths();
         let range = |index: usize| starts[index]..ends[index];
         self.places[first] = Places {
+            first,
             nodes: range(0),
             followed: range(1),
             blocks: range(2),
             pairs: range(3),
             around: range(4),
         };
+        if !self.is_chain {
+            let pairs = self.pairs[range(3)].iter().copied();
+            let resting = pairs.filter(|pair| self.links[*pair] == Kind::Resting);
+            self.ties[first] = Tie::of(resting.collect(), system);
+        }
     }
 
     fn lengths(&self) -> [usize; 5] {
@@ -291,27 +313,37 @@ impl Groups {
         ]
     }
 
-    fn add(&mut self, node: usize, member: &Member, pair_right_of: &[Option<usize>]) {
-        let right = pair_right_of[node];
-        let left = node.checked_sub(1).and_then(|left| pair_right_of[left]);
+    fn add(&mut self, node: usize, system: System<'_>) {
+        let member = &system.members[node];
         self.nodes.push(node);
         if member.storey.is_some() || member.bend.is_some() {
             self.followed.push(node);
         }
-        // A neighbour of the same body has it already.
-        if let Some(pair) = left
-            && self.body_of[node - 1] != self.body_of[node]
-        {
-            self.around.push(pair);
+        for at in system.incidence.at(node) {
+            let [left, right] = system.contacts[at.pair].floors();
+            // Once of several floors that carry a point; and a neighbour of the same body has it already.
+            let first = if at.on_left {
+                node == left
+            } else {
+                node == right && self.body_of[left] != self.body_of[node]
+            };
+            if first {
+                self.around.push(at.pair);
+                if at.on_left && self.links[at.pair] != Kind::Apart {
+                    self.pairs.push(at.pair);
+                }
+            }
         }
-        self.around.extend(right);
-        let pushing = |groups: &Self, pair: Option<usize>| {
-            pair.filter(|pair| groups.links[*pair] == Kind::Touching)
-        };
-        let (from_left, from_right) = (pushing(self, left), pushing(self, right));
-        if let Some(pair) = self.joined(right) {
-            self.pairs.push(Joined { pair, left: node });
+        if self.is_chain {
+            self.extend_blocks(node, system.incidence);
         }
+    }
+
+    /// Lets a node of a chain rest against the one before, or begin a block.
+    fn extend_blocks(&mut self, node: usize, incidence: &Incidence) {
+        let [left, right] = beside(incidence, node);
+        let pushing = |pair: &usize| self.links[*pair] == Kind::Touching;
+        let (from_left, from_right) = (left.filter(pushing), right.filter(pushing));
         let rests = left.is_some_and(|pair| self.links[pair] == Kind::Resting);
         match self.blocks.last_mut() {
             Some(block) if rests => (block.last, block.right) = (node, from_right),
@@ -351,4 +383,13 @@ impl Groups {
     pub(super) fn pair(&self, place: usize) -> usize {
         self.around[place]
     }
+}
+
+/// The pairs on the left and right of a node of a chain.
+pub(super) fn beside(incidence: &Incidence, node: usize) -> [Option<usize>; 2] {
+    let side = |on_left: bool| {
+        let at = incidence.at(node).iter().find(|at| at.on_left == on_left);
+        at.map(|at| at.pair)
+    };
+    [side(false), side(true)]
 }

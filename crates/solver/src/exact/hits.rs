@@ -1,20 +1,17 @@
-//! Chains of impulsive pairs that touch at one instant.
-
-use std::ops::Range;
+//! Impulsive pairs that touch at one instant: chains, or in other rows all that bodies join.
 
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
 use crate::exact::{BURST, CHATTER, Run};
 use crate::{Recorder, RunError};
 
-/// A chain of impulsive pairs that touch at one instant.
+/// Impulsive pairs that touch at one instant and hang together. In a chain their floors do, one after the other.
 pub(super) struct Hit {
-    /// The first and the last pair.
-    pub(super) first: usize,
-    pub(super) last: usize,
-    /// The leftmost node.
-    pub(super) left: usize,
-    /// Velocities of the grounds of the nodes where they move at different times, relative to that of a wall or else to
+    /// The pairs, rising.
+    pub(super) pairs: Vec<usize>,
+    /// Their nodes, rising.
+    pub(super) nodes: Vec<usize>,
+    /// Velocities of the grounds of the nodes of a chain where they move at different times, relative to that of a wall or else to
     /// the mean of the first and the last; empty where they move alike.
     pub(super) carried: Vec<f64>,
     /// Velocities of the nodes and rates of the pairs before.
@@ -36,35 +33,43 @@ impl Hit {
     pub(super) fn closed_in(&self, members: &[Member]) -> Option<usize> {
         let mut before: Option<f64> = None;
         for (index, carried) in self.carried.iter().enumerate() {
-            if !members[self.left + index].is_wall() {
+            if !members[self.nodes[index]].is_wall() {
                 continue;
             }
             if before.is_some_and(|before| before > *carried) {
-                return Some(self.first + index - 1);
+                return Some(self.pairs[index - 1]);
             }
             before = Some(*carried);
         }
         None
     }
 
-    /// Whether a pair goes on resting: both sides keep their velocities to the last bit, and what is known of them, such as
-    /// that one of them passes zero.
-    pub(super) fn rests_on(&self, pair: usize, members: &[Member]) -> bool {
-        let index = pair - self.first;
-        let keeps = |side: usize| {
-            let velocity = members[self.left + side].state.velocity;
-            velocity.total_cmp(&self.before[side]).is_eq()
+    /// Velocity of one of its nodes before.
+    pub(super) fn before(&self, node: usize) -> f64 {
+        self.before[self.nodes.binary_search(&node).unwrap_or_default()]
+    }
+
+    /// Whether the pair at a place goes on resting: all its floors keep their velocities to the last bit, and what is known of them,
+    /// such as that one of them passes zero.
+    pub(super) fn rests_on(&self, index: usize, contact: &Contact, members: &[Member]) -> bool {
+        let keeps = |floor: usize| {
+            let velocity = members[floor].state.velocity;
+            velocity.total_cmp(&self.before(floor)).is_eq()
         };
-        self.rested[index] && keeps(index) && keeps(index + 1)
+        self.rested[index] && contact.relation.pushes().all(|(floor, _)| keeps(floor))
     }
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does.
+    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does. In another row
+    /// all that hangs together is one.
     pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
         self.guard.wait(time)?;
-        let hit = self.hit(pair, time);
-        let mut next = hit.last + 1;
+        if !self.is_chain() {
+            return Ok(vec![self.hit(self.hanging_together(pair, time), time)]);
+        }
+        let hit = self.hit(self.chain_from(pair, time), time);
+        let mut next = pair + hit.pairs.len();
         let mut hits = vec![hit];
         if self.members.iter().all(|member| member.storey.is_none()) {
             return Ok(hits);
@@ -72,11 +77,12 @@ impl<R: Recorder> Run<'_, R> {
         let mut others = Vec::new();
         while next < self.contacts.len() {
             if !self.settled[next] && self.hits(next, time) {
-                let hit = self.hit(next, time);
-                next = hit.last;
+                let hit = self.hit(self.chain_from(next, time), time);
+                next += hit.pairs.len();
                 others.push(hit);
+            } else {
+                next += 1;
             }
-            next += 1;
         }
         let mut index = 0;
         while let Some(hit) = hits.get(index) {
@@ -88,79 +94,121 @@ impl<R: Recorder> Run<'_, R> {
             others = apart;
             index += 1;
         }
-        hits.sort_by_key(|hit| hit.first);
+        hits.sort_by_key(|hit| hit.pairs[0]);
         Ok(hits)
     }
 
     /// The chain of touching pairs that begins with a pair.
-    fn hit(&self, first: usize, time: f64) -> Hit {
+    fn chain_from(&self, first: usize, time: f64) -> Vec<usize> {
+        let left = |pair: usize| self.contacts[pair].floors()[0];
         let mut last = first;
         while last + 1 < self.contacts.len()
-            && self.lefts[last + 1] == self.lefts[last] + 1
+            && left(last + 1) == left(last) + 1
             && self.hits(last + 1, time)
         {
             last += 1;
         }
-        let contacts = &self.contacts[first..=last];
+        (first..=last).collect()
+    }
+
+    /// All touching pairs that hang together with one, by bodies and each other.
+    fn hanging_together(&self, first: usize, time: f64) -> Vec<usize> {
+        let bodies = |pair: usize| {
+            let floors = self.contacts[pair].floors();
+            floors.map(|floor| self.groups.body_of[floor])
+        };
+        let touching = first..self.contacts.len();
+        let mut others: Vec<_> = touching
+            .filter(|pair| *pair != first && !self.settled[*pair] && self.hits(*pair, time))
+            .collect();
+        let mut pairs = vec![first];
+        let mut index = 0;
+        while let Some(pair) = pairs.get(index) {
+            let of = bodies(*pair);
+            let hangs = |other: &usize| bodies(*other).iter().any(|body| of.contains(body));
+            let (joined, apart): (Vec<_>, Vec<_>) = others.into_iter().partition(hangs);
+            pairs.extend(joined);
+            others = apart;
+            index += 1;
+        }
+        pairs.sort_unstable();
+        pairs
+    }
+
+    fn hit(&self, pairs: Vec<usize>, time: f64) -> Hit {
+        let contacts = || pairs.iter().map(|pair| &self.contacts[*pair]);
+        let mut nodes: Vec<_> = contacts().flat_map(floors).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
         let soon = |contact: &Contact| time - contact.hit < CHATTER;
         let rests = |contact: &Contact| contact.link == Link::Resting;
         // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
         // given at once.
-        let caught = |index: usize| {
-            let beside = [index.checked_sub(1), Some(index + 1)];
-            let mut beside = beside
-                .into_iter()
-                .flatten()
-                .filter_map(|other| contacts.get(other));
-            beside.any(|other| rests(other) && soon(other))
+        let caught = |contact: &Contact| {
+            let beside = |other: &Contact| {
+                floors(other).any(|floor| floors(contact).any(|own| own == floor))
+            };
+            contacts().any(|other| {
+                rests(other) && soon(other) && !std::ptr::eq(other, contact) && beside(other)
+            })
         };
-        let stops = |(index, contact): (usize, &Contact)| {
-            soon(contact) && (contact.burst >= BURST || caught(index))
-        };
+        let stops =
+            |contact: &Contact| soon(contact) && (contact.burst >= BURST || caught(contact));
         let parts = |contact: &Contact| contact.gap == Gap::Parts;
-        let left = self.lefts[first];
-        let members = &self.members[left..=self.lefts[last] + 1];
         Hit {
-            first,
-            last,
-            left,
-            carried: self.carried(left..self.lefts[last] + 2, time),
-            before: members.iter().map(|member| member.state.velocity).collect(),
-            rates: contacts.iter().map(|contact| contact.rate).collect(),
-            rested: contacts.iter().map(rests).collect(),
-            parts: contacts.iter().map(parts).collect(),
-            plastic: contacts.iter().enumerate().map(stops).collect(),
-            impulses: vec![0.0; contacts.len()],
+            carried: self.carried(&nodes, time),
+            before: nodes
+                .iter()
+                .map(|node| self.members[*node].state.velocity)
+                .collect(),
+            rates: contacts().map(|contact| contact.rate).collect(),
+            rested: contacts().map(rests).collect(),
+            parts: contacts().map(parts).collect(),
+            plastic: contacts().map(stops).collect(),
+            impulses: vec![0.0; pairs.len()],
+            pairs,
+            nodes,
         }
     }
 
     /// Velocities of the grounds of a chain, relative to one of them.
-    fn carried(&self, nodes: Range<usize>, time: f64) -> Vec<f64> {
-        let Some(travel) = &self.travel else {
+    fn carried(&self, nodes: &[usize], time: f64) -> Vec<f64> {
+        let Some(travel) = self.travel.as_ref().filter(|_| self.is_chain()) else {
             return Vec::new();
         };
         let instant = self.clock.past(time).instant();
-        let wall = nodes.clone().find(|node| self.members[*node].is_wall());
+        let wall = nodes
+            .iter()
+            .copied()
+            .find(|node| self.members[*node].is_wall());
         let ahead = |node: usize, of: usize| travel.opening_at([node, of], instant).velocity;
-        let (first, last) = (nodes.start, nodes.end - 1);
+        let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
         let velocity = |node: usize| match wall {
             Some(wall) => ahead(node, wall),
             None => 0.5 * (ahead(node, first) + ahead(node, last)),
         };
-        nodes.map(velocity).collect()
+        nodes.iter().copied().map(velocity).collect()
     }
 
     fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
-        let buildings = |hit: &Hit| &self.buildings[hit.left..hit.left + hit.before.len()];
-        buildings(a)
-            .iter()
-            .any(|building| buildings(b).contains(building))
+        let building = |node: &usize| self.buildings[*node];
+        let shared = |node: &usize| {
+            b.nodes
+                .iter()
+                .any(|other| building(other) == building(node))
+        };
+        a.nodes.iter().any(shared)
     }
 
     /// Whether an impulsive pair touches now.
     pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
         self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
+}
+
+/// The floors that carry both points of a pair.
+fn floors(contact: &Contact) -> impl Iterator<Item = usize> {
+    contact.relation.pushes().map(|(floor, _)| floor)
 }
 
 impl Contact {

@@ -11,6 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::RunError;
+use crate::impact::dense::Complementarity;
 
 /// What happens when several pairs of a row touch at the same instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -24,10 +25,26 @@ pub enum SimultaneousImpacts {
 }
 
 /// Ends the impacts of an instant where a run is over its budget.
-type Look<'a> = &'a dyn Fn() -> Result<(), RunError>;
+pub(super) type Look<'a> = &'a dyn Fn() -> Result<(), RunError>;
 
 /// Rounds after which the rest is plastic (e = 0).
-const ROUNDS: usize = 50;
+pub(super) const ROUNDS: usize = 50;
+
+/// What finds the impulses of a row.
+pub(super) enum Solver {
+    Chain(Chain),
+    Any(Complementarity),
+}
+
+impl Solver {
+    pub(super) fn new(is_chain: bool) -> Self {
+        if is_chain {
+            Self::Chain(Chain::default())
+        } else {
+            Self::Any(Complementarity::new(0, 0))
+        }
+    }
+}
 
 /// A chain of neighbours, each pair of which touches.
 #[derive(Debug, Default)]

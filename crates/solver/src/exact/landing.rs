@@ -4,11 +4,13 @@ use crate::exact::Run;
 use crate::exact::ahead::Ahead;
 use crate::exact::body::pushing;
 use crate::exact::columns::Branch;
-use crate::exact::contact::Link;
+use crate::exact::contact::{Contact, Link};
 use crate::exact::member::Member;
 use crate::exact::watch::Event;
+use crate::model::incidence::Incident;
+use crate::roots::CAPACITY;
 use crate::span::{Power, Series, rise, value};
-use crate::{Motion, Path, Push, Recorder, Span, State};
+use crate::{Motion, Path, Push, Recorder, Relation, Span, State};
 
 impl<R: Recorder> Run<'_, R> {
     /// Ends the piece of a body now: reports its spans and brings its state here.
@@ -74,32 +76,51 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether a node hits a wall without a gap now, or neighbours without gaps that touch one: it does so at zero. What rounding leaves
     /// of its displacement would move it later on, when nothing else does.
     fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
-        let touch = |pair: usize| {
-            let contact = &self.contacts[pair];
-            let touches = match contact.link {
-                Link::Apart => contact.meets <= time,
-                Link::Resting => true,
-                Link::Touching(_) => false,
-            };
-            let impulsive = contact.restitution().is_some() && !contact.opens();
-            self.gaps[pair] == 0.0 && impulsive && touches
+        if self.walls == 0 {
+            return false;
+        }
+        // Nothing is allocated where a node touches nobody.
+        let (mut met, mut next) = (Vec::new(), Some(node));
+        let mut looked = 0;
+        while let Some(node) = next {
+            for at in self.incidence.at(node) {
+                let floors = self.contacts[at.pair].floors();
+                let other = if at.on_left { floors[1] } else { floors[0] };
+                if self.touches_without_gap(at.pair, time) && !met.contains(&other) {
+                    met.push(other);
+                }
+            }
+            next = met.get(looked).copied();
+            looked += 1;
+        }
+        met.into_iter().any(|met| self.members[met].is_wall())
+    }
+
+    /// Whether two floors touch, or rest, that are both at zero if one is.
+    fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
+        let contact = &self.contacts[pair];
+        let touches = match contact.link {
+            Link::Apart => contact.meets <= time,
+            Link::Resting => true,
+            Link::Touching(_) => false,
         };
-        let touches_next = |left: usize| self.pair_right_of[left].is_some_and(touch);
-        let left = (0..node).rev().take_while(|left| touches_next(*left));
-        let right = (node..self.members.len()).take_while(|left| touches_next(*left));
-        let mut met = left.chain(right.map(|left| left + 1));
-        met.any(|met| self.members[met].is_wall())
+        let impulsive = contact.restitution().is_some() && !contact.opens();
+        let Relation {
+            left,
+            right,
+            offset,
+        } = contact.relation;
+        let level = left.is_floor() && right.is_floor();
+        offset == 0.0 && level && impulsive && touches
     }
 
     /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
     fn end_state(&self, node: usize, (x, at_wall): (f64, bool), events: &[Event]) -> (State, f64) {
         let body = &self.bodies[self.groups.body_of[node]];
         let (member, len) = (&self.members[node], body.len);
-        let (left, right) = self.forces_on(node);
-        let force = |pair: Option<usize>| {
-            pair.map_or(0.0, |pair| {
-                pushing(value(&self.contacts[pair].force[..len], x))
-            })
+        let force = |on_left| {
+            let force = |contact: &Contact| pushing(value(&contact.force[..len], x));
+            self.pushed(node, on_left, force).unwrap_or(0.0)
         };
         let mut end = State {
             displacement: if at_wall {
@@ -110,8 +131,8 @@ impl<R: Recorder> Run<'_, R> {
             velocity: value(&member.velocity[..len], x),
             acceleration: value(&member.acceleration[..len], x),
             restoring_force: 0.0,
-            force_from_left: force(left),
-            force_from_right: -force(right),
+            force_from_left: force(false),
+            force_from_right: -force(true),
         };
         let drift = match &member.storey {
             None => end.displacement,
@@ -148,43 +169,43 @@ impl<R: Recorder> Run<'_, R> {
 
     fn report(&mut self, node: usize, first: usize, time: f64, x: f64, end: State) {
         let body = &self.bodies[first];
-        let (left, right) = self.forces_on(node);
         let member = &self.members[node];
         let (tangent, bent) = match &member.bend {
             None => (member.tangent(), &[][..]),
             Some(bend) => (member.hardened_stiffness, &bend.force[..body.len]),
         };
-        let force = |pair: Option<usize>| {
-            pair.map_or(&[][..], |pair| &self.contacts[pair].force[..body.len])
-        };
         let storey = member.storey.as_ref();
         let below = storey.map(|storey| &self.members[storey.below]);
-        let impulse = |pair| integral(force(pair), body.power, x);
         let (start_time, end_time) = (body.start.absolute(), self.clock.absolute(time));
-        let mut pushes = [Push::default(); 2];
+        let mut room = Room::default();
         let incidents = self.incidence.at(node);
-        for (push, at) in pushes.iter_mut().zip(incidents) {
-            let (side, starts, ends) = if at.on_left {
-                let forces = (member.state.force_from_right, end.force_from_right);
-                (right, -forces.0, -forces.1)
-            } else {
-                (left, member.state.force_from_left, end.force_from_left)
-            };
-            *push = Push {
-                forces: [starts, ends],
-                impulse: impulse(side),
-                series: force(side),
-                ..Push::from(at)
-            };
+        let pushes = room.of(incidents);
+        for push in pushes.iter_mut() {
+            let contact = &self.contacts[push.pair];
+            if contact.link == Link::Apart {
+                continue;
+            }
+            let series = &contact.force[..body.len];
+            push.forces = [pushing(series[0]), pushing(value(series, x))];
+            push.impulse = integral(series, body.power, x);
+            push.series = series;
         }
+        let mut sums = [[0.0; CAPACITY]; 2];
+        let [left, right] = &mut sums;
+        let (left, right) = (side(pushes, false, left), side(pushes, true, right));
+        let impulse = |on_left: bool| {
+            let pushes = pushes.iter().filter(|push| push.on_left == on_left);
+            let given = pushes.map(|push| push.part * push.impulse);
+            given.reduce(|sum, given| sum + given).unwrap_or(0.0)
+        };
         let span = Span {
             structure: node,
             start_time,
             end_time,
             start: member.state,
             end,
-            impulse_from_left: impulse(left),
-            impulse_from_right: -impulse(right),
+            impulse_from_left: impulse(false),
+            impulse_from_right: -impulse(true),
             below: below.map(|below| {
                 let start = Motion {
                     displacement: below.displacement[0],
@@ -206,11 +227,11 @@ impl<R: Recorder> Run<'_, R> {
                     }),
                     restoring_force: (member.state.restoring_force, tangent),
                     bent,
-                    force_from_left: force(left),
-                    force_from_right: force(right),
+                    force_from_left: left,
+                    force_from_right: right,
                 }),
             },
-            pushes: &pushes[..incidents.len()],
+            pushes,
         };
         self.recorder.span(&span);
     }
@@ -224,6 +245,50 @@ impl Member {
             Some(bend) => self.hysteretic_force + rise(&bend.force[..len], x),
         }
     }
+}
+
+/// Room for the pushes on a floor: for few of them, and for more.
+#[derive(Default)]
+pub(super) struct Room<'a> {
+    few: [Push<'a>; 4],
+    many: Vec<Push<'a>>,
+}
+
+impl<'a> Room<'a> {
+    /// Pushes of pairs that do nothing yet.
+    pub(super) fn of(&mut self, incidents: &[Incident]) -> &mut [Push<'a>] {
+        let pushes = match self.few.get_mut(..incidents.len()) {
+            Some(few) => few,
+            None => {
+                self.many.resize(incidents.len(), Push::default());
+                &mut self.many
+            }
+        };
+        for (push, at) in pushes.iter_mut().zip(incidents) {
+            *push = at.into();
+        }
+        pushes
+    }
+}
+
+/// The series of what pairs on one side of a floor give it: of one alone its own, of others their sum.
+fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) -> &'a [f64] {
+    let all = || {
+        let pushes = pushes.iter().filter(|push| push.on_left == on_left);
+        pushes.filter(|push| !push.series.is_empty())
+    };
+    let Some(first) = all().next() else {
+        return &[];
+    };
+    if first.part == 1.0 && all().nth(1).is_none() {
+        return first.series;
+    }
+    for push in all() {
+        for (sum, force) in sum.iter_mut().zip(push.series) {
+            *sum += push.part * force;
+        }
+    }
+    &sum[..first.series.len()]
 }
 
 /// ∫ F dt from the start of a piece to x.

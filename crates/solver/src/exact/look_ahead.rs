@@ -9,10 +9,10 @@ use crate::exact::Run;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::{Contact, Gap, Link};
-use crate::exact::rounding::noise;
+use crate::exact::rounding::{noise, weighed};
 use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::span::{Power, value};
-use crate::{Motion, Recorder};
+use crate::{Motion, Point, Recorder, Relation, Share};
 
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
 pub(super) const CARRIED: f64 = 1e-6;
@@ -20,16 +20,16 @@ pub(super) const CARRIED: f64 = 1e-6;
 impl<R: Recorder> Run<'_, R> {
     /// Brings deformation and rate of a pair to this instant, from its own series.
     pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
-        let left = self.lefts[pair];
-        let body = &self.bodies[self.groups.body_of[left]];
         let contact = &self.contacts[pair];
+        let body = &self.bodies[self.groups.body_of[contact.floors()[0]]];
         if contact.time >= time {
             return;
         }
         let (deformation, rate) = match contact.link {
             Link::Resting => (0.0, 0.0),
             Link::Apart if contact.series.len == 0 => {
-                let sides = [left, left + 1].map(|node| self.motion(node, time));
+                let sides = contact.relation.points();
+                let sides = sides.map(|point| self.motion_of(point, time));
                 self.closing(pair, time, sides)
             }
             Link::Apart => contact.at(self.clock.past(time)),
@@ -49,17 +49,19 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Takes a deformation that is not small from the displacements.
     pub(super) fn refresh_deformation(&mut self, pair: usize, time: f64) {
-        let left = self.lefts[pair];
-        let sides = [left, left + 1].map(|node| self.motion(node, time));
+        let contact = &self.contacts[pair];
+        let (relation, [left, right]) = (contact.relation, contact.floors());
+        let points = relation.points();
+        let sides = points.map(|point| self.motion_of(point, time));
         let (deformation, rate) = self.closing(pair, time, sides);
-        let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + self.gaps[pair];
+        let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + relation.offset;
         let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens());
         let scale = match travel {
             None => scale,
             Some(travel) => {
                 let time = self.clock.absolute(time);
                 let ground = |node: usize| travel.ground(node, time).displacement.abs();
-                scale + (ground(left) + ground(left + 1))
+                scale + (ground(left) + ground(right))
             }
         };
         let contact = &mut self.contacts[pair];
@@ -76,6 +78,20 @@ impl<R: Recorder> Run<'_, R> {
             if contact.rate != 0.0 {
                 contact.rate = rate;
             }
+        }
+    }
+
+    /// Displacement and velocity of a point now.
+    pub(super) fn motion_of(&self, point: Point, time: f64) -> Motion {
+        let Point::Share(Share { base, other, lean }) = point else {
+            return self.motion(point.floor(), time);
+        };
+        let motion = |floor: Option<usize>| floor.map(|floor| self.motion(floor, time));
+        let [base, other] = [base, other].map(|floor| motion(floor).unwrap_or_default());
+        let between = |base: f64, other: f64| base + lean * (other - base);
+        Motion {
+            displacement: between(base.displacement, other.displacement),
+            velocity: between(base.velocity, other.velocity),
         }
     }
 
@@ -102,8 +118,8 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn earlier_root(&self, pair: usize) -> Option<usize> {
-        let left = self.lefts[pair];
-        let firsts = [self.groups.body_of[left], self.groups.body_of[left + 1]];
+        let floors = self.contacts[pair].floors();
+        let firsts = floors.map(|floor| self.groups.body_of[floor]);
         let [a, b] = firsts.map(|first| &self.bodies[first]);
         let rooted = a.power == Power::Four && b.power == Power::Four;
         match a.start.since(b.start).total_cmp(&0.0) {
@@ -115,25 +131,33 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Whether the largest displacements that the pieces on both sides of a pair could have leave it clearly open.
     fn out_of_reach(&self, pair: usize) -> bool {
-        let left = self.lefts[pair];
+        let contact = &self.contacts[pair];
         let most = |node: usize, sign: f64| {
             let (body, member) = (&self.bodies[self.groups.body_of[node]], &self.members[node]);
             let series = &member.displacement[1..body.len];
             let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
         };
-        let mut closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
-        if let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) {
-            let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
+        let Relation {
+            left,
+            right,
+            offset,
+        } = contact.relation;
+        let mut closest = weighed(left, |node| most(node, 1.0))
+            + weighed(right, |node| most(node, -1.0))
+            - offset;
+        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
+            let floors = contact.floors();
+            let bodies = floors.map(|node| &self.bodies[self.groups.body_of[node]]);
             let starts = bodies.map(|body| self.clock.shown(body.start));
             let start = starts[0].max(starts[1]);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
             let [opening, others @ ..] =
-                travel.cubic_opening([left, left + 1], self.clock.past(start).instant());
+                travel.cubic_opening(floors, self.clock.past(start).instant());
             let bound = |sum: f64, c: &f64| sum * length + c.abs();
             closest += opening + length * others.iter().rev().fold(0.0, bound);
         }
-        closest < -2.0 * CARRIED * self.contacts[pair].scale
+        closest < -2.0 * CARRIED * contact.scale
     }
 
     /// Displacement of a node as a series from an instant that is that far from the origin in x; returns its length.
@@ -160,21 +184,46 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// The same of both sides of a pair, with their grounds where those move on their own.
+    /// The same of both points of a pair, with their grounds where those move on their own.
     fn sides_from(
         &self,
         pair: usize,
         begin: (Past, f64),
         power: Power,
     ) -> ([[f64; CAPACITY]; 2], usize) {
+        let contact = &self.contacts[pair];
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
-        for (node, side) in (self.lefts[pair]..).zip(&mut sides) {
-            len = len.max(self.displacement_from(node, begin, power, side));
-            if self.contacts[pair].opens() {
-                len = len.max(self.add_ground(node, begin, power, side));
+        for (point, side) in contact.relation.points().into_iter().zip(&mut sides) {
+            len = len.max(self.point_from(point, begin, power, side));
+            if contact.opens() {
+                len = len.max(self.add_ground(point.floor(), begin, power, side));
             }
         }
         (sides, len)
+    }
+
+    /// The same of a point.
+    fn point_from(
+        &self,
+        point: Point,
+        begin: (Past, f64),
+        power: Power,
+        series: &mut [f64; CAPACITY],
+    ) -> usize {
+        let Point::Share(Share { base, other, lean }) = point else {
+            return self.displacement_from(point.floor(), begin, power, series);
+        };
+        let mut others = [0.0; CAPACITY];
+        let from = |floor: Option<usize>, series: &mut [f64; CAPACITY]| {
+            floor.map_or(0, |floor| {
+                self.displacement_from(floor, begin, power, series)
+            })
+        };
+        let len = from(base, series).max(from(other, &mut others));
+        for (base, other) in series[..len].iter_mut().zip(&others) {
+            *base += lean * (other - *base);
+        }
+        len
     }
 
     /// Adds the displacement of the ground of a node to its series; returns its length.
@@ -204,7 +253,6 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
-        let left = self.lefts[pair];
         let contact = &self.contacts[pair];
         if contact.link != Link::Apart || time >= self.end {
             self.contacts[pair].meets = f64::INFINITY;
@@ -216,7 +264,8 @@ impl<R: Recorder> Run<'_, R> {
             self.contacts[pair].series.len = 0;
             return;
         }
-        let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
+        let floors = contact.floors();
+        let bodies = floors.map(|node| &self.bodies[self.groups.body_of[node]]);
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
         let now = self.clock.past(time);
@@ -238,12 +287,13 @@ impl<R: Recorder> Run<'_, R> {
         if offset > 0.0 && !from_now {
             shift(&mut coefficients[..len], offset);
         }
-        let members = &self.members[left..left + 2];
+        let members = &self.members[..];
         let contact = &mut self.contacts[pair];
         contact.begin_series(&mut coefficients[..len], power, offset);
         if contact.deformation == 0.0 && contact.rate == 0.0 {
             // What rounding leaves of two equal motions touches nothing.
-            let rounding = |n: usize| noise(members, [sides[0][n], sides[1][n]], power.order(), n);
+            let (relation, p) = (contact.relation, power.order());
+            let rounding = |n: usize| noise(members, relation, [sides[0][n], sides[1][n]], (p, n));
             let head = coefficients[..len].iter_mut().enumerate();
             for (n, coefficient) in head.skip(2 * power.order()) {
                 if coefficient.abs() > rounding(n) {

@@ -27,11 +27,15 @@ mod landing;
 mod look_ahead;
 mod member;
 mod noise;
+mod rest;
+mod rest_any;
 mod rounding;
+mod rounds;
 mod series;
 mod settle;
 mod storey;
 mod terms;
+mod tie;
 mod watch;
 
 use crate::budget::Guard;
@@ -39,7 +43,9 @@ use crate::error::require;
 use crate::model::excitation::Segment;
 use crate::model::ground::Ground;
 use crate::model::incidence::Incidence;
-use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
+use crate::{
+    Course, Excitation, Hysteretic, Motion, Node, Recorder, Row, RunError, Touch, Travel, Work,
+};
 
 use crate::roots::SHORTEST_WAY;
 use body::Body;
@@ -48,9 +54,9 @@ use clock::LocalClock;
 use contact::{Contact, Grounds};
 use flight::Flights;
 pub use flight::LONGEST as LONGEST_LEAP;
-use groups::Groups;
-use impacts::Chain;
+use groups::{Groups, System};
 pub use impacts::SimultaneousImpacts;
+use impacts::Solver;
 use member::Member;
 pub use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
 
@@ -115,13 +121,8 @@ struct Run<'a, R> {
     /// How many of them are walls.
     walls: usize,
     contacts: Vec<Contact>,
-    /// Node on the left of every pair.
-    lefts: Vec<usize>,
     /// Which pairs meet which nodes.
     incidence: &'a Incidence,
-    /// Pair between a node and its right neighbour.
-    pair_right_of: Vec<Option<usize>>,
-    gaps: Vec<f64>,
     /// The body that begins with this node.
     bodies: Vec<Body>,
     /// Who belongs to which body.
@@ -134,7 +135,7 @@ struct Run<'a, R> {
     flights: Flights,
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
-    chain: Chain,
+    impacts: Solver,
     guard: Guard,
     /// Pieces that were tried to tell who rests.
     tried: u64,
@@ -154,19 +155,14 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     let n = row.nodes().len();
     let guard = clock.within(budget).begin(n);
     guard.wait(0.0)?;
-    let mut pair_right_of = vec![None; n];
-    for (index, pair) in row.pairs().iter().enumerate() {
-        pair_right_of[pair.left()] = Some(index);
-    }
     let contact = |pair: &crate::Pair| {
-        let [left, right] = [pair.left(), pair.right()].map(|index| &row.nodes()[index]);
-        let mut contact = Contact::new(
-            pair.law,
-            row.reduced_mass(pair),
-            left.initial_displacement - right.initial_displacement - pair.gap(),
-            left.initial_velocity - right.initial_velocity,
-        );
-        let [first, last] = [pair.left(), pair.right()].map(|index| row.arrival(index));
+        let ahead = |quantity: fn(&Node<Column>) -> f64| {
+            pair.relation.ahead(|index| quantity(&row.nodes()[index]))
+        };
+        let deformation = ahead(|node| node.initial_displacement) - pair.gap();
+        let rate = ahead(|node| node.initial_velocity);
+        let mut contact = Contact::new(pair, row.reduced_mass(pair), [deformation, rate]);
+        let [first, last] = contact.floors().map(|index| row.arrival(index));
         if first.total_cmp(&last).is_ne() {
             contact.grounds = Grounds::Apart;
         }
@@ -177,7 +173,12 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         .map(|node| Member::new(row, node, &initial))
         .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
-    let groups = Groups::new(&members, &contacts, &pair_right_of);
+    let system = System {
+        members: &members,
+        contacts: &contacts,
+        incidence: row.incidence(),
+    };
+    let groups = Groups::new(system, row.is_chain());
     guard.wait(0.0)?;
     let mut run = Run {
         settings,
@@ -192,14 +193,11 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         walls: members.iter().filter(|member| member.is_wall()).count(),
         members,
         contacts,
-        lefts: row.pairs().iter().map(crate::Pair::left).collect(),
         incidence: row.incidence(),
-        pair_right_of,
-        gaps: row.pairs().iter().map(crate::Pair::gap).collect(),
         bodies: vec![Body::at_start(); n],
         groups,
         landed: vec![true; n],
-        chain: Chain::default(),
+        impacts: Solver::new(row.is_chain()),
         guard,
         tried: 0,
         work: Work::default(),
@@ -284,8 +282,8 @@ impl<R: Recorder> Run<'_, R> {
             .travel
             .as_ref()
             .filter(|_| self.contacts[pair].opens())?;
-        let left = self.lefts[pair];
-        Some(travel.opening_at([left, left + 1], self.clock.past(time).instant()))
+        let floors = self.contacts[pair].floors();
+        Some(travel.opening_at(floors, self.clock.past(time).instant()))
     }
 
     /// Deformation and rate of a pair whose sides move like this over their grounds.
@@ -298,7 +296,7 @@ impl<R: Recorder> Run<'_, R> {
             None => ahead,
             Some(opening) => ahead.over(opening),
         };
-        (displacement - self.gaps[pair], velocity)
+        (displacement - self.contacts[pair].relation.offset, velocity)
     }
 
     /// The next instant at which a piece ends or a pair touches.
@@ -309,6 +307,11 @@ impl<R: Recorder> Run<'_, R> {
             .map(|(_, body)| body.end);
         let touches = self.contacts.iter().map(|contact| contact.meets);
         ends.chain(touches).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether the pairs are a chain of neighbours: those that rest move as blocks then, and impacts pass along it.
+    fn is_chain(&self) -> bool {
+        matches!(self.impacts, Solver::Chain(_))
     }
 
     /// Pieces that count towards the budget.
@@ -334,10 +337,10 @@ impl<R: Recorder> Run<'_, R> {
         for pair in 0..self.contacts.len() {
             if self.contacts[pair].meets <= time {
                 self.guard.wait(time)?;
-                let left = self.lefts[pair];
                 let rate = self.contacts[pair].rate_at_touch(self.clock);
-                self.land(self.groups.body_of[left], time);
-                self.land(self.groups.body_of[left + 1], time);
+                for floor in self.contacts[pair].floors() {
+                    self.land(self.groups.body_of[floor], time);
+                }
                 self.contacts[pair].touch(time, rate);
                 self.report_touch(pair, time);
             }
@@ -346,12 +349,12 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn report_touch(&mut self, pair: usize, time: f64) {
-        let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
-        let accelerations = [left, left + 1].map(|node| self.members[node].state.acceleration);
-        let mut closing = accelerations[0] - accelerations[1];
+        let contact = &self.contacts[pair];
+        let acceleration = |node: usize| self.members[node].state.acceleration;
+        let mut closing = contact.relation.ahead(acceleration);
         if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
             closing +=
-                2.0 * travel.cubic_opening([left, left + 1], self.clock.past(time).instant())[2];
+                2.0 * travel.cubic_opening(contact.floors(), self.clock.past(time).instant())[2];
         }
         let motion = (contact.rate, closing);
         let time = self.clock.absolute(time);
@@ -371,11 +374,13 @@ impl<R: Recorder> Run<'_, R> {
             self.guard.wait(time)?;
             grown = false;
             for pair in 0..self.contacts.len() {
-                let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
+                let contact = &self.contacts[pair];
                 let closed = contact.time >= time && contact.deformation == 0.0;
-                if closed && self.landed[left] != self.landed[left + 1] {
-                    self.land(self.groups.body_of[left], time);
-                    self.land(self.groups.body_of[left + 1], time);
+                let floors = contact.floors();
+                if closed && self.landed[floors[0]] != self.landed[floors[1]] {
+                    for floor in floors {
+                        self.land(self.groups.body_of[floor], time);
+                    }
                     grown = true;
                 }
             }
@@ -394,8 +399,8 @@ impl<R: Recorder> Run<'_, R> {
         }
         self.part_roots(time)?;
         for pair in 0..self.contacts.len() {
-            let left = self.lefts[pair];
-            if self.landed[left] || self.landed[left + 1] {
+            let floors = self.contacts[pair].floors();
+            if floors.into_iter().any(|floor| self.landed[floor]) {
                 self.guard.wait(time)?;
                 self.look_ahead(pair, time);
             }

@@ -1,11 +1,13 @@
 //! What rounding leaves of coefficients that are zero: what a pair at rest is judged by.
 
-use crate::exact::contact::Contact;
+use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
-use crate::exact::rounding::OF_COEFFICIENTS;
+use crate::exact::rounding::{OF_COEFFICIENTS, weighed};
 use crate::exact::storey::magnitude;
 use crate::exact::terms::Terms;
+use crate::exact::tie::Tie;
+use crate::model::incidence::Incidence;
 
 /// Orders in time of a force at rest that are looked at for rounding.
 const ORDERS: usize = 8;
@@ -16,9 +18,19 @@ const ORDERS_OF_FLOORS: usize = 13;
 pub(super) fn clean(
     group: Group<'_>,
     (members, contacts): (&mut [Member], &mut [Contact]),
-    time: f64,
-    p: usize,
+    incidence: &Incidence,
+    (time, p): (f64, usize),
 ) {
+    if !group.is_of_chain() {
+        for node in group.nodes() {
+            measure(*node, (members, contacts), incidence, time);
+        }
+        share(group, members);
+        if let Some(tie) = group.tie() {
+            clear_ties(tie, members, contacts, p);
+        }
+        return;
+    }
     for block in group.blocks() {
         let outside = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[0].abs());
         let pushed = outside(block.left) + outside(block.right);
@@ -60,6 +72,73 @@ pub(super) fn clean(
     }
 }
 
+/// Finds it for a node of any row: its own forces and those of all pairs at it.
+fn measure(
+    node: usize,
+    (members, contacts): (&mut [Member], &[Contact]),
+    incidence: &Incidence,
+    time: f64,
+) {
+    let own = magnitude(members, node);
+    let pushes = incidence.at(node).iter();
+    let pushed: f64 = pushes
+        .filter(|at| contacts[at.pair].link != Link::Apart)
+        .map(|at| at.part * contacts[at.pair].force[0].abs())
+        .sum();
+    let member = &mut members[node];
+    let ground = (member.ground.value.abs(), member.ground.slope.abs());
+    let acceleration = if member.is_wall() {
+        0.0
+    } else {
+        (own + pushed) * member.inverse_mass + ground.0
+    };
+    member.terms = Terms {
+        own,
+        acceleration,
+        around: acceleration,
+        ground,
+        rate: member.fastest_rate,
+        time,
+    };
+}
+
+/// Clears the first coefficients of the forces at rest of any row that are rounding, of each pair all when the first ones are.
+fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize) {
+    for order in 0..ORDERS_OF_FLOORS {
+        let noise = |node: usize| {
+            let member = &members[node];
+            let ground = if order == 0 {
+                member.terms.ground.0
+            } else {
+                0.0
+            };
+            member.noise(order) + ground
+        };
+        let of_pair = |pair: &usize| {
+            let [left, right] = contacts[*pair].relation.points();
+            OF_COEFFICIENTS * (weighed(left, noise) + weighed(right, noise))
+        };
+        let magnitudes: Vec<_> = tie.pairs.iter().map(of_pair).collect();
+        for (place, pair) in tie.pairs.iter().enumerate() {
+            let force = &mut contacts[*pair].force[order * p];
+            if force.abs() <= tie.size(place, &magnitudes) {
+                *force = 0.0;
+            }
+        }
+    }
+    for pair in &tie.pairs {
+        forget_if_nothing(&mut contacts[*pair], (ORDERS_OF_FLOORS, p));
+    }
+}
+
+/// Clears a force at rest of which the first coefficients, one an order in time, are zero.
+fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
+    let mut first = contact.force.iter().step_by(p).take(orders);
+    if first.all(|force| *force == 0.0) {
+        contact.force.fill(0.0);
+    }
+}
+
 /// Clears the first coefficients of the forces at rest of a block that are rounding, of each pair all when the first ones are.
 fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p: usize) {
     if block.first == block.last {
@@ -85,16 +164,14 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
         });
     }
     for contact in &mut contacts[block.within..block.within + (block.last - block.first)] {
-        let mut first = contact.force.iter().step_by(p).take(orders);
-        if first.all(|force| *force == 0.0) {
-            contact.force.fill(0.0);
-        }
+        forget_if_nothing(contact, (orders, p));
     }
 }
 
-/// What storeys join rounds by the largest of its accelerations, from the next coefficient on.
+/// What storeys join, and what rests in a row that is no chain, rounds by the largest of its accelerations, from the next coefficient on.
 fn share(group: Group<'_>, members: &mut [Member]) {
-    if group.followed().is_empty() {
+    let rests = group.tie().is_some();
+    if group.followed().is_empty() && !rests {
         return;
     }
     let largest = |value: fn(&Member) -> f64| {
@@ -109,7 +186,7 @@ fn share(group: Group<'_>, members: &mut [Member]) {
     );
     for node in group.nodes() {
         let member = &mut members[*node];
-        if member.is_tied() {
+        if member.is_tied() || rests {
             (member.terms.around, member.terms.rate) = (around, rate);
         }
     }

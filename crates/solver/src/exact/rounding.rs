@@ -1,6 +1,7 @@
 //! What rounding leaves of the coefficients of a structure and of a pair.
 
 use crate::exact::member::Member;
+use crate::{Point, Relation};
 
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
 pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
@@ -8,16 +9,36 @@ pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
 /// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
-/// coefficients of both sides.
-pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f64 {
+/// coefficients of both points.
+pub(super) fn noise(
+    members: &[Member],
+    relation: Relation,
+    values: [f64; 2],
+    (p, n): (usize, usize),
+) -> f64 {
     let terms = if n >= 2 * p && n.is_multiple_of(p) {
         let order = n / p - 2;
         let weight = ((order + 1) * (order + 2)) as f64;
-        (sides[0].noise(order) + sides[1].noise(order)) / weight
+        let [left, right] = relation
+            .points()
+            .map(|point| weighed(point, |node| members[node].noise(order)));
+        (left + right) / weight
     } else {
         0.0
     };
     OF_COEFFICIENTS * (values[0].abs() + values[1].abs() + terms)
+}
+
+/// What a point has of magnitudes of its floors.
+#[inline]
+pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
+    match point {
+        Point::Floor(floor) => magnitude(floor),
+        Point::Share(_) => point
+            .parts()
+            .map(|(floor, part)| part * magnitude(floor))
+            .sum(),
+    }
 }
 
 impl Member {

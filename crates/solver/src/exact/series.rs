@@ -9,22 +9,20 @@ use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
 use crate::exact::storey::{self, own_force};
+use crate::exact::tie::Tie;
+use crate::model::incidence::Incidence;
 use crate::span::Power;
 
 /// Expands the motion of a body, and the forces between its members, to `len` coefficients.
 pub(super) fn expand(
     group: Group<'_>,
     (members, contacts): (&mut [Member], &mut [Contact]),
+    incidence: &Incidence,
     power: Power,
     len: usize,
 ) {
     let p = power.order();
-    let (nodes, followed, pairs, blocks) = (
-        group.nodes(),
-        group.followed(),
-        group.pairs(),
-        group.blocks(),
-    );
+    let (nodes, followed, pairs) = (group.nodes(), group.followed(), group.pairs());
     for node in nodes {
         let member = &mut members[*node];
         member.displacement[..2 * p].fill(0.0);
@@ -38,25 +36,97 @@ pub(super) fn expand(
         if !followed.is_empty() {
             storey::follow(members, followed, p, n);
         }
-        for joined in pairs {
-            let contact = &mut contacts[joined.pair];
+        for pair in pairs {
+            let contact = &mut contacts[*pair];
             if matches!(contact.link, Link::Touching(_)) {
-                contact.find_force(&members[joined.left..joined.left + 2], power, n);
+                contact.find_force(members, power, n);
             }
         }
-        // Off the chain of dependent operations, where a division would be the longest.
-        let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
-        for block in blocks {
-            let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
-            let outside = (force(block.left), force(block.right));
-            accelerate(members, block, outside.0 - outside.1, p, n);
-            for member in &mut members[block.first..=block.last] {
-                member.velocity[n + p] = member.acceleration[n] * once;
-                member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
+        if group.is_of_chain() {
+            move_blocks(group.blocks(), (members, contacts), (p, n));
+        } else {
+            move_freely(nodes, (members, contacts), incidence, (p, n));
+            if let Some(tie) = group.tie() {
+                hold(tie, (members, contacts), (p, n));
             }
-            if block.first < block.last {
-                resting_forces(members, (block, contacts), outside, (p, n));
+            for node in nodes {
+                follow(&mut members[*node], (p, n));
             }
+        }
+    }
+}
+
+/// Finds what an acceleration makes of velocity and displacement.
+fn follow(member: &mut Member, (p, n): (usize, usize)) {
+    member.velocity[n + p] = member.acceleration[n] * (p as f64 / (n + p) as f64);
+    member.displacement[n + 2 * p] = member.velocity[n + p] * (p as f64 / (n + 2 * p) as f64);
+}
+
+/// Coefficient `n` of the motion of a chain, and of the forces between members at rest.
+fn move_blocks(
+    blocks: &[Block],
+    (members, contacts): (&mut [Member], &mut [Contact]),
+    (p, n): (usize, usize),
+) {
+    // Off the chain of dependent operations, where a division would be the longest.
+    let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
+    for block in blocks {
+        let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
+        let outside = (force(block.left), force(block.right));
+        accelerate(members, block, outside.0 - outside.1, p, n);
+        for member in &mut members[block.first..=block.last] {
+            member.velocity[n + p] = member.acceleration[n] * once;
+            member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
+        }
+        if block.first < block.last {
+            resting_forces(members, (block, contacts), outside, (p, n));
+        }
+    }
+}
+
+/// Coefficient `n` of the accelerations of members of any row under the forces of compliant contact.
+fn move_freely(
+    nodes: &[usize],
+    (members, contacts): (&mut [Member], &[Contact]),
+    incidence: &Incidence,
+    (p, n): (usize, usize),
+) {
+    let pushed = |node: usize, on_left: bool| {
+        let at = incidence.at(node).iter();
+        at.filter(|at| at.on_left == on_left && is_touching(&contacts[at.pair]))
+            .map(|at| at.part * contacts[at.pair].force[n])
+            .reduce(|sum, force| sum + force)
+            .unwrap_or(0.0)
+    };
+    for &node in nodes {
+        let ground = members[node].ground.coefficient(n, p);
+        members[node].acceleration[n] = if members[node].is_wall() {
+            0.0
+        } else {
+            let force = pushed(node, false) - pushed(node, true);
+            members[node].inverse_mass * (force - own_force(members, node, n)) - ground
+        };
+    }
+}
+
+fn is_touching(contact: &Contact) -> bool {
+    matches!(contact.link, Link::Touching(_))
+}
+
+/// Coefficient `n` of the forces at rest of any row, and what they change of the accelerations.
+fn hold(tie: &Tie, (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
+    let closing = |pair: &usize| {
+        let contact = &contacts[*pair];
+        let ahead = contact.relation.ahead(|node| members[node].acceleration[n]);
+        contact.over_grounds(ahead, |node| members[node].ground.coefficient(n, p))
+    };
+    let mut forces: Vec<_> = tie.pairs.iter().map(closing).collect();
+    tie.solve(&mut forces);
+    for (pair, force) in tie.pairs.iter().zip(forces) {
+        contacts[*pair].force[n] = force;
+        for (floor, part) in contacts[*pair].relation.pushes() {
+            let member = &mut members[floor];
+            member.acceleration[n] += member.inverse_mass * (part * force);
         }
     }
 }

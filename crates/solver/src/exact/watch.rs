@@ -147,16 +147,20 @@ impl<R: Recorder> Run<'_, R> {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
             watch_columns(watch, node, member, len);
-            if let (Some(left), Some(right)) = self.forces_on(node) {
-                let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
+            if self.joined_at(node).nth(1).is_some() {
+                let pushed = |n: usize, on_left: bool| {
+                    self.pushed(node, on_left, |contact| contact.force[n])
+                        .unwrap_or(0.0)
+                };
+                let net = |n: usize| pushed(n, false) - pushed(n, true);
                 watch.change_of(len, member.balanced, net, Event::Balance(node));
                 let slope = |n: usize| (n + 1) as f64 * net(n + 1);
                 watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
             }
         }
-        for joined in group.pairs() {
+        for pair in group.pairs() {
             self.guard.wait(time)?;
-            self.watch_pair(watch, joined.pair, len);
+            self.watch_pair(watch, *pair, len);
         }
         Ok(())
     }

@@ -16,7 +16,7 @@
 //! A P is unique, so velocities are. P may not be, where contacts that get exactly their demand depend on each other. The
 //! answer is then the least Σ P², the limit of equal springs: a second problem of this kind, whatever the order of the contacts.
 
-mod basis;
+pub(crate) mod basis;
 
 use basis::{Basis, DEPENDENT, add, dot, norm};
 

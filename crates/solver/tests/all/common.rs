@@ -3,8 +3,9 @@ use crate::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Elastic, Excitation, Hht, Histories, Hysteretic,
-    Integrator, Ledger, MoreauJean, Newmark, Node, Pair, Rk4, Row, Verlet, VerletImpacts, Work,
+    Bilinear, CentralDifference, Clock, Elastic, Excitation, Floor, Hht, Histories, Hysteretic,
+    Integrator, Ledger, MoreauJean, Newmark, Node, Pair, Point, Relation, Rk4, Row, Verlet,
+    VerletImpacts, Work,
 };
 
 pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
@@ -174,4 +175,59 @@ pub(crate) fn moving(
         initial_velocity: velocity,
         ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
     }
+}
+
+/// A building of these floors from the ground up, (mass, stiffness of the storey below, damping of it), from a node on.
+pub(crate) fn building(first: usize, floors: &[(f64, f64, f64)]) -> Vec<Node<Elastic>> {
+    let node = |(index, (mass, stiffness, damping)): (usize, &(f64, f64, f64))| {
+        let column = Elastic {
+            stiffness: *stiffness,
+        };
+        let node = Node::structure(*mass, *damping, column);
+        match index.checked_sub(1) {
+            None => node,
+            Some(below) => node.on_floor(Floor {
+                below: first + below,
+                ground_damping: 0.2 * mass,
+            }),
+        }
+    };
+    floors.iter().enumerate().map(node).collect()
+}
+
+/// A point between two floors of a building, with this part of the upper one.
+pub(crate) fn between(lower: Option<usize>, upper: usize, part: f64) -> Point {
+    Point::between(lower, upper, part).expect("it is not the ground")
+}
+
+pub(crate) fn meeting(
+    left: impl Into<Point>,
+    right: impl Into<Point>,
+    offset: f64,
+    law: ContactLaw,
+) -> Pair {
+    let (left, right) = (left.into(), right.into());
+    let relation = Relation {
+        left,
+        right,
+        offset,
+    };
+    Pair { relation, law }
+}
+
+/// Two buildings of three storeys whose floors lie at other heights: nodes 0, 1, 2 and 3, 4, 5. A slab meets columns, and so does
+/// one of the other building; two floors carry points of several pairs.
+pub(crate) fn floors_and_columns(law: ContactLaw) -> Row<Elastic> {
+    let left = [(9e4, 4e7, 2e5), (8e4, 3e7, 1.5e5), (6e4, 2e7, 1e5)];
+    let right = [(3e5, 6e8, 9e5), (2e5, 5e8, 8e5), (2e5, 4e8, 6e5)];
+    let mut nodes = building(0, &left);
+    nodes.extend(building(3, &right));
+    let pairs = vec![
+        meeting(1, between(Some(3), 4, 0.65), 0.006, law),
+        meeting(between(Some(1), 2, 0.35), 4, 0.006, law),
+        meeting(2, 5, 0.009, law),
+        meeting(2, between(Some(4), 5, 0.7), 0.0085, law),
+        meeting(0, between(None, 3, 0.65), 0.003, law),
+    ];
+    Row::new(nodes, pairs).expect("the row is valid")
 }

@@ -4,12 +4,13 @@
 pub(super) const DEPENDENT: f64 = 1e-12;
 
 /// Columns as sums of orthonormal vectors, A = Q R, by the modified method of Gram and Schmidt.
-pub(super) struct Basis {
+#[derive(Debug, Clone)]
+pub(crate) struct Basis {
     n_rows: usize,
     /// Where products are split.
     pub(super) split: usize,
     /// Number of columns kept; one more may have been expressed.
-    pub(super) len: usize,
+    pub(crate) len: usize,
     /// Q, vector by vector.
     elements: Vec<f64>,
     /// R, column by column, each down to its diagonal.
@@ -17,7 +18,7 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    pub(super) fn new(n: usize, n_rows: usize) -> Self {
+    pub(crate) fn new(n: usize, n_rows: usize) -> Self {
         Self {
             n_rows,
             split: 0,
@@ -32,7 +33,7 @@ impl Basis {
         self.elements.capacity() + self.factors.capacity()
     }
 
-    pub(super) fn begin(&mut self, n_rows: usize, split: usize) {
+    pub(crate) fn begin(&mut self, n_rows: usize, split: usize) {
         self.n_rows = n_rows;
         self.split = split;
         self.truncate(0);
@@ -45,7 +46,7 @@ impl Basis {
     }
 
     /// The orthonormal vectors.
-    pub(super) fn vectors(&self) -> impl Iterator<Item = &[f64]> {
+    pub(crate) fn vectors(&self) -> impl Iterator<Item = &[f64]> {
         self.elements.chunks_exact(self.n_rows).take(self.len)
     }
 
@@ -55,7 +56,7 @@ impl Basis {
     }
 
     /// Expresses a column by those kept; true if it does not depend on them.
-    pub(super) fn express(&mut self, column: &[f64]) -> bool {
+    pub(crate) fn express(&mut self, column: &[f64]) -> bool {
         self.truncate(self.len);
         let (start, end) = (self.factors.len(), self.elements.len());
         self.factors.resize(start + self.len, 0.0);
@@ -81,7 +82,7 @@ impl Basis {
     }
 
     /// Keeps the column expressed last.
-    pub(super) fn keep(&mut self) {
+    pub(crate) fn keep(&mut self) {
         let length = self.factors[self.factors.len() - 1];
         for element in &mut self.elements[self.len * self.n_rows..] {
             *element /= length;
@@ -90,14 +91,14 @@ impl Basis {
     }
 
     /// Writes the column expressed last as a sum of those kept: so much of each.
-    pub(super) fn coefficients(&self, shares: &mut Vec<f64>) {
+    pub(crate) fn coefficients(&self, shares: &mut Vec<f64>) {
         shares.clear();
         shares.extend_from_slice(&self.factors(self.len)[..self.len]);
         self.substitute(shares);
     }
 
     /// Solves Rᵀ R x = values, in place.
-    pub(super) fn solve(&self, values: &mut [f64]) {
+    pub(crate) fn solve(&self, values: &mut [f64]) {
         for column in 0..self.len {
             let (met, unmet) = values.split_at_mut(column);
             let factors = self.factors(column);
@@ -118,7 +119,7 @@ impl Basis {
 }
 
 /// The product of two vectors, of the rows before `split` and of those behind added at last.
-pub(super) fn dot(one: &[f64], other: &[f64], split: usize) -> f64 {
+pub(crate) fn dot(one: &[f64], other: &[f64], split: usize) -> f64 {
     let product = |(one, other): (&[f64], &[f64])| -> f64 {
         one.iter().zip(other).map(|(one, other)| one * other).sum()
     };
@@ -131,7 +132,7 @@ pub(super) fn norm(vector: &[f64], split: usize) -> f64 {
 }
 
 /// Adds so much of a vector to another.
-pub(super) fn add(to: &mut [f64], factor: f64, vector: &[f64]) {
+pub(crate) fn add(to: &mut [f64], factor: f64, vector: &[f64]) {
     for (to, element) in to.iter_mut().zip(vector) {
         *to += factor * element;
     }

@@ -1,0 +1,220 @@
+//! Which pairs rest, and which part: of pairs that touch without a rate.
+
+use std::ops::Range;
+
+use crate::exact::Run;
+use crate::exact::contact::{Gap, Link};
+use crate::exact::groups::{System, beside};
+use crate::exact::hits::Hit;
+use crate::exact::noise::clean;
+use crate::exact::rounding::noise;
+use crate::roots::CAPACITY;
+use crate::span::Power;
+use crate::{Recorder, RunError};
+
+/// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
+const DECISIVE: usize = 12;
+/// Coefficients of displacements that every expansion finds, in orders of time.
+const FEWEST: usize = 15;
+
+impl<R: Recorder> Run<'_, R> {
+    /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
+    /// overlap, found by growing their set, each by the first coefficient of its deformation that is not rounding.
+    ///
+    /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
+    /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
+    /// go first whose coefficient does.
+    pub(super) fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) -> Result<(), RunError> {
+        let chains = || {
+            let of = |hit: &'h Hit| {
+                let pairs = hit.pairs.iter().enumerate();
+                pairs.map(move |(index, pair)| ((hit, index), *pair))
+            };
+            hits.iter().flat_map(of)
+        };
+        let pairs = || chains().map(|(_, pair)| pair);
+        for pair in pairs() {
+            self.contacts[pair].link = Link::Apart;
+        }
+        loop {
+            self.regroup();
+            self.expand_landed(time)?;
+            let order = |pair: usize| match self.press(pair) {
+                Some((order, true)) => Some(order),
+                Some((_, false)) | None => None,
+            };
+            let soonest = match hits {
+                [_] => Some(usize::MAX),
+                _ => pairs()
+                    .filter(|pair| self.may_press(*pair))
+                    .filter_map(order)
+                    .min(),
+            };
+            let mut grown = false;
+            for (hit, pair) in chains() {
+                self.guard.wait(time)?;
+                let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
+                if self.may_press(pair) && presses() {
+                    if self.is_held(pair) {
+                        return Err(self.closed_in(pair, time));
+                    }
+                    self.join(hit, time);
+                    grown = true;
+                }
+            }
+            if !grown {
+                break;
+            }
+        }
+        // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
+        // is zero, as one must be, is free.
+        for (hit, pair) in chains() {
+            self.guard.wait(time)?;
+            if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
+                self.join(hit, time);
+            }
+            let parts = self.may_press(pair) && matches!(self.press(pair), Some((_, false)));
+            self.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
+        }
+        self.regroup();
+        Ok(())
+    }
+
+    /// Whether a pair that touches is neither at rest nor parting with a rate.
+    fn may_press(&self, pair: usize) -> bool {
+        let contact = &self.contacts[pair];
+        contact.link == Link::Apart && contact.rate == 0.0
+    }
+
+    /// Whether both sides of a pair rest against walls already.
+    fn is_held(&self, pair: usize) -> bool {
+        if self.walls < 2 {
+            return false;
+        }
+        let [left, _] = self.contacts[pair].floors();
+        let rests = |node: usize| {
+            let [_, pair] = beside(self.incidence, node);
+            pair.is_some_and(|pair| self.contacts[pair].link == Link::Resting)
+        };
+        let mut first = left;
+        while first > 0 && rests(first - 1) {
+            first -= 1;
+        }
+        let mut last = left + 1;
+        while last < self.members.len() && rests(last) {
+            last += 1;
+        }
+        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.members[node].is_wall());
+        holds(first..left + 1) && holds(left + 1..last + 1)
+    }
+
+    /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.
+    fn join(&mut self, (hit, index): (&Hit, usize), time: f64) {
+        let pair = hit.pairs[index];
+        self.contacts[pair].link = Link::Resting;
+        if hit.rests_on(index, &self.contacts[pair], &self.members) {
+            return;
+        }
+        let [left, _] = self.contacts[pair].floors();
+        let carried = self.opening(pair, time).map(|opening| opening.velocity);
+        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let [v, w] = [a.state.velocity, b.state.velocity];
+        if a.mass >= b.mass {
+            self.members[left + 1].state.velocity = carried.map_or(v, |carried| v + carried);
+        } else {
+            self.members[left].state.velocity = carried.map_or(w, |carried| w - carried);
+        }
+    }
+
+    /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
+    /// hides it.
+    fn press(&self, pair: usize) -> Option<(usize, bool)> {
+        let first = self
+            .orders(pair)
+            .find(|order| self.closing_by(pair, *order).is_some());
+        first.and_then(|order| Some((order, self.closing_by(pair, order)?.0 > 0.0)))
+    }
+
+    /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, of those that decide.
+    pub(super) fn orders(&self, pair: usize) -> impl Iterator<Item = usize> + use<R> {
+        let p = self.power(pair);
+        // What happens on one floor is felt two orders later on the next.
+        let mut floors = self.contacts[pair].floors().into_iter();
+        let last = if floors.any(|node| self.members[node].is_tied()) {
+            (FEWEST * p).min(CAPACITY)
+        } else {
+            2 * p + DECISIVE
+        };
+        (2 * p..last).map(move |n| 4 * n / p)
+    }
+
+    /// The finer power of the bodies on both sides of a pair.
+    fn power(&self, pair: usize) -> usize {
+        let floors = self.contacts[pair].floors();
+        let [left, right] = floors.map(|node| self.power_of(node));
+        left.max(right)
+    }
+
+    fn power_of(&self, node: usize) -> usize {
+        self.bodies[self.groups.body_of[node]].power.order()
+    }
+
+    /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it; nothing
+    /// where that hides it.
+    pub(super) fn closing_by(&self, pair: usize, order: usize) -> Option<(f64, f64)> {
+        let (contact, p) = (&self.contacts[pair], self.power(pair));
+        let n = order * p / 4;
+        let values = contact.relation.points().map(|point| {
+            // A series in t beside one in its fourth root.
+            let stretched = p / self.power_of(point.floor());
+            if n.is_multiple_of(stretched) && (n * 4).is_multiple_of(p) {
+                let at = (p / stretched, n / stretched);
+                contact.displacement_of(&self.members, point, at)
+            } else {
+                0.0
+            }
+        });
+        let closing = values[0] - values[1];
+        // A force that has just faded leaves no closing acceleration.
+        let fades = contact.faded && n == 2 * p && closing > 0.0;
+        let noise = noise(&self.members, contact.relation, values, (p, n));
+        (!fades && closing.abs() > noise).then_some((closing, noise))
+    }
+
+    /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.
+    pub(super) fn expand_landed(&mut self, time: f64) -> Result<(), RunError> {
+        self.guard.look(time, self.spent())?;
+        for first in 0..self.bodies.len() {
+            if self.groups.body_of[first] == first && self.landed[first] {
+                self.guard.wait(time)?;
+                let (power, _) = self.expand(first, time);
+                self.bodies[first].power = power;
+                self.clean(first, time, power);
+                self.tried += self.groups.nodes_of(first).len() as u64;
+            }
+        }
+        Ok(())
+    }
+
+    /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
+    pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
+        // Where grounds move apart their positions have the rounding of the whole time.
+        let time = if self.travel.is_some() {
+            self.clock.absolute(time)
+        } else {
+            time
+        };
+        let system = (&mut self.members[..], &mut self.contacts[..]);
+        let group = self.groups.of(first);
+        clean(group, system, self.incidence, (time, power.order()));
+    }
+
+    /// Bodies anew, from the links.
+    pub(super) fn regroup(&mut self) {
+        self.groups.update(System {
+            members: &self.members,
+            contacts: &self.contacts,
+            incidence: self.incidence,
+        });
+    }
+}

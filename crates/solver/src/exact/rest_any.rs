@@ -1,0 +1,230 @@
+//! Which pairs of a row that is no chain rest, and which part.
+//!
+//! With c the accelerations of touching points towards each other, of pairs without a rate, as series in time, and F their forces:
+//! 0 ≤ F ⟂ −c ≥ 0, c = c₀ − W F, the first coefficient that is not zero deciding. It is found coefficient by coefficient. Pairs that
+//! press hold c = 0 from then on; those that part are out; those of which neither is known go on to the next coefficient. Those of
+//! which it never is stay together without a force.
+
+use crate::exact::Run;
+use crate::exact::contact::{Gap, Link};
+use crate::exact::groups::System;
+use crate::exact::hits::Hit;
+use crate::exact::impacts::Solver;
+use crate::exact::rounding::OF_COEFFICIENTS;
+use crate::exact::tie;
+use crate::impact::dense::ClosedIn;
+use crate::impact::dense::basis::{Basis, add, dot};
+use crate::{Recorder, RunError};
+
+/// A column that others leave no more than this part of depends on them.
+const DEPENDENT: f64 = 1e-12;
+
+/// What a coefficient decides.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Decision {
+    Presses,
+    Parts,
+    Open,
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Lets pairs rest or part.
+    pub(super) fn rest_or_part_any(&mut self, hit: &Hit, time: f64) -> Result<(), RunError> {
+        for pair in &hit.pairs {
+            let contact = &mut self.contacts[*pair];
+            (contact.link, contact.idle, contact.gap) = (Link::Apart, false, Gap::Known);
+        }
+        let without_rate = hit
+            .pairs
+            .iter()
+            .filter(|pair| self.contacts[**pair].rate == 0.0);
+        let mut open: Vec<_> = without_rate.copied().collect();
+        let (mut pressing, mut from) = (Vec::new(), 0);
+        while !open.is_empty() {
+            self.regroup();
+            self.expand_landed(time)?;
+            let known = pressing.len();
+            while known == pressing.len()
+                && let Some(order) = self.next_order(&open, from)
+            {
+                self.guard.wait(time)?;
+                from = order + 1;
+                let decisions = self
+                    .decide((&open, &pressing), order)
+                    .map_err(|pair| self.closed_in(pair, time))?;
+                for (pair, decision) in open.iter().zip(&decisions) {
+                    let contact = &mut self.contacts[*pair];
+                    match decision {
+                        Decision::Presses => {
+                            contact.link = Link::Resting;
+                            pressing.push(*pair);
+                        }
+                        Decision::Parts => contact.gap = Gap::Parts,
+                        Decision::Open => {}
+                    }
+                }
+                let mut left = decisions.iter();
+                open.retain(|_| left.next() == Some(&Decision::Open));
+            }
+            if known == pressing.len() {
+                break;
+            }
+        }
+        self.let_idle(&open, &pressing);
+        self.regroup();
+        self.pull(hit, time);
+        Ok(())
+    }
+
+    /// The first coefficient, not before another, that is not hidden by rounding for all of these pairs.
+    fn next_order(&self, open: &[usize], from: usize) -> Option<usize> {
+        let first = |pair: &usize| {
+            let mut orders = self.orders(*pair).filter(|order| *order >= from);
+            orders.find(|order| self.closing_by(*pair, *order).is_some())
+        };
+        open.iter().filter_map(first).min()
+    }
+
+    /// What a coefficient decides of open pairs, beside those that press; a pair that has no room to move is an error.
+    fn decide(
+        &mut self,
+        (open, pressing): (&[usize], &[usize]),
+        order: usize,
+    ) -> Result<Vec<Decision>, usize> {
+        let closing = |pair: &usize| self.closing_by(*pair, order).unwrap_or_default();
+        let closing: Vec<_> = open.iter().map(closing).collect();
+        let system = System {
+            members: &self.members,
+            contacts: &self.contacts,
+            incidence: self.incidence,
+        };
+        let Solver::Any(problem) = &mut self.impacts else {
+            return Ok(vec![Decision::Open; open.len()]);
+        };
+        let all: Vec<_> = open.iter().chain(pressing).copied().collect();
+        let floors = tie::floors(&all, system);
+        let mut held = Basis::new(pressing.len(), floors.len());
+        held.begin(floors.len(), 0);
+        for pair in pressing {
+            if held.express(&tie::column(*pair, &floors, system)) {
+                held.keep();
+            }
+        }
+        let mut decisions = vec![Decision::Open; open.len()];
+        let mut asked = Vec::with_capacity(open.len());
+        problem.begin(floors.len(), 0);
+        for (index, (pair, (value, noise))) in open.iter().zip(&closing).enumerate() {
+            let mut column = tie::column(*pair, &floors, system);
+            if held.leaves(&mut column) <= DEPENDENT {
+                // Those that press hold it, unless its ground moves.
+                if system.contacts[*pair].opens() && *value > 0.0 {
+                    return Err(*pair);
+                }
+                if system.contacts[*pair].opens() && *value < 0.0 {
+                    decisions[index] = Decision::Parts;
+                }
+                continue;
+            }
+            // A force that has just faded is none yet.
+            let faded = system.contacts[*pair].faded && order == 8;
+            if faded && *value >= 0.0 {
+                continue;
+            }
+            problem.push(column.into_iter().enumerate());
+            problem.ask(asked.len(), *value, noise / OF_COEFFICIENTS);
+            asked.push(index);
+        }
+        problem
+            .solve()
+            .map_err(|ClosedIn { contact }| open[asked[contact]])?;
+        for ((contact, impulse), index) in problem.impulses().enumerate().zip(&asked) {
+            let ((value, noise), taken) = (closing[*index], problem.taken(contact));
+            let rounding = noise + OF_COEFFICIENTS * (value.abs() + taken.abs());
+            decisions[*index] = if impulse > 0.0 {
+                Decision::Presses
+            } else if taken - value > rounding {
+                Decision::Parts
+            } else {
+                Decision::Open
+            };
+        }
+        Ok(decisions)
+    }
+
+    /// Keeps pairs together that nothing presses or parts; those that others hold carry no force.
+    fn let_idle(&mut self, open: &[usize], pressing: &[usize]) {
+        let system = System {
+            members: &self.members,
+            contacts: &self.contacts,
+            incidence: self.incidence,
+        };
+        let all: Vec<_> = pressing.iter().chain(open).copied().collect();
+        let floors = tie::floors(&all, system);
+        let mut held = Basis::new(all.len(), floors.len());
+        held.begin(floors.len(), 0);
+        let mut idle = Vec::with_capacity(all.len());
+        for pair in &all {
+            let moves = held.express(&tie::column(*pair, &floors, system));
+            if moves {
+                held.keep();
+            }
+            idle.push(!moves);
+        }
+        let idle = &idle[pressing.len()..];
+        for (pair, idle) in open.iter().zip(idle) {
+            let contact = &mut self.contacts[*pair];
+            (contact.link, contact.idle) = (Link::Resting, *idle);
+            if *idle {
+                contact.force.fill(0.0);
+            }
+        }
+    }
+
+    /// Takes from pairs that have come to rest what rounding leaves of their rates, by the least jump of energy.
+    fn pull(&mut self, hit: &Hit, time: f64) {
+        let pairs = hit.pairs.iter().enumerate();
+        let mut resting = pairs.filter(|(_, pair)| self.contacts[**pair].link == Link::Resting);
+        if resting.all(|(index, pair)| hit.rests_on(index, &self.contacts[*pair], &self.members)) {
+            return;
+        }
+        let floors = hit
+            .pairs
+            .iter()
+            .map(|pair| self.contacts[*pair].floors()[0]);
+        let mut bodies: Vec<_> = floors.map(|floor| self.groups.body_of[floor]).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        for first in bodies {
+            let Some(tie) = self.groups.of(first).tie() else {
+                continue;
+            };
+            let rate = |pair: &usize| {
+                let contact = &self.contacts[*pair];
+                let faster = contact
+                    .relation
+                    .ahead(|node| self.members[node].state.velocity);
+                let opening = self.opening(*pair, time);
+                opening.map_or(faster, |opening| faster + opening.velocity)
+            };
+            let mut impulses: Vec<_> = tie.pairs.iter().map(rate).collect();
+            tie.solve(&mut impulses);
+            for (pair, impulse) in tie.pairs.iter().zip(impulses) {
+                self.contacts[*pair].kick(impulse, &mut self.members);
+            }
+        }
+    }
+}
+
+impl Basis {
+    /// Takes from a column what those kept have of it; returns which part of it is left.
+    fn leaves(&self, column: &mut [f64]) -> f64 {
+        let whole = dot(column, column, 0).sqrt();
+        for _ in 0..2 {
+            for vector in self.vectors() {
+                let part = dot(vector, column, 0);
+                add(column, -part, vector);
+            }
+        }
+        dot(column, column, 0).sqrt() / whole
+    }
+}

@@ -1,0 +1,125 @@
+//! Pairs at rest of a body of any row, and the forces that hold them.
+//!
+//! With G the rows of their relations and W = G M⁻¹ Gᵀ the forces F keep the accelerations of their points equal: W F = c, c the
+//! accelerations towards each other without them. Chains have no need of this: they move as blocks.
+
+use crate::exact::groups::System;
+use crate::impact::dense::basis::{Basis, add, dot};
+
+/// Pairs of a body that rest against each other and carry a force.
+#[derive(Debug, Clone)]
+pub(super) struct Tie {
+    pub(super) pairs: Vec<usize>,
+    /// Factors of W over those that do not depend on others before them, and their places.
+    basis: Basis,
+    places: Vec<usize>,
+    /// Changes of forces that move nothing, orthonormal.
+    idle: Basis,
+    /// Magnitudes of the inverse of W, row by row.
+    sizes: Vec<f64>,
+}
+
+impl Tie {
+    /// Nothing where no pair rests.
+    pub(super) fn of(pairs: Vec<usize>, system: System<'_>) -> Option<Self> {
+        if pairs.is_empty() {
+            return None;
+        }
+        let n = pairs.len();
+        let floors = floors(&pairs, system);
+        let mut tie = Self {
+            basis: Basis::new(n, floors.len()),
+            places: Vec::with_capacity(n),
+            idle: Basis::new(n, n),
+            sizes: Vec::with_capacity(n * n),
+            pairs,
+        };
+        tie.basis.begin(floors.len(), 0);
+        tie.idle.begin(n, 0);
+        let mut shares = Vec::with_capacity(n);
+        for place in 0..n {
+            if tie
+                .basis
+                .express(&column(tie.pairs[place], &floors, system))
+            {
+                tie.basis.keep();
+                tie.places.push(place);
+            } else {
+                tie.basis.coefficients(&mut shares);
+                let mut change = vec![0.0; n];
+                for (other, share) in tie.places.iter().zip(&shares) {
+                    change[*other] = -share;
+                }
+                change[place] = 1.0;
+                tie.idle.express(&change);
+                tie.idle.keep();
+            }
+        }
+        for place in 0..n {
+            let mut unit = vec![0.0; n];
+            unit[place] = 1.0;
+            tie.solve(&mut unit);
+            tie.sizes.extend(unit.iter().map(|size| size.abs()));
+        }
+        Some(tie)
+    }
+
+    /// Puts in place of accelerations towards each other the forces, or of rates the impulses, that take them away; of equal ones
+    /// the least.
+    pub(super) fn solve(&self, values: &mut [f64]) {
+        if self.places.len() == values.len() {
+            return self.basis.solve(values);
+        }
+        let mut found: Vec<_> = self.places.iter().map(|place| values[*place]).collect();
+        self.basis.solve(&mut found);
+        values.fill(0.0);
+        for (place, force) in self.places.iter().zip(found) {
+            values[*place] = force;
+        }
+        for change in self.idle.vectors() {
+            let part = dot(change, values, 0);
+            add(values, -part, change);
+        }
+    }
+
+    /// What magnitudes of accelerations make of each force at most, by its place.
+    pub(super) fn size(&self, place: usize, magnitudes: &[f64]) -> f64 {
+        let n = self.pairs.len();
+        dot(&self.sizes[place * n..][..n], magnitudes, 0)
+    }
+}
+
+/// The floors that carry points of pairs, rising.
+pub(super) fn floors(pairs: &[usize], System { contacts, .. }: System<'_>) -> Vec<usize> {
+    let pushes = pairs
+        .iter()
+        .flat_map(|pair| contacts[*pair].relation.pushes());
+    let mut floors: Vec<_> = pushes.map(|(floor, _)| floor).collect();
+    floors.sort_unstable();
+    floors.dedup();
+    floors
+}
+
+/// Elements of the column M^(−½) gᵀ of a pair by the places of these floors.
+pub(super) fn elements<'a>(
+    pair: usize,
+    floors: &'a [usize],
+    System {
+        members, contacts, ..
+    }: System<'a>,
+) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let pushes = contacts[pair].relation.pushes();
+    pushes.filter_map(move |(floor, part)| {
+        let place = floors.binary_search(&floor).ok()?;
+        Some((place, part * members[floor].inverse_mass.sqrt()))
+    })
+}
+
+/// The same as a whole column.
+pub(super) fn column(pair: usize, floors: &[usize], system: System<'_>) -> Vec<f64> {
+    let mut column = vec![0.0; floors.len()];
+    for (place, element) in elements(pair, floors, system) {
+        column[place] += element;
+    }
+    column
+}
