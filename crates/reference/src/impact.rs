@@ -146,10 +146,10 @@ fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
     let judge = |set: &[usize]| {
         let own = |&one: &usize| set.iter().map(|other| all[one][*other]).collect();
         let of_set: Vec<Vec<f64>> = set.iter().map(own).collect();
-        let demands: Vec<_> = set.iter().map(|one| vec![demand(*one)]).collect();
+        let demands = set.iter().map(|one| demand(*one)).collect();
         let mut impulses = vec![0.0; turns.len()];
-        for (one, found) in set.iter().zip(least(&of_set, &demands)) {
-            impulses[*one] = found[0];
+        for (one, found) in set.iter().zip(&least(&of_set, &[demands])[0]) {
+            impulses[*one] = *found;
         }
         let miss = |one: usize| {
             let lost = all[one]

@@ -101,10 +101,8 @@ impl Neighbours {
 
     /// The same of one floor; 0 where it does not meet it.
     pub(super) fn part(&self, floor: usize) -> f64 {
-        let mut parts = self.parts();
-        parts
-            .find(|(met, _)| *met == floor)
-            .map_or(0.0, |(_, part)| part)
+        let parts = self.parts().filter(|(met, _)| *met == floor);
+        parts.fold(0.0, |sum, (_, part)| sum + part)
     }
 
     /// What rounding is a part of, of quantities of these sizes.
@@ -242,7 +240,18 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
     let floor = near.or(far).expect("a point shares a floor at least");
     let mut or_ground = |met: Option<usize>| {
         met.unwrap_or_else(|| {
-            structures.push(structures[floor].ground());
+            let carried = structures[floor];
+            structures.push(Structure {
+                inverse_mass: 0.0,
+                below: None,
+                columns: Columns {
+                    smooth: None,
+                    ..carried.columns
+                },
+                initial_displacement: 0.0,
+                initial_velocity: 0.0,
+                ..carried
+            });
             structures.len() - 1
         })
     };
@@ -250,26 +259,6 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
         near: or_ground(near),
         far: or_ground(far),
         lean,
-    }
-}
-
-impl Structure {
-    /// The ground on which it stands, as a wall.
-    fn ground(&self) -> Self {
-        let columns = Columns {
-            smooth: None,
-            ..self.columns
-        };
-        Self {
-            inverse_mass: 0.0,
-            below: None,
-            damping: 0.0,
-            ground_damping: 0.0,
-            columns,
-            arrival: self.arrival,
-            initial_displacement: 0.0,
-            initial_velocity: 0.0,
-        }
     }
 }
 
