@@ -1,13 +1,14 @@
 //! Pairs that push at once, whatever floors they meet and however many of one floor.
 //!
-//! With G the parts that floors have in the rates of pairs, M their masses and a₀ the accelerations without them, pairs that press have
-//! W F = G a₀, W = G M⁻¹ Gᵀ. Where some ask for what others ask for, they share the force so that Σ F² is least. After that G a = 0: some
-//! floors follow others, which elimination finds, the lightest following. The others have a₀ − M⁻¹ Gᵀ F, and floors that follow what this
-//! makes of their own, to the last digit. Which pairs push is found by trying all sets of them.
+//! G has the parts of floors in the rates of pairs, M their masses, and W = G M⁻¹ Gᵀ. With a₀ the accelerations without them, pairs that
+//! press have W F = G a₀. Pairs that depend on others share the force, with the least Σ F².
+//!
+//! Then G a = 0, and elimination finds floors that follow others: the lightest. The others have a₀ − M⁻¹ Gᵀ F. A floor that follows takes
+//! its acceleration from theirs, to the last digit. All sets of pairs are tried to find those that push.
 
 use super::model::Model;
 
-/// Part of itself to which elimination brings a row that follows from others.
+/// Part of itself to which elimination brings a row that depends on others.
 const DEPENDENT: f64 = 1e-12;
 
 type Matrix = Vec<Vec<f64>>;
@@ -16,7 +17,7 @@ type Matrix = Vec<Vec<f64>>;
 #[derive(Debug, Clone)]
 pub(super) struct Block {
     pub pairs: Vec<usize>,
-    /// How much every floor is moved by every floor; those that lead are by themselves alone.
+    /// How much every floor is moved by every other floor; a floor that leads has 1 for itself.
     ways: Matrix,
     /// Force of every pair per acceleration of every floor without the block \[kg\].
     forces: Matrix,
@@ -52,12 +53,12 @@ impl Block {
         }
     }
 
-    /// How many of the pairs do not ask for what the others ask for.
+    /// Number of pairs that do not depend on the others.
     pub(super) fn rank(&self) -> usize {
         self.followers().count()
     }
 
-    /// Force of every pair \[N\], of the accelerations of floors without the block; with the magnitudes of both, what it is the sum of.
+    /// Force of every pair \[N\], from the accelerations of floors without the block; from magnitudes of both, the size of its terms.
     pub(super) fn forces(&self, sign: fn(f64) -> f64, without: &[f64]) -> Vec<f64> {
         product(&self.forces, sign, without)
     }
@@ -111,7 +112,7 @@ fn unit(n: usize) -> Matrix {
     matrix(&all, &all, |row, column| f64::from(u8::from(row == column)))
 }
 
-/// Solutions x of A x = b with least Σ x², for a symmetric A and several b, of which rows that follow from others ask nothing.
+/// Solutions x of A x = b with least Σ x², for a symmetric A and several b. Rows that depend on others are left out.
 pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
     let n = matrix.len();
     let row = |(row, (own, unit)): (usize, (&Vec<f64>, Vec<f64>))| {
@@ -148,8 +149,9 @@ pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
     found
 }
 
-/// Eliminates the first columns from all rows but one each, by the largest entry of all that are left, weighed and as a part of its row;
-/// the column of every row, and none for rows that follow from others.
+/// Eliminates each of the first columns from all rows except one; returns the column of every row, and `None` for rows that depend on others.
+///
+/// The next is the largest entry of all that are left, weighed and as a part of its row.
 fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
     let weighed = |row: &[f64], column: usize| row[column].abs() * weights[column];
     let all = 0..weights.len();
@@ -188,7 +190,7 @@ fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
     }
 }
 
-/// Those of some pairs that depend on each other: they meet floors that others of them meet; walls carry nothing from one to another.
+/// Groups of pairs that meet floors of each other. Walls carry nothing from one to another.
 pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
     let depend = |one: usize, other: usize| {
         let mut met = model.pairs[one].parts();
@@ -204,7 +206,7 @@ pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// What is found for the set of numbers below `n` that misses least what is asked, and of such sets for that with least Σ x².
+/// Tries all sets of numbers below `n`; returns the finding of the set that misses least, and among equals of that with least Σ x².
 pub(super) fn best<Found>(
     n: usize,
     judge: impl Fn(&[usize]) -> (f64, f64, Found),
@@ -213,7 +215,7 @@ pub(super) fn best<Found>(
     for set in (0..1_usize << n).rev() {
         let members: Vec<_> = (0..n).filter(|member| (set >> member) & 1 == 1).collect();
         let (miss, squares, found) = judge(&members);
-        // Nothing has less than all together.
+        // No other set has a smaller sum.
         let done = miss == 0.0 && members.len() == n;
         if best
             .as_ref()

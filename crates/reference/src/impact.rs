@@ -1,8 +1,8 @@
 //! Impacts of all impulsive pairs that touch at one instant, solved together.
 //!
-//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0: a pair
-//! that pushes leaves with −e r, and others do at least as much. There is no impulse for what separates, and all is done again while
-//! a touching pair still approaches. Which pairs push is found by trying all sets of them.
+//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0. A pair
+//! that pushes leaves with −e r, another one at least as fast. A pair that separates has no impulse. All is done again while a touching
+//! pair still approaches. All sets of pairs are tried to find those that push.
 
 use super::SecondRouteError;
 use super::block::{best, groups, least, mobility};

@@ -53,7 +53,7 @@ pub(super) struct Structure {
     pub initial_velocity: f64,
 }
 
-/// A point that has a part `lean` of the motion of the far floor and the rest of that of the near one; of one floor both are that.
+/// A point with a part `lean` of the far floor's motion and the rest of the near one's; on a floor, both are that floor.
 #[derive(Debug, Clone, Copy)]
 struct Spot {
     near: usize,
@@ -62,7 +62,7 @@ struct Spot {
 }
 
 impl Spot {
-    /// What it has of a quantity of floors: just what they have where they agree.
+    /// Its value of a quantity of floors; exactly theirs where they agree.
     fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
         let near = quantity(self.near);
         near + self.lean * (quantity(self.far) - near)
@@ -88,24 +88,24 @@ pub(super) struct Neighbours {
 }
 
 impl Neighbours {
-    /// What the left point has of a quantity of floors beyond the right one.
+    /// How far the left point is ahead of the right one, in a quantity of floors.
     pub(super) fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
         self.left.of(&quantity) - self.right.of(&quantity)
     }
 
-    /// What every floor and wall that it meets gives to the rate of deformation; a force pushes it with as much, the other way.
+    /// Parts of floors and walls in the rate of deformation; a force pushes each with its part, the other way.
     pub(super) fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         let right = self.right.parts().map(|(floor, part)| (floor, -part));
         self.left.parts().chain(right)
     }
 
-    /// The same of one floor; 0 where it does not meet it.
+    /// The part of one floor; 0 if the pair does not meet it.
     pub(super) fn part(&self, floor: usize) -> f64 {
         let parts = self.parts().filter(|(met, _)| *met == floor);
         parts.fold(0.0, |sum, (_, part)| sum + part)
     }
 
-    /// What rounding is a part of, of quantities of these sizes.
+    /// Size of the terms of that difference, where quantities of floors have these sizes.
     pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
         self.parts()
             .map(|(floor, part)| part.abs() * sizes(floor))

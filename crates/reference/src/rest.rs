@@ -1,7 +1,7 @@
 //! Rest: pairs of an impulsive law that press.
 //!
-//! With a₀ the accelerations in space of all that no pair at rest pushes, F has 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses, and then it does
-//! not close, or it opens without a force. Grounds that move differently change nothing in this.
+//! With a₀ the accelerations in space without their forces F, 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses and does not close, or it opens
+//! without a force. Grounds that move differently change nothing in this.
 //!
 //! What closes and opens by no more than rounding is *idle*: it stays together without a force until it does more. That decides ties:
 //! between an acceleration of zero and one of ten thousand roundings lies no time that a result could show.
@@ -118,7 +118,7 @@ impl Motion {
 
     /// Accelerations with which pairs close while a block presses, and what rounding leaves of each \[m/s²\].
     ///
-    /// Those of floors and walls without it are `without`, of the size of `terms`.
+    /// Floors and walls have the accelerations `without` the block; `terms` is the size of what these are the sum of.
     fn closings(&self, block: &Block, without: &[f64], terms: &[f64]) -> Vec<[f64; 2]> {
         let accelerations = block.accelerations(identity, without);
         let terms = block.accelerations(f64::abs, terms);
@@ -175,9 +175,9 @@ impl Motion {
         }
     }
 
-    /// Those of a group of pairs at rest that press, of accelerations in space without them and the size of their terms.
+    /// Finds the pairs of a group at rest that press, from accelerations in space without them and the size of their terms.
     ///
-    /// A pair presses that would close without its force. Where others keep it from that, it presses if it shares their force.
+    /// A pair presses that would close without its force. A pair that depends on others presses if it shares their force.
     fn pressing(&self, group: &[usize], without: &[f64], terms: &[f64]) -> Vec<usize> {
         let tried = |set: &[usize]| {
             let pairs = set.iter().map(|member| group[*member]).collect();
