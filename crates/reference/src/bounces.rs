@@ -1,7 +1,6 @@
 //! Impacts of an instant, and the bounces that end in rest.
 
 use super::SecondRouteError;
-use super::block::Block;
 use super::impact::{self, NOISE, Outcome, SHORTEST};
 use super::law::Law;
 use super::model::{TIME, velocity};
@@ -164,13 +163,13 @@ impl Runner {
         self.unite();
     }
 
-    /// Gives floors of a block the velocities that those they follow give them, over the ground of each, to the last digit.
+    /// Gives floors of the block the velocities that those they follow give them, over the ground of each, to the last digit.
     fn unite(&mut self) {
         let since = self.state.high[TIME];
         let Self { motion, state, .. } = self;
-        for (floor, leaders) in motion.blocks.iter().flat_map(Block::followers) {
+        for (floor, way) in motion.block.followers() {
             let mut sum = Sum::default();
-            for (leader, part) in leaders {
+            for (leader, &part) in way.iter().enumerate().filter(|(_, part)| **part != 0.0) {
                 let carried = part * motion.segment.faster([leader, floor], since);
                 let own = state.sum(velocity(leader));
                 sum = sum.plus_product(Sum::of(part), own).plus(carried);

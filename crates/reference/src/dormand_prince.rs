@@ -144,6 +144,7 @@ mod tests {
     use pounding_contact::{ContactLaw, NonlinearViscoelastic};
     use pounding_solver::{Elastic, Node, Pair, Row};
 
+    use super::super::block::Block;
     use super::super::model::{Model, TIME, displacement, velocity};
     use super::super::motion::Segment;
     use super::super::phases::{Contact, Phases};
@@ -164,9 +165,9 @@ mod tests {
         let mut phases = Phases::new(&model);
         phases.pairs[0].contact = Contact::Restitution { rising: -1.0 };
         Motion {
+            block: Block::new(&model, Vec::new()),
             model,
             phases,
-            blocks: Vec::new(),
             segment: Segment {
                 grounds: vec![(0.0, 0.0); 2],
                 ..Segment::default()

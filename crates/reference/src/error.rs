@@ -37,9 +37,9 @@ pub enum SecondRouteError {
         /// The limit.
         limit: usize,
     },
-    /// More pairs push on each other at once than all sets of them can be tried for.
+    /// Too many pairs push on each other at once: all sets of them are tried.
     #[error(
-        "second route: found {found} impulsive pairs that touch and meet floors of each other at t = {time} s, allowed {limit}; set a gap between some of them"
+        "second route: {found} impulsive pairs touch at t = {time} s and meet floors of each other, allowed are {limit}; give some of them a gap or a compliant law"
     )]
     TooManyAtOnce {
         /// When they do \[s\].

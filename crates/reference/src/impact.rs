@@ -1,8 +1,8 @@
 //! Impacts of all impulsive pairs that touch at one instant, solved together.
 //!
-//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0: a pair
-//! that pushes leaves with −e r, and others do at least as much. There is no impulse for what separates, and all is done again while
-//! a touching pair still approaches. Which pairs push is found by trying all sets of them.
+//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0. A pair
+//! that pushes leaves with −e r, another one at least as fast. A pair that separates has no impulse. All is done again while a touching
+//! pair still approaches. All sets of pairs are tried to find those that push.
 
 use super::SecondRouteError;
 use super::block::{best, groups, least, mobility};
@@ -146,10 +146,10 @@ fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
     let judge = |set: &[usize]| {
         let own = |&one: &usize| set.iter().map(|other| all[one][*other]).collect();
         let of_set: Vec<Vec<f64>> = set.iter().map(own).collect();
-        let demands: Vec<_> = set.iter().map(|one| vec![demand(*one)]).collect();
+        let demands = set.iter().map(|one| demand(*one)).collect();
         let mut impulses = vec![0.0; turns.len()];
-        for (one, found) in set.iter().zip(least(&of_set, &demands)) {
-            impulses[*one] = found[0];
+        for (one, found) in set.iter().zip(&least(&of_set, &[demands])[0]) {
+            impulses[*one] = *found;
         }
         let miss = |one: usize| {
             let lost = all[one]

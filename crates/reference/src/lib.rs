@@ -28,7 +28,8 @@
 //! vanishes. Near the first touch, where a force may start like δ^(1/4), the variable is the fourth root of the time since then. On the
 //! way to parting it is √δ. In both the motion is analytic, and the method keeps its order.
 //!
-//! - Floors of buildings count one by one: a storey acts on the floor above it and on the one below.
+//! - Floors of buildings count one by one: a storey acts on the floor above it and on the one below. A floor may meet any number of pairs,
+//!   and a pair may meet points between floors.
 //! - The deformation of a pair and its rate are unknowns, so that small bounces keep their digits. So is the elastic part of the drift of
 //!   Bouc–Wen columns. A ground motion that travels along the row needs no double integral of the record.
 //! - Stereomechanical pairs whose bounces are over rest against each other until the force between them fades.

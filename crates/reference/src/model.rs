@@ -53,7 +53,7 @@ pub(super) struct Structure {
     pub initial_velocity: f64,
 }
 
-/// A point that has a part `lean` of the motion of the far floor and the rest of that of the near one; of one floor both are that.
+/// A point with a part `lean` of the far floor's motion and the rest of the near one's; on a floor, both are that floor.
 #[derive(Debug, Clone, Copy)]
 struct Spot {
     near: usize,
@@ -62,7 +62,7 @@ struct Spot {
 }
 
 impl Spot {
-    /// What it has of a quantity of floors: just what they have where they agree.
+    /// Its value of a quantity of floors; exactly theirs where they agree.
     fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
         let near = quantity(self.near);
         near + self.lean * (quantity(self.far) - near)
@@ -88,26 +88,24 @@ pub(super) struct Neighbours {
 }
 
 impl Neighbours {
-    /// What the left point has of a quantity of floors beyond the right one.
+    /// How far the left point is ahead of the right one, in a quantity of floors.
     pub(super) fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
         self.left.of(&quantity) - self.right.of(&quantity)
     }
 
-    /// What every floor and wall that it meets gives to the rate of deformation; a force pushes it with as much, the other way.
+    /// Parts of floors and walls in the rate of deformation; a force pushes each with its part, the other way.
     pub(super) fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         let right = self.right.parts().map(|(floor, part)| (floor, -part));
         self.left.parts().chain(right)
     }
 
-    /// The same of one floor; 0 where it does not meet it.
+    /// The part of one floor; 0 if the pair does not meet it.
     pub(super) fn part(&self, floor: usize) -> f64 {
-        let mut parts = self.parts();
-        parts
-            .find(|(met, _)| *met == floor)
-            .map_or(0.0, |(_, part)| part)
+        let parts = self.parts().filter(|(met, _)| *met == floor);
+        parts.fold(0.0, |sum, (_, part)| sum + part)
     }
 
-    /// What rounding is a part of, of quantities of these sizes.
+    /// Size of the terms of that difference, where quantities of floors have these sizes.
     pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
         self.parts()
             .map(|(floor, part)| part.abs() * sizes(floor))
@@ -242,7 +240,18 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
     let floor = near.or(far).expect("a point shares a floor at least");
     let mut or_ground = |met: Option<usize>| {
         met.unwrap_or_else(|| {
-            structures.push(structures[floor].ground());
+            let carried = structures[floor];
+            structures.push(Structure {
+                inverse_mass: 0.0,
+                below: None,
+                columns: Columns {
+                    smooth: None,
+                    ..carried.columns
+                },
+                initial_displacement: 0.0,
+                initial_velocity: 0.0,
+                ..carried
+            });
             structures.len() - 1
         })
     };
@@ -250,26 +259,6 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
         near: or_ground(near),
         far: or_ground(far),
         lean,
-    }
-}
-
-impl Structure {
-    /// The ground on which it stands, as a wall.
-    fn ground(&self) -> Self {
-        let columns = Columns {
-            smooth: None,
-            ..self.columns
-        };
-        Self {
-            inverse_mass: 0.0,
-            below: None,
-            damping: 0.0,
-            ground_damping: 0.0,
-            columns,
-            arrival: self.arrival,
-            initial_displacement: 0.0,
-            initial_velocity: 0.0,
-        }
     }
 }
 

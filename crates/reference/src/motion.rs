@@ -17,7 +17,7 @@ pub(super) struct Motion {
     pub model: Model,
     pub phases: Phases,
     /// The pairs that press at rest; decided with the phases.
-    pub blocks: Vec<Block>,
+    pub block: Block,
     pub segment: Segment,
 }
 

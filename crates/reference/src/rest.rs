@@ -1,7 +1,7 @@
 //! Rest: pairs of an impulsive law that press.
 //!
-//! With a₀ the accelerations in space of all that no pair at rest pushes, F has 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses, and then it does
-//! not close, or it opens without a force. Grounds that move differently change nothing in this.
+//! With a₀ the accelerations in space without their forces F, 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses and does not close, or it opens
+//! without a force. Grounds that move differently change nothing in this.
 //!
 //! What closes and opens by no more than rounding is *idle*: it stays together without a force until it does more. That decides ties:
 //! between an acceleration of zero and one of ten thousand roundings lies no time that a result could show.
@@ -10,7 +10,7 @@ use std::convert::identity;
 
 use super::block::{Block, best, groups};
 use super::branch::sign;
-use super::model::{TIME, displacement, velocity};
+use super::model::{Neighbours, TIME, displacement, velocity};
 use super::motion::{Motion, NOW};
 use super::phases::Contact;
 
@@ -39,22 +39,6 @@ impl Probe {
     };
 }
 
-/// Accelerations in space of all floors and walls while some pairs press, of those without \[m/s²\], and their terms.
-fn with(blocks: &[Block], slope: &[f64], terms: &[f64]) -> [Vec<f64>; 2] {
-    let own = |floor: usize| slope[velocity(floor)];
-    let mut found = [(0..terms.len()).map(own).collect(), terms.to_vec()];
-    for block in blocks {
-        let accelerations = block.accelerations(identity, own);
-        let sizes = block.accelerations(f64::abs, |floor| terms[floor]);
-        for (found, of) in found.iter_mut().zip([accelerations, sizes]) {
-            for (floor, value) in of {
-                found[floor] = value;
-            }
-        }
-    }
-    found
-}
-
 impl Motion {
     /// Whether any pair is at rest.
     pub(super) fn rests(&self) -> bool {
@@ -62,18 +46,26 @@ impl Motion {
         pairs.any(|phase| matches!(phase.contact, Contact::Resting { .. }))
     }
 
-    /// Gives floors at rest the accelerations of their blocks and the pairs their forces; `slope` has accelerations in space.
+    /// Gives floors at rest the accelerations of the block and its pairs their forces; `slope` has accelerations in space.
     pub(super) fn lean(&self, slope: &mut [f64]) {
-        for block in &self.blocks {
-            let forces = block.forces(identity, |floor| slope[velocity(floor)]);
-            let accelerations = block.accelerations(identity, |floor| slope[velocity(floor)]);
-            for (pair, force) in forces {
-                slope[self.model.impulse(pair)] = force;
-            }
-            for (floor, acceleration) in accelerations {
-                slope[velocity(floor)] = acceleration;
-            }
+        let Self { model, block, .. } = self;
+        if block.pairs.is_empty() {
+            return;
         }
+        let without = self.floors(slope);
+        for (pair, force) in block.pairs.iter().zip(block.forces(identity, &without)) {
+            slope[model.impulse(*pair)] = force;
+        }
+        let accelerations = block.accelerations(identity, &without);
+        for (floor, acceleration) in accelerations.into_iter().enumerate() {
+            slope[velocity(floor)] = acceleration;
+        }
+    }
+
+    /// Accelerations in space of floors and walls \[m/s²\].
+    fn floors(&self, slope: &[f64]) -> Vec<f64> {
+        let floors = 0..self.model.structures.len();
+        floors.map(|floor| slope[velocity(floor)]).collect()
     }
 
     /// Magnitude of the terms of the acceleration of every floor and wall \[m/s²\].
@@ -124,20 +116,24 @@ impl Motion {
         neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
-    /// Acceleration with which a pair closes or opens \[m/s²\] while floors and walls move so in space, and what rounding leaves of it.
-    fn apart(&self, pair: usize, [accelerations, terms]: &[Vec<f64>; 2]) -> [f64; 2] {
-        let pair = &self.model.pairs[pair];
-        [
-            pair.ahead(|floor| accelerations[floor]),
-            IDLE * pair.size(|floor| terms[floor]),
-        ]
+    /// Accelerations with which pairs close while a block presses, and what rounding leaves of each \[m/s²\].
+    ///
+    /// Floors and walls have the accelerations `without` the block; `terms` is the size of what these are the sum of.
+    fn closings(&self, block: &Block, without: &[f64], terms: &[f64]) -> Vec<[f64; 2]> {
+        let accelerations = block.accelerations(identity, without);
+        let terms = block.accelerations(f64::abs, terms);
+        let closing = |pair: &Neighbours| {
+            let rounding = IDLE * pair.size(|floor| terms[floor]);
+            [pair.ahead(|floor| accelerations[floor]), rounding]
+        };
+        self.model.pairs.iter().map(closing).collect()
     }
 
     /// Negative once an idle pair closes or opens by more than rounding.
     pub(super) fn idles(&self, pair: usize, y: &[f64], scratch: &mut [f64]) -> f64 {
         self.accelerate(NOW, y, scratch);
-        let moving = with(&self.blocks, scratch, &self.terms(y));
-        let [closing, rounding] = self.apart(pair, &moving);
+        let closings = self.closings(&self.block, &self.floors(scratch), &self.terms(y));
+        let [closing, rounding] = closings[pair];
         rounding - closing.abs()
     }
 
@@ -148,18 +144,15 @@ impl Motion {
         let rests =
             |&pair: &usize| matches!(self.phases.pairs[pair].contact, Contact::Resting { .. });
         let resting: Vec<usize> = (0..self.model.pairs.len()).filter(rests).collect();
-        self.blocks.clear();
         self.accelerate(NOW, y, scratch);
-        let terms = self.terms(y);
+        let (without, terms) = (self.floors(scratch), self.terms(y));
         let groups = groups(&self.model, &resting).into_iter();
-        let pressing = groups.filter_map(|group| self.pressing(&group, scratch, &terms));
-        self.blocks = pressing
-            .map(|pairs| Block::new(&self.model, pairs))
-            .collect();
-        let moving = with(&self.blocks, scratch, &terms);
+        let pressing = groups.flat_map(|group| self.pressing(&group, &without, &terms));
+        self.block = Block::new(&self.model, pressing.collect());
+        let closings = self.closings(&self.block, &without, &terms);
         for &pair in &resting {
-            let [closing, rounding] = self.apart(pair, &moving);
-            let presses = self.blocks.iter().any(|block| block.has(pair));
+            let [closing, rounding] = closings[pair];
+            let presses = self.block.pairs.contains(&pair);
             let phase = &mut self.phases.pairs[pair];
             phase.contact = Contact::Resting {
                 presses,
@@ -182,54 +175,45 @@ impl Motion {
         }
     }
 
-    /// Those of a group of pairs at rest that press; `slope` has accelerations in space without them, of the size of `terms`.
+    /// Finds the pairs of a group at rest that press, from accelerations in space without them and the size of their terms.
     ///
-    /// A pair presses that would close without its force. Where others keep it from that, it presses if it shares their force.
-    fn pressing(&self, group: &[usize], slope: &[f64], terms: &[f64]) -> Option<Vec<usize>> {
-        let without = |floor: usize| slope[velocity(floor)];
-        let block = |set: &mut dyn Iterator<Item = usize>| {
-            Block::new(&self.model, set.map(|member| group[member]).collect())
-        };
-        let closing = |block: &Block, member: usize| {
-            let moving = with(std::slice::from_ref(block), slope, terms);
-            self.apart(group[member], &moving)
+    /// A pair presses that would close without its force. A pair that depends on others presses if it shares their force.
+    fn pressing(&self, group: &[usize], without: &[f64], terms: &[f64]) -> Vec<usize> {
+        let tried = |set: &[usize]| {
+            let pairs = set.iter().map(|member| group[*member]).collect();
+            let block = Block::new(&self.model, pairs);
+            let closings = self.closings(&block, without, terms);
+            let excess =
+                move |member: usize| closings[group[member]][0] - closings[group[member]][1];
+            (block, excess)
         };
         let judge = |set: &[usize]| {
-            let all = block(&mut set.iter().copied());
+            let (all, excess) = tried(set);
             let forces = all.forces(identity, without);
-            let sizes = all.forces(f64::abs, |floor| terms[floor]);
-            let lacks = |position: usize| {
-                let member = set[position];
-                let others = block(&mut set.iter().copied().filter(|other| *other != member));
-                let [excess, rounding] = if others.rank() < all.rank() {
-                    closing(&others, member)
+            let sizes = all.forces(f64::abs, terms);
+            let lack = |position: usize| {
+                let others = [&set[..position], &set[position + 1..]].concat();
+                let (others, excess) = tried(&others);
+                let needed = if others.rank() < all.rank() {
+                    excess(set[position])
                 } else {
-                    [forces[position].1, IDLE * sizes[position].1]
-                        .map(|force| force / self.model.pairs[group[member]].reduced_mass)
+                    let own = forces[position] - IDLE * sizes[position];
+                    own / self.model.pairs[all.pairs[position]].reduced_mass
                 };
-                let lack = rounding - excess;
-                if lack < 0.0 {
+                if needed > 0.0 {
                     0.0
                 } else {
-                    lack.max(f64::MIN_POSITIVE)
+                    f64::MIN_POSITIVE.max(-needed)
                 }
             };
-            let closes = |member: usize| {
-                let [closing, rounding] = closing(&all, member);
-                closing - rounding
-            };
-            let mut miss = (0..group.len()).map(closes).fold(0.0, f64::max);
+            let mut miss = (0..group.len()).map(excess).fold(0.0, f64::max);
             if miss == 0.0 {
-                miss = (0..set.len()).map(lacks).fold(0.0, f64::max);
+                miss = (0..set.len()).map(lack).fold(0.0, f64::max);
             }
-            let squares = forces.iter().map(|(_, force)| force * force).sum();
-            (
-                miss,
-                squares,
-                forces.iter().map(|(pair, _)| *pair).collect::<Vec<_>>(),
-            )
+            let squares = forces.iter().map(|force| force * force).sum();
+            (miss, squares, all.pairs)
         };
-        best(group.len(), judge).filter(|pressing| !pressing.is_empty())
+        best(group.len(), judge).unwrap_or_default()
     }
 
     /// Rate of the force of a pair at rest \[N/s\], `slope` being the derivative of the unknowns, and what rounding leaves of it.
@@ -253,12 +237,9 @@ impl Motion {
             .any(|phase| touches(&phase.contact));
         let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
         let rate = (force(time) - force(-time)) / (2.0 * time);
-        let terms = self.terms(y);
-        let sizes = self
-            .blocks
-            .iter()
-            .flat_map(|block| block.forces(f64::abs, |floor| terms[floor]));
-        let size = sizes.filter(|(of, _)| *of == pair).map(|(_, size)| size);
+        let sizes = self.block.forces(f64::abs, &self.terms(y));
+        let sizes = self.block.pairs.iter().zip(sizes);
+        let size = sizes.filter(|(of, _)| **of == pair).map(|(_, size)| size);
         [rate, rounding * size.sum::<f64>()]
     }
 

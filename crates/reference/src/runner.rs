@@ -1,5 +1,6 @@
 //! Step by step from event to event.
 
+use super::block::Block;
 use super::dormand_prince::DormandPrince;
 use super::events::{self, Event};
 use super::impact::NOISE;
@@ -68,7 +69,7 @@ impl Runner {
         let longest_step = interval / f64::from(fineness.steps_per_sample);
         let motion = Motion {
             phases: Phases::new(&model),
-            blocks: Vec::new(),
+            block: Block::new(&model, Vec::new()),
             model,
             segment: Segment::default(),
         };

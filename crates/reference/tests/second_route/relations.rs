@@ -2,16 +2,16 @@
 
 use libm::{cos, sin, sqrt};
 use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt};
-use pounding_reference::Response;
+use pounding_reference::{Fineness, Response};
 use pounding_solver::{
-    CentralDifference, Elastic, Floor, Integrator, Newmark, Node, Pair, Point, Relation, Rk4, Row,
-    Support, Verlet, VerletImpacts,
+    CentralDifference, Elastic, Excitation, Floor, Integrator, Newmark, Node, Pair, Point,
+    Relation, Rk4, Row, Support, Verlet, VerletImpacts,
 };
 
 use super::exact::agree_on_floors;
 use super::stepping::approach;
 use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, energy, ground, spring};
-use super::{FREE, close, moving, run, stereomechanical};
+use super::{FREE, close, moving, pairs, run, stereomechanical};
 
 fn on_floor<Column>(below: usize, node: Node<Column>) -> Node<Column> {
     node.on_floor(Floor {
@@ -265,7 +265,7 @@ fn reference_a_slab_rests_on_a_column() {
     }
 }
 
-/// Towers of three and two storeys, of which one floor is hit by two, one meets a point between two, and one hits a point above the ground.
+/// Towers of three and two storeys. Two pairs meet one floor, others meet points between floors or above the ground.
 fn towers(law: ContactLaw) -> Row<Elastic> {
     let of = TOWERS.map(elastic);
     let row = buildings(&of[..2], (ALPHA, BETA), (0.01, law));
@@ -419,4 +419,17 @@ fn limit_energy_is_kept_by_pairs_of_any_points() {
         let after = energy(&row, end) + row.pairs().iter().map(kept).sum::<f64>();
         close(after, before, 1e-13, "energy");
     }
+}
+
+/// All sets of sixteen pairs are too many.
+#[test]
+fn extreme_more_pairs_at_once_than_can_be_tried() {
+    let nodes = vec![moving(1e5, 1.0, Elastic { stiffness: 1e6 }); 17];
+    let row = Row::new(nodes, pairs(17, 0.0, stereomechanical(0.5))).expect("a valid row");
+    let excitation = Excitation::new(0.1, &[0.0]).expect("finite samples");
+    let error = pounding_reference::run(&row, excitation, 1.0, Fineness::FINE);
+    let error = error.expect_err("too many").to_string();
+    let wanted = "second route: 16 impulsive pairs touch at t = 0 s and meet floors of each other, allowed are 14; \
+                  give some of them a gap or a compliant law";
+    assert!(error.contains(wanted), "{error}");
 }
