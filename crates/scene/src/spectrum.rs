@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{
     AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator,
-    ModelError, Node, Records, Row, RunError,
+    ModelError, Node, Recorders, Row, RunError,
 };
 
 /// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
@@ -236,14 +236,14 @@ fn values(
         time_step: end,
         n_steps: 1,
     };
-    let mut records = Records {
+    let mut recorders = Recorders {
         accelerations: Some(FloorAccelerations::new(1, excitation)),
-        ..Records::usual(1, row.pairs())
+        ..Recorders::usual(1, row.pairs())
     };
     let exact = Integrator::Exact(Exact::default());
-    row.run(&exact, excitation, clock.within(budget), &mut records)?;
-    let displacement = records.peaks.of(0).displacement.value.abs();
-    let accelerations = records.accelerations.iter();
+    row.run(&exact, excitation, clock.within(budget), &mut recorders)?;
+    let displacement = recorders.peaks.of(0).displacement.value.abs();
+    let accelerations = recorders.accelerations.iter();
     let absolute = accelerations.map(|all| all.of(0).value.abs());
     Ok(SpectralValues {
         period,

@@ -1,7 +1,7 @@
 //! A row with the leanest columns that it needs.
 
 use crate::{
-    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Records,
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorders,
     Row, RunError, Travel, Work,
 };
 
@@ -71,8 +71,8 @@ impl AnyRow {
         integrator: &Integrator,
         excitation: Excitation<'_>,
         course: Course,
-        records: &mut Records<'_, '_>,
+        recorders: &mut Recorders<'_, '_>,
     ) -> Result<Work, RunError> {
-        with_row!(self, row => integrator.run(row, excitation, course, records))
+        with_row!(self, row => integrator.run(row, excitation, course, recorders))
     }
 }

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{
-    AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Records, Row,
+    AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Recorders, Row,
     RunError,
 };
 
@@ -119,12 +119,12 @@ impl FreeCollision {
             pieces: MOST_PIECES,
             ..Budget::default()
         };
-        let mut records = Records {
+        let mut recorders = Recorders {
             last: Some(LastStates::new(2)),
-            ..Records::usual(2, row.pairs())
+            ..Recorders::usual(2, row.pairs())
         };
-        match row.run(integrator, rest, clock.within(budget), &mut records) {
-            Ok(_) => Ok(Seen::of(&records)),
+        match row.run(integrator, rest, clock.within(budget), &mut recorders) {
+            Ok(_) => Ok(Seen::of(&recorders)),
             Err(RunError::TooManyPieces { .. }) => Err(CollisionError::TooManyPieces { contact }),
             Err(error) => Err(error.into()),
         }
@@ -144,9 +144,9 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    fn of(records: &Records<'_, '_>) -> Self {
-        let velocity = |node: usize| records.last.as_ref().map(|last| last.of(node).velocity);
-        let impulses = records.collisions.all().iter().map(|met| met.impulse);
+    fn of(recorders: &Recorders<'_, '_>) -> Self {
+        let velocity = |node: usize| recorders.last.as_ref().map(|last| last.of(node).velocity);
+        let impulses = recorders.collisions.all().iter().map(|met| met.impulse);
         Self {
             velocities: [0, 1].map(|node| velocity(node).unwrap_or_default()),
             impulse: impulses.sum(),

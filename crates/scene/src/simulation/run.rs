@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates,
-    Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Records, RunError, Terms,
+    Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorders, RunError, Terms,
     TransferredMomentum, Travel, Work,
 };
 
@@ -79,17 +79,17 @@ impl Extras {
 }
 
 impl RunResult {
-    /// What records have seen of a run.
-    fn of(records: Records<'_, '_>, work: Work) -> Self {
-        let accelerations = records.accelerations.map(FloorAccelerations::into_peaks);
+    /// What recorders have seen of a run.
+    fn of(recorders: Recorders<'_, '_>, work: Work) -> Self {
+        let accelerations = recorders.accelerations.map(FloorAccelerations::into_peaks);
         Self {
-            peaks: records.peaks,
-            collisions: records.collisions,
-            momentum: records.momentum,
+            peaks: recorders.peaks,
+            collisions: recorders.collisions,
+            momentum: recorders.momentum,
             accelerations: accelerations.unwrap_or_default(),
-            last: records.last.unwrap_or_else(|| LastStates::new(0)),
-            closings: records.closings,
-            histories: records.histories,
+            last: recorders.last.unwrap_or_else(|| LastStates::new(0)),
+            closings: recorders.closings,
+            histories: recorders.histories,
             work,
         }
     }
@@ -137,11 +137,11 @@ impl Simulation {
     /// [`Error::Run`] when the run ends early.
     pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
         let mut ledger = self.ledger().held_to(self.integrator.laws());
-        let mut records = self.records(asked);
-        records.ledger = Some(&mut ledger);
-        let work = self.integrate(&mut records)?;
+        let mut recorders = self.recorders(asked);
+        recorders.ledger = Some(&mut ledger);
+        let work = self.integrate(&mut recorders)?;
         Ok(Audited {
-            outcome: RunResult::of(records, work),
+            outcome: RunResult::of(recorders, work),
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: Balance {
                 terms: ledger.terms(),
@@ -157,9 +157,9 @@ impl Simulation {
     /// # Errors
     /// [`Error::Run`] when the run ends early.
     pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
-        let mut records = self.records(asked);
-        let work = self.integrate(&mut records)?;
-        Ok(RunResult::of(records, work))
+        let mut recorders = self.recorders(asked);
+        let work = self.integrate(&mut recorders)?;
+        Ok(RunResult::of(recorders, work))
     }
 
     /// Records a run that `run` makes in another way than the scene's method; histories as of [`run`](Self::run).
@@ -169,18 +169,18 @@ impl Simulation {
     pub fn recorded(
         &self,
         interval: Option<f64>,
-        run: impl FnOnce(&mut Records<'_, '_>) -> Result<Work, RunError>,
+        run: impl FnOnce(&mut Recorders<'_, '_>) -> Result<Work, RunError>,
     ) -> Result<RunResult, Error> {
-        let mut records = self.records(Extras {
+        let mut recorders = self.recorders(Extras {
             interval,
             ..Extras::default()
         });
-        let work = run(&mut records).map_err(|source| self.ended(source))?;
-        Ok(RunResult::of(records, work))
+        let work = run(&mut recorders).map_err(|source| self.ended(source))?;
+        Ok(RunResult::of(recorders, work))
     }
 
     /// Empty recorders of everything that is asked for.
-    fn records<'l>(&self, asked: Extras) -> Records<'l, '_> {
+    fn recorders<'l>(&self, asked: Extras) -> Recorders<'l, '_> {
         let n = self.floors.all().len();
         let duration = self.clock.time(self.clock.n_steps);
         let closings = || {
@@ -191,22 +191,22 @@ impl Simulation {
             }
         };
         let accelerations = FloorAccelerations::new(n, self.excitation());
-        Records {
+        Recorders {
             accelerations: Some(accelerations.travelled(self.travel().as_ref())),
             last: Some(LastStates::new(n)),
             closings: asked.closings.then(closings),
             histories: asked
                 .interval
                 .map(|interval| Histories::new(n, interval, duration)),
-            ..self.usual_records()
+            ..self.usual_recorders()
         }
     }
 
     /// Empty recorders of what is printed of a structure or a pair.
-    fn usual_records<'l>(&self) -> Records<'l, '_> {
-        let mut records = Records::usual(self.floors.all().len(), self.pairs());
-        records.collisions = records.collisions.travelled(self.travel());
-        records
+    fn usual_recorders<'l>(&self) -> Recorders<'l, '_> {
+        let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
+        recorders.collisions = recorders.collisions.travelled(self.travel());
+        recorders
     }
 
     /// An empty recorder of how far neighbours come towards each other.
@@ -261,13 +261,13 @@ impl Simulation {
     pub fn recorded_by(&self, method: Method) -> Result<(RunResult, Ledger<'_>), RunError> {
         let integrator = method.integrator();
         let mut ledger = self.ledger().held_to(integrator.laws());
-        let mut records = Records {
+        let mut recorders = Recorders {
             ledger: Some(&mut ledger),
-            ..self.usual_records()
+            ..self.usual_recorders()
         };
         let clock = method.clock(self.duration());
-        let work = self.run_by(&integrator, clock, &mut records)?;
-        Ok((RunResult::of(records, work), ledger))
+        let work = self.run_by(&integrator, clock, &mut recorders)?;
+        Ok((RunResult::of(recorders, work), ledger))
     }
 
     /// The same with nothing but recorders of what is printed, and nothing kept of them: a run to be timed.
@@ -276,7 +276,7 @@ impl Simulation {
     /// [`RunError`] when the run ends early.
     pub fn timed_by(&self, method: Method) -> Result<Work, RunError> {
         let clock = method.clock(self.duration());
-        self.run_by(&method.integrator(), clock, &mut self.usual_records())
+        self.run_by(&method.integrator(), clock, &mut self.usual_recorders())
     }
 
     /// The same by the scene's own method.
@@ -293,19 +293,19 @@ impl Simulation {
         &self,
         integrator: &Integrator,
         clock: Clock,
-        records: &mut Records<'_, '_>,
+        recorders: &mut Recorders<'_, '_>,
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         let course = clock.within(self.budget());
-        self.row.run(integrator, excitation, course, records)
+        self.row.run(integrator, excitation, course, recorders)
     }
 
     /// Runs the scene by its method.
     ///
     /// # Errors
     /// [`Error::Run`] when the run ends early.
-    fn integrate(&self, records: &mut Records<'_, '_>) -> Result<Work, Error> {
-        self.run_by(&self.integrator, self.clock, records)
+    fn integrate(&self, recorders: &mut Recorders<'_, '_>) -> Result<Work, Error> {
+        self.run_by(&self.integrator, self.clock, recorders)
             .map_err(|error| self.ended(error))
     }
 

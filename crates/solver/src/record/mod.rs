@@ -8,7 +8,7 @@ mod last_states;
 mod ledger;
 mod peaks;
 pub(crate) mod recorder;
-mod records;
+mod recorders;
 mod transferred_momentum;
 
 pub use closings::{Closing, Closings};
@@ -19,5 +19,5 @@ pub use histories::{Histories, History};
 pub use last_states::LastStates;
 pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};
-pub use records::Records;
+pub use recorders::Recorders;
 pub use transferred_momentum::TransferredMomentum;

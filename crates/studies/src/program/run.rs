@@ -4,7 +4,7 @@ use pounding_motion::Record;
 use pounding_scene::{RunResult, Simulation};
 use pounding_solver::OnRow;
 use pounding_solver::{
-    Clock, Hysteretic, Recorder, Records, Row, RunError, TransferredMomentum, Work,
+    Clock, Hysteretic, Recorder, Recorders, Row, RunError, TransferredMomentum, Work,
 };
 
 use super::choices::Program;
@@ -21,15 +21,15 @@ impl Program {
         prepared: &Simulation,
         interval: Option<f64>,
     ) -> Result<RunResult, pounding_scene::Error> {
-        prepared.recorded(interval, |records| {
-            let Records {
+        prepared.recorded(interval, |recorders| {
+            let Recorders {
                 peaks,
                 collisions,
                 momentum,
                 last,
                 histories,
                 ..
-            } = records;
+            } = recorders;
             let run = ProgramRun {
                 program: self,
                 record: prepared.record(),

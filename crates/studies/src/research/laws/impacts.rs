@@ -1,7 +1,7 @@
 //! Free impacts of the laws at one e: forces over deformation and time, and their extremes.
 
 use pounding_contact::{Clamp, ContactLaw, LawName};
-use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Records, State};
+use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders, State};
 
 use super::entry::{Entry, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
@@ -54,14 +54,14 @@ impl Impact {
         };
         let rest =
             Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
-        let mut records = Records {
+        let mut recorders = Recorders {
             histories: Some(Histories::new(2, interval, end)),
-            ..Records::usual(2, row.pairs())
+            ..Recorders::usual(2, row.pairs())
         };
         let exact = Integrator::Exact(Exact::default());
-        row.run(&exact, rest, clock.into(), &mut records)?;
+        row.run(&exact, rest, clock.into(), &mut recorders)?;
         let states = |structure| {
-            let histories = records.histories.iter();
+            let histories = recorders.histories.iter();
             histories.flat_map(move |all| all.of(structure).states.iter())
         };
         let state = |(i, (left, right)): (usize, (&State, &State))| {
@@ -80,7 +80,7 @@ impl Impact {
             .skip(BESIDE as usize + 1);
         points.extend(after.map(state).take_while(|[time, ..]| *time <= duration));
         points.push([duration, 0.0, 0.0]);
-        let forces = records
+        let forces = recorders
             .collisions
             .all()
             .iter()

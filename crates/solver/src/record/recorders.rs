@@ -10,7 +10,7 @@ use crate::{
 /// They are of one type, so that all methods are compiled once. Any other recorder, or a tuple of some, compiles those that it is
 /// given to anew ([`Integrator::run`](crate::Integrator::run)).
 #[derive(Debug)]
-pub struct Records<'l, 'a> {
+pub struct Recorders<'l, 'a> {
     /// Peaks of every structure.
     pub peaks: Peaks,
     /// Collisions of every pair.
@@ -29,7 +29,7 @@ pub struct Records<'l, 'a> {
     pub ledger: Option<&'l mut Ledger<'a>>,
 }
 
-impl Records<'_, '_> {
+impl Recorders<'_, '_> {
     /// Those of what is printed of a structure or a pair, for a row of `n_nodes`, walls included, with these pairs.
     pub fn usual(n_nodes: usize, pairs: &[Pair]) -> Self {
         Self {
@@ -51,7 +51,7 @@ impl Records<'_, '_> {
     }
 }
 
-impl Recorder for Records<'_, '_> {
+impl Recorder for Recorders<'_, '_> {
     #[inline]
     fn reads_weighed(&self) -> bool {
         self.ledger.is_some()
