@@ -32,16 +32,16 @@ pub(super) const ROUNDS: usize = 50;
 
 /// What finds the impulses of a row.
 pub(super) enum Solver {
-    Chain(Chain),
-    Any(Complementarity),
+    Chain(Box<Chain>),
+    Any(Box<Complementarity>),
 }
 
 impl Solver {
     pub(super) fn new(is_chain: bool) -> Self {
         if is_chain {
-            Self::Chain(Chain::default())
+            Self::Chain(Box::default())
         } else {
-            Self::Any(Complementarity::new(0, 0))
+            Self::Any(Box::new(Complementarity::new(0, 0)))
         }
     }
 }

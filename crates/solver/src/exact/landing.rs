@@ -2,7 +2,7 @@
 
 use crate::exact::Run;
 use crate::exact::ahead::Ahead;
-use crate::exact::body::pushing;
+use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Contact, Link};
 use crate::exact::member::Member;
@@ -10,7 +10,7 @@ use crate::exact::watch::Event;
 use crate::model::incidence::Incident;
 use crate::roots::CAPACITY;
 use crate::span::{Power, Series, rise, value};
-use crate::{Motion, Path, Push, Recorder, Relation, Span, State};
+use crate::{Motion, Path, Push, Recorder, Span, State};
 
 impl<R: Recorder> Run<'_, R> {
     /// Ends the piece of a body now: reports its spans and brings its state here.
@@ -96,7 +96,7 @@ impl<R: Recorder> Run<'_, R> {
         met.into_iter().any(|met| self.members[met].is_wall())
     }
 
-    /// Whether two floors touch, or rest, that are both at zero if one is.
+    /// Whether points touch, or rest, each of which moves with one floor, so that both floors are at zero if one is.
     fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
         let contact = &self.contacts[pair];
         let touches = match contact.link {
@@ -105,13 +105,11 @@ impl<R: Recorder> Run<'_, R> {
             Link::Touching(_) => false,
         };
         let impulsive = contact.restitution().is_some() && !contact.opens();
-        let Relation {
-            left,
-            right,
-            offset,
-        } = contact.relation;
-        let level = left.is_floor() && right.is_floor();
-        offset == 0.0 && level && impulsive && touches
+        let mut points = contact.relation.points().into_iter();
+        contact.relation.offset == 0.0
+            && impulsive
+            && touches
+            && points.all(|point| point.parts().nth(1).is_none())
     }
 
     /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
@@ -182,30 +180,21 @@ impl<R: Recorder> Run<'_, R> {
         let pushes = room.of(incidents);
         for push in pushes.iter_mut() {
             let contact = &self.contacts[push.pair];
-            if contact.link == Link::Apart {
-                continue;
+            if contact.link != Link::Apart {
+                contact.pushes(push, (body, x));
             }
-            let series = &contact.force[..body.len];
-            push.forces = [pushing(series[0]), pushing(value(series, x))];
-            push.impulse = integral(series, body.power, x);
-            push.series = series;
         }
         let mut sums = [[0.0; CAPACITY]; 2];
         let [left, right] = &mut sums;
         let (left, right) = (side(pushes, false, left), side(pushes, true, right));
-        let impulse = |on_left: bool| {
-            let pushes = pushes.iter().filter(|push| push.on_left == on_left);
-            let given = pushes.map(|push| push.part * push.impulse);
-            given.reduce(|sum, given| sum + given).unwrap_or(0.0)
-        };
         let span = Span {
             structure: node,
             start_time,
             end_time,
             start: member.state,
             end,
-            impulse_from_left: impulse(false),
-            impulse_from_right: -impulse(true),
+            impulse_from_left: impulse(pushes, false),
+            impulse_from_right: -impulse(pushes, true),
             below: below.map(|below| {
                 let start = Motion {
                     displacement: below.displacement[0],
@@ -237,6 +226,16 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
+impl Contact {
+    /// Tells what the pair did from the start of a piece of its body to x.
+    fn pushes<'a>(&'a self, push: &mut Push<'a>, (body, x): (&Body, f64)) {
+        let series = &self.force[..body.len];
+        push.forces = [pushing(series[0]), pushing(value(series, x))];
+        push.impulse = integral(series, body.power, x);
+        push.series = series;
+    }
+}
+
 impl Member {
     /// The hysteretic part of the force at x, to which the drift has come there.
     fn hysteretic_end(&self, drift: f64, len: usize, x: f64) -> f64 {
@@ -257,12 +256,11 @@ pub(super) struct Room<'a> {
 impl<'a> Room<'a> {
     /// Pushes of pairs that do nothing yet.
     pub(super) fn of(&mut self, incidents: &[Incident]) -> &mut [Push<'a>] {
-        let pushes = match self.few.get_mut(..incidents.len()) {
-            Some(few) => few,
-            None => {
-                self.many.resize(incidents.len(), Push::default());
-                &mut self.many
-            }
+        let pushes = if let Some(few) = self.few.get_mut(..incidents.len()) {
+            few
+        } else {
+            self.many.resize(incidents.len(), Push::default());
+            &mut self.many
         };
         for (push, at) in pushes.iter_mut().zip(incidents) {
             *push = at.into();
@@ -280,7 +278,7 @@ fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) ->
     let Some(first) = all().next() else {
         return &[];
     };
-    if first.part == 1.0 && all().nth(1).is_none() {
+    if first.part >= 1.0 && all().nth(1).is_none() {
         return first.series;
     }
     for push in all() {
@@ -289,6 +287,13 @@ fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) ->
         }
     }
     &sum[..first.series.len()]
+}
+
+/// What pairs on one side of a floor give it.
+fn impulse(pushes: &[Push<'_>], on_left: bool) -> f64 {
+    let pushes = pushes.iter().filter(|push| push.on_left == on_left);
+    let given = pushes.map(|push| push.part * push.impulse);
+    given.reduce(|sum, given| sum + given).unwrap_or(0.0)
 }
 
 /// ∫ F dt from the start of a piece to x.

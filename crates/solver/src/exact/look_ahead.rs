@@ -64,6 +64,7 @@ impl<R: Recorder> Run<'_, R> {
                 scale + (ground(left) + ground(right))
             }
         };
+        let is_chain = self.is_chain();
         let contact = &mut self.contacts[pair];
         contact.scale = contact.scale.max(scale);
         // At a touch the series knows both better than the rounded time does.
@@ -71,7 +72,8 @@ impl<R: Recorder> Run<'_, R> {
         // The rounding of displacements dies away with them.
         let coarse = !touches && deformation.abs() > CARRIED * scale;
         // Zero by an impact it stays: at another one of the same instant the rounding of its time would be an overlap.
-        let struck = contact.deformation == 0.0 && contact.hit >= time;
+        // In a row that is no chain points of one floor touch at one instant, one after the other.
+        let struck = contact.deformation == 0.0 && (contact.hit >= time || !is_chain);
         if coarse && !struck && contact.link != Link::Resting {
             contact.deformation = deformation;
             // A rate that is zero by an event stays so.

@@ -20,6 +20,7 @@ mod columns;
 mod contact;
 mod cost;
 mod flight;
+mod force;
 mod groups;
 mod hits;
 mod impacts;

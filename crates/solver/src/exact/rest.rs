@@ -17,6 +17,9 @@ const DECISIVE: usize = 12;
 /// Coefficients of displacements that every expansion finds, in orders of time.
 const FEWEST: usize = 15;
 
+/// The power of the fourth root of time by which an acceleration alone closes a gap.
+pub(super) const OF_ACCELERATION: usize = 8;
+
 impl<R: Recorder> Run<'_, R> {
     /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
     /// overlap, found by growing their set, each by the first coefficient of its deformation that is not rounding.
@@ -129,10 +132,13 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
     /// hides it.
     fn press(&self, pair: usize) -> Option<(usize, bool)> {
-        let first = self
-            .orders(pair)
-            .find(|order| self.closing_by(pair, *order).is_some());
-        first.and_then(|order| Some((order, self.closing_by(pair, order)?.0 > 0.0)))
+        let shown = |order: usize| {
+            let (closing, _) = self.closing_by(pair, order);
+            // A force that has just faded leaves no closing acceleration.
+            let fades = self.contacts[pair].faded && order == OF_ACCELERATION && closing > 0.0;
+            (closing != 0.0 && !fades).then_some((order, closing > 0.0))
+        };
+        self.orders(pair).find_map(shown)
     }
 
     /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, of those that decide.
@@ -159,9 +165,9 @@ impl<R: Recorder> Run<'_, R> {
         self.bodies[self.groups.body_of[node]].power.order()
     }
 
-    /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it; nothing
+    /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it: 0
     /// where that hides it.
-    pub(super) fn closing_by(&self, pair: usize, order: usize) -> Option<(f64, f64)> {
+    pub(super) fn closing_by(&self, pair: usize, order: usize) -> (f64, f64) {
         let (contact, p) = (&self.contacts[pair], self.power(pair));
         let n = order * p / 4;
         let values = contact.relation.points().map(|point| {
@@ -175,10 +181,9 @@ impl<R: Recorder> Run<'_, R> {
             }
         });
         let closing = values[0] - values[1];
-        // A force that has just faded leaves no closing acceleration.
-        let fades = contact.faded && n == 2 * p && closing > 0.0;
         let noise = noise(&self.members, contact.relation, values, (p, n));
-        (!fades && closing.abs() > noise).then_some((closing, noise))
+        let hidden = closing.abs() <= noise;
+        (if hidden { 0.0 } else { closing }, noise)
     }
 
     /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.

@@ -10,6 +10,7 @@ use crate::exact::contact::{Gap, Link};
 use crate::exact::groups::System;
 use crate::exact::hits::Hit;
 use crate::exact::impacts::Solver;
+use crate::exact::rest::OF_ACCELERATION;
 use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::tie;
 use crate::impact::dense::ClosedIn;
@@ -40,7 +41,7 @@ impl<R: Recorder> Run<'_, R> {
             .filter(|pair| self.contacts[**pair].rate == 0.0);
         let mut open: Vec<_> = without_rate.copied().collect();
         let (mut pressing, mut from) = (Vec::new(), 0);
-        while !open.is_empty() {
+        loop {
             self.regroup();
             self.expand_landed(time)?;
             let known = pressing.len();
@@ -59,7 +60,11 @@ impl<R: Recorder> Run<'_, R> {
                             contact.link = Link::Resting;
                             pressing.push(*pair);
                         }
-                        Decision::Parts => contact.gap = Gap::Parts,
+                        Decision::Parts => {
+                            contact.gap = Gap::Parts;
+                            // Its acceleration is none that a fading force leaves.
+                            contact.faded &= order > OF_ACCELERATION;
+                        }
                         Decision::Open => {}
                     }
                 }
@@ -80,7 +85,7 @@ impl<R: Recorder> Run<'_, R> {
     fn next_order(&self, open: &[usize], from: usize) -> Option<usize> {
         let first = |pair: &usize| {
             let mut orders = self.orders(*pair).filter(|order| *order >= from);
-            orders.find(|order| self.closing_by(*pair, *order).is_some())
+            orders.find(|order| self.closing_by(*pair, *order).0 != 0.0)
         };
         open.iter().filter_map(first).min()
     }
@@ -91,8 +96,8 @@ impl<R: Recorder> Run<'_, R> {
         (open, pressing): (&[usize], &[usize]),
         order: usize,
     ) -> Result<Vec<Decision>, usize> {
-        let closing = |pair: &usize| self.closing_by(*pair, order).unwrap_or_default();
-        let closing: Vec<_> = open.iter().map(closing).collect();
+        let closing = open.iter().map(|pair| self.closing_by(*pair, order));
+        let closing: Vec<_> = closing.collect();
         let system = System {
             members: &self.members,
             contacts: &self.contacts,
@@ -110,6 +115,7 @@ impl<R: Recorder> Run<'_, R> {
                 held.keep();
             }
         }
+        let opens = all.iter().any(|pair| system.contacts[*pair].opens());
         let mut decisions = vec![Decision::Open; open.len()];
         let mut asked = Vec::with_capacity(open.len());
         problem.begin(floors.len(), 0);
@@ -126,17 +132,19 @@ impl<R: Recorder> Run<'_, R> {
                 continue;
             }
             // A force that has just faded is none yet.
-            let faded = system.contacts[*pair].faded && order == 8;
-            if faded && *value >= 0.0 {
-                continue;
-            }
+            let fades = system.contacts[*pair].faded && order == OF_ACCELERATION;
+            let demand = if fades { f64::NEG_INFINITY } else { *value };
             problem.push(column.into_iter().enumerate());
-            problem.ask(asked.len(), *value, noise / OF_COEFFICIENTS);
+            problem.ask(asked.len(), demand, noise / OF_COEFFICIENTS);
             asked.push(index);
         }
-        problem
-            .solve()
-            .map_err(|ClosedIn { contact }| open[asked[contact]])?;
+        while let Err(ClosedIn { contact }) = problem.solve() {
+            // On one ground only rounding leaves no room.
+            if opens {
+                return Err(open[asked[contact]]);
+            }
+            problem.ask(contact, f64::NEG_INFINITY, 0.0);
+        }
         for ((contact, impulse), index) in problem.impulses().enumerate().zip(&asked) {
             let ((value, noise), taken) = (closing[*index], problem.taken(contact));
             let rounding = noise + OF_COEFFICIENTS * (value.abs() + taken.abs());

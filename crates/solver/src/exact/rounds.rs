@@ -5,6 +5,7 @@
 
 use crate::RunError;
 use crate::exact::impacts::{Look, ROUNDS, SimultaneousImpacts};
+use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::impact::dense::{ClosedIn, Complementarity};
 
 /// Pairs that touch, one number each.
@@ -16,6 +17,8 @@ pub(super) struct Rounds {
     pub(super) passes_on: Vec<bool>,
     /// Magnitudes of which the rates are rounded \[m/s\].
     pub(super) scales: Vec<f64>,
+    /// Whether grounds move apart, and may leave no room for what is between two walls. Else only rounding does.
+    pub(super) opens: bool,
     /// Impulses of all rounds \[N·s\].
     pub(super) impulses: Vec<f64>,
 }
@@ -29,7 +32,7 @@ impl Rounds {
         look: Look<'_>,
     ) -> Result<Result<(), ClosedIn>, RunError> {
         let mut rounds = 0;
-        while self.rates.iter().any(|rate| *rate > 0.0) {
+        while self.approaches() {
             if rounds == ROUNDS {
                 self.restitutions.fill(0.0);
             }
@@ -61,6 +64,16 @@ impl Rounds {
         Ok(Ok(()))
     }
 
+    /// Whether a pair approaches; what rounding leaves of a rate is none.
+    fn approaches(&mut self) -> bool {
+        for (rate, scale) in self.rates.iter_mut().zip(&self.scales) {
+            if *rate > 0.0 && *rate <= OF_COEFFICIENTS * scale {
+                *rate = 0.0;
+            }
+        }
+        self.rates.iter().any(|rate| *rate > 0.0)
+    }
+
     /// One round of the pairs that take part, by their place, rate and whether they pass on.
     fn round(
         &mut self,
@@ -69,13 +82,20 @@ impl Rounds {
     ) -> Result<(), ClosedIn> {
         let n = self.rates.len();
         let part = |index: usize| takes_part(index, self.rates[index], self.passes_on[index]);
-        let parts: Vec<_> = (0..n).map(part).collect();
+        let mut parts: Vec<_> = (0..n).map(part).collect();
         for (index, part) in parts.iter().enumerate() {
             let wanted = (1.0 + self.restitutions[index]) * self.rates[index];
             let demand = if *part { wanted } else { f64::NEG_INFINITY };
             problem.ask(index, demand, self.scales[index]);
         }
-        problem.solve()?;
+        while let Err(closed_in) = problem.solve() {
+            if self.opens {
+                return Err(closed_in);
+            }
+            problem.ask(closed_in.contact, f64::NEG_INFINITY, 0.0);
+            parts[closed_in.contact] = false;
+            self.rates[closed_in.contact] = 0.0;
+        }
         for (index, impulse) in problem.impulses().enumerate() {
             let rate = self.rates[index];
             let (kept, returned) = (

@@ -5,7 +5,6 @@ use crate::exact::groups::System;
 use crate::exact::hits::Hit;
 use crate::exact::impacts::{Chain, Look, SimultaneousImpacts, Solver};
 use crate::exact::member::Member;
-use crate::exact::rounding::weighed;
 use crate::exact::rounds::Rounds;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::tie;
@@ -147,56 +146,65 @@ impl<R: Recorder> Run<'_, R> {
         let guard = &self.guard;
         let look = || guard.wait(time);
         let rule = self.settings.simultaneous_impacts;
-        match &mut self.impacts {
-            Solver::Chain(chain) => {
-                chain.clear();
-                chain.rates.extend_from_slice(&hit.rates);
-                chain.restitutions.extend(restitutions);
-                chain.passes_on.extend(passes_on);
-                give_along(chain, hit, &mut self.members, (rule, &look))?;
-                let pairs = hit.pairs.iter().zip(&chain.rates);
-                for (pair, rate) in pairs {
-                    self.contacts[*pair].rate = *rate;
-                }
+        if let Solver::Chain(chain) = &mut self.impacts {
+            chain.clear();
+            chain.rates.extend_from_slice(&hit.rates);
+            chain.restitutions.extend(restitutions);
+            chain.passes_on.extend(passes_on);
+            give_along(chain, hit, &mut self.members, (rule, &look))?;
+            for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
+                self.contacts[*pair].rate = *rate;
             }
-            Solver::Any(problem) => {
-                let system = System {
-                    members: &self.members,
-                    contacts: &self.contacts,
-                    incidence: self.incidence,
-                };
-                let speed = |node: usize| self.members[node].state.velocity.abs();
-                let scale = |contact: &Contact| {
-                    let points = contact.relation.points();
-                    let speeds = points.map(|point| weighed(point, speed));
-                    contact.rate.abs() + (speeds[0] + speeds[1])
-                };
-                let mut rounds = Rounds {
-                    rates: hit.rates.clone(),
-                    restitutions: restitutions.collect(),
-                    passes_on: passes_on.collect(),
-                    scales: contacts().map(scale).collect(),
-                    impulses: vec![0.0; hit.pairs.len()],
-                };
-                problem.begin(hit.nodes.len(), 0);
-                for pair in &hit.pairs {
-                    problem.push(tie::elements(*pair, &hit.nodes, system));
-                }
-                let collided = rounds.collide(problem, rule, &look)?;
-                if let Err(ClosedIn { contact }) = collided {
-                    return Err(self.closed_in(hit.pairs[contact], time));
-                }
-                for (node, before) in hit.nodes.iter().zip(&hit.before) {
-                    self.members[*node].state.velocity = *before;
-                }
-                for (index, pair) in hit.pairs.iter().enumerate() {
-                    let contact = &mut self.contacts[*pair];
-                    contact.rate = rounds.rates[index];
-                    contact.kick(rounds.impulses[index], &mut self.members);
-                }
-                hit.impulses.copy_from_slice(&rounds.impulses);
-            }
+            return Ok(());
         }
+        // What of a body is slower than that by far does not move.
+        let fastest = |contact: &Contact| {
+            let bodies = contact.floors().map(|floor| self.groups.body_of[floor]);
+            let nodes = bodies
+                .into_iter()
+                .flat_map(|body| self.groups.of(body).nodes());
+            let speeds = nodes.map(|node| self.members[*node].state.velocity.abs());
+            speeds.fold(0.0, f64::max)
+        };
+        let rounds = Rounds {
+            rates: hit.rates.clone(),
+            restitutions: restitutions.collect(),
+            passes_on: passes_on.collect(),
+            scales: contacts().map(fastest).collect(),
+            opens: contacts().any(Contact::opens),
+            impulses: vec![0.0; hit.pairs.len()],
+        };
+        self.give_any(rounds, hit, time)
+    }
+
+    /// The same where pairs are no chain.
+    fn give_any(&mut self, mut rounds: Rounds, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+        let system = System {
+            members: &self.members,
+            contacts: &self.contacts,
+            incidence: self.incidence,
+        };
+        let Solver::Any(problem) = &mut self.impacts else {
+            return Ok(());
+        };
+        problem.begin(hit.nodes.len(), 0);
+        for pair in &hit.pairs {
+            problem.push(tie::elements(*pair, &hit.nodes, system));
+        }
+        let look = || self.guard.wait(time);
+        let collided = rounds.collide(problem, self.settings.simultaneous_impacts, &look)?;
+        if let Err(ClosedIn { contact }) = collided {
+            return Err(self.closed_in(hit.pairs[contact], time));
+        }
+        for (node, before) in hit.nodes.iter().zip(&hit.before) {
+            self.members[*node].state.velocity = *before;
+        }
+        for (index, pair) in hit.pairs.iter().enumerate() {
+            let contact = &mut self.contacts[*pair];
+            contact.rate = rounds.rates[index];
+            contact.kick(rounds.impulses[index], &mut self.members);
+        }
+        hit.impulses.copy_from_slice(&rounds.impulses);
         Ok(())
     }
 
