@@ -1,7 +1,7 @@
 //! Rounds of impulses between pairs that touch and are no chain: several on a side of a floor, points between floors.
 //!
-//! The rule is that of `rounds.rs`: pairs that do not separate lose (1+e) of their approach r at least, those that separate stay out, and
-//! rounds repeat while a pair approaches; the last one is plastic and takes all in. Each is a problem of [`Complementarity`].
+//! The rule is that of `rounds.rs`: pairs that do not separate lose (1+e) of their approach r at least, and those that separate stay out.
+//! Rounds repeat while a pair approaches; the last one is plastic and takes all in. Each is a problem of [`Complementarity`].
 
 use crate::impact::dense::{ClosedIn, Complementarity, ROUNDING};
 use crate::impact::rounds::{MAX_ROUNDS, Touching};
@@ -22,7 +22,7 @@ pub(crate) struct AnyRounds {
 struct Floor {
     /// The lowest floor of its building.
     base: usize,
-    /// Its row in the columns of the problem: floors stand there building by building.
+    /// Its row in the columns of the problem: floors are listed building by building.
     place: usize,
     inverse_mass: f64,
     /// Its root.
@@ -74,8 +74,9 @@ impl AnyRounds {
         pairs.zip(self.impulses.iter().copied())
     }
 
-    /// Lets the velocities \[m/s\] of all floors jump until no pair approaches that touches; false when none does, and an error with
-    /// a pair that walls on both sides leave no impulse.
+    /// Lets the velocities \[m/s\] of all floors jump until no pair approaches that touches; false when none does.
+    ///
+    /// Errors with a pair that walls on both sides leave no impulse.
     pub(crate) fn strike_all(&mut self, velocities: &mut [f64]) -> Result<bool, usize> {
         for (_, relation, touching) in &mut self.touching {
             let speeds = relation
