@@ -144,12 +144,15 @@ impl<R: Recorder> Run<'_, R> {
     /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, of those that decide.
     pub(super) fn orders(&self, pair: usize) -> impl Iterator<Item = usize> + use<R> {
         let p = self.power(pair);
-        // What happens on one floor is felt two orders later on the next.
         let mut floors = self.contacts[pair].floors().into_iter();
         let last = if floors.any(|node| self.members[node].is_tied()) {
+            // What happens on one floor is felt two orders later on the next.
             (FEWEST * p).min(CAPACITY)
-        } else {
+        } else if self.is_chain() {
             2 * p + DECISIVE
+        } else {
+            // A force that begins without a rate, like t³, moves a pair beside it like t⁵.
+            3 * p + DECISIVE
         };
         (2 * p..last).map(move |n| 4 * n / p)
     }
@@ -182,8 +185,8 @@ impl<R: Recorder> Run<'_, R> {
         });
         let closing = values[0] - values[1];
         let noise = noise(&self.members, contact.relation, values, (p, n));
-        let hidden = closing.abs() <= noise;
-        (if hidden { 0.0 } else { closing }, noise)
+        let shown = closing.abs() > noise && closing.is_finite();
+        (if shown { closing } else { 0.0 }, noise)
     }
 
     /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.

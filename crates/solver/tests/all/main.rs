@@ -12,6 +12,7 @@ mod contact_limits;
 mod every_law;
 mod exact;
 mod exact_laws;
+mod exact_random_relations;
 mod exact_relations;
 mod flights;
 mod found;
