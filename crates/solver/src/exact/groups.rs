@@ -18,7 +18,7 @@ pub(super) struct Groups {
     followed: Vec<usize>,
     /// Of a chain alone.
     blocks: Vec<Block>,
-    /// Of a row that is no chain alone: what rests, by the first node of its body; nothing where none does.
+    /// Of a row that is no chain alone: the pairs at rest of a body, by its first node; `None` if no pair rests.
     ties: Vec<Option<Tie>>,
     /// Pairs that touch or rest.
     pairs: Vec<usize>,
@@ -33,7 +33,7 @@ pub(super) struct Groups {
     is_chain: bool,
 }
 
-/// What bodies are made of.
+/// The parts that bodies are made of.
 #[derive(Clone, Copy)]
 pub(super) struct System<'a> {
     pub(super) members: &'a [Member],
@@ -152,7 +152,7 @@ impl<'a> Group<'a> {
         &self.groups.pairs[self.places.pairs.clone()]
     }
 
-    /// What rests in a row that is no chain.
+    /// Its pairs at rest, in a row that is no chain.
     #[inline]
     pub(super) fn tie(self) -> Option<&'a Tie> {
         self.groups.ties[self.places.first].as_ref()

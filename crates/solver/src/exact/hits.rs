@@ -49,8 +49,8 @@ impl Hit {
         self.before[self.nodes.binary_search(&node).unwrap_or_default()]
     }
 
-    /// Whether the pair at a place goes on resting: all its floors keep their velocities to the last bit, and what is known of them,
-    /// such as that one of them passes zero.
+    /// Whether the pair at a place goes on resting: all its floors keep their velocities to the last bit. What is known of them
+    /// stays known, such as that one passes zero.
     pub(super) fn rests_on(&self, index: usize, contact: &Contact, members: &[Member]) -> bool {
         let keeps = |floor: usize| {
             let velocity = members[floor].state.velocity;

@@ -96,7 +96,7 @@ impl<R: Recorder> Run<'_, R> {
         met.into_iter().any(|met| self.members[met].is_wall())
     }
 
-    /// Whether points touch, or rest, each of which moves with one floor, so that both floors are at zero if one is.
+    /// Whether two points touch, or rest, and each moves with one floor alone: both floors are at zero if one is.
     fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
         let contact = &self.contacts[pair];
         let touches = match contact.link {
@@ -289,7 +289,7 @@ fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) ->
     &sum[..first.series.len()]
 }
 
-/// What pairs on one side of a floor give it.
+/// The impulse that pairs on one side of a floor give it.
 fn impulse(pushes: &[Push<'_>], on_left: bool) -> f64 {
     let pushes = pushes.iter().filter(|push| push.on_left == on_left);
     let given = pushes.map(|push| push.part * push.impulse);

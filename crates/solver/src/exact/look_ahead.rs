@@ -186,7 +186,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// The same of both points of a pair, with their grounds where those move on their own.
+    /// Displacements of both points of a pair as series, with their grounds where those move apart.
     fn sides_from(
         &self,
         pair: usize,
@@ -204,7 +204,7 @@ impl<R: Recorder> Run<'_, R> {
         (sides, len)
     }
 
-    /// The same of a point.
+    /// Displacement of a point as a series; returns its length.
     fn point_from(
         &self,
         point: Point,

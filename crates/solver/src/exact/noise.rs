@@ -131,7 +131,7 @@ fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize)
     }
 }
 
-/// Clears a force at rest of which the first coefficients, one an order in time, are zero.
+/// Clears a force at rest if its first coefficients, one an order in time, are zero.
 fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
     let mut first = contact.force.iter().step_by(p).take(orders);
     if first.all(|force| *force == 0.0) {
@@ -168,7 +168,7 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
     }
 }
 
-/// What storeys join, and what rests in a row that is no chain, rounds by the largest of its accelerations, from the next coefficient on.
+/// Floors that storeys join, and those at rest in a row that is no chain, round by the largest of its accelerations, from the next coefficient on.
 fn share(group: Group<'_>, members: &mut [Member]) {
     let rests = group.tie().is_some();
     if group.followed().is_empty() && !rests {

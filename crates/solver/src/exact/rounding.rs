@@ -29,7 +29,7 @@ pub(super) fn noise(
     OF_COEFFICIENTS * (values[0].abs() + values[1].abs() + terms)
 }
 
-/// What a point has of magnitudes of its floors.
+/// The sum of magnitudes of its floors that a point is made of, each by its part.
 #[inline]
 pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
     match point {

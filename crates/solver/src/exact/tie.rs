@@ -20,7 +20,7 @@ pub(super) struct Tie {
 }
 
 impl Tie {
-    /// Nothing where no pair rests.
+    /// `None` if no pair rests.
     pub(super) fn of(pairs: Vec<usize>, system: System<'_>) -> Option<Self> {
         if pairs.is_empty() {
             return None;
@@ -115,7 +115,7 @@ pub(super) fn elements<'a>(
     })
 }
 
-/// The same as a whole column.
+/// The whole column M^(−½) gᵀ of a pair, one element for each of these floors.
 pub(super) fn column(pair: usize, floors: &[usize], system: System<'_>) -> Vec<f64> {
     let mut column = vec![0.0; floors.len()];
     for (place, element) in elements(pair, floors, system) {

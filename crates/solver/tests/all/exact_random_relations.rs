@@ -9,18 +9,18 @@ use crate::random_rows::{any_law, config, stereomechanical};
 use crate::storeys_exact::exact;
 use crate::watch::Watch;
 
+/// A point: building, floor, and the part that the floor has of it; the one below has the rest.
+type Place = (prop::sample::Index, prop::sample::Index, f64);
+/// Two points, gap and law.
+type Meeting = ([Place; 2], f64, ContactLaw);
+
 /// Buildings, and pairs of points of two of them.
 #[derive(Debug, Clone)]
 struct Case {
     /// Of every floor mass \[kg\], period of its storey alone \[s\], yield displacement \[m\].
     buildings: Vec<Vec<[f64; 3]>>,
     has_wall: bool,
-    /// Building, floor and part of the floor above the ground or the next floor, of both points; gap and law.
-    pairs: Vec<(
-        [(prop::sample::Index, prop::sample::Index, f64); 2],
-        f64,
-        ContactLaw,
-    )>,
+    pairs: Vec<Meeting>,
     /// Delay from building to building \[s\].
     delay: f64,
     ground: Vec<f64>,
@@ -66,8 +66,8 @@ impl Case {
             let lower = storey.checked_sub(1).map(|_| upper - 1);
             Point::between(lower, upper, part).unwrap_or(Point::Floor(upper))
         };
-        let pair = |([left, right], gap, law): &([_; 2], f64, ContactLaw)| -> Pair {
-            let (a, floor, part): &(prop::sample::Index, prop::sample::Index, f64) = left;
+        let pair = |([left, right], gap, law): &Meeting| -> Pair {
+            let (a, floor, part) = left;
             let (b, other, others) = right;
             let a = a.index(n);
             let b = (a + 1 + b.index(n - 1)) % n;

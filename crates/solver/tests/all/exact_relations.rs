@@ -60,10 +60,10 @@ impl Recorder for Seen {
 fn watch(row: &Row<Elastic>, duration: f64) -> Seen {
     let mut seen = Seen::default();
     let still = [0.0, 0.0];
-    let excitation = Excitation::new(1.0, &still).unwrap();
+    let excitation = Excitation::new(1.0, &still).expect("it is finite");
     EXACT
         .watch(row, excitation, clock(0.001, duration), &mut seen)
-        .unwrap();
+        .expect("the run ends");
     seen
 }
 
@@ -174,7 +174,7 @@ fn reference_a_slab_presses_a_column() {
 
 /// The row with other pairs.
 fn with(row: &Row<Elastic>, pairs: Vec<Pair>) -> Row<Elastic> {
-    Row::new(row.nodes().to_vec(), pairs).unwrap()
+    Row::new(row.nodes().to_vec(), pairs).expect("the row is valid")
 }
 
 fn far(a: &Row<Elastic>, b: &Row<Elastic>, nodes: impl Iterator<Item = (usize, usize)>) -> f64 {
