@@ -46,6 +46,7 @@ mod implicit;
 mod integrator;
 mod march;
 mod model;
+mod pushes;
 mod quadrature;
 mod record;
 mod roots;

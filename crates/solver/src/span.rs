@@ -6,7 +6,6 @@ use crate::quadrature::{self, EIGHT, SIXTEEN};
 pub use flight::Expansion;
 pub use flight::Flight;
 pub use push::Push;
-pub(crate) use push::Pushes;
 pub use series::Series;
 pub use series::value;
 pub(crate) use series::{Power, rise};

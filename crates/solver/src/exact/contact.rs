@@ -5,6 +5,7 @@ use pounding_contact::{Action, ContactLaw, Form, Power as Exponent, Term};
 use crate::exact::clock::Past;
 use crate::exact::member::Member;
 use crate::exact::rounding::noise;
+use crate::model::incidence::Incidence;
 use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Pair, Point, Relation};
@@ -112,6 +113,14 @@ pub(super) struct Deformation {
     pub(super) origin: Past,
     pub(super) offset: f64,
     pub(super) power: Power,
+}
+
+/// The parts that bodies are made of.
+#[derive(Clone, Copy)]
+pub(super) struct System<'a> {
+    pub(super) members: &'a [Member],
+    pub(super) contacts: &'a [Contact],
+    pub(super) incidence: &'a Incidence,
 }
 
 impl Contact {

@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Contact, Link};
-use crate::exact::member::Member;
+use crate::exact::contact::{Contact, Link, System};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
 
@@ -31,14 +30,6 @@ pub(super) struct Groups {
     /// The next node of a body, by node; its own place at the end.
     next: Vec<usize>,
     is_chain: bool,
-}
-
-/// The parts that bodies are made of.
-#[derive(Clone, Copy)]
-pub(super) struct System<'a> {
-    pub(super) members: &'a [Member],
-    pub(super) contacts: &'a [Contact],
-    pub(super) incidence: &'a Incidence,
 }
 
 /// Nodes that rest against each other and share their acceleration, or one alone.

@@ -6,8 +6,8 @@
 //! which it never is stay together without a force.
 
 use crate::exact::Run;
+use crate::exact::contact::System;
 use crate::exact::contact::{Gap, Link};
-use crate::exact::groups::System;
 use crate::exact::hits::Hit;
 use crate::exact::impacts::Solver;
 use crate::exact::rest::OF_ACCELERATION;

@@ -1,7 +1,7 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
+use crate::exact::contact::System;
 use crate::exact::contact::{Contact, Gap, Link};
-use crate::exact::groups::System;
 use crate::exact::hits::Hit;
 use crate::exact::impacts::{Chain, Look, SimultaneousImpacts, Solver};
 use crate::exact::member::Member;

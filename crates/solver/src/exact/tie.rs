@@ -3,7 +3,7 @@
 //! With G the rows of their relations and W = G M⁻¹ Gᵀ the forces F keep the accelerations of their points equal: W F = c, c the
 //! accelerations towards each other without them. Chains have no need of this: they move as blocks.
 
-use crate::exact::groups::System;
+use crate::exact::contact::System;
 use crate::impact::dense::basis::{Basis, add, dot};
 
 /// Pairs of a body that rest against each other and carry a force.

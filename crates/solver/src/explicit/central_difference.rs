@@ -32,7 +32,8 @@ use crate::impact::impacts::Impacts;
 use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.

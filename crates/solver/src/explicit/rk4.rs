@@ -11,7 +11,8 @@ use crate::impact::impacts::Impacts;
 use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.

@@ -25,7 +25,8 @@ use crate::impact::impacts::{Impacts, impulsive};
 use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{
     Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };

@@ -9,7 +9,8 @@ use crate::implicit::trial::{PairTrial, TOLERANCE, Trial};
 use crate::march::Step;
 use crate::model::approach::speed;
 use crate::model::ground::Ground;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Scratch of an implicit run: everything a step needs, allocated once.

@@ -1,12 +1,10 @@
-use crate::model::approach::Approaches;
 use crate::model::buildings::Buildings;
 use crate::model::ground::{Ground, Shaking};
 use crate::model::incidence::Incidence;
-use crate::span::Pushes;
 use crate::{
     Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, Share, State, Travel,
 };
-use pounding_contact::{ContactForce, Overlap, reduced_mass};
+use pounding_contact::reduced_mass;
 
 /// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
 ///
@@ -202,43 +200,6 @@ impl<Column: RestoringForce> Row<Column> {
     pub(crate) fn n_overlaps(&self, states: &[State], ground: Ground<'_>) -> u64 {
         let overlaps = |pair: &&Pair| ground.deformation_of(pair, states) > 0.0;
         self.pairs.iter().filter(overlaps).count() as u64
-    }
-
-    /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
-    pub(crate) fn push(
-        &self,
-        states: &mut [State],
-        pushes: &mut Pushes,
-        approaches: &mut Approaches,
-        ground: Ground<'_>,
-    ) {
-        pushes.forget_ends();
-        for state in states.iter_mut() {
-            (state.force_from_left, state.force_from_right) = (0.0, 0.0);
-        }
-        for (index, pair) in self.pairs.iter().enumerate() {
-            let deformation = ground.deformation_of(pair, states);
-            // Impulsive contact acts between steps.
-            if deformation > 0.0 && pair.law.is_compliant() {
-                let rate = ground.rate_of(pair, states);
-                let overlap = Overlap {
-                    deformation,
-                    rate,
-                    reduced_mass: self.reduced_mass(pair),
-                    approach_speed: approaches.of(index, rate),
-                };
-                if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
-                    pushes.act(self, (index, force), |floor, on_left, force| {
-                        let state = &mut states[floor];
-                        if on_left {
-                            state.force_from_right -= force;
-                        } else {
-                            state.force_from_left += force;
-                        }
-                    });
-                }
-            }
-        }
     }
 
     /// Reduced mass of a pair \[kg\].

@@ -5,7 +5,7 @@ use pounding_contact::Overlap;
 use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::ground::Ground;
-use crate::span::Pushes;
+use crate::pushes::Pushes;
 use crate::{Recorder, RestoringForce, Row, RunError, Work};
 
 impl<Column: RestoringForce> Run<'_, Column> {

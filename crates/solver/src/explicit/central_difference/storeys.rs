@@ -6,7 +6,8 @@
 use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, Instant, Run};
 use crate::model::dashpots::Dashpots;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// What only rows in which floors stand on floors need; all of it building by building.

@@ -7,7 +7,8 @@ use super::{Body, Scratch};
 use crate::march::Step;
 use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
-use crate::span::{Load, Pushes};
+use crate::pushes::Pushes;
+use crate::span::Load;
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// What only rows in which floors stand on floors need.

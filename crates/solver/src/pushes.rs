@@ -1,0 +1,202 @@
+//! What pairs do to floors in the steps of a method.
+
+use std::ops::Range;
+
+use pounding_contact::{ContactForce, Overlap};
+
+use crate::model::approach::Approaches;
+use crate::model::ground::Ground;
+use crate::model::incidence::{Incidence, Incident};
+use crate::{Push, RestoringForce, Row, State};
+
+impl From<&Incident> for Push<'_> {
+    /// One that does nothing.
+    fn from(at: &Incident) -> Self {
+        Self {
+            pair: at.pair,
+            on_left: at.on_left,
+            part: at.part,
+            ..Self::default()
+        }
+    }
+}
+
+/// The pushes of a stepping method, slot by slot, over the spans under way.
+#[derive(Debug, Clone)]
+pub(crate) struct Pushes {
+    all: Vec<Push<'static>>,
+    /// Forces at the start of the spans before \[N\].
+    earlier: Vec<f64>,
+}
+
+impl Pushes {
+    /// Of a row before t = 0: nobody pushes.
+    pub(crate) fn new(incidence: &Incidence) -> Self {
+        Self {
+            all: incidence.incidents().iter().map(Push::from).collect(),
+            earlier: vec![0.0; incidence.incidents().len()],
+        }
+    }
+
+    /// Of the slots of a floor.
+    #[inline]
+    pub(crate) fn of(&self, slots: Range<usize>) -> &[Push<'static>] {
+        &self.all[slots]
+    }
+
+    #[inline]
+    pub(crate) fn at(&mut self, slot: usize) -> &mut Push<'static> {
+        &mut self.all[slot]
+    }
+
+    /// Forgets the forces at the end of all spans under way.
+    #[inline]
+    pub(crate) fn forget_ends(&mut self) {
+        for push in &mut self.all {
+            push.forces[1] = 0.0;
+        }
+    }
+
+    /// Gives the force of a pair to its slots, at the end of the spans under way; `give` gets every floor, whether it carries the left
+    /// point, and its part.
+    #[inline]
+    pub(crate) fn act<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        (pair, force): (usize, f64),
+        mut give: impl FnMut(usize, bool, f64),
+    ) {
+        for slot in row.incidence().slots_of(pair) {
+            self.all[*slot].forces[1] = force;
+        }
+        let [left, right] = row.pairs()[pair].relation.points();
+        left.spread(force, |floor, force| give(floor, true, force));
+        right.spread(force, |floor, force| give(floor, false, force));
+    }
+
+    /// Lets all spans begin, with no impulse so far.
+    #[inline]
+    pub(crate) fn begin(&mut self) {
+        for push in &mut self.all {
+            push.forces[0] = push.forces[1];
+            push.impulse = 0.0;
+        }
+    }
+
+    /// Adds the forces at the end of the spans so far to their impulses, with this weight.
+    #[inline]
+    pub(crate) fn add(&mut self, weight: f64) {
+        for push in &mut self.all {
+            push.impulse += weight * push.forces[1];
+        }
+    }
+
+    /// Multiplies the sums of weighted forces by what they are to be multiplied by \[s\].
+    #[inline]
+    pub(crate) fn scale(&mut self, by: f64) {
+        for push in &mut self.all {
+            push.impulse *= by;
+        }
+    }
+
+    /// Ends the spans of a floor by the trapezoidal rule: `half` a step \[s\] each force, less the impulse that is too much.
+    #[inline]
+    pub(crate) fn end(&mut self, slots: Range<usize>, half: f64) {
+        for push in &mut self.all[slots] {
+            push.impulse = half * (push.forces[0] + push.forces[1]) - push.impulse;
+        }
+    }
+
+    /// Ends the spans of a floor: `scale` \[s\] times the weighted sum of the forces at their ends, the last N of those at the start of the
+    /// spans before, at the start and at the end.
+    #[inline]
+    pub(crate) fn weigh<const N: usize>(
+        &mut self,
+        slots: Range<usize>,
+        (scale, weights): (f64, [f64; N]),
+    ) {
+        let ends = self.all[slots.clone()].iter_mut();
+        for (push, earlier) in ends.zip(&mut self.earlier[slots]) {
+            let known = [*earlier, push.forces[0], push.forces[1]];
+            let terms = weights.iter().zip(&known[3 - N..]);
+            let terms = terms.map(|(weight, force)| weight * force);
+            push.impulse = scale * terms.reduce(|sum, term| sum + term).unwrap_or(0.0);
+            *earlier = push.forces[0];
+        }
+    }
+
+    /// Whether a pair pushed at the start of the spans under way.
+    #[inline]
+    pub(crate) fn pushed(&self, incidence: &Incidence, pair: usize) -> bool {
+        let first = incidence.slots_of(pair).first();
+        first.is_some_and(|slot| self.all[*slot].forces[0] > 0.0)
+    }
+
+    /// The force of a pair at the end of the spans under way \[N\]; it acts for half a step \[s\].
+    #[inline]
+    pub(crate) fn ends(&mut self, incidence: &Incidence, pair: usize, half: f64) -> f64 {
+        let mut force = 0.0;
+        for slot in incidence.slots_of(pair) {
+            let push = &mut self.all[*slot];
+            force = push.forces[1];
+            push.impulse = half * force;
+        }
+        force
+    }
+
+    /// Adds the impulses of the forces at the start of the spans of a floor, which act for half a step \[s\].
+    #[inline]
+    pub(crate) fn start(&mut self, slots: Range<usize>, half: f64) {
+        for push in &mut self.all[slots] {
+            push.impulse += half * push.forces[0];
+        }
+    }
+
+    /// Lets the next spans of a floor begin; their ends are open.
+    #[inline]
+    pub(crate) fn go_on(&mut self, slots: Range<usize>) {
+        for push in &mut self.all[slots] {
+            push.forces = [push.forces[1], 0.0];
+            push.impulse = 0.0;
+        }
+    }
+}
+
+impl<Column: RestoringForce> Row<Column> {
+    /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
+    pub(crate) fn push(
+        &self,
+        states: &mut [State],
+        pushes: &mut Pushes,
+        approaches: &mut Approaches,
+        ground: Ground<'_>,
+    ) {
+        pushes.forget_ends();
+        for state in states.iter_mut() {
+            (state.force_from_left, state.force_from_right) = (0.0, 0.0);
+        }
+        for (index, pair) in self.pairs().iter().enumerate() {
+            let deformation = ground.deformation_of(pair, states);
+            // Impulsive contact acts between steps.
+            if deformation > 0.0 && pair.law.is_compliant() {
+                let rate = ground.rate_of(pair, states);
+                let overlap = Overlap {
+                    deformation,
+                    rate,
+                    reduced_mass: self.reduced_mass(pair),
+                    approach_speed: approaches.of(index, rate),
+                };
+                if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
+                    pushes.act(self, (index, force), |floor, on_left, force| {
+                        let state = &mut states[floor];
+                        if on_left {
+                            state.force_from_right -= force;
+                        } else {
+                            state.force_from_left += force;
+                        }
+                    });
+                }
+            }
+        }
+    }
+}
