@@ -30,7 +30,7 @@ pub(super) struct Groups {
     links: Vec<Kind>,
     /// The next node of a body, by node; its own place at the end.
     next: Vec<usize>,
-    is_chain: bool,
+    pub(super) is_chain: bool,
 }
 
 /// The parts that bodies are made of.
