@@ -102,7 +102,6 @@ pub use model::levels::{Levels, Storey};
 pub use model::mixed::Mixed;
 pub use model::modes::{Mode, modes};
 pub use model::node::Node;
-pub use model::oscillation::Oscillation;
 pub use model::relation::{Pair, Point, Relation, Share};
 pub use model::row::Row;
 pub use model::support::{Floor, Support};
@@ -114,4 +113,5 @@ pub use record::{
     TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
+pub use stability::Oscillation;
 pub use work::Work;

@@ -35,8 +35,10 @@ pub(crate) struct Step<'a> {
 /// Integrates a row by a method that begins with the ground at t = 0; `substeps` is how many its steps may take.
 pub(crate) fn march<Column, Method, R>(
     row: &Row<Column>,
-    (excitation, Course { clock, budget }): (Excitation<'_>, Course),
-    (substeps, begin): (usize, impl FnOnce(Ground<'_>) -> Method),
+    excitation: Excitation<'_>,
+    Course { clock, budget }: Course,
+    substeps: usize,
+    begin: impl FnOnce(Ground<'_>) -> Method,
     recorder: &mut R,
 ) -> Result<Work, RunError>
 where
@@ -138,7 +140,8 @@ impl<'a> Step<'a> {
     pub(crate) fn collide<Column: RestoringForce, R: Recorder>(
         &self,
         row: &Row<Column>,
-        (states, impacts): (&mut [State], &mut Impacts),
+        states: &mut [State],
+        impacts: &mut Impacts,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<bool, RunError> {

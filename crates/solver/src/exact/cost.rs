@@ -12,19 +12,16 @@ impl<R: Recorder> Run<'_, R> {
     /// Refuses a run that will need more than so many pieces: each reaches no further than the next sample and the series of
     /// the fastest floor of its building.
     pub(super) fn check_cost(&self, allowed: f64) -> Result<(), RunError> {
-        let n = self.members.len();
         let samples = (self.excitation.samples().len() - 1) as f64;
         let samples = samples.min(self.end / self.excitation.time_step());
-        let moving = || (0..n).filter(|node| !self.members[*node].is_wall());
-        let (mut fastest, mut floors) = (vec![0.0_f64; n], vec![0.0; n]);
-        for node in moving() {
-            let building = self.buildings[node];
-            floors[building] += 1.0;
-            fastest[building] = fastest[building].max(self.members[node].fastest_rate);
-        }
         let mut sum = 0.0;
-        for structure in moving().filter(|node| self.buildings[*node] == *node) {
-            let pieces = floors[structure] * (fastest[structure] * self.end).max(samples);
+        for floors in self.buildings.each() {
+            let structure = floors[0];
+            if self.members[structure].is_wall() {
+                continue;
+            }
+            let rates = floors.iter().map(|floor| self.members[*floor].fastest_rate);
+            let pieces = floors.len() as f64 * (rates.fold(0.0, f64::max) * self.end).max(samples);
             if pieces > allowed {
                 return Err(RunError::TooStiff {
                     structure,

@@ -29,7 +29,7 @@ pub(super) struct Groups {
     links: Vec<Kind>,
     /// The next node of a body, by node; its own place at the end.
     next: Vec<usize>,
-    is_chain: bool,
+    pub(super) is_chain: bool,
 }
 
 /// Nodes that rest against each other and share their acceleration, or one alone.

@@ -2,6 +2,7 @@
 
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
+use crate::exact::tie;
 use crate::exact::{BURST, CHATTER, Run};
 use crate::{Recorder, RunError};
 
@@ -44,6 +45,17 @@ impl Hit {
         None
     }
 
+    /// Coefficient of restitution of the pair at a place.
+    pub(super) fn restitution(&self, place: usize, contacts: &[Contact]) -> f64 {
+        let law = contacts[self.pairs[place]].restitution().unwrap_or(0.0);
+        if self.plastic[place] { 0.0 } else { law }
+    }
+
+    /// Whether the pair at a place neither approaches nor separates, and passes on what it is hit by.
+    pub(super) fn passes_on(&self, place: usize) -> bool {
+        self.rates[place] >= 0.0 && !(self.rates[place] > 0.0 || self.parts[place])
+    }
+
     /// Velocity of one of its nodes before.
     pub(super) fn before(&self, node: usize) -> f64 {
         self.before[self.nodes.binary_search(&node).unwrap_or_default()]
@@ -66,7 +78,7 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
         self.guard.wait(time)?;
         if !self.is_chain() {
-            return Ok(vec![self.hit(self.hanging_together(pair, time), time)]);
+            return Ok(vec![self.hit(self.hanging_together(pair, time)?, time)]);
         }
         let hit = self.hit(self.chain_from(pair, time), time);
         let mut next = pair + hit.pairs.len();
@@ -84,16 +96,8 @@ impl<R: Recorder> Run<'_, R> {
                 next += 1;
             }
         }
-        let mut index = 0;
-        while let Some(hit) = hits.get(index) {
-            self.guard.wait(time)?;
-            let (joined, apart): (Vec<_>, Vec<_>) = others
-                .into_iter()
-                .partition(|other| self.share_a_building(hit, other));
-            hits.extend(joined);
-            others = apart;
-            index += 1;
-        }
+        let shares = |hit: &Hit, other: &Hit| self.share_a_building(hit, other);
+        hang(&mut hits, others, shares, || self.guard.wait(time))?;
         hits.sort_by_key(|hit| hit.pairs[0]);
         Ok(hits)
     }
@@ -112,34 +116,26 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// All touching pairs that hang together with one, by bodies and each other.
-    fn hanging_together(&self, first: usize, time: f64) -> Vec<usize> {
+    fn hanging_together(&self, first: usize, time: f64) -> Result<Vec<usize>, RunError> {
         let bodies = |pair: usize| {
             let floors = self.contacts[pair].floors();
             floors.map(|floor| self.groups.body_of[floor])
         };
-        let touching = first..self.contacts.len();
-        let mut others: Vec<_> = touching
-            .filter(|pair| *pair != first && !self.settled[*pair] && self.hits(*pair, time))
-            .collect();
-        let mut pairs = vec![first];
-        let mut index = 0;
-        while let Some(pair) = pairs.get(index) {
+        let hits = |pair: &usize| !self.settled[*pair] && self.hits(*pair, time);
+        let others = (first + 1..self.contacts.len()).filter(hits).collect();
+        let hangs = |pair: &usize, other: &usize| {
             let of = bodies(*pair);
-            let hangs = |other: &usize| bodies(*other).iter().any(|body| of.contains(body));
-            let (joined, apart): (Vec<_>, Vec<_>) = others.into_iter().partition(hangs);
-            pairs.extend(joined);
-            others = apart;
-            index += 1;
-        }
+            bodies(*other).iter().any(|body| of.contains(body))
+        };
+        let mut pairs = vec![first];
+        hang(&mut pairs, others, hangs, || self.guard.wait(time))?;
         pairs.sort_unstable();
-        pairs
+        Ok(pairs)
     }
 
     fn hit(&self, pairs: Vec<usize>, time: f64) -> Hit {
         let contacts = || pairs.iter().map(|pair| &self.contacts[*pair]);
-        let mut nodes: Vec<_> = contacts().flat_map(floors).collect();
-        nodes.sort_unstable();
-        nodes.dedup();
+        let nodes = tie::floors(&pairs, &self.contacts);
         let soon = |contact: &Contact| time - contact.hit < CHATTER;
         let rests = |contact: &Contact| contact.link == Link::Resting;
         // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
@@ -191,7 +187,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
-        let building = |node: &usize| self.buildings[*node];
+        let building = |node: &usize| self.buildings.of(*node);
         let shared = |node: &usize| {
             b.nodes
                 .iter()
@@ -204,6 +200,25 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
         self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
+}
+
+/// Takes from others what hangs together with what is found, directly or by others; `look` may end the search.
+fn hang<T>(
+    found: &mut Vec<T>,
+    mut others: Vec<T>,
+    hangs: impl Fn(&T, &T) -> bool,
+    look: impl Fn() -> Result<(), RunError>,
+) -> Result<(), RunError> {
+    let mut index = 0;
+    while let Some(one) = found.get(index) {
+        look()?;
+        let (joined, apart): (Vec<_>, Vec<_>) =
+            others.into_iter().partition(|other| hangs(one, other));
+        found.extend(joined);
+        others = apart;
+        index += 1;
+    }
+    Ok(())
 }
 
 /// The floors that carry both points of a pair.

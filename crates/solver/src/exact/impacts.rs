@@ -11,7 +11,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::RunError;
-use crate::impact::dense::Complementarity;
 
 /// What happens when several pairs of a row touch at the same instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -29,22 +28,6 @@ pub(super) type Look<'a> = &'a dyn Fn() -> Result<(), RunError>;
 
 /// Rounds after which the rest is plastic (e = 0).
 pub(super) const ROUNDS: usize = 50;
-
-/// What finds the impulses of a row.
-pub(super) enum Solver {
-    Chain(Box<Chain>),
-    Any(Box<Complementarity>),
-}
-
-impl Solver {
-    pub(super) fn new(is_chain: bool) -> Self {
-        if is_chain {
-            Self::Chain(Box::default())
-        } else {
-            Self::Any(Box::new(Complementarity::new(0, 0)))
-        }
-    }
-}
 
 /// A chain of neighbours, each pair of which touches.
 #[derive(Debug, Default)]

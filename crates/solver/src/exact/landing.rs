@@ -1,10 +1,10 @@
 //! The landing of a piece: what is reported of it, and the states at its end.
 
 use crate::exact::Run;
-use crate::exact::ahead::Ahead;
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Contact, Link};
+use crate::exact::flight::Ahead;
 use crate::exact::member::Member;
 use crate::exact::watch::Event;
 use crate::model::incidence::Incident;
@@ -138,27 +138,19 @@ impl<R: Recorder> Run<'_, R> {
         };
         let mut hysteretic = member.hysteretic_end(drift, len, x);
         for event in events {
-            match *event {
-                Event::Turn(turning) if turning == self.leader(node) => end.velocity = 0.0,
-                Event::Yield(yielding, branch) if yielding == node => {
-                    hysteretic = match branch {
-                        Branch::Left => -member.limit,
-                        Branch::Right | Branch::Elastic => member.limit,
-                    };
-                }
-                Event::Cross(crossing) if crossing == node => hysteretic = 0.0,
-                Event::Turn(_)
-                | Event::TurnOfDrift(_)
-                | Event::Yield(..)
-                | Event::Cross(_)
-                | Event::Balance(_)
-                | Event::Extremum(_)
-                | Event::Peak(_)
-                | Event::Fade(_)
-                | Event::Reversal(_)
-                | Event::Clamp(_)
-                | Event::Grip(_)
-                | Event::Part(_) => {}
+            if matches!(*event, Event::Turn(turning) if turning == self.leader(node)) {
+                end.velocity = 0.0;
+            }
+            if *event == Event::Cross(node) {
+                hysteretic = 0.0;
+            }
+            if let Event::Yield(yielding, branch) = *event
+                && yielding == node
+            {
+                hysteretic = match branch {
+                    Branch::Left => -member.limit,
+                    Branch::Right | Branch::Elastic => member.limit,
+                };
             }
         }
         end.restoring_force = member.with_hardening(drift, hysteretic);

@@ -1,9 +1,9 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
-use crate::exact::ahead::Ahead;
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, Columns, Line};
-use crate::exact::terms::Terms;
+use crate::exact::flight::Ahead;
+use crate::exact::rounding::Terms;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};

@@ -12,7 +12,6 @@
 //! Sources: the relations of several simultaneous impacts follow M. Frémond and F. Pfeiffer's complementarity form with
 //! Newton's restitution; Taylor series as an integrator: À. Jorba and M. Zou, *Experimental Mathematics* 14 (2005) 99.
 
-mod ahead;
 mod bend;
 mod body;
 mod clock;
@@ -31,16 +30,16 @@ mod noise;
 mod rest;
 mod rest_any;
 mod rounding;
-mod rounds;
 mod series;
 mod settle;
 mod storey;
-mod terms;
 mod tie;
 mod watch;
 
 use crate::budget::Guard;
 use crate::error::require;
+use crate::impact::any_rounds::AnyRounds;
+use crate::model::buildings::Buildings;
 use crate::model::excitation::Segment;
 use crate::model::ground::Ground;
 use crate::model::incidence::Incidence;
@@ -57,8 +56,8 @@ use contact::{Contact, Grounds};
 use flight::Flights;
 pub use flight::LONGEST as LONGEST_LEAP;
 use groups::Groups;
+use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
-use impacts::Solver;
 use member::Member;
 pub use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
 
@@ -129,15 +128,17 @@ struct Run<'a, R> {
     bodies: Vec<Body>,
     /// Who belongs to which body.
     groups: Groups,
-    /// Node on the ground of the building of this node.
-    buildings: Vec<usize>,
+    buildings: &'a Buildings,
     /// Pairs of which this instant's impacts have been dealt with.
     settled: Vec<bool>,
     /// From sample to sample in one go.
     flights: Flights,
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
-    impacts: Solver,
+    /// Impulses of a chain.
+    chain: Chain,
+    /// Impulses of other rows, and which of their pairs rest.
+    rounds: AnyRounds,
     guard: Guard,
     /// Pieces that were tried to tell who rests.
     tried: u64,
@@ -190,7 +191,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
         clock: LocalClock::new(excitation.sampling()),
         end: clock.time(clock.n_steps),
-        buildings: buildings(&members),
+        buildings: row.buildings(),
         settled: vec![false; contacts.len()],
         walls: members.iter().filter(|member| member.is_wall()).count(),
         members,
@@ -199,7 +200,8 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         bodies: vec![Body::at_start(); n],
         groups,
         landed: vec![true; n],
-        impacts: Solver::new(row.is_chain()),
+        chain: Chain::default(),
+        rounds: AnyRounds::new(0, 0),
         guard,
         tried: 0,
         work: Work::default(),
@@ -210,17 +212,6 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         Ok(()) => Ok(run.work),
         Err(error) => Err(error.later(run.clock.zero())),
     }
-}
-
-/// Node on the ground of every node's building.
-fn buildings(members: &[Member]) -> Vec<usize> {
-    let mut buildings: Vec<_> = (0..members.len()).collect();
-    for (node, member) in members.iter().enumerate() {
-        if let Some(storey) = &member.storey {
-            buildings[node] = buildings[storey.below];
-        }
-    }
-    buildings
 }
 
 impl<R: Recorder> Run<'_, R> {
@@ -313,7 +304,7 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Whether the pairs are a chain of neighbours: those that rest move as blocks then, and impacts pass along it.
     fn is_chain(&self) -> bool {
-        matches!(self.impacts, Solver::Chain(_))
+        self.groups.is_chain
     }
 
     /// Pieces that count towards the budget.

@@ -9,16 +9,12 @@ use crate::exact::Run;
 use crate::exact::contact::System;
 use crate::exact::contact::{Gap, Link};
 use crate::exact::hits::Hit;
-use crate::exact::impacts::Solver;
 use crate::exact::rest::OF_ACCELERATION;
 use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::tie;
 use crate::impact::dense::ClosedIn;
-use crate::impact::dense::basis::{Basis, add, dot};
+use crate::impact::dense::basis::Basis;
 use crate::{Recorder, RunError};
-
-/// A column that others leave no more than this part of depends on them.
-const DEPENDENT: f64 = 1e-12;
 
 /// What a coefficient decides.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -103,25 +99,19 @@ impl<R: Recorder> Run<'_, R> {
             contacts: &self.contacts,
             incidence: self.incidence,
         };
-        let Solver::Any(problem) = &mut self.impacts else {
-            return Ok(vec![Decision::Open; open.len()]);
-        };
+        let problem = &mut self.rounds.problem;
         let all: Vec<_> = open.iter().chain(pressing).copied().collect();
-        let floors = tie::floors(&all, system);
+        let floors = tie::floors(&all, system.contacts);
         let mut held = Basis::new(pressing.len(), floors.len());
-        held.begin(floors.len(), 0);
         for pair in pressing {
-            if held.express(&tie::column(*pair, &floors, system)) {
-                held.keep();
-            }
+            held.take(&tie::column(*pair, &floors, system));
         }
         let opens = all.iter().any(|pair| system.contacts[*pair].opens());
         let mut decisions = vec![Decision::Open; open.len()];
         let mut asked = Vec::with_capacity(open.len());
         problem.begin(floors.len(), 0);
         for (index, (pair, (value, noise))) in open.iter().zip(&closing).enumerate() {
-            let mut column = tie::column(*pair, &floors, system);
-            if held.leaves(&mut column) <= DEPENDENT {
+            if !held.express(&tie::column(*pair, &floors, system)) {
                 // Those that press hold it, unless its ground moves.
                 if system.contacts[*pair].opens() && *value > 0.0 {
                     return Err(*pair);
@@ -134,7 +124,7 @@ impl<R: Recorder> Run<'_, R> {
             // A force that has just faded is none yet.
             let fades = system.contacts[*pair].faded && order == OF_ACCELERATION;
             let demand = if fades { f64::NEG_INFINITY } else { *value };
-            problem.push(column.into_iter().enumerate());
+            problem.push(held.rest().iter().copied().enumerate());
             problem.ask(asked.len(), demand, noise / OF_COEFFICIENTS);
             asked.push(index);
         }
@@ -167,17 +157,10 @@ impl<R: Recorder> Run<'_, R> {
             incidence: self.incidence,
         };
         let all: Vec<_> = pressing.iter().chain(open).copied().collect();
-        let floors = tie::floors(&all, system);
+        let floors = tie::floors(&all, system.contacts);
         let mut held = Basis::new(all.len(), floors.len());
-        held.begin(floors.len(), 0);
-        let mut idle = Vec::with_capacity(all.len());
-        for pair in &all {
-            let moves = held.express(&tie::column(*pair, &floors, system));
-            if moves {
-                held.keep();
-            }
-            idle.push(!moves);
-        }
+        let depends = |pair: &usize| !held.take(&tie::column(*pair, &floors, system));
+        let idle: Vec<_> = all.iter().map(depends).collect();
         let idle = &idle[pressing.len()..];
         for (pair, idle) in open.iter().zip(idle) {
             let contact = &mut self.contacts[*pair];
@@ -220,19 +203,5 @@ impl<R: Recorder> Run<'_, R> {
                 self.contacts[*pair].kick(impulse, &mut self.members);
             }
         }
-    }
-}
-
-impl Basis {
-    /// Takes from a column what those kept have of it; returns which part of it is left.
-    fn leaves(&self, column: &mut [f64]) -> f64 {
-        let whole = dot(column, column, 0).sqrt();
-        for _ in 0..2 {
-            for vector in self.vectors() {
-                let part = dot(vector, column, 0);
-                add(column, -part, vector);
-            }
-        }
-        dot(column, column, 0).sqrt() / whole
     }
 }

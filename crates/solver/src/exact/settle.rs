@@ -1,16 +1,15 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
-use crate::exact::contact::System;
-use crate::exact::contact::{Contact, Gap, Link};
+use crate::exact::contact::{Gap, Link, System};
 use crate::exact::hits::Hit;
-use crate::exact::impacts::{Chain, Look, SimultaneousImpacts, Solver};
+use crate::exact::impacts::{Chain, Look, SimultaneousImpacts};
 use crate::exact::member::Member;
-use crate::exact::rounds::Rounds;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::tie;
 use crate::exact::{CHATTER, Run, bounces_are_over};
+use crate::impact::any_rounds::Closed;
 use crate::impact::dense::ClosedIn;
-use crate::{Impact, Recorder, RunError, Struck, Velocities};
+use crate::{Impact, Recorder, RunError};
 
 /// Impacts of a pair without coming to rest after which a run gives up: with e = 1 neighbours that press bounce for ever.
 ///
@@ -135,64 +134,62 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Velocities and rates after impacts that hang together.
     fn give_impulses(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
-        let contacts = || hit.pairs.iter().map(|pair| &self.contacts[*pair]);
-        let restitution = |(contact, plastic): (&Contact, &bool)| {
-            let law = contact.restitution().unwrap_or(0.0);
-            if *plastic { 0.0 } else { law }
-        };
-        let restitutions = contacts().zip(&hit.plastic).map(restitution);
-        let passes_on = hit.rates.iter().zip(&hit.parts);
-        let passes_on = passes_on.map(|(rate, parts)| *rate >= 0.0 && !(*rate > 0.0 || *parts));
-        let guard = &self.guard;
-        let look = || guard.wait(time);
-        let rule = self.settings.simultaneous_impacts;
-        if let Solver::Chain(chain) = &mut self.impacts {
-            chain.clear();
-            chain.rates.extend_from_slice(&hit.rates);
-            chain.restitutions.extend(restitutions);
-            chain.passes_on.extend(passes_on);
-            give_along(chain, hit, &mut self.members, (rule, &look))?;
-            for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
-                self.contacts[*pair].rate = *rate;
-            }
-            return Ok(());
+        if !self.groups.is_chain {
+            return self.give_any(hit, time);
         }
-        // What of a body is slower than that by far does not move.
-        let fastest = |contact: &Contact| {
-            let bodies = contact.floors().map(|floor| self.groups.body_of[floor]);
-            let nodes = bodies
-                .into_iter()
-                .flat_map(|body| self.groups.of(body).nodes());
-            let speeds = nodes.map(|node| self.members[*node].state.velocity.abs());
-            speeds.fold(0.0, f64::max)
-        };
-        let rounds = Rounds {
-            rates: hit.rates.clone(),
-            restitutions: restitutions.collect(),
-            passes_on: passes_on.collect(),
-            scales: contacts().map(fastest).collect(),
-            opens: contacts().any(Contact::opens),
-            impulses: vec![0.0; hit.pairs.len()],
-        };
-        self.give_any(rounds, hit, time)
+        let (guard, chain, places) = (&self.guard, &mut self.chain, 0..hit.pairs.len());
+        let look = || guard.wait(time);
+        chain.clear();
+        chain.rates.extend_from_slice(&hit.rates);
+        let restitution = |place| hit.restitution(place, &self.contacts);
+        chain.restitutions.extend(places.clone().map(restitution));
+        chain
+            .passes_on
+            .extend(places.map(|place| hit.passes_on(place)));
+        let rule = self.settings.simultaneous_impacts;
+        give_along(chain, hit, &mut self.members, (rule, &look))?;
+        for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
+            self.contacts[*pair].rate = *rate;
+        }
+        Ok(())
     }
 
     /// The same where pairs are no chain.
-    fn give_any(&mut self, mut rounds: Rounds, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+    fn give_any(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+        let (members, contacts) = (&self.members, &self.contacts);
         let system = System {
-            members: &self.members,
-            contacts: &self.contacts,
+            members,
+            contacts,
             incidence: self.incidence,
         };
-        let Solver::Any(problem) = &mut self.impacts else {
-            return Ok(());
+        // What of a body is slower than that by far does not move.
+        let fastest = |pair: usize| {
+            let bodies = contacts[pair]
+                .floors()
+                .map(|floor| self.groups.body_of[floor]);
+            let nodes = bodies
+                .into_iter()
+                .flat_map(|body| self.groups.of(body).nodes());
+            let speeds = nodes.map(|node| members[*node].state.velocity.abs());
+            speeds.fold(0.0, f64::max)
         };
-        problem.begin(hit.nodes.len(), 0);
-        for pair in &hit.pairs {
-            problem.push(tie::elements(*pair, &hit.nodes, system));
+        let rounds = &mut self.rounds;
+        rounds.pairs.clear();
+        rounds.problem.begin(hit.nodes.len(), 0);
+        for (place, pair) in hit.pairs.iter().enumerate() {
+            rounds.pairs.push(Closed {
+                rate: hit.rates[place],
+                restitution: hit.restitution(place, contacts),
+                passes_on: hit.passes_on(place),
+                scale: fastest(*pair),
+                impulse: 0.0,
+            });
+            let column = tie::elements(*pair, &hit.nodes, system);
+            rounds.problem.push(column);
         }
-        let look = || self.guard.wait(time);
-        let collided = rounds.collide(problem, self.settings.simultaneous_impacts, &look)?;
+        let opens = hit.pairs.iter().any(|pair| contacts[*pair].opens());
+        let alone = self.settings.simultaneous_impacts == SimultaneousImpacts::Sequential;
+        let collided = rounds.collide(alone, opens, || self.guard.wait(time))?;
         if let Err(ClosedIn { contact }) = collided {
             return Err(self.closed_in(hit.pairs[contact], time));
         }
@@ -200,11 +197,11 @@ impl<R: Recorder> Run<'_, R> {
             self.members[*node].state.velocity = *before;
         }
         for (index, pair) in hit.pairs.iter().enumerate() {
-            let contact = &mut self.contacts[*pair];
-            contact.rate = rounds.rates[index];
-            contact.kick(rounds.impulses[index], &mut self.members);
+            let (contact, closed) = (&mut self.contacts[*pair], &self.rounds.pairs[index]);
+            contact.rate = closed.rate;
+            contact.kick(closed.impulse, &mut self.members);
+            hit.impulses[index] = closed.impulse;
         }
-        hit.impulses.copy_from_slice(&rounds.impulses);
         Ok(())
     }
 
@@ -258,36 +255,13 @@ impl<R: Recorder> Run<'_, R> {
             0
         };
         contact.hit = time;
-        let (relation, [left, right]) = (contact.relation, contact.floors());
-        let (before, after) = (
-            |floor: usize| hit.before(floor),
-            |floor: usize| self.members[floor].state.velocity,
-        );
-        let mut floors = [None; 4];
-        for (place, (floor, part)) in floors.iter_mut().zip(relation.pushes()) {
-            let velocities = [before(floor), after(floor)];
-            *place = Some(Struck {
-                floor,
-                part,
-                velocities,
-            });
-        }
+        let after = |floor: usize| self.members[floor].state.velocity;
         let impact = Impact {
             pair,
-            left,
-            right,
-            floors,
             time: self.clock.absolute(time),
             impulse,
-            before: Velocities {
-                left: relation.left.of(before),
-                right: relation.right.of(before),
-            },
-            after: Velocities {
-                left: relation.left.of(after),
-                right: relation.right.of(after),
-            },
             opening_rate,
+            ..Impact::of(&contact.relation, |floor| hit.before(floor), after)
         };
         self.recorder.impact(&impact);
     }

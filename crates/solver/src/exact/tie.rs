@@ -3,7 +3,7 @@
 //! With G the rows of their relations and W = G M⁻¹ Gᵀ the forces F keep the accelerations of their points equal: W F = c, c the
 //! accelerations towards each other without them. Chains have no need of this: they move as blocks.
 
-use crate::exact::contact::System;
+use crate::exact::contact::{Contact, System};
 use crate::impact::dense::basis::{Basis, add, dot};
 
 /// Pairs of a body that rest against each other and carry a force.
@@ -26,7 +26,7 @@ impl Tie {
             return None;
         }
         let n = pairs.len();
-        let floors = floors(&pairs, system);
+        let floors = floors(&pairs, system.contacts);
         let mut tie = Self {
             basis: Basis::new(n, floors.len()),
             places: Vec::with_capacity(n),
@@ -34,15 +34,9 @@ impl Tie {
             sizes: Vec::with_capacity(n * n),
             pairs,
         };
-        tie.basis.begin(floors.len(), 0);
-        tie.idle.begin(n, 0);
         let mut shares = Vec::with_capacity(n);
         for place in 0..n {
-            if tie
-                .basis
-                .express(&column(tie.pairs[place], &floors, system))
-            {
-                tie.basis.keep();
+            if tie.basis.take(&column(tie.pairs[place], &floors, system)) {
                 tie.places.push(place);
             } else {
                 tie.basis.coefficients(&mut shares);
@@ -90,7 +84,7 @@ impl Tie {
 }
 
 /// The floors that carry points of pairs, rising.
-pub(super) fn floors(pairs: &[usize], System { contacts, .. }: System<'_>) -> Vec<usize> {
+pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
     let pushes = pairs
         .iter()
         .flat_map(|pair| contacts[*pair].relation.pushes());

@@ -40,17 +40,10 @@ pub(super) enum Event {
 impl Event {
     /// Whether it is one of pounding forces alone: they fade, change their sign or have an extremum.
     pub(super) fn is_of_forces(&self) -> bool {
-        match self {
-            Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_) => true,
-            Self::Turn(_)
-            | Self::TurnOfDrift(_)
-            | Self::Yield(..)
-            | Self::Cross(_)
-            | Self::Reversal(_)
-            | Self::Clamp(_)
-            | Self::Grip(_)
-            | Self::Part(_) => false,
-        }
+        matches!(
+            self,
+            Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_)
+        )
     }
 }
 

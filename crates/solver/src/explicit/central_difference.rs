@@ -158,7 +158,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings.check()?;
     let begin = |ground: Ground<'_>| Run::new(settings, row, ground, course.clock.time_step);
     let substeps = settings.contact_substeps as usize;
-    march(row, (excitation, course), (substeps, begin), recorder)
+    march(row, excitation, course, substeps, begin, recorder)
 }
 
 impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {

@@ -88,7 +88,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     let begin = |ground: Ground<'_>| Scratch::new(row, ground);
-    march(row, (excitation, course), (1, begin), recorder)
+    march(row, excitation, course, 1, begin, recorder)
 }
 
 impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
@@ -104,7 +104,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     ) -> Result<(), RunError> {
         self.advance(row, step.parts(), step.clock.time_step);
         self.finish(row, step, recorder)?;
-        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder)?;
+        step.collide(row, &mut self.states, &mut self.impacts, work, recorder)?;
         work.force_evaluations += 4 * row.nodes().len() as u64;
         Ok(())
     }

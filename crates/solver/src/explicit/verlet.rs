@@ -19,11 +19,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use formulas::{Closing, Length};
-use storeys::Storeys;
 
-use crate::impact::impacts::{Impacts, impulsive};
+use crate::impact::impacts::Impacts;
 use crate::march::{Step, Stepping, march};
 use crate::model::approach::Approaches;
+use crate::model::dashpots::Dashpots;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
 use crate::span::Load;
@@ -78,7 +78,7 @@ struct Scratch<Memory> {
     closings: Vec<f64>,
     approaches: Approaches,
     /// Nothing where all structures have one storey.
-    storeys: Option<Storeys>,
+    dashpots: Option<Dashpots>,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -90,7 +90,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     let begin = |ground: Ground<'_>| begin(settings, row, ground);
-    march(row, (excitation, course), (1, begin), recorder)
+    march(row, excitation, course, 1, begin, recorder)
 }
 
 impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
@@ -117,7 +117,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
         let ground = step.ground(step.number);
         self.approaches
             .forget_parted(row.pairs(), &self.states, ground);
-        step.collide(row, (&mut self.states, &mut self.impacts), work, recorder)?;
+        step.collide(row, &mut self.states, &mut self.impacts, work, recorder)?;
         Ok(())
     }
 }
@@ -143,7 +143,7 @@ fn begin<Column: RestoringForce>(
         pushes: Pushes::new(row.incidence()),
         closings: vec![f64::INFINITY; row.pairs().len()],
         approaches: Approaches::new(row.pairs().len()),
-        storeys: Storeys::of(row),
+        dashpots: (!row.buildings().are_single()).then(|| Dashpots::new(row)),
     }
 }
 
@@ -160,7 +160,7 @@ impl<Memory: Copy> Scratch<Memory> {
         loop {
             for (pair, closing) in row.pairs().iter().zip(&mut self.closings) {
                 // Not a number marks a pair that was located already.
-                if impulsive(pair).is_none() {
+                if pair.law.impulsive().is_none() {
                     *closing = f64::INFINITY;
                 } else if !closing.is_nan() {
                     *closing = closes(pair, &self.states, &self.bodies, step);
@@ -222,21 +222,22 @@ impl<Memory: Copy> Scratch<Memory> {
             for ((index, pair), touching) in pairs.iter().enumerate().zip(marks) {
                 let (left, right) = (self.bodies[pair.left()].due, self.bodies[pair.right()].due);
                 let deformation = ground.deformation_of(pair, &self.ends);
-                let closed = if impulsive(pair).is_some() {
+                let closed = if pair.law.impulsive().is_some() {
                     deformation >= 0.0
                 } else {
                     deformation > 0.0 || self.pushes.pushed(row.incidence(), index)
                 };
                 if (left || right) && closed {
                     grown |= !(left && right);
-                    *touching = impulsive(pair).is_some();
+                    *touching = pair.law.impulsive().is_some();
                     for (floor, _) in pair.relation.pushes() {
                         self.bodies[floor].due = true;
                     }
                 }
             }
-            if self.storeys.is_some() {
-                grown |= storeys::gather(row.buildings(), &mut self.bodies);
+            if self.dashpots.is_some() {
+                let buildings = row.buildings();
+                grown |= buildings.share(&mut self.bodies, |body| &mut body.due);
             }
         }
     }
@@ -258,7 +259,7 @@ impl<Memory: Copy> Scratch<Memory> {
             ground,
         );
         self.share(row, instant);
-        if self.storeys.is_some() {
+        if self.dashpots.is_some() {
             return self.finish_storeys(row, step, instant, work, recorder);
         }
         for (structure, node) in row.nodes().iter().enumerate() {

@@ -10,12 +10,10 @@
 //! it with a minus sign), but would destroy it: a mass hit at once from both sides, e = 1, is not turned round, and its
 //! neighbours go on approaching.
 
-use pounding_contact::Stereomechanical;
-
-use crate::impact::any_rounds::AnyRounds;
+use crate::impact::any_rounds::{Closed, Jumps};
 use crate::impact::rounds::{Rounds, Touching};
 use crate::model::ground::Ground;
-use crate::{Impact, Pair, Recorder, RestoringForce, Row, RunError, State, Struck, Velocities};
+use crate::{Impact, Pair, Recorder, RestoringForce, Row, RunError, State};
 
 /// Scratch of the rule, allocated once per run.
 pub(crate) struct Impacts {
@@ -35,12 +33,7 @@ pub(crate) struct Impacts {
 /// What finds the impulses of a row.
 enum Solver {
     Chain(Box<Rounds<f64>>),
-    Any(Box<AnyRounds>),
-}
-
-/// The impulsive law of a pair, if it has one.
-pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
-    pair.law.impulsive()
+    Any(Box<Jumps>),
 }
 
 impl Impacts {
@@ -50,7 +43,7 @@ impl Impacts {
             let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
             Solver::Chain(Box::new(Rounds::new(mobilities.collect(), n_pairs)))
         } else {
-            Solver::Any(Box::new(AnyRounds::new(row.nodes(), n_pairs)))
+            Solver::Any(Box::new(Jumps::new(row)))
         };
         Self {
             touching: vec![false; n_pairs],
@@ -72,7 +65,8 @@ impl Impacts {
     ) -> Result<bool, RunError> {
         let mut touches = false;
         for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
-            *touching = instant.0.deformation_of(pair, states) >= 0.0 && impulsive(pair).is_some();
+            *touching =
+                instant.0.deformation_of(pair, states) >= 0.0 && pair.law.impulsive().is_some();
             touches |= *touching;
         }
         if touches {
@@ -116,16 +110,29 @@ impl Impacts {
             Solver::Any(rounds) => rounds.clear(),
         }
         for (index, pair) in pairs.iter().enumerate() {
-            if let Some(law) = impulsive(pair).filter(|_| self.touching[index]) {
-                let touching = Touching {
-                    scenes: true,
-                    factor: 1.0 + law.restitution,
-                    opening_rate: ground.opening(pair).velocity,
-                    speeds: ground.extent(pair).velocity,
-                };
+            if let Some(law) = pair.law.impulsive().filter(|_| self.touching[index]) {
+                let opening = ground.opening(pair).velocity;
+                let (restitution, speeds) = (law.restitution, ground.extent(pair).velocity);
                 match &mut self.rounds {
-                    Solver::Chain(rounds) => rounds.push((index, pair.left()), touching),
-                    Solver::Any(rounds) => rounds.push((index, pair.relation), touching),
+                    Solver::Chain(rounds) => rounds.push(
+                        (index, pair.left()),
+                        Touching {
+                            scenes: true,
+                            factor: 1.0 + restitution,
+                            opening_rate: opening,
+                            speeds,
+                        },
+                    ),
+                    Solver::Any(rounds) => rounds.push(
+                        (index, pair.relation),
+                        Closed {
+                            rate: opening,
+                            restitution,
+                            passes_on: true,
+                            scale: speeds,
+                            impulse: 0.0,
+                        },
+                    ),
                 }
             }
         }
@@ -194,7 +201,7 @@ impl Impacts {
         (ground, time): (Ground<'_>, f64),
         recorder: &mut R,
     ) {
-        self.report(row.pairs(), states, ground, time, recorder);
+        self.report(row.pairs(), states, (ground, time), recorder);
         for node in 0..states.len() {
             if self.feels_jump(row, node, states) {
                 states[node].acceleration = row.acceleration(node, states, ground.under(node));
@@ -218,39 +225,19 @@ impl Impacts {
         &self,
         pairs: &[Pair],
         states: &[State],
-        ground: Ground<'_>,
-        time: f64,
+        (ground, time): (Ground<'_>, f64),
         recorder: &mut R,
     ) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
                 let before = |floor: usize| self.before[floor];
                 let after = |floor: usize| states[floor].velocity;
-                let mut floors = [None; 4];
-                for (place, (floor, part)) in floors.iter_mut().zip(pair.relation.pushes()) {
-                    let velocities = [before(floor), after(floor)];
-                    *place = Some(Struck {
-                        floor,
-                        part,
-                        velocities,
-                    });
-                }
-                let points = pair.relation.points();
-                let [before, after] = [
-                    points.map(|point| point.of(before)),
-                    points.map(|point| point.of(after)),
-                ];
-                let velocities = |[left, right]: [f64; 2]| Velocities { left, right };
                 recorder.impact(&Impact {
                     pair: index,
-                    left: pair.left(),
-                    right: pair.right(),
-                    floors,
                     time,
                     impulse,
-                    before: velocities(before),
-                    after: velocities(after),
                     opening_rate: ground.opening(pair).velocity,
+                    ..Impact::of(&pair.relation, before, after)
                 });
             }
         }

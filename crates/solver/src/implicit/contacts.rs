@@ -1,6 +1,5 @@
 //! The impulses of a step of the Moreau–Jean method: which pairs take part, and which lack something of the law of impact.
 
-use crate::impact::impacts::impulsive;
 use crate::implicit::equation::Slopes;
 use crate::implicit::step::Scratch;
 use crate::implicit::trial::Trial;
@@ -60,7 +59,7 @@ impl Contacts {
         for (pair, closed) in row.pairs().iter().zip(&mut self.closed) {
             let rate = ground.rate_of(pair, &scratch.states);
             let ahead = ground.deformation_of(pair, &scratch.states) + 0.5 * dt * rate;
-            *closed = impulsive(pair).is_some() && rate >= 0.0 && ahead >= 0.0;
+            *closed = pair.law.impulsive().is_some() && rate >= 0.0 && ahead >= 0.0;
         }
     }
 
@@ -72,7 +71,7 @@ impl Contacts {
         start: Ground<'_>,
     ) {
         for (index, pair) in row.pairs().iter().enumerate() {
-            if let Some(law) = impulsive(pair).filter(|_| self.closed[index]) {
+            if let Some(law) = pair.law.impulsive().filter(|_| self.closed[index]) {
                 let left = self.rate(index, pair, &scratch.trials);
                 self.closed[index] = left >= 0.0;
                 self.bounce[index] =
@@ -90,9 +89,8 @@ impl Contacts {
     ) {
         self.net.fill(0.0);
         for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
-            let [left, right] = pair.relation.points();
-            left.spread(*impulse, |floor, impulse| self.net[floor] -= impulse);
-            right.spread(*impulse, |floor, impulse| self.net[floor] += impulse);
+            pair.relation
+                .spread(*impulse, |floor, impulse| self.net[floor] += impulse);
         }
         let dt = slopes.time_step;
         let bodies = scratch.states.iter().zip(&mut scratch.trials);

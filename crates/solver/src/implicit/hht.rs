@@ -45,5 +45,5 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         alpha,
         in_equilibrium: false,
     };
-    family.run(row, (excitation, course), recorder)
+    family.run(row, excitation, course, recorder)
 }

@@ -84,7 +84,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             scratch,
         }
     };
-    march(row, (excitation, course), (1, begin), recorder)
+    march(row, excitation, course, 1, begin, recorder)
 }
 
 /// A run: its state and everything it needs, allocated once.

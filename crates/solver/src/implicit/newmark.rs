@@ -90,7 +90,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         alpha: 0.0,
         in_equilibrium: true,
     };
-    family.run(row, (excitation, course), recorder)
+    family.run(row, excitation, course, recorder)
 }
 
 impl Family {
@@ -98,7 +98,8 @@ impl Family {
     pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         self,
         row: &Row<Column>,
-        (excitation, course): (Excitation<'_>, Course),
+        excitation: Excitation<'_>,
+        course: Course,
         recorder: &mut R,
     ) -> Result<Work, RunError> {
         let dt = course.clock.time_step;
@@ -114,7 +115,7 @@ impl Family {
             scratch: begin(row, ground),
             earlier: vec![None; row.nodes().len()],
         };
-        march(row, (excitation, course), (1, begin), recorder)
+        march(row, excitation, course, 1, begin, recorder)
     }
 
     /// Weights of the loads a step before, at the start and at the end of a step; m ü at the start is (1+α) times its own load
@@ -156,8 +157,10 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             let weights = family.weights(before.is_none());
             ((dt, weights), [before.unwrap_or(start), start, end])
         });
-        let ended = (&mut scratch.states[..], &mut scratch.impacts);
-        if step.collide(row, ended, work, recorder)? && !family.in_equilibrium {
+        let Scratch {
+            states, impacts, ..
+        } = scratch;
+        if step.collide(row, states, impacts, work, recorder)? && !family.in_equilibrium {
             self.change_accelerations(row);
         }
         Ok(())

@@ -80,6 +80,23 @@ impl Buildings {
         &self.floors[self.starts[building]..self.starts[building + 1]]
     }
 
+    /// Lets every floor have a mark that a floor of its building has; true when one had it not.
+    pub(crate) fn share<Body>(
+        &self,
+        bodies: &mut [Body],
+        mark: impl Fn(&mut Body) -> &mut bool,
+    ) -> bool {
+        let mut grown = false;
+        for floors in self.each() {
+            if floors.iter().any(|floor| *mark(&mut bodies[*floor])) {
+                for floor in floors {
+                    grown |= !std::mem::replace(mark(&mut bodies[*floor]), true);
+                }
+            }
+        }
+        grown
+    }
+
     /// The building of a node.
     pub fn of(&self, node: usize) -> usize {
         self.of[node]

@@ -15,7 +15,6 @@ pub(crate) mod levels;
 pub(crate) mod mixed;
 pub(crate) mod modes;
 pub(crate) mod node;
-pub(crate) mod oscillation;
 pub(crate) mod profile;
 pub(crate) mod relation;
 pub(crate) mod row;

@@ -46,10 +46,14 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Two floors of one level, or a floor and a wall, with a gap g \[m\], ≥ 0.
+    /// Two floors, or a floor and a wall, with a gap g \[m\], ≥ 0.
     pub fn of_floors(left: usize, right: usize, gap: f64, law: ContactLaw) -> Self {
         Self {
-            relation: Relation::of_floors(left, right, gap),
+            relation: Relation {
+                left: left.into(),
+                right: right.into(),
+                offset: gap,
+            },
             law,
         }
     }
@@ -103,11 +107,6 @@ impl Point {
             // A share of the ground alone is no point of a row.
             Self::Share(Share { base, other, .. }) => base.or(other).unwrap_or(usize::MAX),
         }
-    }
-
-    /// Whether it moves with a floor.
-    pub fn is_floor(self) -> bool {
-        matches!(self, Self::Floor(_))
     }
 
     /// What a point has of a quantity that floors have: displacement, velocity, acceleration.
@@ -166,15 +165,6 @@ impl Point {
 }
 
 impl Relation {
-    /// Two floors of one level, or a floor and a wall.
-    pub fn of_floors(left: usize, right: usize, offset: f64) -> Self {
-        Self {
-            left: left.into(),
-            right: right.into(),
-            offset,
-        }
-    }
-
     /// How far the left point is ahead of the right one, in a quantity of floors.
     #[inline]
     pub fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
@@ -196,7 +186,8 @@ impl Relation {
 
     /// Whether both move with floors.
     pub fn is_level(&self) -> bool {
-        self.left.is_floor() && self.right.is_floor()
+        let mut points = self.points().into_iter();
+        points.all(|point| matches!(point, Point::Floor(_)))
     }
 
     /// Its row of the matrix G: what a force of 1 N between both points does to the floors, the left ones pushed to the left.

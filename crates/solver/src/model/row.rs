@@ -6,7 +6,7 @@ use crate::{
 };
 use pounding_contact::reduced_mass;
 
-/// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
+/// The model: floors, level by level and in each from left to right, and the pairs of points on them that can touch.
 ///
 /// A row of structures of one storey is one level. Structures that cannot touch share no pair, and nothing of one then
 /// enters the arithmetic of the other.
@@ -31,8 +31,8 @@ impl<Column: RestoringForce> Row<Column> {
     ///
     /// # Errors
     /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
-    /// of its own, a pair that is not made of neighbours in order, a negative gap, a contact parameter out of range, or
-    /// neighbours that overlap at t = 0.
+    /// of its own, a pair whose points do not move with floors of two buildings of the row or of which both are walls, a point
+    /// between floors that no storey joins, a negative gap, a contact parameter out of range, or points that overlap at t = 0.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         let unchecked = Self {
             nodes,
@@ -176,7 +176,7 @@ impl<Column: RestoringForce> Row<Column> {
         &self.nodes
     }
 
-    /// The pairs that can touch, level by level from left to right.
+    /// The pairs that can touch, in the order in which they were given.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }

@@ -1,5 +1,5 @@
 use crate::sum::Sum;
-use crate::{Impact, Pair, Path, Point, Push, Recorder, Relation, Span, Touch, Travel};
+use crate::{Impact, Pair, Path, Point, Push, Recorder, Span, Touch, Travel};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it.
 ///
@@ -37,16 +37,11 @@ pub struct Collision {
 pub struct Collisions {
     /// For each node, when and where its last two spans ended, the last one first: of two neighbours either may be told first.
     seen: Vec<[(f64, f64); 2]>,
-    /// Gap of every pair.
-    relations: Vec<Relation>,
+    pairs: Vec<Pair>,
     /// How the ground motion travels; nothing where all are shaken at once.
     travel: Option<Travel>,
     /// For each pair, its collision that goes on, or the impact that rest may follow.
     open: Vec<Option<Open>>,
-    /// Whether impacts of a pair leave no rate: e = 0.
-    plastic: Vec<bool>,
-    /// Whether a pair has impacts.
-    impulsive: Vec<bool>,
     /// Whether the run is that of a stepping method.
     steps: bool,
     /// The last touch of every pair.
@@ -70,11 +65,9 @@ impl Collisions {
     pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
         Self {
             seen: vec![[(0.0, 0.0); 2]; n_structures],
-            relations: pairs.iter().map(|pair| pair.relation).collect(),
+            pairs: pairs.to_vec(),
             travel: None,
             open: vec![None; pairs.len()],
-            plastic: pairs.iter().map(is_plastic).collect(),
-            impulsive: pairs.iter().map(|pair| !pair.law.is_compliant()).collect(),
             steps: false,
             touches: vec![None; pairs.len()],
             is_touched: false,
@@ -97,7 +90,7 @@ impl Collisions {
     ///
     /// Where both have not been seen at that instant they are apart: what touches is followed at common instants.
     fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
-        let relation = &self.relations[pair];
+        let relation = &self.pairs[pair].relation;
         let start = span.start_time;
         let then = |floor: usize| {
             if floor == span.structure {
@@ -128,7 +121,7 @@ impl Collisions {
         let nothing = push.is_none();
         let begins = start == 0.0 && end > 0.0;
         let ends = |open: Open| {
-            if self.impulsive[pair] {
+            if !self.pairs[pair].law.is_compliant() {
                 // Rest follows an impact at once; a step knows at its end.
                 let end = self.found[open.index].end;
                 return nothing && !(self.steps && span.start_time <= end);
@@ -217,7 +210,7 @@ impl Recorder for Collisions {
         *seen = [(span.end_time, span.end.displacement), seen[0]];
         self.steps = matches!(span.path, Path::Cubic(_));
         for push in span.pushes {
-            if push.on_left && self.relations[push.pair].left.floor() == span.structure {
+            if push.on_left && self.pairs[push.pair].left() == span.structure {
                 self.push(span, push);
             }
         }
@@ -226,7 +219,7 @@ impl Recorder for Collisions {
     fn impact(&mut self, impact: &Impact) {
         let pair = impact.pair;
         // Of the steps of a rest each has an impact.
-        let rests = self.steps && self.plastic[pair];
+        let rests = self.steps && is_plastic(&self.pairs[pair]);
         if let Some(open) = self.open[pair].as_mut().filter(|_| rests) {
             let collision = &mut self.found[open.index];
             open.impulse.value += impact.impulse;

@@ -1,5 +1,5 @@
 use crate::span::{Load, Path, Weighed};
-use crate::{Span, State};
+use crate::{Relation, Span, State};
 
 /// Velocities of a pair \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,40 @@ pub struct Impact {
 }
 
 impl Impact {
+    /// Of two points, from the velocities of floors before and after; pair, instant, impulse and rate of the grounds are open.
+    pub(crate) fn of(
+        relation: &Relation,
+        before: impl Fn(usize) -> f64,
+        after: impl Fn(usize) -> f64,
+    ) -> Self {
+        let mut floors = [None; 4];
+        for (place, (floor, part)) in floors.iter_mut().zip(relation.pushes()) {
+            *place = Some(Struck {
+                floor,
+                part,
+                velocities: [before(floor), after(floor)],
+            });
+        }
+        let Relation { left, right, .. } = *relation;
+        Self {
+            pair: 0,
+            left: left.floor(),
+            right: right.floor(),
+            floors,
+            time: 0.0,
+            impulse: 0.0,
+            before: Velocities {
+                left: left.of(&before),
+                right: right.of(&before),
+            },
+            after: Velocities {
+                left: left.of(&after),
+                right: right.of(&after),
+            },
+            opening_rate: 0.0,
+        }
+    }
+
     /// The floors that it strikes.
     pub fn struck(&self) -> impl Iterator<Item = Struck> + Clone {
         self.floors.into_iter().flatten()

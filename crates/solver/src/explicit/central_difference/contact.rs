@@ -3,7 +3,6 @@
 use pounding_contact::Overlap;
 
 use super::{Body, Instant, Run};
-use crate::model::buildings::Buildings;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
 use crate::{Recorder, RestoringForce, Row, RunError, Work};
@@ -129,22 +128,13 @@ impl<Column: RestoringForce> Run<'_, Column> {
             }
         }
         if any && self.storeys.is_some() {
-            refine_buildings(self.row.buildings(), &mut self.bodies);
+            let buildings = self.row.buildings();
+            buildings.share(&mut self.bodies, |body| &mut body.fine);
         }
         for body in self.bodies.iter_mut().filter(|body| body.fine) {
             body.restart(self.steps[1]);
         }
         any
-    }
-}
-
-/// Lets all floors of a building sub-step with one of them.
-fn refine_buildings<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) {
-    for floors in buildings.each() {
-        let fine = floors.iter().any(|index| bodies[*index].fine);
-        for index in floors {
-            bodies[*index].fine = fine;
-        }
     }
 }
 

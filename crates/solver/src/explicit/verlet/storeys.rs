@@ -5,39 +5,9 @@
 
 use super::{Body, Scratch};
 use crate::march::Step;
-use crate::model::buildings::Buildings;
-use crate::model::dashpots::Dashpots;
 use crate::pushes::Pushes;
 use crate::span::Load;
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
-
-/// What only rows in which floors stand on floors need.
-pub(super) struct Storeys {
-    dashpots: Dashpots,
-}
-
-impl Storeys {
-    /// Nothing for a row of structures of one storey.
-    pub(super) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let dashpots = || Dashpots::new(row);
-        (!row.buildings().are_single()).then(|| Self {
-            dashpots: dashpots(),
-        })
-    }
-}
-
-/// Lets all floors of a building be due with one of them; true when one was not.
-pub(super) fn gather<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) -> bool {
-    let mut grown = false;
-    for floors in buildings.each() {
-        let due = floors.iter().any(|index| bodies[*index].due);
-        for index in floors {
-            grown |= bodies[*index].due != due;
-            bodies[*index].due = due;
-        }
-    }
-    grown
-}
 
 impl<Memory: Copy> Scratch<Memory> {
     /// What [`finish`](Scratch::finish) does, building by building; pounding forces and their impulses are known.
@@ -50,7 +20,7 @@ impl<Memory: Copy> Scratch<Memory> {
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        let Some(storeys) = &mut self.storeys else {
+        let Some(dashpots) = &mut self.dashpots else {
             return Ok(());
         };
         for range in row.buildings().ranges() {
@@ -77,8 +47,8 @@ impl<Memory: Copy> Scratch<Memory> {
             if let Some(structure) = building.diverged() {
                 return Err(step.diverged(structure));
             }
-            building.respond(&mut storeys.dashpots.values[range.clone()]);
-            let velocities = storeys.dashpots.solve(range, instant - since);
+            building.respond(&mut dashpots.values[range.clone()]);
+            let velocities = dashpots.solve(range, instant - since);
             building.go_on(velocities, instant, recorder);
             work.force_evaluations += floors.len() as u64;
         }

@@ -81,6 +81,20 @@ impl Basis {
         left > DEPENDENT * whole
     }
 
+    /// What those kept leave of the column expressed last.
+    pub(crate) fn rest(&self) -> &[f64] {
+        &self.elements[self.len * self.n_rows..]
+    }
+
+    /// Keeps a column unless it depends on those kept; true if it does not.
+    pub(crate) fn take(&mut self, column: &[f64]) -> bool {
+        let is_new = self.express(column);
+        if is_new {
+            self.keep();
+        }
+        is_new
+    }
+
     /// Keeps the column expressed last.
     pub(crate) fn keep(&mut self) {
         let length = self.factors[self.factors.len() - 1];
