@@ -33,7 +33,7 @@
 //! | [`files`] | files written whole and durably, read within bounds, locked | what they hold |
 //! | [`text`] | numbers as people read them, tables as CSV | units |
 //!
-//! Left out: finding out who can touch whom (neighbours are named), and units other than SI anywhere but in printed tables. The numbers of
+//! Left out: finding out who can touch whom (it is named), and units other than SI anywhere but in printed tables. The numbers of
 //! the paper and the check by a second route are crates of the workspace, `pounding-studies` and `pounding-reference`.
 //!
 //! Where to start:

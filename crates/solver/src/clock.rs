@@ -1,4 +1,4 @@
-/// The fixed grid of a stepping run: nodes at i·Δt, i = 0..=n.
+/// The fixed grid of a stepping run: nodes at i·Δt, i = 0..=n. Of the exact method only its end counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
     /// Time step Δt \[s\], > 0.

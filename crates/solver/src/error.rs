@@ -39,20 +39,30 @@ pub enum ModelError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// A pair that does not join a node with its right neighbour, in order.
+    /// A point of a pair that is none of the row.
+    #[error("pairs[{pair}].{side}: {fault}")]
+    Point {
+        /// Index of the pair.
+        pair: usize,
+        /// Which of its points: `left` or `right`.
+        side: &'static str,
+        /// What is wrong with it.
+        fault: PointFault,
+    },
+    /// A pair whose points cannot meet.
     #[error(
-        "pairs[{pair}]: joins nodes {left} and {right}; allowed are points of two buildings of {n_nodes} nodes, at least \
-         one of them not a wall"
+        "pairs[{pair}]: found points at nodes {left} and {right} of {found}; allowed are two buildings, the left one first, or a \
+         building and a wall"
     )]
     NotNeighbours {
         /// Index of the pair.
         pair: usize,
-        /// Node index on its left.
+        /// Node of its left point, of a point between floors the nearer one.
         left: usize,
-        /// Node index on its right.
+        /// Node of its right point.
         right: usize,
-        /// Number of nodes in the row.
-        n_nodes: usize,
+        /// What they are of, in words.
+        found: &'static str,
     },
     /// A floor that does not stand on an earlier one of its own building.
     #[error(
@@ -87,6 +97,46 @@ pub enum ModelError {
     /// Ground acceleration that has no samples.
     #[error("excitation: found no samples, allowed one or more")]
     NoSamples,
+}
+
+/// Why a point is none of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PointFault {
+    /// A node that the row does not have.
+    #[error("found node {found}, allowed are those below {n_nodes}")]
+    NoNode {
+        /// Its index.
+        found: usize,
+        /// Number of nodes in the row.
+        n_nodes: usize,
+    },
+    /// A share of the ground alone.
+    #[error(
+        "found no floor, allowed are a floor, and a point between a floor and what it stands on"
+    )]
+    NoFloor,
+    /// A share of two floors of which neither stands on the other.
+    #[error("found a point between nodes {} and {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
+    NoStorey {
+        /// The lower one; `None` is the ground.
+        lower: Option<usize>,
+        /// The upper one.
+        upper: usize,
+    },
+    /// A lean out of range.
+    #[error(
+        "found a lean of {}, allowed more than 0 and at most 0.5: take the nearer floor as base, or use Point::between",
+        plain(*found)
+    )]
+    Lean {
+        /// The value found.
+        found: f64,
+    },
+}
+
+fn name(floor: Option<usize>) -> String {
+    floor.map_or_else(|| "none (the ground)".to_owned(), |floor| floor.to_string())
 }
 
 /// A run that ended before its last step.

@@ -27,11 +27,12 @@
 //! load on a structure is p = −m·`a_g`. Units are SI. In a step only + − × ÷ √ are used, so that every machine gives
 //! the same bits.
 //!
-//! Left out: files, printing and the choice of a method (`pounding-scene`), units other than SI, contact search (neighbours are known).
+//! Left out: files, printing and the choice of a method (`pounding-scene`), units other than SI, contact search (who can touch whom is named).
 //!
 //! Where to start:
 //!
-//! - [`Node`], [`Pair`] and [`Row`]: the model. [`Levels`] numbers the floors of buildings of several storeys.
+//! - [`Node`], [`Pair`] and [`Row`]: the model. [`Levels`] numbers the floors of buildings of several storeys, and
+//!   [`Point::between`] is a point of columns between two of them.
 //! - [`Integrator`]: the methods. Read `explicit/verlet.rs` beside `explicit/rk4.rs`, then `exact/mod.rs`.
 //! - [`Recorder`]: [`Peaks`], [`Collisions`], [`Histories`] and [`Ledger`] are recorders; a tuple of recorders is a recorder.
 
@@ -82,7 +83,7 @@ pub mod formulas {
 pub use any_row::{AnyRow, OnRow};
 pub use budget::{Budget, Course};
 pub use clock::Clock;
-pub use error::{ModelError, RunError};
+pub use error::{ModelError, PointFault, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
 pub use explicit::central_difference::CentralDifference;
 pub use explicit::rk4::Rk4;

@@ -39,5 +39,5 @@ fn limit_every_example_prints_what_it_says() {
         assert_eq!(printed, said(&text), "{}", source.display());
         count += 1;
     }
-    assert_eq!(count, 3, "examples");
+    assert_eq!(count, 4, "examples");
 }

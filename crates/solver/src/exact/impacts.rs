@@ -3,8 +3,8 @@
 //! With r the rate of deformation before, P the impulse and r⁺ the rate after: 0 ≤ −(r⁺ + e r) ⟂ P ≥ 0 over the touching
 //! pairs that do not separate, P = 0 elsewhere, repeated while a touching pair approaches. Each round changes the
 //! kinetic energy by −½ Σ P (1 − e) r ≤ 0. A pair that has stopped in a round touches no longer in the next: where floors are caught
-//! between two neighbours that is the limit of their impacts one after the other. The matrix that links impulses and rates is an M-matrix: growing the set of
-//! pairs with an impulse finds the solution. Impulses and rates are sums of terms of one sign, so that nothing cancels
+//! between two neighbours that is the limit of their impacts one after the other. In a chain the matrix that links impulses and rates is an M-matrix: growing the set of
+//! pairs with an impulse finds the solution. `rounds.rs` has other rows. Impulses and rates are sums of terms of one sign, so that nothing cancels
 //! at extreme mass ratios.
 
 use schemars::JsonSchema;

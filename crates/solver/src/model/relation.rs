@@ -2,6 +2,8 @@
 
 use pounding_contact::ContactLaw;
 
+use crate::{Node, PointFault};
+
 /// A point of a building that moves with one of its floors, or between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Point {
@@ -11,10 +13,10 @@ pub enum Point {
     Share(Share),
 }
 
-/// A point on columns, at rest relative to none of the floors that they join.
+/// A point on the columns between two floors; [`Point::between`] makes one.
 ///
-/// Its displacement is that of the base, and of the way to the other floor a part `lean`. Floors that move alike so give exactly what
-/// they share.
+/// Its displacement is that of the base plus the part `lean` of the difference to the other floor. Floors that move alike so give
+/// exactly what they share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
     /// The nearer floor; `None` is the ground.
@@ -46,16 +48,19 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Two floors, or a floor and a wall, with a gap g \[m\], ≥ 0.
+    /// Two points, the left one first, with a gap g \[m\], ≥ 0.
+    pub fn new(left: Point, right: Point, gap: f64, law: ContactLaw) -> Self {
+        let relation = Relation {
+            left,
+            right,
+            offset: gap,
+        };
+        Self { relation, law }
+    }
+
+    /// Two floors, or a floor and a wall, by their nodes, the left one first, with a gap g \[m\], ≥ 0.
     pub fn of_floors(left: usize, right: usize, gap: f64, law: ContactLaw) -> Self {
-        Self {
-            relation: Relation {
-                left: left.into(),
-                right: right.into(),
-                offset: gap,
-            },
-            law,
-        }
+        Self::new(left.into(), right.into(), gap, law)
     }
 
     /// The floor on the left: of a point on columns the nearer one.
@@ -81,11 +86,14 @@ impl From<usize> for Point {
 }
 
 impl Point {
-    /// The point between two floors of a building that has a part `upper_part` of the upper one's displacement, from 0 to 1, and
+    /// The point between two floors of a building, by their nodes, that has a part of the upper one's displacement \[–\], 0 to 1, and
     /// the rest of the lower one's; `None` as the lower one is the ground.
     ///
-    /// Returns `None` where that is the ground itself.
+    /// Returns `None` if the part is no number from 0 to 1, or if the point is on the ground.
     pub fn between(lower: Option<usize>, upper: usize, upper_part: f64) -> Option<Self> {
+        if !(0.0..=1.0).contains(&upper_part) {
+            return None;
+        }
         if upper_part >= 1.0 {
             return Some(Self::Floor(upper));
         }
@@ -98,6 +106,36 @@ impl Point {
             (lower, Some(upper), upper_part)
         };
         Some(Self::Share(Share { base, other, lean }))
+    }
+
+    /// Whether it is a point of a row with these nodes.
+    pub(crate) fn check<Column>(self, nodes: &[Node<Column>]) -> Result<(), PointFault> {
+        let known = |floor: usize| {
+            let n_nodes = nodes.len();
+            let fault = PointFault::NoNode {
+                found: floor,
+                n_nodes,
+            };
+            nodes.get(floor).ok_or(fault)
+        };
+        let Share { base, other, lean } = match self {
+            Self::Floor(floor) => return known(floor).map(|_| ()),
+            Self::Share(share) => share,
+        };
+        for floor in base.into_iter().chain(other) {
+            known(floor)?;
+        }
+        // The ground is below all floors, and a floor comes before those that stand on it.
+        let (lower, upper) = (base.min(other), base.max(other));
+        let upper = upper.ok_or(PointFault::NoFloor)?;
+        let node = known(upper)?;
+        if node.is_wall() || node.support.below() != lower {
+            return Err(PointFault::NoStorey { lower, upper });
+        }
+        if !(lean > 0.0 && lean <= 0.5) {
+            return Err(PointFault::Lean { found: lean });
+        }
+        Ok(())
     }
 
     /// A floor that it moves with, wholly or most of all floors.

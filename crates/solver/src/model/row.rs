@@ -1,12 +1,10 @@
 use crate::model::buildings::Buildings;
 use crate::model::ground::{Ground, Shaking};
 use crate::model::incidence::Incidence;
-use crate::{
-    Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, Share, State, Travel,
-};
+use crate::{Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, State, Travel};
 use pounding_contact::reduced_mass;
 
-/// The model: floors, level by level and in each from left to right, and the pairs of points on them that can touch.
+/// The model: floors, level by level and in each from left to right, and the pairs of points that can touch.
 ///
 /// A row of structures of one storey is one level. Structures that cannot touch share no pair, and nothing of one then
 /// enters the arithmetic of the other.
@@ -31,8 +29,8 @@ impl<Column: RestoringForce> Row<Column> {
     ///
     /// # Errors
     /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
-    /// of its own, a pair whose points do not move with floors of two buildings of the row or of which both are walls, a point
-    /// between floors that no storey joins, a negative gap, a contact parameter out of range, or points that overlap at t = 0.
+    /// of its own, a point that is none of the row, a pair whose points are of one building, of walls alone or from right to
+    /// left, a negative gap, a contact parameter out of range, or points that overlap at t = 0.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         let unchecked = Self {
             nodes,
@@ -84,45 +82,37 @@ impl<Column: RestoringForce> Row<Column> {
         Ok(self)
     }
 
-    /// Both points of a pair move with floors of the row, of two buildings, and one of them at least may move.
+    /// Both points of a pair are of the row, and of two buildings in order, or of a building and a wall.
     fn check_points(&self, index: usize, pair: &Pair) -> Result<(), ModelError> {
-        let refused = ModelError::NotNeighbours {
-            pair: index,
-            left: pair.left(),
-            right: pair.right(),
-            n_nodes: self.nodes.len(),
-        };
         let points = pair.relation.points();
-        let is_sound = |point: Point| match point {
-            Point::Floor(floor) => floor < self.nodes.len(),
-            Point::Share(Share { base, other, lean }) => {
-                let floors = [base, other].into_iter().flatten();
-                let stands = |floor: usize| {
-                    self.nodes
-                        .get(floor)
-                        .map(|node| (node.is_wall(), node.support.below()))
-                };
-                let (lower, upper) = if base < other {
-                    (base, other)
-                } else {
-                    (other, base)
-                };
-                let is_storey = upper.and_then(stands) == Some((false, lower));
-                lean > 0.0 && lean <= 0.5 && floors.count() > 0 && is_storey
-            }
+        for (side, point) in ["left", "right"].into_iter().zip(points) {
+            point
+                .check(&self.nodes)
+                .map_err(|fault| ModelError::Point {
+                    pair: index,
+                    side,
+                    fault,
+                })?;
+        }
+        let [left, right] = points.map(Point::floor);
+        let walls = [left, right].map(|floor| self.nodes[floor].is_wall());
+        let [before, after] = [left, right].map(|floor| self.buildings.of(floor));
+        let found = match walls {
+            [true, true] => "two walls",
+            _ if before == after => "one building",
+            // Every level of a wall is a building, which says nothing of its side.
+            [false, false] if before > after => "two buildings from the right to the left",
+            _ => return Ok(()),
         };
-        if !points.into_iter().all(is_sound) {
-            return Err(refused);
-        }
-        let floors = points.map(Point::floor);
-        let [left, right] = floors.map(|floor| self.buildings.of(floor));
-        if left == right || floors.iter().all(|floor| self.nodes[*floor].is_wall()) {
-            return Err(refused);
-        }
-        Ok(())
+        Err(ModelError::NotNeighbours {
+            pair: index,
+            left,
+            right,
+            found,
+        })
     }
 
-    /// Whether the pairs are a chain: of floors, each with the node before the next, in order.
+    /// Whether the pairs are a chain: each joins a node with the next one, both as floors, and they stand in the order of their nodes.
     pub fn is_chain(&self) -> bool {
         let follows = |pair: &Pair| pair.relation.is_level() && pair.right() == pair.left() + 1;
         let rises = |pairs: &[Pair]| pairs[0].left() < pairs[1].left();
