@@ -117,7 +117,7 @@ pub enum PointFault {
     )]
     NoFloor,
     /// A share of two floors of which neither stands on the other.
-    #[error("found a point between nodes {} and {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
+    #[error("found a point between {} and node {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
     NoStorey {
         /// The lower one; `None` is the ground.
         lower: Option<usize>,
@@ -136,7 +136,7 @@ pub enum PointFault {
 }
 
 fn name(floor: Option<usize>) -> String {
-    floor.map_or_else(|| "none (the ground)".to_owned(), |floor| floor.to_string())
+    floor.map_or_else(|| "the ground".to_owned(), |floor| format!("node {floor}"))
 }
 
 /// A run that ended before its last step.

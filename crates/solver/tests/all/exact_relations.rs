@@ -5,7 +5,7 @@ use pounding_contact::{
 };
 use pounding_solver::{
     Clock, Elastic, Excitation, Impact, Integrator, Ledger, Node, Pair, Point, Recorder, Relation,
-    Row, Share, Span,
+    Row, Share, Span, Support,
 };
 
 use crate::common::{
@@ -229,26 +229,53 @@ fn limit_relations_in_another_order() {
     }
 }
 
+/// Where a floor of two buildings of three storeys stands in the mirrored row.
+fn opposite(node: usize) -> usize {
+    (node + 3) % 6
+}
+
+/// The row from behind: the right building is the left one.
+fn mirror(row: &Row<Elastic>) -> Row<Elastic> {
+    let turned = |node: usize| {
+        let mut floor = row.nodes()[opposite(node)];
+        if let Support::Floor(on) = &mut floor.support {
+            on.below = opposite(on.below);
+        }
+        floor
+    };
+    let point = |point: Point| match point {
+        Point::Floor(floor) => Point::Floor(opposite(floor)),
+        Point::Share(Share { base, other, lean }) => Point::Share(Share {
+            base: base.map(opposite),
+            other: other.map(opposite),
+            lean,
+        }),
+    };
+    let pair = |pair: &Pair| {
+        let Relation {
+            left,
+            right,
+            offset,
+        } = pair.relation;
+        meeting(point(right), point(left), offset, pair.law)
+    };
+    let pairs = row.pairs().iter().map(pair).collect();
+    Row::new((0..6).map(turned).collect(), pairs).expect("the row is valid")
+}
+
 #[test]
 fn limit_a_mirrored_row_moves_mirrored() {
     let samples = ground();
     let mirrored: Vec<_> = samples.iter().map(|sample| -sample).collect();
     for law in LAWS {
         let row = floors_and_columns(law);
-        let mirror = |pair: &Pair| {
-            let Relation {
-                left,
-                right,
-                offset,
-            } = pair.relation;
-            meeting(right, left, offset, pair.law)
-        };
-        let other = with(&row, row.pairs().iter().map(mirror).collect());
+        let other = mirror(&row);
         let run = clock(0.01, 4.0);
         let (a, _) = histories(&row, EXACT, (run, &samples));
         let (b, _) = histories(&other, EXACT, (run, &mirrored));
         for node in 0..6 {
-            for (a, b) in a.of(node).states.iter().zip(&b.of(node).states) {
+            let (own, others) = (&a.of(node).states, &b.of(opposite(node)).states);
+            for (a, b) in own.iter().zip(others) {
                 let off = (a.displacement + b.displacement).abs();
                 assert!(off < 1e-14, "{law:?}: {node} {off:e}");
             }
@@ -408,5 +435,39 @@ fn reference_a_slab_at_rest_against_a_column() {
         // The slab and both floors carry each.
         assert_eq!(starts, 3 * count);
         assert!(seen.impacts.is_empty(), "{:?}", seen.impacts);
+    }
+}
+
+/// All of them were refused as pairs of nodes that may meet, one with a node of twenty digits; a reversed pair pulled without a word.
+#[test]
+fn issue_points_are_refused_by_what_is_wrong_with_them() {
+    let row = floors_and_columns(JUMPS);
+    let share = |base, other, lean| Point::Share(Share { base, other, lean });
+    let refused = |left: Point, right: Point| {
+        let pairs = vec![Pair::new(left, right, 0.01, JUMPS)];
+        let refused = Row::new(row.nodes().to_vec(), pairs);
+        refused.expect_err("the point must be refused").to_string()
+    };
+    let rights = [
+        share(Some(3), Some(4), 0.7),
+        share(Some(3), Some(9), 0.35),
+        share(None, None, 0.35),
+        share(Some(3), Some(0), 0.35),
+        share(None, Some(4), 0.35),
+    ];
+    let mut messages: Vec<_> = rights.map(|right| refused(0.into(), right)).into();
+    messages.push(refused(3.into(), 0.into()));
+    messages.push(refused(3.into(), 5.into()));
+    insta::assert_snapshot!(messages.join("\n"), @"
+    pairs[0].right: found a lean of 0.7, allowed more than 0 and at most 0.5: take the nearer floor as base, or use Point::between
+    pairs[0].right: found node 9, allowed are those below 6
+    pairs[0].right: found no floor, allowed are a floor, and a point between a floor and what it stands on
+    pairs[0].right: found a point between node 0 and node 3, allowed is one between a floor and what it stands on
+    pairs[0].right: found a point between the ground and node 4, allowed is one between a floor and what it stands on
+    pairs[0]: found points at nodes 3 and 0 of two buildings from the right to the left; allowed are two buildings, the left one first, or a building and a wall
+    pairs[0]: found points at nodes 3 and 5 of one building; allowed are two buildings, the left one first, or a building and a wall
+    ");
+    for part in [1.35, -0.1, f64::NAN] {
+        assert_eq!(Point::between(Some(3), 4, part), None);
     }
 }
