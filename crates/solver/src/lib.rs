@@ -101,7 +101,7 @@ pub use model::damping::Damping;
 pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
 pub use model::mixed::Mixed;
-pub use model::modes::{Mode, modes};
+pub use model::modes::{Mode, Oscillation, modes};
 pub use model::node::Node;
 pub use model::relation::{Pair, Point, Relation, Share};
 pub use model::row::Row;
@@ -114,5 +114,4 @@ pub use record::{
     TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
-pub use stability::Oscillation;
 pub use work::Work;

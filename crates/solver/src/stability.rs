@@ -1,15 +1,6 @@
 //! The time step from which on a method is unstable.
 
-use crate::{Integrator, Mode, Newmark, Rk4};
-
-/// A linear oscillation that a step has to follow: of a structure, or of a pair while it touches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Oscillation {
-    /// Circular frequency ω without damping \[rad/s\], > 0.
-    pub angular_frequency: f64,
-    /// Damping ratio ζ \[–\], ≥ 0.
-    pub damping_ratio: f64,
-}
+use crate::{Integrator, Mode, Newmark, Oscillation, Rk4};
 
 impl Integrator {
     /// Time step \[s\] from which on a structure of one storey that moves alone grows without bound; nothing for a method that has no

@@ -10,6 +10,7 @@ use crate::exact::columns::Branch;
 use crate::exact::contact::Link;
 use crate::exact::landing::Room;
 use crate::exact::look_ahead::CARRIED;
+use crate::exact::member::Ahead;
 use crate::exact::member::Member;
 use crate::exact::rounding::weighed;
 use crate::{Flight, Path, Recorder, Relation, Span, State};
@@ -25,26 +26,6 @@ pub(super) struct Flights {
     leaps: Vec<Option<Leap>>,
     /// Whether all structures have one: then the row can fly as a whole.
     whole: bool,
-}
-
-/// The flight of a structure to the next sample.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Ahead {
-    pub(super) flight: Flight,
-    /// Instant of the sample \[s\].
-    pub(super) end: f64,
-    /// State there, and the hysteretic part of its force.
-    pub(super) state: State,
-    pub(super) hysteretic_force: f64,
-    /// What its acceleration does not exceed on the way \[m/s²\].
-    pub(super) acceleration: f64,
-}
-
-impl Ahead {
-    /// The same on a clock that shows less.
-    pub(super) fn set_back(&mut self, by: f64) {
-        self.end -= by;
-    }
 }
 
 /// The ground between two samples.

@@ -4,7 +4,7 @@ use crate::exact::Run;
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Contact, Link};
-use crate::exact::flight::Ahead;
+use crate::exact::member::Ahead;
 use crate::exact::member::Member;
 use crate::exact::watch::Event;
 use crate::model::incidence::Incident;

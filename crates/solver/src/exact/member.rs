@@ -2,11 +2,46 @@
 
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, Columns, Line};
-use crate::exact::flight::Ahead;
-use crate::exact::rounding::Terms;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
-use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
+use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
+
+/// What the first coefficients of an acceleration are sums of.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Terms {
+    /// Magnitude of the terms of the own forces \[N\].
+    pub(super) own: f64,
+    /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
+    pub(super) acceleration: f64,
+    /// The largest of those that storeys join with it.
+    pub(super) around: f64,
+    /// Magnitude of the ground acceleration and its slope.
+    pub(super) ground: (f64, f64),
+    /// The fastest rate of those that share the acceleration, or that storeys join, \[1/s\].
+    pub(super) rate: f64,
+    /// Now \[s\].
+    pub(super) time: f64,
+}
+
+/// The flight of a structure to the next sample.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ahead {
+    pub(super) flight: Flight,
+    /// Instant of the sample \[s\].
+    pub(super) end: f64,
+    /// State there, and the hysteretic part of its force.
+    pub(super) state: State,
+    pub(super) hysteretic_force: f64,
+    /// What its acceleration does not exceed on the way \[m/s²\].
+    pub(super) acceleration: f64,
+}
+
+impl Ahead {
+    /// The same on a clock that shows less.
+    pub(super) fn set_back(&mut self, by: f64) {
+        self.end -= by;
+    }
+}
 
 /// A floor with the storey below it, or a wall.
 ///

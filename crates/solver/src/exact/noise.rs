@@ -2,8 +2,8 @@
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group, Lighter, Side};
-use crate::exact::member::Member;
-use crate::exact::rounding::{OF_COEFFICIENTS, Terms, weighed};
+use crate::exact::member::{Member, Terms};
+use crate::exact::rounding::{OF_COEFFICIENTS, weighed};
 use crate::exact::storey::magnitude;
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;

@@ -8,23 +8,6 @@ pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
 /// Rounding of a sum of a few numbers, a deformation or an instant, as a part of the largest.
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
-/// What the first coefficients of an acceleration are sums of.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Terms {
-    /// Magnitude of the terms of the own forces \[N\].
-    pub(super) own: f64,
-    /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
-    pub(super) acceleration: f64,
-    /// The largest of those that storeys join with it.
-    pub(super) around: f64,
-    /// Magnitude of the ground acceleration and its slope.
-    pub(super) ground: (f64, f64),
-    /// The fastest rate of those that share the acceleration, or that storeys join, \[1/s\].
-    pub(super) rate: f64,
-    /// Now \[s\].
-    pub(super) time: f64,
-}
-
 /// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
 /// coefficients of both points.
 pub(super) fn noise(

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::{Damping, Hysteretic, ModelError, Oscillation, RestoringForce, Row, Storey};
+use crate::{Damping, Hysteretic, ModelError, RestoringForce, Row, Storey};
 
 /// A natural mode of a building with elastic columns.
 ///
@@ -21,6 +21,15 @@ pub struct Mode {
     /// Participation factor Γ = Σ m φ / φᵀMφ \[–\], by which the ground shakes the mode; of either sign. Γφ summed over the
     /// modes is 1 at every floor.
     pub participation: f64,
+}
+
+/// A linear oscillation that a step has to follow: of a structure, or of a pair while it touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oscillation {
+    /// Circular frequency ω without damping \[rad/s\], > 0.
+    pub angular_frequency: f64,
+    /// Damping ratio ζ \[–\], ≥ 0.
+    pub damping_ratio: f64,
 }
 
 impl Mode {

@@ -339,7 +339,7 @@ fn interleaved(row: &Row<Elastic>) -> Vec<Node<Elastic>> {
     let order = [0, 3, 1, 4, 2, 5];
     let node = |(place, node): (usize, &usize)| {
         let mut node = row.nodes()[*node];
-        if let pounding_solver::Support::Floor(floor) = &mut node.support {
+        if let Support::Floor(floor) = &mut node.support {
             floor.below = place - 2;
         }
         node
