@@ -4,8 +4,7 @@ use crate::exact::Run;
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Contact, Link};
-use crate::exact::member::Ahead;
-use crate::exact::member::Member;
+use crate::exact::member::{Ahead, Member};
 use crate::exact::watch::Event;
 use crate::model::incidence::Incident;
 use crate::roots::CAPACITY;
@@ -176,8 +175,8 @@ impl<R: Recorder> Run<'_, R> {
                 contact.pushes(push, (body, x));
             }
         }
-        let mut sums = [[0.0; CAPACITY]; 2];
-        let [left, right] = &mut sums;
+        // Filled only where several pairs push.
+        let [left, right] = &mut [None, None];
         let (left, right) = (side(pushes, false, left), side(pushes, true, right));
         let span = Span {
             structure: node,
@@ -262,7 +261,11 @@ impl<'a> Room<'a> {
 }
 
 /// The series of what pairs on one side of a floor give it: of one alone its own, of others their sum.
-fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) -> &'a [f64] {
+fn side<'a>(
+    pushes: &[Push<'a>],
+    on_left: bool,
+    room: &'a mut Option<[f64; CAPACITY]>,
+) -> &'a [f64] {
     let all = || {
         let pushes = pushes.iter().filter(|push| push.on_left == on_left);
         pushes.filter(|push| !push.series.is_empty())
@@ -273,6 +276,7 @@ fn side<'a>(pushes: &[Push<'a>], on_left: bool, sum: &'a mut [f64; CAPACITY]) ->
     if first.part >= 1.0 && all().nth(1).is_none() {
         return first.series;
     }
+    let sum = room.insert([0.0; CAPACITY]);
     for push in all() {
         for (sum, force) in sum.iter_mut().zip(push.series) {
             *sum += push.part * force;

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use crate::exact::Run;
-use crate::exact::contact::System;
-use crate::exact::contact::{Gap, Link};
+use crate::exact::contact::{Gap, Link, System};
 use crate::exact::groups::beside;
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;

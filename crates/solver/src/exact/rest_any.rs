@@ -6,8 +6,7 @@
 //! which it never is stay together without a force.
 
 use crate::exact::Run;
-use crate::exact::contact::System;
-use crate::exact::contact::{Gap, Link};
+use crate::exact::contact::{Gap, Link, System};
 use crate::exact::hits::Hit;
 use crate::exact::rest::OF_ACCELERATION;
 use crate::exact::rounding::OF_COEFFICIENTS;

@@ -190,8 +190,6 @@ impl Damping {
     }
 }
 
-impl<Column: RestoringForce> Row<Column> {}
-
 impl<Column: Hysteretic> Row<Column> {
     /// Natural modes of the building of a node, the slowest first.
     ///
