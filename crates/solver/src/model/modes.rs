@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::{Damping, Hysteretic, ModelError, RestoringForce, Row, Storey};
+use crate::{Damping, Hysteretic, ModelError, Row, Storey};
 
 /// A natural mode of a building with elastic columns.
 ///
