@@ -51,8 +51,7 @@ pub enum ModelError {
     },
     /// A pair whose points cannot meet.
     #[error(
-        "pairs[{pair}]: found points at nodes {left} and {right} of {found}; allowed are two buildings, the left one first, or a \
-         building and a wall"
+        "pairs[{pair}]: found points at nodes {left} and {right} of {found}; allowed are two buildings, or a building and a wall"
     )]
     NotNeighbours {
         /// Index of the pair.

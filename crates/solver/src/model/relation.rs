@@ -48,7 +48,7 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Two points, the left one first, with a gap g \[m\], ≥ 0.
+    /// Two points, the left one first, which nothing checks, with a gap g \[m\], ≥ 0.
     pub fn new(left: Point, right: Point, gap: f64, law: ContactLaw) -> Self {
         let relation = Relation {
             left,

@@ -29,8 +29,8 @@ impl<Column: RestoringForce> Row<Column> {
     ///
     /// # Errors
     /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
-    /// of its own, a point that is none of the row, a pair whose points are of one building, of walls alone or from right to
-    /// left, a negative gap, a contact parameter out of range, or points that overlap at t = 0.
+    /// of its own, a point that is none of the row, a pair whose points are of one building or of walls alone, a negative
+    /// gap, a contact parameter out of range, or points that overlap at t = 0. Which point is the left one is not checked.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         let unchecked = Self {
             nodes,
@@ -82,7 +82,9 @@ impl<Column: RestoringForce> Row<Column> {
         Ok(self)
     }
 
-    /// Both points of a pair are of the row, and of two buildings in order, or of a building and a wall.
+    /// Both points of a pair are of the row, and of two buildings, or of a building and a wall.
+    ///
+    /// Nodes do not tell who stands on the left: the lowest floor of a building may be on any level.
     fn check_points(&self, index: usize, pair: &Pair) -> Result<(), ModelError> {
         let points = pair.relation.points();
         for (side, point) in ["left", "right"].into_iter().zip(points) {
@@ -100,8 +102,6 @@ impl<Column: RestoringForce> Row<Column> {
         let found = match walls {
             [true, true] => "two walls",
             _ if before == after => "one building",
-            // Every level of a wall is a building, which says nothing of its side.
-            [false, false] if before > after => "two buildings from the right to the left",
             _ => return Ok(()),
         };
         Err(ModelError::NotNeighbours {
