@@ -7,7 +7,7 @@
 //! histories runs a scene alone.
 //!
 //! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many.
-//! [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
+//! `Frame` decides once per run whether structures go on each for itself or by buildings.
 //!
 //! Left out: other methods; motions that travel, sub-steps in contact, columns that yield smoothly, pairs that are no
 //! [chain](Row::is_chain).
