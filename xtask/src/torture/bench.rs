@@ -31,8 +31,9 @@ impl Bench {
     pub(super) fn new(root: &Path, seed: u64) -> Result<Self, String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut build = Command::new(cargo);
+        // With this task, which has built what lies below: alone it has other features.
         let build = build
-            .args(["build", "--package", "pounding"])
+            .args(["build", "--package", "pounding", "--package", "xtask"])
             .current_dir(root)
             .status();
         if !build.is_ok_and(|status| status.success()) {

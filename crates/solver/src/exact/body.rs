@@ -8,7 +8,7 @@ use crate::exact::groups::beside;
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
-use crate::exact::{Run, rounding};
+use crate::exact::{Run, Touching, rounding};
 use crate::model::incidence::Incident;
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -62,190 +62,11 @@ impl Body {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
-    /// Expands the motion of a body from now on; returns the number of coefficients.
-    pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
-        let stop = self.shake(first, time).min(self.end);
-        let group = self.groups.of(first);
-        let any = |asked: fn(&Contact) -> bool| {
-            let mut pairs = group.pairs().iter();
-            pairs.any(|pair| asked(&self.contacts[*pair]))
-        };
-        let bends = |node: &usize| self.members[*node].bend.is_some();
-        let (power, len) = if any(begins) {
-            (Power::Four, AT_TOUCH)
-        } else if any(touching) || group.followed().iter().any(bends) {
-            (Power::One, IN_CONTACT)
-        } else {
-            let radius = series::radius(&self.members, group.nodes());
-            (Power::One, in_flight((stop - time) / radius))
-        };
-        let system = (&mut self.members[..], &mut self.contacts[..]);
-        series::expand(group, system, self.incidence, power, len);
-        let tame = |n: &usize| {
-            let moves = |node: &usize| {
-                let Member {
-                    displacement: u,
-                    velocity: v,
-                    acceleration: a,
-                    ..
-                } = &self.members[*node];
-                u[*n].abs() < LARGEST && v[*n].abs() < LARGEST && a[*n].abs() < LARGEST
-            };
-            let pushes = |contact: &Contact| {
-                let pulls = contact.can_pull() && contact.pull[*n].abs() >= LARGEST;
-                contact.force[*n].abs() < LARGEST && !pulls
-            };
-            let tame = |contact: &Contact| !touching(contact) || pushes(contact);
-            let mut pairs = group.pairs().iter();
-            group.nodes().iter().all(moves) && pairs.all(|pair| tame(&self.contacts[*pair]))
-        };
-        (power, (0..len).take_while(tame).count())
-    }
-
-    /// Begins the next piece of a body that has landed.
-    pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
-        if time >= self.end {
-            let body = &mut self.bodies[first];
-            (body.start, body.end) = (self.clock.past(time), f64::INFINITY);
-            return Ok(());
-        }
-        self.find_partings(first);
-        self.look_to_sample(first, time);
-        self.count_pieces(first, time)?;
-        let (power, len) = self.expand_corrected(first, time);
-        for place in self.groups.nodes_of(first) {
-            self.fill_start(self.groups.node(place), time, power, len)?;
-        }
-        let nodes = self.groups.of(first).nodes();
-        let wall = nodes.iter().all(|node| self.members[*node].is_wall());
-        // The motion of a wall knows no samples where all grounds move alike.
-        let stop = if wall && self.travel.is_none() {
-            self.end
-        } else {
-            let samples = nodes.iter().map(|node| self.members[*node].ground.end);
-            samples.fold(self.end, f64::min)
-        };
-        let mut length = power
-            .root(series::radius(&self.members, nodes))
-            .min(power.root(stop - time));
-        self.work.segments += nodes.len() as u64;
-        length = length.min(self.converged(first, power, len, length, time)?);
-        let whole = length >= power.root(stop - time);
-        let mut watch = Watch {
-            start: self.clock.absolute(time),
-            power,
-            reach: length,
-            length,
-            events: std::mem::take(&mut self.bodies[first].events),
-        };
-        watch.events.clear();
-        self.watch(&mut watch, (first, len), time)?;
-        // A force at rest that fades as the next sample arrives may go on with it.
-        let left = power.time(length) - power.time(watch.length);
-        let at_sample = whole && left <= rounding::OF_SUMS * self.clock.absolute(stop);
-        if at_sample && self.rests(first) && watch.events.iter().all(Event::is_of_forces) {
-            watch.events.clear();
-        }
-        let end = if whole && watch.events.is_empty() {
-            stop
-        } else if watch.events.is_empty() {
-            // Series that reach no further than the clock can tell are taken as far as that.
-            (time + power.time(watch.length))
-                .max(time.next_up())
-                .min(stop)
-        } else {
-            (time + power.time(watch.length)).min(stop)
-        };
-        self.bodies[first] = Body {
-            start: self.clock.past(time),
-            end,
-            power,
-            // To the instant that the clock can tell, not to the event itself: the ground and what flies alone are there, too, and each
-            // event would shift the body in time against them.
-            length: power.root(end - time),
-            len,
-            events: watch.events,
-        };
-        Ok(())
-    }
-
+impl Touching<'_> {
     /// Whether some neighbours of a body rest against each other.
     fn rests(&self, first: usize) -> bool {
         let mut pairs = self.groups.of(first).pairs().iter();
         pairs.any(|pair| self.contacts[*pair].link == Link::Resting)
-    }
-
-    /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
-    fn converged(
-        &self,
-        first: usize,
-        power: Power,
-        len: usize,
-        longest: f64,
-        time: f64,
-    ) -> Result<f64, RunError> {
-        let mut length = longest;
-        let group = self.groups.of(first);
-        let limits = (longest, self.settings.tolerance);
-        // Each from the same start, so that their order does not matter.
-        for pair in group.pairs() {
-            let contact = &self.contacts[*pair];
-            let [left, right] = contact.floors();
-            let reach = reach(contact, (power, len), limits);
-            length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
-        }
-        for &node in group.followed() {
-            if let Some(bend) = &self.members[node].bend {
-                let reach = bend.reach((power, len), limits);
-                let error = RunError::OutOfNumbers {
-                    structure: node,
-                    time,
-                };
-                length = length.min(reach.ok_or(error)?);
-            }
-        }
-        Ok(length)
-    }
-
-    /// Expands a body; once more where the first expansion shows that columns unload, or that its first coefficients are only rounding.
-    fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
-        let group = self.groups.of(first);
-        for pair in group.pairs() {
-            self.contacts[*pair].alike = 0;
-        }
-        for &node in group.followed() {
-            if let Some(bend) = &mut self.members[node].bend {
-                bend.forget_direction();
-            }
-        }
-        let (power, len) = self.expand(first, time);
-        self.clean(first, time, power);
-        let group = self.groups.of(first);
-        let members = &mut self.members;
-        let alone = group.pairs().is_empty();
-        let mut corrected = false;
-        for node in group.nodes() {
-            if let Some((member, below)) = member::with_below(members, *node) {
-                let known = (power.order(), len);
-                corrected |= member.turns_back(below, known);
-                corrected |= alone && member.goes_astray(below, known);
-            }
-        }
-        for pair in group.pairs() {
-            corrected |= self.contacts[*pair].find_alike(members, power, len);
-        }
-        if !corrected {
-            return (power, len);
-        }
-        let (power, len) = self.expand(first, time);
-        self.clean(first, time, power);
-        for node in self.groups.of(first).nodes() {
-            if let Some((member, below)) = member::with_below(&mut self.members, *node) {
-                member.clear_standstill(below, (power.order(), len));
-            }
-        }
-        (power, len)
     }
 
     /// Ends the run where a contact goes on and on: each piece is as short as the relaxation of its damper.
@@ -272,46 +93,18 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Restitution whose remaining energy is below the tolerance is over.
-    fn find_partings(&mut self, first: usize) {
+    fn find_partings(&mut self, first: usize, tolerance: f64) {
         for pair in self.groups.of(first).pairs() {
             let contact = &mut self.contacts[*pair];
             let Some(left) = contact.rough_remainder() else {
                 continue;
             };
             let energy = contact.reduced_mass * contact.rate * contact.rate;
-            let over = contact.rate < 0.0 && left <= self.settings.tolerance * energy;
+            let over = contact.rate < 0.0 && left <= tolerance * energy;
             if contact.link == Link::Touching(Phase::Restitution) && over {
                 contact.link = Link::Touching(Phase::Parting);
             }
         }
-    }
-
-    /// Completes the state of a node at the start of its piece.
-    fn fill_start(
-        &mut self,
-        node: usize,
-        time: f64,
-        power: Power,
-        len: usize,
-    ) -> Result<(), RunError> {
-        // As at its end: what rounding leaves of a force that fades does not pull.
-        let force = |on_left| {
-            self.pushed(node, on_left, |contact| pushing(contact.force[0]))
-                .unwrap_or(0.0)
-        };
-        let (left, right) = (force(false), -force(true));
-        let member = &mut self.members[node];
-        member.state.acceleration = member.acceleration[0];
-        member.state.force_from_left = left;
-        member.state.force_from_right = right;
-        // A motion of which not even the acceleration is known goes nowhere.
-        if len > power.order() && member.state.acceleration.is_finite() {
-            return Ok(());
-        }
-        Err(RunError::OutOfNumbers {
-            structure: node,
-            time,
-        })
     }
 
     /// First of the neighbours in a chain that share this one's velocity because they rest against each other on grounds that
@@ -327,7 +120,7 @@ impl<R: Recorder> Run<'_, R> {
     /// A node and those that share its velocity, of which it is the first; nothing where it is not.
     pub(super) fn led_by(&self, leader: usize) -> Range<usize> {
         let mut end = leader;
-        while end < self.members.len() && self.is_led(end) == (end > leader) {
+        while end < self.groups.body_of.len() && self.is_led(end) == (end > leader) {
             end += 1;
         }
         leader..end
@@ -359,6 +152,223 @@ impl<R: Recorder> Run<'_, R> {
             .filter(|at| at.on_left == on_left)
             .map(|at| at.part * quantity(&self.contacts[at.pair]))
             .reduce(|sum, given| sum + given)
+    }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Expands the motion of a body from now on; returns the number of coefficients.
+    pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
+        let stop = self.shake(first, time).min(self.agenda.end);
+        let group = self.touching.groups.of(first);
+        let any = |asked: fn(&Contact) -> bool| {
+            let mut pairs = group.pairs().iter();
+            pairs.any(|pair| asked(&self.touching.contacts[*pair]))
+        };
+        let bends = |node: &usize| self.moving.members[*node].bend.is_some();
+        let (power, len) = if any(begins) {
+            (Power::Four, AT_TOUCH)
+        } else if any(touching) || group.followed().iter().any(bends) {
+            (Power::One, IN_CONTACT)
+        } else {
+            let radius = series::radius(&self.moving.members, group.nodes());
+            (Power::One, in_flight((stop - time) / radius))
+        };
+        let system = (
+            &mut self.moving.members[..],
+            &mut self.touching.contacts[..],
+        );
+        series::expand(group, system, self.touching.incidence, power, len);
+        let tame = |n: &usize| {
+            let moves = |node: &usize| {
+                let Member {
+                    displacement: u,
+                    velocity: v,
+                    acceleration: a,
+                    ..
+                } = &self.moving.members[*node];
+                u[*n].abs() < LARGEST && v[*n].abs() < LARGEST && a[*n].abs() < LARGEST
+            };
+            let pushes = |contact: &Contact| {
+                let pulls = contact.can_pull() && contact.pull[*n].abs() >= LARGEST;
+                contact.force[*n].abs() < LARGEST && !pulls
+            };
+            let tame = |contact: &Contact| !touching(contact) || pushes(contact);
+            let mut pairs = group.pairs().iter();
+            group.nodes().iter().all(moves)
+                && pairs.all(|pair| tame(&self.touching.contacts[*pair]))
+        };
+        (power, (0..len).take_while(tame).count())
+    }
+
+    /// Begins the next piece of a body that has landed.
+    pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
+        if time >= self.agenda.end {
+            let body = &mut self.moving.bodies[first];
+            (body.start, body.end) = (self.agenda.clock.past(time), f64::INFINITY);
+            return Ok(());
+        }
+        self.touching.find_partings(first, self.settings.tolerance);
+        self.look_to_sample(first, time);
+        self.touching.count_pieces(first, time)?;
+        let (power, len) = self.expand_corrected(first, time);
+        for place in self.touching.groups.nodes_of(first) {
+            self.fill_start(self.touching.groups.node(place), time, power, len)?;
+        }
+        let nodes = self.touching.groups.of(first).nodes();
+        let stop = self.stop(nodes);
+        let mut length = power
+            .root(series::radius(&self.moving.members, nodes))
+            .min(power.root(stop - time));
+        self.agenda.work.segments += nodes.len() as u64;
+        length = length.min(self.converged(first, power, len, length, time)?);
+        let whole = length >= power.root(stop - time);
+        let mut watch = Watch {
+            start: self.agenda.clock.absolute(time),
+            power,
+            reach: length,
+            length,
+            events: std::mem::take(&mut self.moving.bodies[first].events),
+        };
+        watch.events.clear();
+        self.watch(&mut watch, (first, len), time)?;
+        // A force at rest that fades as the next sample arrives may go on with it.
+        let left = power.time(length) - power.time(watch.length);
+        let at_sample = whole && left <= rounding::OF_SUMS * self.agenda.clock.absolute(stop);
+        if at_sample && self.touching.rests(first) && watch.events.iter().all(Event::is_of_forces) {
+            watch.events.clear();
+        }
+        let end = if whole && watch.events.is_empty() {
+            stop
+        } else if watch.events.is_empty() {
+            // Series that reach no further than the clock can tell are taken as far as that.
+            (time + power.time(watch.length))
+                .max(time.next_up())
+                .min(stop)
+        } else {
+            (time + power.time(watch.length)).min(stop)
+        };
+        self.moving.bodies[first] = Body {
+            start: self.agenda.clock.past(time),
+            end,
+            power,
+            // To the instant that the clock can tell, not to the event itself: the ground and what flies alone are there, too, and each
+            // event would shift the body in time against them.
+            length: power.root(end - time),
+            len,
+            events: watch.events,
+        };
+        Ok(())
+    }
+
+    /// When the next sample arrives at a node, or the run ends.
+    fn stop(&self, nodes: &[usize]) -> f64 {
+        let members = nodes.iter().map(|node| &self.moving.members[*node]);
+        // The motion of a wall knows no samples where all grounds move alike.
+        if self.shaking.travel.is_none() && members.clone().all(Member::is_wall) {
+            return self.agenda.end;
+        }
+        members.fold(self.agenda.end, |end, member| end.min(member.ground.end))
+    }
+
+    /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
+    fn converged(
+        &self,
+        first: usize,
+        power: Power,
+        len: usize,
+        longest: f64,
+        time: f64,
+    ) -> Result<f64, RunError> {
+        let mut length = longest;
+        let group = self.touching.groups.of(first);
+        let limits = (longest, self.settings.tolerance);
+        // Each from the same start, so that their order does not matter.
+        for pair in group.pairs() {
+            let contact = &self.touching.contacts[*pair];
+            let [left, right] = contact.floors();
+            let reach = reach(contact, (power, len), limits);
+            length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
+        }
+        for &node in group.followed() {
+            if let Some(bend) = &self.moving.members[node].bend {
+                let reach = bend.reach((power, len), limits);
+                let error = RunError::OutOfNumbers {
+                    structure: node,
+                    time,
+                };
+                length = length.min(reach.ok_or(error)?);
+            }
+        }
+        Ok(length)
+    }
+
+    /// Expands a body; once more where the first expansion shows that columns unload, or that its first coefficients are only rounding.
+    fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
+        let group = self.touching.groups.of(first);
+        for pair in group.pairs() {
+            self.touching.contacts[*pair].alike = 0;
+        }
+        for &node in group.followed() {
+            if let Some(bend) = &mut self.moving.members[node].bend {
+                bend.forget_direction();
+            }
+        }
+        let (power, len) = self.expand(first, time);
+        self.clean(first, time, power);
+        let group = self.touching.groups.of(first);
+        let members = &mut self.moving.members;
+        let alone = group.pairs().is_empty();
+        let mut corrected = false;
+        for node in group.nodes() {
+            if let Some((member, below)) = member::with_below(members, *node) {
+                let known = (power.order(), len);
+                corrected |= member.turns_back(below, known);
+                corrected |= alone && member.goes_astray(below, known);
+            }
+        }
+        for pair in group.pairs() {
+            corrected |= self.touching.contacts[*pair].find_alike(members, power, len);
+        }
+        if !corrected {
+            return (power, len);
+        }
+        let (power, len) = self.expand(first, time);
+        self.clean(first, time, power);
+        for node in self.touching.groups.of(first).nodes() {
+            if let Some((member, below)) = member::with_below(&mut self.moving.members, *node) {
+                member.clear_standstill(below, (power.order(), len));
+            }
+        }
+        (power, len)
+    }
+
+    /// Completes the state of a node at the start of its piece.
+    fn fill_start(
+        &mut self,
+        node: usize,
+        time: f64,
+        power: Power,
+        len: usize,
+    ) -> Result<(), RunError> {
+        // As at its end: what rounding leaves of a force that fades does not pull.
+        let force = |on_left| {
+            self.touching
+                .pushed(node, on_left, |contact| pushing(contact.force[0]))
+                .unwrap_or(0.0)
+        };
+        let (left, right) = (force(false), -force(true));
+        let member = &mut self.moving.members[node];
+        member.state.acceleration = member.acceleration[0];
+        member.state.force_from_left = left;
+        member.state.force_from_right = right;
+        // A motion of which not even the acceleration is known goes nowhere.
+        if len > power.order() && member.state.acceleration.is_finite() {
+            return Ok(());
+        }
+        Err(RunError::OutOfNumbers {
+            structure: node,
+            time,
+        })
     }
 }
 

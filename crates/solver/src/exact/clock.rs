@@ -85,21 +85,19 @@ impl<R: Recorder> Run<'_, R> {
     ///
     /// It depends on the instant alone: what a body does has the same bits whatever others do.
     pub(super) fn set_clock(&mut self, now: f64) -> f64 {
-        let [by, _] = self.clock.sampling.split(now);
+        let [by, _] = self.agenda.clock.sampling.split(now);
         if by == 0.0 {
             return by;
         }
-        self.clock.zero += by;
-        self.end -= by;
-        // Of another clock.
-        self.ground.0 = [f64::NAN; 2];
-        for body in &mut self.bodies {
+        self.agenda.clock.zero += by;
+        self.agenda.end -= by;
+        for body in &mut self.moving.bodies {
             body.end -= by;
         }
-        for contact in &mut self.contacts {
+        for contact in &mut self.touching.contacts {
             contact.set_back(by);
         }
-        for member in &mut self.members {
+        for member in &mut self.moving.members {
             if let Some(ahead) = &mut member.ahead {
                 ahead.set_back(by);
             }

@@ -12,16 +12,19 @@ impl<R: Recorder> Run<'_, R> {
     /// Refuses a run that will need more than so many pieces: each reaches no further than the next sample and the series of
     /// the fastest floor of its building.
     pub(super) fn check_cost(&self, allowed: f64) -> Result<(), RunError> {
-        let samples = (self.excitation.samples().len() - 1) as f64;
-        let samples = samples.min(self.end / self.excitation.time_step());
+        let samples = (self.shaking.excitation.samples().len() - 1) as f64;
+        let samples = samples.min(self.agenda.end / self.shaking.excitation.time_step());
         let mut sum = 0.0;
-        for floors in self.buildings.each() {
+        for floors in self.moving.buildings.each() {
             let structure = floors[0];
-            if self.members[structure].is_wall() {
+            if self.moving.members[structure].is_wall() {
                 continue;
             }
-            let rates = floors.iter().map(|floor| self.members[*floor].fastest_rate);
-            let pieces = floors.len() as f64 * (rates.fold(0.0, f64::max) * self.end).max(samples);
+            let rates = floors
+                .iter()
+                .map(|floor| self.moving.members[*floor].fastest_rate);
+            let pieces =
+                floors.len() as f64 * (rates.fold(0.0, f64::max) * self.agenda.end).max(samples);
             if pieces > allowed {
                 return Err(RunError::TooStiff {
                     structure,
@@ -35,8 +38,8 @@ impl<R: Recorder> Run<'_, R> {
             let pieces = sum;
             return Err(RunError::TooLarge { pieces, allowed });
         }
-        for contact in &self.contacts {
-            let pieces = TOUCHING * contact.relaxation() * self.end;
+        for contact in &self.touching.contacts {
+            let pieces = TOUCHING * contact.relaxation() * self.agenda.end;
             if pieces > allowed {
                 let [left, right] = contact.floors();
                 return Err(RunError::TooDamped {

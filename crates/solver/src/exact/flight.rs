@@ -183,8 +183,8 @@ impl<R: Recorder> Run<'_, R> {
     /// Flies on as far as nothing happens; returns the instant from which the general method goes on.
     pub(super) fn fly(&mut self, mut now: f64) -> f64 {
         let mut flown = false;
-        if self.flights.whole && self.flies() {
-            while !self.guard.is_over(self.spent())
+        if self.moving.flights.whole && self.flies() {
+            while !self.agenda.guard.is_over(self.agenda.spent())
                 && let Some(interval) = self.interval_from(now)
                 && self.leap(&interval)
             {
@@ -201,10 +201,10 @@ impl<R: Recorder> Run<'_, R> {
 
     /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
     fn interval_from(&self, time: f64) -> Option<Interval> {
-        let sampling = self.excitation.sampling();
+        let sampling = self.shaking.excitation.sampling();
         let step = sampling.step;
-        let zero = self.clock.zero();
-        let position = (self.clock.absolute(time) / step).round();
+        let zero = self.agenda.clock.zero();
+        let position = (self.agenda.clock.absolute(time) / step).round();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -212,6 +212,7 @@ impl<R: Recorder> Run<'_, R> {
         )]
         let index = position as usize;
         let (value, last) = match self
+            .shaking
             .excitation
             .samples()
             .get(index..index.checked_add(2)?)?
@@ -221,10 +222,10 @@ impl<R: Recorder> Run<'_, R> {
         };
         let [from, to] = [index, index + 1].map(|index| sampling.on_clock(zero, index, 0.0));
         let starts = from.total_cmp(&time).is_eq();
-        (starts && to <= self.end).then(|| Interval {
+        (starts && to <= self.agenda.end).then(|| Interval {
             from: time,
             to,
-            origin: self.clock.absolute(time),
+            origin: self.agenda.clock.absolute(time),
             value,
             slope: (last - value) / step,
             last,
@@ -233,8 +234,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Whether all structures have landed, elastic and apart; walls are under way all the time.
     fn flies(&self) -> bool {
-        let mut members = self.members.iter().zip(&self.landed);
-        let mut contacts = self.contacts.iter();
+        let mut members = self.moving.members.iter().zip(&self.moving.landed);
+        let mut contacts = self.touching.contacts.iter();
         members
             .all(|(member, landed)| *landed != member.is_wall() && member.branch == Branch::Elastic)
             && contacts.all(|contact| contact.link == Link::Apart)
@@ -242,7 +243,12 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Finds the flights of all structures to the next sample; false where something could happen on the way.
     fn leap(&mut self, interval: &Interval) -> bool {
-        for (member, leap) in self.members.iter_mut().zip(&self.flights.leaps) {
+        for (member, leap) in self
+            .moving
+            .members
+            .iter_mut()
+            .zip(&self.moving.flights.leaps)
+        {
             let Some(leap) = leap else {
                 continue;
             };
@@ -252,14 +258,18 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         let bow = 0.125 * (interval.to - interval.from) * (interval.to - interval.from);
-        self.contacts.iter().all(|contact| {
+        self.touching.contacts.iter().all(|contact| {
             let Relation {
                 left,
                 right,
                 offset,
             } = contact.relation;
-            let at = |end: usize| contact.relation.ahead(|node| self.members[node].way()[end]);
-            let most = |node: usize| self.members[node].most();
+            let at = |end: usize| {
+                contact
+                    .relation
+                    .ahead(|node| self.moving.members[node].way()[end])
+            };
+            let most = |node: usize| self.moving.members[node].most();
             let closest =
                 at(0).max(at(1)) - offset + bow * (weighed(left, most) + weighed(right, most));
             closest < -2.0 * CARRIED * contact.scale
@@ -268,22 +278,22 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Reports the way of every structure to the next sample, and brings its state there.
     fn land_flights(&mut self, interval: &Interval) {
-        self.work.events += 1;
-        for contact in &mut self.contacts {
+        self.agenda.work.events += 1;
+        for contact in &mut self.touching.contacts {
             let Relation {
                 left,
                 right,
                 offset,
             } = contact.relation;
-            let reach = |node: usize| self.members[node].reach();
+            let reach = |node: usize| self.moving.members[node].reach();
             let reach = weighed(left, reach) + weighed(right, reach) + offset;
             contact.scale = contact.scale.max(reach);
         }
-        for (structure, member) in self.members.iter_mut().enumerate() {
+        for (structure, member) in self.moving.members.iter_mut().enumerate() {
             let Some(ahead) = member.ahead.take() else {
                 continue;
             };
-            let (flight, clock) = (ahead.flight, &self.clock);
+            let (flight, clock) = (ahead.flight, &self.agenda.clock);
             let State {
                 velocity,
                 restoring_force,
@@ -293,8 +303,8 @@ impl<R: Recorder> Run<'_, R> {
                 acceleration: flight.acceleration(velocity, restoring_force, interval.value),
                 ..member.state
             };
-            self.work.segments += 1;
-            let incidents = self.incidence.at(structure);
+            self.agenda.work.segments += 1;
+            let incidents = self.touching.incidence.at(structure);
             let mut room = Room::default();
             let pushes = room.of(incidents);
             self.recorder.span(&Span {
@@ -315,11 +325,11 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Brings all pairs here after flights.
     fn find_deformations(&mut self, time: f64) {
-        for pair in 0..self.contacts.len() {
-            let points = self.contacts[pair].relation.points();
+        for pair in 0..self.touching.contacts.len() {
+            let points = self.touching.contacts[pair].relation.points();
             let sides = points.map(|point| self.motion_of(point, time));
             let (deformation, rate) = self.closing(pair, time, sides);
-            let contact = &mut self.contacts[pair];
+            let contact = &mut self.touching.contacts[pair];
             (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
             (contact.faded, contact.peaked) = (false, false);
         }
@@ -328,15 +338,15 @@ impl<R: Recorder> Run<'_, R> {
     /// Looks ahead to the next sample for a body that begins a piece: what flies there alone arrives in the same bits
     /// whatever the others do.
     pub(super) fn look_to_sample(&mut self, first: usize, time: f64) {
-        let nodes = self.groups.of(first).nodes();
-        let alone = nodes.len() == 1 && self.members[first].branch == Branch::Elastic;
+        let nodes = self.touching.groups.of(first).nodes();
+        let alone = nodes.len() == 1 && self.moving.members[first].branch == Branch::Elastic;
         for node in nodes {
-            self.members[*node].ahead = None;
+            self.moving.members[*node].ahead = None;
         }
-        if let Some(leap) = self.flights.leaps[first].filter(|_| alone)
+        if let Some(leap) = self.moving.flights.leaps[first].filter(|_| alone)
             && let Some(interval) = self.interval_from(time)
         {
-            let member = &mut self.members[first];
+            let member = &mut self.moving.members[first];
             member.ahead = leap.ahead(member, &interval);
         }
     }

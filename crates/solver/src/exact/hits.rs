@@ -3,7 +3,7 @@
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
 use crate::exact::tie;
-use crate::exact::{BURST, CHATTER, Run};
+use crate::exact::{BURST, CHATTER, Moving, Run};
 use crate::{Recorder, RunError};
 
 /// Impulsive pairs that touch at one instant and hang together. In a chain their floors do, one after the other.
@@ -72,41 +72,24 @@ impl Hit {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
-    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does. In another row
-    /// all that hangs together is one.
-    pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
-        self.guard.wait(time)?;
-        if !self.is_chain() {
-            return Ok(vec![self.hit(self.hanging_together(pair, time)?, time)]);
-        }
-        let hit = self.hit(self.chain_from(pair, time), time);
-        let mut next = pair + hit.pairs.len();
-        let mut hits = vec![hit];
-        if self.members.iter().all(|member| member.storey.is_none()) {
-            return Ok(hits);
-        }
-        let mut others = Vec::new();
-        while next < self.contacts.len() {
-            if !self.settled[next] && self.hits(next, time) {
-                let hit = self.hit(self.chain_from(next, time), time);
-                next += hit.pairs.len();
-                others.push(hit);
-            } else {
-                next += 1;
-            }
-        }
-        let shares = |hit: &Hit, other: &Hit| self.share_a_building(hit, other);
-        hang(&mut hits, others, shares, || self.guard.wait(time))?;
-        hits.sort_by_key(|hit| hit.pairs[0]);
-        Ok(hits)
+impl Moving<'_> {
+    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
+        let building = |node: &usize| self.buildings.of(*node);
+        let shared = |node: &usize| {
+            b.nodes
+                .iter()
+                .any(|other| building(other) == building(node))
+        };
+        a.nodes.iter().any(shared)
     }
+}
 
+impl<R: Recorder> Run<'_, R> {
     /// The chain of touching pairs that begins with a pair.
     fn chain_from(&self, first: usize, time: f64) -> Vec<usize> {
-        let left = |pair: usize| self.contacts[pair].floors()[0];
+        let left = |pair: usize| self.touching.contacts[pair].floors()[0];
         let mut last = first;
-        while last + 1 < self.contacts.len()
+        while last + 1 < self.touching.contacts.len()
             && left(last + 1) == left(last) + 1
             && self.hits(last + 1, time)
         {
@@ -115,27 +98,68 @@ impl<R: Recorder> Run<'_, R> {
         (first..=last).collect()
     }
 
+    /// Whether an impulsive pair touches now.
+    pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
+        self.touching.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
+    }
+
+    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does. In another row
+    /// all that hangs together is one.
+    pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
+        self.agenda.guard.wait(time)?;
+        if !self.touching.is_chain() {
+            return Ok(vec![self.hit(self.hanging_together(pair, time)?, time)]);
+        }
+        let hit = self.hit(self.chain_from(pair, time), time);
+        let mut next = pair + hit.pairs.len();
+        let mut hits = vec![hit];
+        if self
+            .moving
+            .members
+            .iter()
+            .all(|member| member.storey.is_none())
+        {
+            return Ok(hits);
+        }
+        let mut others = Vec::new();
+        while next < self.touching.contacts.len() {
+            if !self.touching.settled[next] && self.hits(next, time) {
+                let hit = self.hit(self.chain_from(next, time), time);
+                next += hit.pairs.len();
+                others.push(hit);
+            } else {
+                next += 1;
+            }
+        }
+        let shares = |hit: &Hit, other: &Hit| self.moving.share_a_building(hit, other);
+        hang(&mut hits, others, shares, || self.agenda.guard.wait(time))?;
+        hits.sort_by_key(|hit| hit.pairs[0]);
+        Ok(hits)
+    }
+
     /// All touching pairs that hang together with one, by bodies and each other.
     fn hanging_together(&self, first: usize, time: f64) -> Result<Vec<usize>, RunError> {
         let bodies = |pair: usize| {
-            let floors = self.contacts[pair].floors();
-            floors.map(|floor| self.groups.body_of[floor])
+            let floors = self.touching.contacts[pair].floors();
+            floors.map(|floor| self.touching.groups.body_of[floor])
         };
-        let hits = |pair: &usize| !self.settled[*pair] && self.hits(*pair, time);
-        let others = (first + 1..self.contacts.len()).filter(hits).collect();
+        let hits = |pair: &usize| !self.touching.settled[*pair] && self.hits(*pair, time);
+        let others = (first + 1..self.touching.contacts.len())
+            .filter(hits)
+            .collect();
         let hangs = |pair: &usize, other: &usize| {
             let of = bodies(*pair);
             bodies(*other).iter().any(|body| of.contains(body))
         };
         let mut pairs = vec![first];
-        hang(&mut pairs, others, hangs, || self.guard.wait(time))?;
+        hang(&mut pairs, others, hangs, || self.agenda.guard.wait(time))?;
         pairs.sort_unstable();
         Ok(pairs)
     }
 
     fn hit(&self, pairs: Vec<usize>, time: f64) -> Hit {
-        let contacts = || pairs.iter().map(|pair| &self.contacts[*pair]);
-        let nodes = tie::floors(&pairs, &self.contacts);
+        let contacts = || pairs.iter().map(|pair| &self.touching.contacts[*pair]);
+        let nodes = tie::floors(&pairs, &self.touching.contacts);
         let soon = |contact: &Contact| time - contact.hit < CHATTER;
         let rests = |contact: &Contact| contact.link == Link::Resting;
         // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
@@ -155,7 +179,7 @@ impl<R: Recorder> Run<'_, R> {
             carried: self.carried(&nodes, time),
             before: nodes
                 .iter()
-                .map(|node| self.members[*node].state.velocity)
+                .map(|node| self.moving.members[*node].state.velocity)
                 .collect(),
             rates: contacts().map(|contact| contact.rate).collect(),
             rested: contacts().map(rests).collect(),
@@ -169,14 +193,19 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Velocities of the grounds of a chain, relative to one of them.
     fn carried(&self, nodes: &[usize], time: f64) -> Vec<f64> {
-        let Some(travel) = self.travel.as_ref().filter(|_| self.is_chain()) else {
+        let Some(travel) = self
+            .shaking
+            .travel
+            .as_ref()
+            .filter(|_| self.touching.is_chain())
+        else {
             return Vec::new();
         };
-        let instant = self.clock.past(time).instant();
+        let instant = self.agenda.clock.past(time).instant();
         let wall = nodes
             .iter()
             .copied()
-            .find(|node| self.members[*node].is_wall());
+            .find(|node| self.moving.members[*node].is_wall());
         let ahead = |node: usize, of: usize| travel.opening_at([node, of], instant).velocity;
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
         let velocity = |node: usize| match wall {
@@ -184,21 +213,6 @@ impl<R: Recorder> Run<'_, R> {
             None => 0.5 * (ahead(node, first) + ahead(node, last)),
         };
         nodes.iter().copied().map(velocity).collect()
-    }
-
-    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
-        let building = |node: &usize| self.buildings.of(*node);
-        let shared = |node: &usize| {
-            b.nodes
-                .iter()
-                .any(|other| building(other) == building(node))
-        };
-        a.nodes.iter().any(shared)
-    }
-
-    /// Whether an impulsive pair touches now.
-    pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
-        self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
 }
 

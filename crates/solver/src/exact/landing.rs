@@ -1,100 +1,17 @@
 //! The landing of a piece: what is reported of it, and the states at its end.
 
-use crate::exact::Run;
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Contact, Link};
 use crate::exact::member::{Ahead, Member};
 use crate::exact::watch::Event;
+use crate::exact::{Run, Touching};
 use crate::model::incidence::Incident;
 use crate::roots::CAPACITY;
 use crate::span::{Power, Series, rise, value};
 use crate::{Motion, Path, Push, Recorder, Span, State};
 
-impl<R: Recorder> Run<'_, R> {
-    /// Ends the piece of a body now: reports its spans and brings its state here.
-    pub(super) fn land(&mut self, first: usize, time: f64) {
-        if self.landed[first] {
-            return;
-        }
-        let body = &self.bodies[first];
-        let now = self.clock.past(time);
-        let (x, full) = (body.position(now), time >= body.end);
-        let advanced = now.since(body.start) > 0.0;
-        // What an event set to zero at the start stays known until the recorders' clock has moved on.
-        let later = now.absolute() > body.start.absolute();
-        for place in self.groups.nodes_of(first) {
-            self.landed[self.groups.node(place)] = true;
-        }
-        for place in self.groups.around(first) {
-            self.carry_deformation(self.groups.pair(place), time);
-        }
-        let events = std::mem::take(&mut self.bodies[first].events);
-        // From the ground up: floors report the motion of those below, which have their new state by then.
-        for place in self.groups.nodes_of(first) {
-            let node = self.groups.node(place);
-            let ahead = self.members[node].ahead;
-            let at_wall = advanced && self.hits_wall_at_zero(node, time);
-            let arrives =
-                |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
-            let (end, hysteretic) = match ahead.filter(arrives) {
-                Some(ahead) => (ahead.state, ahead.hysteretic_force),
-                None => self.end_state(node, (x, at_wall), if full { &events } else { &[] }),
-            };
-            if advanced {
-                self.report(node, first, time, x, end);
-            }
-            if later {
-                let member = &mut self.members[node];
-                (member.balanced, member.peaked) = (false, false);
-                if let Some(storey) = &mut member.storey {
-                    storey.still = false;
-                }
-            }
-            let member = &mut self.members[node];
-            (member.state, member.hysteretic_force) = (end, hysteretic);
-        }
-        for place in self.groups.around(first) {
-            self.refresh_deformation(self.groups.pair(place), time);
-        }
-        if full {
-            for event in &events {
-                self.apply(*event, time);
-            }
-        }
-        for place in self.groups.around(first) {
-            let pair = self.groups.pair(place);
-            // What another event of this instant ends just behind the parting has parted; its force would be a power of a negative number.
-            if self.contacts[pair].has_parted() {
-                self.apply(Event::Part(pair), time);
-            }
-        }
-        self.bodies[first].events = events;
-    }
-
-    /// Whether a node hits a wall without a gap now, or neighbours without gaps that touch one: it does so at zero. What rounding leaves
-    /// of its displacement would move it later on, when nothing else does.
-    fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
-        if self.walls == 0 {
-            return false;
-        }
-        // Nothing is allocated where a node touches nobody.
-        let (mut met, mut next) = (Vec::new(), Some(node));
-        let mut looked = 0;
-        while let Some(node) = next {
-            for at in self.incidence.at(node) {
-                let floors = self.contacts[at.pair].floors();
-                let other = if at.on_left { floors[1] } else { floors[0] };
-                if self.touches_without_gap(at.pair, time) && !met.contains(&other) {
-                    met.push(other);
-                }
-            }
-            next = met.get(looked).copied();
-            looked += 1;
-        }
-        met.into_iter().any(|met| self.members[met].is_wall())
-    }
-
+impl Touching<'_> {
     /// Whether two points touch, or rest, and each moves with one floor alone: both floors are at zero if one is.
     fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
         let contact = &self.contacts[pair];
@@ -110,14 +27,100 @@ impl<R: Recorder> Run<'_, R> {
             && touches
             && points.all(|point| point.parts().nth(1).is_none())
     }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Ends the piece of a body now: reports its spans and brings its state here.
+    pub(super) fn land(&mut self, first: usize, time: f64) {
+        if self.moving.landed[first] {
+            return;
+        }
+        let body = &self.moving.bodies[first];
+        let now = self.agenda.clock.past(time);
+        let (x, full) = (body.position(now), time >= body.end);
+        let advanced = now.since(body.start) > 0.0;
+        // What an event set to zero at the start stays known until the recorders' clock has moved on.
+        let later = now.absolute() > body.start.absolute();
+        for place in self.touching.groups.nodes_of(first) {
+            self.moving.landed[self.touching.groups.node(place)] = true;
+        }
+        for place in self.touching.groups.around(first) {
+            self.carry_deformation(self.touching.groups.pair(place), time);
+        }
+        let events = std::mem::take(&mut self.moving.bodies[first].events);
+        // From the ground up: floors report the motion of those below, which have their new state by then.
+        for place in self.touching.groups.nodes_of(first) {
+            let node = self.touching.groups.node(place);
+            let ahead = self.moving.members[node].ahead;
+            let at_wall = advanced && self.hits_wall_at_zero(node, time);
+            let arrives =
+                |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
+            let (end, hysteretic) = match ahead.filter(arrives) {
+                Some(ahead) => (ahead.state, ahead.hysteretic_force),
+                None => self.end_state(node, (x, at_wall), if full { &events } else { &[] }),
+            };
+            if advanced {
+                self.report(node, first, time, x, end);
+            }
+            if later {
+                let member = &mut self.moving.members[node];
+                (member.balanced, member.peaked) = (false, false);
+                if let Some(storey) = &mut member.storey {
+                    storey.still = false;
+                }
+            }
+            let member = &mut self.moving.members[node];
+            (member.state, member.hysteretic_force) = (end, hysteretic);
+        }
+        for place in self.touching.groups.around(first) {
+            self.refresh_deformation(self.touching.groups.pair(place), time);
+        }
+        if full {
+            for event in &events {
+                self.apply(*event, time);
+            }
+        }
+        for place in self.touching.groups.around(first) {
+            let pair = self.touching.groups.pair(place);
+            // What another event of this instant ends just behind the parting has parted; its force would be a power of a negative number.
+            if self.touching.contacts[pair].has_parted() {
+                self.apply(Event::Part(pair), time);
+            }
+        }
+        self.moving.bodies[first].events = events;
+    }
+
+    /// Whether a node hits a wall without a gap now, or neighbours without gaps that touch one: it does so at zero. What rounding leaves
+    /// of its displacement would move it later on, when nothing else does.
+    fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
+        if self.moving.walls == 0 {
+            return false;
+        }
+        // Nothing is allocated where a node touches nobody.
+        let (mut met, mut next) = (Vec::new(), Some(node));
+        let mut looked = 0;
+        while let Some(node) = next {
+            for at in self.touching.incidence.at(node) {
+                let floors = self.touching.contacts[at.pair].floors();
+                let other = if at.on_left { floors[1] } else { floors[0] };
+                if self.touching.touches_without_gap(at.pair, time) && !met.contains(&other) {
+                    met.push(other);
+                }
+            }
+            next = met.get(looked).copied();
+            looked += 1;
+        }
+        met.into_iter()
+            .any(|met| self.moving.members[met].is_wall())
+    }
 
     /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
     fn end_state(&self, node: usize, (x, at_wall): (f64, bool), events: &[Event]) -> (State, f64) {
-        let body = &self.bodies[self.groups.body_of[node]];
-        let (member, len) = (&self.members[node], body.len);
+        let body = &self.moving.bodies[self.touching.groups.body_of[node]];
+        let (member, len) = (&self.moving.members[node], body.len);
         let force = |on_left| {
             let force = |contact: &Contact| pushing(value(&contact.force[..len], x));
-            self.pushed(node, on_left, force).unwrap_or(0.0)
+            self.touching.pushed(node, on_left, force).unwrap_or(0.0)
         };
         let mut end = State {
             displacement: if at_wall {
@@ -133,11 +136,11 @@ impl<R: Recorder> Run<'_, R> {
         };
         let drift = match &member.storey {
             None => end.displacement,
-            Some(storey) => end.displacement - self.members[storey.below].state.displacement,
+            Some(storey) => end.displacement - self.moving.members[storey.below].state.displacement,
         };
         let mut hysteretic = member.hysteretic_end(drift, len, x);
         for event in events {
-            if matches!(*event, Event::Turn(turning) if turning == self.leader(node)) {
+            if matches!(*event, Event::Turn(turning) if turning == self.touching.leader(node)) {
                 end.velocity = 0.0;
             }
             if *event == Event::Cross(node) {
@@ -157,20 +160,20 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn report(&mut self, node: usize, first: usize, time: f64, x: f64, end: State) {
-        let body = &self.bodies[first];
-        let member = &self.members[node];
+        let body = &self.moving.bodies[first];
+        let member = &self.moving.members[node];
         let (tangent, bent) = match &member.bend {
             None => (member.tangent(), &[][..]),
             Some(bend) => (member.hardened_stiffness, &bend.force[..body.len]),
         };
         let storey = member.storey.as_ref();
-        let below = storey.map(|storey| &self.members[storey.below]);
-        let (start_time, end_time) = (body.start.absolute(), self.clock.absolute(time));
+        let below = storey.map(|storey| &self.moving.members[storey.below]);
+        let (start_time, end_time) = (body.start.absolute(), self.agenda.clock.absolute(time));
         let mut room = Room::default();
-        let incidents = self.incidence.at(node);
+        let incidents = self.touching.incidence.at(node);
         let pushes = room.of(incidents);
         for push in pushes.iter_mut() {
-            let contact = &self.contacts[push.pair];
+            let contact = &self.touching.contacts[push.pair];
             if contact.link != Link::Apart {
                 contact.pushes(push, (body, x));
             }

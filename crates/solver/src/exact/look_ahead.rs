@@ -10,6 +10,7 @@ use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::rounding::{noise, weighed};
+use crate::exact::shaking::Shaking;
 use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::span::{Power, value};
 use crate::{Motion, Point, Recorder, Relation, Share};
@@ -17,11 +18,38 @@ use crate::{Motion, Point, Recorder, Relation, Share};
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
 pub(super) const CARRIED: f64 = 1e-6;
 
+impl Shaking<'_> {
+    /// Adds the displacement of the ground of a node to its series; returns its length.
+    fn add_ground(
+        &self,
+        node: usize,
+        (begin, offset): (Past, f64),
+        power: Power,
+        series: &mut [f64; CAPACITY],
+    ) -> usize {
+        let Some(travel) = &self.travel else {
+            return 0;
+        };
+        let cubic = travel.cubic_ground(node, begin.instant());
+        let mut ground = [0.0; CAPACITY];
+        ground[..cubic.len()].copy_from_slice(&cubic);
+        let len = match power {
+            Power::One => cubic.len(),
+            Power::Four if offset > 0.0 => compose(&mut ground, cubic.len(), offset),
+            Power::Four => spread(&mut ground, cubic.len()),
+        };
+        for (place, coefficient) in series.iter_mut().zip(&ground[..len]) {
+            *place += coefficient;
+        }
+        len
+    }
+}
+
 impl<R: Recorder> Run<'_, R> {
     /// Brings deformation and rate of a pair to this instant, from its own series.
     pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
-        let contact = &self.contacts[pair];
-        let body = &self.bodies[self.groups.body_of[contact.floors()[0]]];
+        let contact = &self.touching.contacts[pair];
+        let body = &self.moving.bodies[self.touching.groups.body_of[contact.floors()[0]]];
         if contact.time >= time {
             return;
         }
@@ -32,15 +60,15 @@ impl<R: Recorder> Run<'_, R> {
                 let sides = sides.map(|point| self.motion_of(point, time));
                 self.closing(pair, time, sides)
             }
-            Link::Apart => contact.at(self.clock.past(time)),
+            Link::Apart => contact.at(self.agenda.clock.past(time)),
             Link::Touching(_) => {
-                let x = body.position(self.clock.past(time));
+                let x = body.position(self.agenda.clock.past(time));
                 let at = |series: &[f64]| value(&series[..body.len], x);
                 (at(&contact.deformations), at(&contact.rates))
             }
         };
-        let later = self.clock.absolute(time) > self.clock.absolute(contact.time);
-        let contact = &mut self.contacts[pair];
+        let later = self.agenda.clock.absolute(time) > self.agenda.clock.absolute(contact.time);
+        let contact = &mut self.touching.contacts[pair];
         (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
         if later {
             (contact.faded, contact.peaked) = (false, false);
@@ -49,23 +77,27 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Takes a deformation that is not small from the displacements.
     pub(super) fn refresh_deformation(&mut self, pair: usize, time: f64) {
-        let contact = &self.contacts[pair];
+        let contact = &self.touching.contacts[pair];
         let (relation, [left, right]) = (contact.relation, contact.floors());
         let points = relation.points();
         let sides = points.map(|point| self.motion_of(point, time));
         let (deformation, rate) = self.closing(pair, time, sides);
         let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + relation.offset;
-        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens());
+        let travel = self
+            .shaking
+            .travel
+            .as_ref()
+            .filter(|_| self.touching.contacts[pair].opens());
         let scale = match travel {
             None => scale,
             Some(travel) => {
-                let time = self.clock.absolute(time);
+                let time = self.agenda.clock.absolute(time);
                 let ground = |node: usize| travel.ground(node, time).displacement.abs();
                 scale + (ground(left) + ground(right))
             }
         };
-        let is_chain = self.is_chain();
-        let contact = &mut self.contacts[pair];
+        let is_chain = self.touching.is_chain();
+        let contact = &mut self.touching.contacts[pair];
         contact.scale = contact.scale.max(scale);
         // At a touch the series knows both better than the rounded time does.
         let touches = contact.meets <= time;
@@ -99,12 +131,12 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Displacement and velocity of a node now, landed or not.
     fn motion(&self, node: usize, time: f64) -> Motion {
-        let member = &self.members[node];
-        if self.landed[node] {
+        let member = &self.moving.members[node];
+        if self.moving.landed[node] {
             return (&member.state).into();
         }
-        let body = &self.bodies[self.groups.body_of[node]];
-        let x = body.position(self.clock.past(time));
+        let body = &self.moving.bodies[self.touching.groups.body_of[node]];
+        let x = body.position(self.agenda.clock.past(time));
         Motion {
             displacement: value(&member.displacement[..body.len], x),
             velocity: value(&member.velocity[..body.len], x),
@@ -120,9 +152,9 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn earlier_root(&self, pair: usize) -> Option<usize> {
-        let floors = self.contacts[pair].floors();
-        let firsts = floors.map(|floor| self.groups.body_of[floor]);
-        let [a, b] = firsts.map(|first| &self.bodies[first]);
+        let floors = self.touching.contacts[pair].floors();
+        let firsts = floors.map(|floor| self.touching.groups.body_of[floor]);
+        let [a, b] = firsts.map(|first| &self.moving.bodies[first]);
         let rooted = a.power == Power::Four && b.power == Power::Four;
         match a.start.since(b.start).total_cmp(&0.0) {
             Ordering::Less if rooted => Some(firsts[0]),
@@ -133,9 +165,12 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Whether the largest displacements that the pieces on both sides of a pair could have leave it clearly open.
     fn out_of_reach(&self, pair: usize) -> bool {
-        let contact = &self.contacts[pair];
+        let contact = &self.touching.contacts[pair];
         let most = |node: usize, sign: f64| {
-            let (body, member) = (&self.bodies[self.groups.body_of[node]], &self.members[node]);
+            let (body, member) = (
+                &self.moving.bodies[self.touching.groups.body_of[node]],
+                &self.moving.members[node],
+            );
             let series = &member.displacement[1..body.len];
             let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
@@ -148,14 +183,14 @@ impl<R: Recorder> Run<'_, R> {
         let mut closest = weighed(left, |node| most(node, 1.0))
             + weighed(right, |node| most(node, -1.0))
             - offset;
-        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
+        if let Some(travel) = self.shaking.travel.as_ref().filter(|_| contact.opens()) {
             let floors = contact.floors();
-            let bodies = floors.map(|node| &self.bodies[self.groups.body_of[node]]);
-            let starts = bodies.map(|body| self.clock.shown(body.start));
+            let bodies = floors.map(|node| &self.moving.bodies[self.touching.groups.body_of[node]]);
+            let starts = bodies.map(|body| self.agenda.clock.shown(body.start));
             let start = starts[0].max(starts[1]);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
             let [opening, others @ ..] =
-                travel.cubic_opening(floors, self.clock.past(start).instant());
+                travel.cubic_opening(floors, self.agenda.clock.past(start).instant());
             let bound = |sum: f64, c: &f64| sum * length + c.abs();
             closest += opening + length * others.iter().rev().fold(0.0, bound);
         }
@@ -170,7 +205,10 @@ impl<R: Recorder> Run<'_, R> {
         power: Power,
         series: &mut [f64; CAPACITY],
     ) -> usize {
-        let (body, member) = (&self.bodies[self.groups.body_of[node]], &self.members[node]);
+        let (body, member) = (
+            &self.moving.bodies[self.touching.groups.body_of[node]],
+            &self.moving.members[node],
+        );
         series[..body.len].copy_from_slice(&member.displacement[..body.len]);
         if body.power == Power::Four {
             if offset > 0.0 {
@@ -193,12 +231,12 @@ impl<R: Recorder> Run<'_, R> {
         begin: (Past, f64),
         power: Power,
     ) -> ([[f64; CAPACITY]; 2], usize) {
-        let contact = &self.contacts[pair];
+        let contact = &self.touching.contacts[pair];
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
         for (point, side) in contact.relation.points().into_iter().zip(&mut sides) {
             len = len.max(self.point_from(point, begin, power, side));
             if contact.opens() {
-                len = len.max(self.add_ground(point.floor(), begin, power, side));
+                len = len.max(self.shaking.add_ground(point.floor(), begin, power, side));
             }
         }
         (sides, len)
@@ -228,49 +266,24 @@ impl<R: Recorder> Run<'_, R> {
         len
     }
 
-    /// Adds the displacement of the ground of a node to its series; returns its length.
-    fn add_ground(
-        &self,
-        node: usize,
-        (begin, offset): (Past, f64),
-        power: Power,
-        series: &mut [f64; CAPACITY],
-    ) -> usize {
-        let Some(travel) = &self.travel else {
-            return 0;
-        };
-        let cubic = travel.cubic_ground(node, begin.instant());
-        let mut ground = [0.0; CAPACITY];
-        ground[..cubic.len()].copy_from_slice(&cubic);
-        let len = match power {
-            Power::One => cubic.len(),
-            Power::Four if offset > 0.0 => compose(&mut ground, cubic.len(), offset),
-            Power::Four => spread(&mut ground, cubic.len()),
-        };
-        for (place, coefficient) in series.iter_mut().zip(&ground[..len]) {
-            *place += coefficient;
-        }
-        len
-    }
-
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
-        let contact = &self.contacts[pair];
-        if contact.link != Link::Apart || time >= self.end {
-            self.contacts[pair].meets = f64::INFINITY;
+        let contact = &self.touching.contacts[pair];
+        if contact.link != Link::Apart || time >= self.agenda.end {
+            self.touching.contacts[pair].meets = f64::INFINITY;
             return;
         }
         if self.earlier_root(pair).is_some() {
             // Out of reach, or the pieces would have been ended.
-            self.contacts[pair].meets = f64::INFINITY;
-            self.contacts[pair].series.len = 0;
+            self.touching.contacts[pair].meets = f64::INFINITY;
+            self.touching.contacts[pair].series.len = 0;
             return;
         }
         let floors = contact.floors();
-        let bodies = floors.map(|node| &self.bodies[self.groups.body_of[node]]);
+        let bodies = floors.map(|node| &self.moving.bodies[self.touching.groups.body_of[node]]);
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
-        let now = self.clock.past(time);
+        let now = self.agenda.clock.past(time);
         let (origin, power) = rooted.map_or((now, Power::One), |body| (body.start, Power::Four));
         let offset = power.root(now.since(origin));
         // Before its own start a series may be far beyond its reach: then both are taken from now on.
@@ -289,8 +302,8 @@ impl<R: Recorder> Run<'_, R> {
         if offset > 0.0 && !from_now {
             shift(&mut coefficients[..len], offset);
         }
-        let members = &self.members[..];
-        let contact = &mut self.contacts[pair];
+        let members = &self.moving.members[..];
+        let contact = &mut self.touching.contacts[pair];
         contact.begin_series(&mut coefficients[..len], power, offset);
         if contact.deformation == 0.0 && contact.rate == 0.0 {
             // What rounding leaves of two equal motions touches nothing.
@@ -307,8 +320,8 @@ impl<R: Recorder> Run<'_, R> {
         contact.series.coefficients = coefficients;
         (contact.series.len, contact.series.origin) = (len, origin);
         (contact.series.offset, contact.series.power) = (offset, power);
-        let length = power.root(self.clock.past(end).since(origin)) - offset;
-        let origin = self.clock.shown(origin);
+        let length = power.root(self.agenda.clock.past(end).since(origin)) - offset;
+        let origin = self.agenda.clock.shown(origin);
         let touch = first_root(&coefficients[..len], length);
         contact.meets_at = touch.unwrap_or(length);
         contact.meets = match touch {

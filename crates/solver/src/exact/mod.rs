@@ -32,6 +32,7 @@ mod rest_any;
 mod rounding;
 mod series;
 mod settle;
+mod shaking;
 mod storey;
 mod tie;
 mod watch;
@@ -40,12 +41,9 @@ use crate::budget::Guard;
 use crate::error::require;
 use crate::impact::any_rounds::AnyRounds;
 use crate::model::buildings::Buildings;
-use crate::model::excitation::Segment;
 use crate::model::ground::Ground;
 use crate::model::incidence::Incidence;
-use crate::{
-    Course, Excitation, Hysteretic, Motion, Node, Recorder, Row, RunError, Touch, Travel, Work,
-};
+use crate::{Course, Excitation, Hysteretic, Motion, Node, Recorder, Row, RunError, Touch, Work};
 
 use crate::roots::SHORTEST_WAY;
 use body::Body;
@@ -60,6 +58,7 @@ use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
 pub use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
+use shaking::Shaking;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,43 +106,94 @@ pub fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
     parts && -2.0 * rate < CHATTER * closing * (1.0 - restitution)
 }
 
-/// Everything of a run.
+/// Everything of a run, in its parts. A step that needs one of them is a method of it; what joins them is a method of the run.
 struct Run<'a, R> {
     settings: Exact,
-    excitation: Excitation<'a>,
-    /// How it travels along the row; nothing where it arrives everywhere at t = 0.
-    travel: Option<Travel>,
-    /// The piece of the ground motion that was last asked for, when, and of which arrival.
-    ground: ([f64; 2], Segment),
-    clock: LocalClock,
-    /// End of the run, on that clock.
-    end: f64,
+    shaking: Shaking<'a>,
+    moving: Moving<'a>,
+    touching: Touching<'a>,
+    agenda: Agenda,
+    recorder: &'a mut R,
+}
+
+/// What moves: the floors and walls, and the pieces of their motion.
+struct Moving<'a> {
     members: Vec<Member>,
     /// How many of them are walls.
     walls: usize,
+    buildings: &'a Buildings,
+    /// The body that begins with this node.
+    bodies: Vec<Body>,
+    /// Members whose bodies wait for their next piece.
+    landed: Vec<bool>,
+    /// From sample to sample in one go.
+    flights: Flights,
+}
+
+impl<'a> Moving<'a> {
+    /// At t = 0, when everything waits for its first piece.
+    fn new(members: Vec<Member>, buildings: &'a Buildings, step: f64) -> Self {
+        Self {
+            walls: members.iter().filter(|member| member.is_wall()).count(),
+            buildings,
+            bodies: vec![Body::at_start(); members.len()],
+            landed: vec![true; members.len()],
+            flights: Flights::new(&members, step),
+            members,
+        }
+    }
+}
+
+/// What touches: the contacts, and who moves together because of them.
+struct Touching<'a> {
     contacts: Vec<Contact>,
     /// Which pairs meet which nodes.
     incidence: &'a Incidence,
-    /// The body that begins with this node.
-    bodies: Vec<Body>,
     /// Who belongs to which body.
     groups: Groups,
-    buildings: &'a Buildings,
     /// Pairs of which this instant's impacts have been dealt with.
     settled: Vec<bool>,
-    /// From sample to sample in one go.
-    flights: Flights,
-    /// Bodies that wait for their next piece.
-    landed: Vec<bool>,
     /// Impulses of a chain.
     chain: Chain,
     /// Impulses of other rows, and which of their pairs rest.
     rounds: AnyRounds,
+}
+
+impl<'a> Touching<'a> {
+    /// Before the first decision.
+    fn new(contacts: Vec<Contact>, incidence: &'a Incidence, groups: Groups) -> Self {
+        Self {
+            settled: vec![false; contacts.len()],
+            contacts,
+            incidence,
+            groups,
+            chain: Chain::default(),
+            rounds: AnyRounds::new(0, 0),
+        }
+    }
+
+    /// Whether the pairs are a chain of neighbours: those that rest move as blocks then, and impacts pass along it.
+    fn is_chain(&self) -> bool {
+        self.groups.is_chain
+    }
+}
+
+/// What comes next, and how much has been spent on what is past.
+struct Agenda {
+    clock: LocalClock,
+    /// End of the run, on that clock.
+    end: f64,
     guard: Guard,
     /// Pieces that were tried to tell who rests.
     tried: u64,
     work: Work,
-    recorder: &'a mut R,
+}
+
+impl Agenda {
+    /// Pieces that count towards the budget.
+    fn spent(&self) -> u64 {
+        self.work.segments + self.tried
+    }
 }
 
 /// Integrates a row; the shared signature of all methods. Of the clock only the end counts.
@@ -185,85 +235,65 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     guard.wait(0.0)?;
     let mut run = Run {
         settings,
-        excitation,
-        flights: Flights::new(&members, excitation.time_step()),
-        travel: row.travel(excitation),
-        ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
-        clock: LocalClock::new(excitation.sampling()),
-        end: clock.time(clock.n_steps),
-        buildings: row.buildings(),
-        settled: vec![false; contacts.len()],
-        walls: members.iter().filter(|member| member.is_wall()).count(),
-        members,
-        contacts,
-        incidence: row.incidence(),
-        bodies: vec![Body::at_start(); n],
-        groups,
-        landed: vec![true; n],
-        chain: Chain::default(),
-        rounds: AnyRounds::new(0, 0),
-        guard,
-        tried: 0,
-        work: Work::default(),
+        shaking: Shaking::new(excitation, row.travel(excitation)),
+        moving: Moving::new(members, row.buildings(), excitation.time_step()),
+        touching: Touching::new(contacts, row.incidence(), groups),
+        agenda: Agenda {
+            clock: LocalClock::new(excitation.sampling()),
+            end: clock.time(clock.n_steps),
+            guard,
+            tried: 0,
+            work: Work::default(),
+        },
         recorder,
     };
     run.check_cost(budget.pieces)?;
     match run.run() {
-        Ok(()) => Ok(run.work),
-        Err(error) => Err(error.later(run.clock.zero())),
+        Ok(()) => Ok(run.agenda.work),
+        Err(error) => Err(error.later(run.agenda.clock.zero())),
     }
 }
 
 impl<R: Recorder> Run<'_, R> {
     fn run(&mut self) -> Result<(), RunError> {
-        if self.end <= 0.0 {
+        if self.agenda.end <= 0.0 {
             return Ok(());
         }
         self.go_on(0.0)?;
         let (mut now, mut at_once) = (0.0, 0);
-        let most_at_once = MOST_AT_ONCE + MOST_AT_ONCE_EACH * self.members.len();
+        let most_at_once = MOST_AT_ONCE + MOST_AT_ONCE_EACH * self.moving.members.len();
         loop {
             let time = self.next_event();
-            if time >= self.end && self.bodies_at_end() {
+            if time >= self.agenda.end && self.bodies_at_end() {
                 return Ok(());
             }
             // By the clock of recorders: what is shorter is no progress. Near 0 s it tells any two instants apart.
-            let [before, time_shown] = [now, time].map(|time| self.clock.absolute(time));
+            let [before, time_shown] = [now, time].map(|time| self.agenda.clock.absolute(time));
             let later = time_shown > before + SHORTEST_WAY;
             at_once = if later { 0 } else { at_once + 1 };
-            self.guard.look(time, self.spent())?;
+            self.agenda.guard.look(time, self.agenda.spent())?;
             // Before anything lands: what a piece has lasted is rounded as its ends alone say.
             let time = time - self.set_clock(time);
             if at_once > most_at_once {
-                let events = self.work.events;
+                let events = self.agenda.work.events;
                 return Err(RunError::NoProgress { time, events });
             }
-            self.work.events += 1;
+            self.agenda.work.events += 1;
             self.land_all(time)?;
             now = self.fly(time);
             self.go_on(now)?;
         }
     }
 
-    /// The ground motion from an instant on, of some arrival.
-    fn segment(&mut self, time: f64, arrival: f64) -> Segment {
-        let at = [time, arrival];
-        if self.ground.0.map(f64::to_bits) != at.map(f64::to_bits) {
-            let segment = self
-                .excitation
-                .segment_on_clock(self.clock.zero(), time, arrival);
-            self.ground = (at, segment);
-        }
-        self.ground.1
-    }
-
     /// Gives a body the ground motion from an instant on; returns when the next sample arrives at one of its nodes.
     fn shake(&mut self, first: usize, time: f64) -> f64 {
         let mut end = f64::INFINITY;
-        for place in self.groups.nodes_of(first) {
-            let node = self.groups.node(place);
-            let segment = self.segment(time, self.members[node].arrival);
-            self.members[node].ground = segment;
+        for place in self.touching.groups.nodes_of(first) {
+            let node = self.touching.groups.node(place);
+            let segment =
+                self.shaking
+                    .segment(self.agenda.clock, time, self.moving.members[node].arrival);
+            self.moving.members[node].ground = segment;
             end = end.min(segment.end);
         }
         end
@@ -271,12 +301,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// How far the grounds of a pair have moved towards each other, and at which rate; nothing where they move alike.
     fn opening(&self, pair: usize, time: f64) -> Option<Motion> {
-        let travel = self
-            .travel
-            .as_ref()
-            .filter(|_| self.contacts[pair].opens())?;
-        let floors = self.contacts[pair].floors();
-        Some(travel.opening_at(floors, self.clock.past(time).instant()))
+        let contact = &self.touching.contacts[pair];
+        self.shaking.opening(contact, self.agenda.clock.past(time))
     }
 
     /// Deformation and rate of a pair whose sides move like this over their grounds.
@@ -289,52 +315,45 @@ impl<R: Recorder> Run<'_, R> {
             None => ahead,
             Some(opening) => ahead.over(opening),
         };
-        (displacement - self.contacts[pair].relation.offset, velocity)
+        (
+            displacement - self.touching.contacts[pair].relation.offset,
+            velocity,
+        )
     }
 
     /// The next instant at which a piece ends or a pair touches.
     fn next_event(&self) -> f64 {
-        let firsts = self.bodies.iter().enumerate();
+        let firsts = self.moving.bodies.iter().enumerate();
         let ends = firsts
-            .filter(|(first, _)| self.groups.body_of[*first] == *first)
+            .filter(|(first, _)| self.touching.groups.body_of[*first] == *first)
             .map(|(_, body)| body.end);
-        let touches = self.contacts.iter().map(|contact| contact.meets);
+        let touches = self.touching.contacts.iter().map(|contact| contact.meets);
         ends.chain(touches).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the pairs are a chain of neighbours: those that rest move as blocks then, and impacts pass along it.
-    fn is_chain(&self) -> bool {
-        self.groups.is_chain
-    }
-
-    /// Pieces that count towards the budget.
-    fn spent(&self) -> u64 {
-        self.work.segments + self.tried
-    }
-
     fn bodies_at_end(&self) -> bool {
-        self.groups
-            .body_of
-            .iter()
-            .all(|&first| self.clock.shown(self.bodies[first].start) >= self.end)
+        self.touching.groups.body_of.iter().all(|&first| {
+            self.agenda.clock.shown(self.moving.bodies[first].start) >= self.agenda.end
+        })
     }
 
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
     fn land_all(&mut self, time: f64) -> Result<(), RunError> {
-        for first in 0..self.bodies.len() {
-            if self.groups.body_of[first] == first && self.bodies[first].end <= time {
-                self.guard.wait(time)?;
+        for first in 0..self.moving.bodies.len() {
+            if self.touching.groups.body_of[first] == first && self.moving.bodies[first].end <= time
+            {
+                self.agenda.guard.wait(time)?;
                 self.land(first, time);
             }
         }
-        for pair in 0..self.contacts.len() {
-            if self.contacts[pair].meets <= time {
-                self.guard.wait(time)?;
-                let rate = self.contacts[pair].rate_at_touch(self.clock);
-                for floor in self.contacts[pair].floors() {
-                    self.land(self.groups.body_of[floor], time);
+        for pair in 0..self.touching.contacts.len() {
+            if self.touching.contacts[pair].meets <= time {
+                self.agenda.guard.wait(time)?;
+                let rate = self.touching.contacts[pair].rate_at_touch(self.agenda.clock);
+                for floor in self.touching.contacts[pair].floors() {
+                    self.land(self.touching.groups.body_of[floor], time);
                 }
-                self.contacts[pair].touch(time, rate);
+                self.touching.contacts[pair].touch(time, rate);
                 self.report_touch(pair, time);
             }
         }
@@ -342,15 +361,15 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn report_touch(&mut self, pair: usize, time: f64) {
-        let contact = &self.contacts[pair];
-        let acceleration = |node: usize| self.members[node].state.acceleration;
+        let contact = &self.touching.contacts[pair];
+        let acceleration = |node: usize| self.moving.members[node].state.acceleration;
         let mut closing = contact.relation.ahead(acceleration);
-        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
-            closing +=
-                2.0 * travel.cubic_opening(contact.floors(), self.clock.past(time).instant())[2];
+        let now = self.agenda.clock.past(time);
+        if let Some(acceleration) = self.shaking.opening_acceleration(contact, now) {
+            closing += acceleration;
         }
         let motion = (contact.rate, closing);
-        let time = self.clock.absolute(time);
+        let time = self.agenda.clock.absolute(time);
         let uncertainty = Touch::uncertainty(time, rounding::OF_SUMS * contact.scale, motion);
         self.recorder.touch(&Touch {
             pair,
@@ -364,15 +383,15 @@ impl<R: Recorder> Run<'_, R> {
     fn land_touching(&mut self, time: f64) -> Result<(), RunError> {
         let mut grown = true;
         while grown {
-            self.guard.wait(time)?;
+            self.agenda.guard.wait(time)?;
             grown = false;
-            for pair in 0..self.contacts.len() {
-                let contact = &self.contacts[pair];
+            for pair in 0..self.touching.contacts.len() {
+                let contact = &self.touching.contacts[pair];
                 let closed = contact.time >= time && contact.deformation == 0.0;
                 let floors = contact.floors();
-                if closed && self.landed[floors[0]] != self.landed[floors[1]] {
+                if closed && self.moving.landed[floors[0]] != self.moving.landed[floors[1]] {
                     for floor in floors {
-                        self.land(self.groups.body_of[floor], time);
+                        self.land(self.touching.groups.body_of[floor], time);
                     }
                     grown = true;
                 }
@@ -384,29 +403,29 @@ impl<R: Recorder> Run<'_, R> {
     /// Resolves what happens at this instant and sends everything that landed on its next piece.
     fn go_on(&mut self, time: f64) -> Result<(), RunError> {
         self.resolve(time)?;
-        for first in 0..self.bodies.len() {
-            if self.groups.body_of[first] == first && self.landed[first] {
-                self.guard.wait(time)?;
+        for first in 0..self.moving.bodies.len() {
+            if self.touching.groups.body_of[first] == first && self.moving.landed[first] {
+                self.agenda.guard.wait(time)?;
                 self.launch(first, time)?;
             }
         }
         self.part_roots(time)?;
-        for pair in 0..self.contacts.len() {
-            let floors = self.contacts[pair].floors();
-            if floors.into_iter().any(|floor| self.landed[floor]) {
-                self.guard.wait(time)?;
+        for pair in 0..self.touching.contacts.len() {
+            let floors = self.touching.contacts[pair].floors();
+            if floors.into_iter().any(|floor| self.moving.landed[floor]) {
+                self.agenda.guard.wait(time)?;
                 self.look_ahead(pair, time);
             }
         }
-        self.landed.fill(false);
+        self.moving.landed.fill(false);
         Ok(())
     }
 
     /// Ends the earlier of two neighbouring pieces that run in roots of time from different instants.
     fn part_roots(&mut self, time: f64) -> Result<(), RunError> {
-        for pair in 0..self.contacts.len() {
+        for pair in 0..self.touching.contacts.len() {
             while let Some(first) = self.conflict(pair) {
-                self.guard.wait(time)?;
+                self.agenda.guard.wait(time)?;
                 self.land(first, time);
                 self.launch(first, time)?;
             }

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use crate::exact::Run;
 use crate::exact::contact::{Gap, Link, System};
 use crate::exact::groups::beside;
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
+use crate::exact::{Run, Touching};
 use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -19,6 +19,14 @@ const FEWEST: usize = 15;
 
 /// The power of the fourth root of time by which an acceleration alone closes a gap.
 pub(super) const OF_ACCELERATION: usize = 8;
+
+impl Touching<'_> {
+    /// Whether a pair that touches is neither at rest nor parting with a rate.
+    fn may_press(&self, pair: usize) -> bool {
+        let contact = &self.contacts[pair];
+        contact.link == Link::Apart && contact.rate == 0.0
+    }
+}
 
 impl<R: Recorder> Run<'_, R> {
     /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
@@ -37,7 +45,7 @@ impl<R: Recorder> Run<'_, R> {
         };
         let pairs = || chains().map(|(_, pair)| pair);
         for pair in pairs() {
-            self.contacts[pair].link = Link::Apart;
+            self.touching.contacts[pair].link = Link::Apart;
         }
         loop {
             self.regroup();
@@ -49,17 +57,17 @@ impl<R: Recorder> Run<'_, R> {
             let soonest = match hits {
                 [_] => Some(usize::MAX),
                 _ => pairs()
-                    .filter(|pair| self.may_press(*pair))
+                    .filter(|pair| self.touching.may_press(*pair))
                     .filter_map(order)
                     .min(),
             };
             let mut grown = false;
             for (hit, pair) in chains() {
-                self.guard.wait(time)?;
+                self.agenda.guard.wait(time)?;
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
-                if self.may_press(pair) && presses() {
+                if self.touching.may_press(pair) && presses() {
                     if self.is_held(pair) {
-                        return Err(self.closed_in(pair, time));
+                        return Err(self.touching.closed_in(pair, time));
                     }
                     self.join(hit, time);
                     grown = true;
@@ -72,60 +80,55 @@ impl<R: Recorder> Run<'_, R> {
         // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
         // is zero, as one must be, is free.
         for (hit, pair) in chains() {
-            self.guard.wait(time)?;
-            if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
+            self.agenda.guard.wait(time)?;
+            if self.touching.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
                 self.join(hit, time);
             }
-            let parts = self.may_press(pair) && matches!(self.press(pair), Some((_, false)));
-            self.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
+            let parts =
+                self.touching.may_press(pair) && matches!(self.press(pair), Some((_, false)));
+            self.touching.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
         }
         self.regroup();
         Ok(())
     }
 
-    /// Whether a pair that touches is neither at rest nor parting with a rate.
-    fn may_press(&self, pair: usize) -> bool {
-        let contact = &self.contacts[pair];
-        contact.link == Link::Apart && contact.rate == 0.0
-    }
-
     /// Whether both sides of a pair rest against walls already.
     fn is_held(&self, pair: usize) -> bool {
-        if self.walls < 2 {
+        if self.moving.walls < 2 {
             return false;
         }
-        let [left, _] = self.contacts[pair].floors();
+        let [left, _] = self.touching.contacts[pair].floors();
         let rests = |node: usize| {
-            let [_, pair] = beside(self.incidence, node);
-            pair.is_some_and(|pair| self.contacts[pair].link == Link::Resting)
+            let [_, pair] = beside(self.touching.incidence, node);
+            pair.is_some_and(|pair| self.touching.contacts[pair].link == Link::Resting)
         };
         let mut first = left;
         while first > 0 && rests(first - 1) {
             first -= 1;
         }
         let mut last = left + 1;
-        while last < self.members.len() && rests(last) {
+        while last < self.moving.members.len() && rests(last) {
             last += 1;
         }
-        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.members[node].is_wall());
+        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.moving.members[node].is_wall());
         holds(first..left + 1) && holds(left + 1..last + 1)
     }
 
     /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.
     fn join(&mut self, (hit, index): (&Hit, usize), time: f64) {
         let pair = hit.pairs[index];
-        self.contacts[pair].link = Link::Resting;
-        if hit.rests_on(index, &self.contacts[pair], &self.members) {
+        self.touching.contacts[pair].link = Link::Resting;
+        if hit.rests_on(index, &self.touching.contacts[pair], &self.moving.members) {
             return;
         }
-        let [left, _] = self.contacts[pair].floors();
+        let [left, _] = self.touching.contacts[pair].floors();
         let carried = self.opening(pair, time).map(|opening| opening.velocity);
-        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let [a, b] = [left, left + 1].map(|node| &self.moving.members[node]);
         let [v, w] = [a.state.velocity, b.state.velocity];
         if a.mass >= b.mass {
-            self.members[left + 1].state.velocity = carried.map_or(v, |carried| v + carried);
+            self.moving.members[left + 1].state.velocity = carried.map_or(v, |carried| v + carried);
         } else {
-            self.members[left].state.velocity = carried.map_or(w, |carried| w - carried);
+            self.moving.members[left].state.velocity = carried.map_or(w, |carried| w - carried);
         }
     }
 
@@ -135,7 +138,8 @@ impl<R: Recorder> Run<'_, R> {
         let shown = |order: usize| {
             let (closing, _) = self.closing_by(pair, order);
             // A force that has just faded leaves no closing acceleration.
-            let fades = self.contacts[pair].faded && order == OF_ACCELERATION && closing > 0.0;
+            let fades =
+                self.touching.contacts[pair].faded && order == OF_ACCELERATION && closing > 0.0;
             (closing != 0.0 && !fades).then_some((order, closing > 0.0))
         };
         self.orders(pair).find_map(shown)
@@ -144,11 +148,11 @@ impl<R: Recorder> Run<'_, R> {
     /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, of those that decide.
     pub(super) fn orders(&self, pair: usize) -> impl Iterator<Item = usize> + use<R> {
         let p = self.power(pair);
-        let mut floors = self.contacts[pair].floors().into_iter();
-        let last = if floors.any(|node| self.members[node].is_tied()) {
+        let mut floors = self.touching.contacts[pair].floors().into_iter();
+        let last = if floors.any(|node| self.moving.members[node].is_tied()) {
             // What happens on one floor is felt two orders later on the next.
             (FEWEST * p).min(CAPACITY)
-        } else if self.is_chain() {
+        } else if self.touching.is_chain() {
             2 * p + DECISIVE
         } else {
             // A force that begins without a rate, like t³, moves a pair beside it like t⁵.
@@ -159,46 +163,48 @@ impl<R: Recorder> Run<'_, R> {
 
     /// The finer power of the bodies on both sides of a pair.
     fn power(&self, pair: usize) -> usize {
-        let floors = self.contacts[pair].floors();
+        let floors = self.touching.contacts[pair].floors();
         let [left, right] = floors.map(|node| self.power_of(node));
         left.max(right)
     }
 
     fn power_of(&self, node: usize) -> usize {
-        self.bodies[self.groups.body_of[node]].power.order()
+        self.moving.bodies[self.touching.groups.body_of[node]]
+            .power
+            .order()
     }
 
     /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it: 0
     /// where that hides it.
     pub(super) fn closing_by(&self, pair: usize, order: usize) -> (f64, f64) {
-        let (contact, p) = (&self.contacts[pair], self.power(pair));
+        let (contact, p) = (&self.touching.contacts[pair], self.power(pair));
         let n = order * p / 4;
         let values = contact.relation.points().map(|point| {
             // A series in t beside one in its fourth root.
             let stretched = p / self.power_of(point.floor());
             if n.is_multiple_of(stretched) && (n * 4).is_multiple_of(p) {
                 let at = (p / stretched, n / stretched);
-                contact.displacement_of(&self.members, point, at)
+                contact.displacement_of(&self.moving.members, point, at)
             } else {
                 0.0
             }
         });
         let closing = values[0] - values[1];
-        let noise = noise(&self.members, contact.relation, values, (p, n));
+        let noise = noise(&self.moving.members, contact.relation, values, (p, n));
         let shown = closing.abs() > noise && closing.is_finite();
         (if shown { closing } else { 0.0 }, noise)
     }
 
     /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.
     pub(super) fn expand_landed(&mut self, time: f64) -> Result<(), RunError> {
-        self.guard.look(time, self.spent())?;
-        for first in 0..self.bodies.len() {
-            if self.groups.body_of[first] == first && self.landed[first] {
-                self.guard.wait(time)?;
+        self.agenda.guard.look(time, self.agenda.spent())?;
+        for first in 0..self.moving.bodies.len() {
+            if self.touching.groups.body_of[first] == first && self.moving.landed[first] {
+                self.agenda.guard.wait(time)?;
                 let (power, _) = self.expand(first, time);
-                self.bodies[first].power = power;
+                self.moving.bodies[first].power = power;
                 self.clean(first, time, power);
-                self.tried += self.groups.nodes_of(first).len() as u64;
+                self.agenda.tried += self.touching.groups.nodes_of(first).len() as u64;
             }
         }
         Ok(())
@@ -207,22 +213,30 @@ impl<R: Recorder> Run<'_, R> {
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
     pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
         // Where grounds move apart their positions have the rounding of the whole time.
-        let time = if self.travel.is_some() {
-            self.clock.absolute(time)
+        let time = if self.shaking.travel.is_some() {
+            self.agenda.clock.absolute(time)
         } else {
             time
         };
-        let system = (&mut self.members[..], &mut self.contacts[..]);
-        let group = self.groups.of(first);
-        clean(group, system, self.incidence, (time, power.order()));
+        let system = (
+            &mut self.moving.members[..],
+            &mut self.touching.contacts[..],
+        );
+        let group = self.touching.groups.of(first);
+        clean(
+            group,
+            system,
+            self.touching.incidence,
+            (time, power.order()),
+        );
     }
 
     /// Bodies anew, from the links.
     pub(super) fn regroup(&mut self) {
-        self.groups.update(System {
-            members: &self.members,
-            contacts: &self.contacts,
-            incidence: self.incidence,
+        self.touching.groups.update(System {
+            members: &self.moving.members,
+            contacts: &self.touching.contacts,
+            incidence: self.touching.incidence,
         });
     }
 }

@@ -27,13 +27,13 @@ impl<R: Recorder> Run<'_, R> {
     /// Lets pairs rest or part.
     pub(super) fn rest_or_part_any(&mut self, hit: &Hit, time: f64) -> Result<(), RunError> {
         for pair in &hit.pairs {
-            let contact = &mut self.contacts[*pair];
+            let contact = &mut self.touching.contacts[*pair];
             (contact.link, contact.idle, contact.gap) = (Link::Apart, false, Gap::Known);
         }
         let without_rate = hit
             .pairs
             .iter()
-            .filter(|pair| self.contacts[**pair].rate == 0.0);
+            .filter(|pair| self.touching.contacts[**pair].rate == 0.0);
         let mut open: Vec<_> = without_rate.copied().collect();
         let (mut pressing, mut from) = (Vec::new(), 0);
         loop {
@@ -43,13 +43,13 @@ impl<R: Recorder> Run<'_, R> {
             while known == pressing.len()
                 && let Some(order) = self.next_order(&open, from)
             {
-                self.guard.wait(time)?;
+                self.agenda.guard.wait(time)?;
                 from = order + 1;
                 let decisions = self
                     .decide((&open, &pressing), order)
-                    .map_err(|pair| self.closed_in(pair, time))?;
+                    .map_err(|pair| self.touching.closed_in(pair, time))?;
                 for (pair, decision) in open.iter().zip(&decisions) {
-                    let contact = &mut self.contacts[*pair];
+                    let contact = &mut self.touching.contacts[*pair];
                     match decision {
                         Decision::Presses => {
                             contact.link = Link::Resting;
@@ -94,11 +94,11 @@ impl<R: Recorder> Run<'_, R> {
         let closing = open.iter().map(|pair| self.closing_by(*pair, order));
         let closing: Vec<_> = closing.collect();
         let system = System {
-            members: &self.members,
-            contacts: &self.contacts,
-            incidence: self.incidence,
+            members: &self.moving.members,
+            contacts: &self.touching.contacts,
+            incidence: self.touching.incidence,
         };
-        let problem = &mut self.rounds.problem;
+        let problem = &mut self.touching.rounds.problem;
         let all: Vec<_> = open.iter().chain(pressing).copied().collect();
         let floors = tie::floors(&all, system.contacts);
         let mut held = Basis::new(pressing.len(), floors.len());
@@ -151,9 +151,9 @@ impl<R: Recorder> Run<'_, R> {
     /// Keeps pairs together that nothing presses or parts; those that others hold carry no force.
     fn let_idle(&mut self, open: &[usize], pressing: &[usize]) {
         let system = System {
-            members: &self.members,
-            contacts: &self.contacts,
-            incidence: self.incidence,
+            members: &self.moving.members,
+            contacts: &self.touching.contacts,
+            incidence: self.touching.incidence,
         };
         let all: Vec<_> = pressing.iter().chain(open).copied().collect();
         let floors = tie::floors(&all, system.contacts);
@@ -162,7 +162,7 @@ impl<R: Recorder> Run<'_, R> {
         let idle: Vec<_> = all.iter().map(depends).collect();
         let idle = &idle[pressing.len()..];
         for (pair, idle) in open.iter().zip(idle) {
-            let contact = &mut self.contacts[*pair];
+            let contact = &mut self.touching.contacts[*pair];
             (contact.link, contact.idle) = (Link::Resting, *idle);
             if *idle {
                 contact.force.fill(0.0);
@@ -173,33 +173,38 @@ impl<R: Recorder> Run<'_, R> {
     /// Takes from pairs that have come to rest what rounding leaves of their rates, by the least jump of energy.
     fn pull(&mut self, hit: &Hit, time: f64) {
         let pairs = hit.pairs.iter().enumerate();
-        let mut resting = pairs.filter(|(_, pair)| self.contacts[**pair].link == Link::Resting);
-        if resting.all(|(index, pair)| hit.rests_on(index, &self.contacts[*pair], &self.members)) {
+        let mut resting =
+            pairs.filter(|(_, pair)| self.touching.contacts[**pair].link == Link::Resting);
+        if resting.all(|(index, pair)| {
+            hit.rests_on(index, &self.touching.contacts[*pair], &self.moving.members)
+        }) {
             return;
         }
         let floors = hit
             .pairs
             .iter()
-            .map(|pair| self.contacts[*pair].floors()[0]);
-        let mut bodies: Vec<_> = floors.map(|floor| self.groups.body_of[floor]).collect();
+            .map(|pair| self.touching.contacts[*pair].floors()[0]);
+        let mut bodies: Vec<_> = floors
+            .map(|floor| self.touching.groups.body_of[floor])
+            .collect();
         bodies.sort_unstable();
         bodies.dedup();
         for first in bodies {
-            let Some(tie) = self.groups.of(first).tie() else {
+            let Some(tie) = self.touching.groups.of(first).tie() else {
                 continue;
             };
             let rate = |pair: &usize| {
-                let contact = &self.contacts[*pair];
+                let contact = &self.touching.contacts[*pair];
                 let faster = contact
                     .relation
-                    .ahead(|node| self.members[node].state.velocity);
+                    .ahead(|node| self.moving.members[node].state.velocity);
                 let opening = self.opening(*pair, time);
                 opening.map_or(faster, |opening| faster + opening.velocity)
             };
             let mut impulses: Vec<_> = tie.pairs.iter().map(rate).collect();
             tie.solve(&mut impulses);
             for (pair, impulse) in tie.pairs.iter().zip(impulses) {
-                self.contacts[*pair].kick(impulse, &mut self.members);
+                self.touching.contacts[*pair].kick(impulse, &mut self.moving.members);
             }
         }
     }

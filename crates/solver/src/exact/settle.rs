@@ -7,6 +7,7 @@ use crate::exact::member::Member;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::tie;
 use crate::exact::{CHATTER, Run, bounces_are_over};
+use crate::exact::{Moving, Touching};
 use crate::impact::any_rounds::Closed;
 use crate::impact::dense::ClosedIn;
 use crate::{Impact, Recorder, RunError};
@@ -16,87 +17,7 @@ use crate::{Impact, Recorder, RunError};
 /// With e = 0.999 a bounce of 0.1 m/s is over after 25 000.
 const MOST_BOUNCES: u32 = 100_000;
 
-impl<R: Recorder> Run<'_, R> {
-    /// Resolves every chain of pairs that touch now.
-    pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
-        self.settled.fill(false);
-        // Compliant pairs first: whether others come to rest depends on their forces, on whichever side of them they are.
-        for pair in 0..self.contacts.len() {
-            if self.contacts[pair].restitution().is_none() && self.touches_now(pair, time) {
-                let contact = &mut self.contacts[pair];
-                contact.gap = Gap::Known;
-                // A graze within rounding is none.
-                if contact.rate >= 0.0 {
-                    contact.begin();
-                }
-            }
-        }
-        for pair in 0..self.contacts.len() {
-            if !self.settled[pair] && self.hits(pair, time) {
-                let hits = self.hits_with(pair, time)?;
-                self.collide(hits, time)?;
-            }
-        }
-        self.regroup();
-        Ok(())
-    }
-
-    /// Whether a pair has landed with its gap closed, in need of a decision.
-    pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
-        let contact = &self.contacts[pair];
-        let landed = contact.floors().into_iter().all(|floor| self.landed[floor]);
-        let closed = contact.time >= time && contact.deformation == 0.0;
-        let open = match contact.link {
-            Link::Apart => true,
-            Link::Resting => contact.restitution().is_some(),
-            Link::Touching(_) => false,
-        };
-        // A compliant pair that is just closed touches only where its deformation grows.
-        landed && closed && open && (contact.restitution().is_some() || contact.gap == Gap::Touches)
-    }
-
-    /// Impacts of chains of touching pairs, then rest or parting.
-    fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
-        let closed_in = |hit: &Hit| hit.closed_in(&self.members);
-        if let Some(pair) = hits.iter().find_map(closed_in) {
-            return Err(self.closed_in(pair, time));
-        }
-        loop {
-            for hit in &mut hits {
-                self.give_impulses(hit, time)?;
-            }
-            self.unload(&hits);
-            match &hits[..] {
-                [hit] if !self.is_chain() => self.rest_or_part_any(hit, time)?,
-                chains => self.rest_or_part(chains, time)?,
-            }
-            let mut grown = false;
-            for hit in &mut hits {
-                for (index, &pair) in hit.pairs.iter().enumerate() {
-                    if !hit.plastic[index] && self.chatters(pair, hit.rates[index]) {
-                        hit.plastic[index] = true;
-                        grown = true;
-                    }
-                }
-            }
-            if !grown {
-                break;
-            }
-        }
-        for hit in &hits {
-            self.push_neighbours(hit);
-            for (&pair, &impulse) in hit.pairs.iter().zip(&hit.impulses) {
-                self.guard.wait(time)?;
-                self.settled[pair] = true;
-                if impulse > 0.0 {
-                    self.report_impact((pair, impulse), time, hit);
-                }
-                self.count_bounce(pair, impulse > 0.0, time)?;
-            }
-        }
-        Ok(())
-    }
-
+impl Touching<'_> {
     /// Gives up a pair that bounces without coming to rest.
     fn count_bounce(&mut self, pair: usize, hit: bool, time: f64) -> Result<(), RunError> {
         let contact = &mut self.contacts[pair];
@@ -118,93 +39,13 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// The jumps of floors change the rates of the other pairs at them.
-    fn push_neighbours(&mut self, hit: &Hit) {
-        for (node, before) in hit.nodes.iter().zip(&hit.before) {
-            let jump = self.members[*node].state.velocity - before;
-            for at in self.incidence.at(*node) {
-                if hit.pairs.binary_search(&at.pair).is_err() {
-                    let closing = at.part * jump;
-                    let contact = &mut self.contacts[at.pair];
-                    contact.push(if at.on_left { closing } else { -closing });
-                }
-            }
-        }
+    pub(super) fn closed_in(&self, pair: usize, time: f64) -> RunError {
+        let [left, right] = self.contacts[pair].floors();
+        RunError::ClosedIn { left, right, time }
     }
+}
 
-    /// Velocities and rates after impacts that hang together.
-    fn give_impulses(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
-        if !self.groups.is_chain {
-            return self.give_any(hit, time);
-        }
-        let (guard, chain, places) = (&self.guard, &mut self.chain, 0..hit.pairs.len());
-        let look = || guard.wait(time);
-        chain.clear();
-        chain.rates.extend_from_slice(&hit.rates);
-        let restitution = |place| hit.restitution(place, &self.contacts);
-        chain.restitutions.extend(places.clone().map(restitution));
-        chain
-            .passes_on
-            .extend(places.map(|place| hit.passes_on(place)));
-        let rule = self.settings.simultaneous_impacts;
-        give_along(chain, hit, &mut self.members, (rule, &look))?;
-        for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
-            self.contacts[*pair].rate = *rate;
-        }
-        Ok(())
-    }
-
-    /// The same where pairs are no chain.
-    fn give_any(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
-        let (members, contacts) = (&self.members, &self.contacts);
-        let system = System {
-            members,
-            contacts,
-            incidence: self.incidence,
-        };
-        // What of a body is slower than that by far does not move.
-        let fastest = |pair: usize| {
-            let bodies = contacts[pair]
-                .floors()
-                .map(|floor| self.groups.body_of[floor]);
-            let nodes = bodies
-                .into_iter()
-                .flat_map(|body| self.groups.of(body).nodes());
-            let speeds = nodes.map(|node| members[*node].state.velocity.abs());
-            speeds.fold(0.0, f64::max)
-        };
-        let rounds = &mut self.rounds;
-        rounds.pairs.clear();
-        rounds.problem.begin(hit.nodes.len(), 0);
-        for (place, pair) in hit.pairs.iter().enumerate() {
-            rounds.pairs.push(Closed {
-                rate: hit.rates[place],
-                restitution: hit.restitution(place, contacts),
-                passes_on: hit.passes_on(place),
-                scale: fastest(*pair),
-                impulse: 0.0,
-            });
-            let column = tie::elements(*pair, &hit.nodes, system);
-            rounds.problem.push(column);
-        }
-        let opens = hit.pairs.iter().any(|pair| contacts[*pair].opens());
-        let alone = self.settings.simultaneous_impacts == SimultaneousImpacts::Sequential;
-        let collided = rounds.collide(alone, opens, || self.guard.wait(time))?;
-        if let Err(ClosedIn { contact }) = collided {
-            return Err(self.closed_in(hit.pairs[contact], time));
-        }
-        for (node, before) in hit.nodes.iter().zip(&hit.before) {
-            self.members[*node].state.velocity = *before;
-        }
-        for (index, pair) in hit.pairs.iter().enumerate() {
-            let (contact, closed) = (&mut self.contacts[*pair], &self.rounds.pairs[index]);
-            contact.rate = closed.rate;
-            contact.kick(closed.impulse, &mut self.members);
-            hit.impulses[index] = closed.impulse;
-        }
-        Ok(())
-    }
-
+impl Moving<'_> {
     /// Columns below and above floors that were hit yield no longer where their drift has turned.
     fn unload(&mut self, hits: &[Hit]) {
         for hit in hits {
@@ -226,21 +67,201 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// The storeys below and above a floor.
-    fn storeys_at(&self, node: usize) -> impl Iterator<Item = usize> + use<R> {
+    fn storeys_at(&self, node: usize) -> impl Iterator<Item = usize> + use<> {
         [Some(node), self.members[node].above].into_iter().flatten()
+    }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Whether a pair has landed with its gap closed, in need of a decision.
+    pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
+        let contact = &self.touching.contacts[pair];
+        let landed = contact
+            .floors()
+            .into_iter()
+            .all(|floor| self.moving.landed[floor]);
+        let closed = contact.time >= time && contact.deformation == 0.0;
+        let open = match contact.link {
+            Link::Apart => true,
+            Link::Resting => contact.restitution().is_some(),
+            Link::Touching(_) => false,
+        };
+        // A compliant pair that is just closed touches only where its deformation grows.
+        landed && closed && open && (contact.restitution().is_some() || contact.gap == Gap::Touches)
+    }
+
+    /// Resolves every chain of pairs that touch now.
+    pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
+        self.touching.settled.fill(false);
+        // Compliant pairs first: whether others come to rest depends on their forces, on whichever side of them they are.
+        for pair in 0..self.touching.contacts.len() {
+            if self.touching.contacts[pair].restitution().is_none() && self.touches_now(pair, time)
+            {
+                let contact = &mut self.touching.contacts[pair];
+                contact.gap = Gap::Known;
+                // A graze within rounding is none.
+                if contact.rate >= 0.0 {
+                    contact.begin();
+                }
+            }
+        }
+        for pair in 0..self.touching.contacts.len() {
+            if !self.touching.settled[pair] && self.hits(pair, time) {
+                let hits = self.hits_with(pair, time)?;
+                self.collide(hits, time)?;
+            }
+        }
+        self.regroup();
+        Ok(())
+    }
+
+    /// Impacts of chains of touching pairs, then rest or parting.
+    fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
+        let closed_in = |hit: &Hit| hit.closed_in(&self.moving.members);
+        if let Some(pair) = hits.iter().find_map(closed_in) {
+            return Err(self.touching.closed_in(pair, time));
+        }
+        loop {
+            for hit in &mut hits {
+                self.give_impulses(hit, time)?;
+            }
+            self.moving.unload(&hits);
+            match &hits[..] {
+                [hit] if !self.touching.is_chain() => self.rest_or_part_any(hit, time)?,
+                chains => self.rest_or_part(chains, time)?,
+            }
+            let mut grown = false;
+            for hit in &mut hits {
+                for (index, &pair) in hit.pairs.iter().enumerate() {
+                    if !hit.plastic[index] && self.chatters(pair, hit.rates[index]) {
+                        hit.plastic[index] = true;
+                        grown = true;
+                    }
+                }
+            }
+            if !grown {
+                break;
+            }
+        }
+        for hit in &hits {
+            self.push_neighbours(hit);
+            for (&pair, &impulse) in hit.pairs.iter().zip(&hit.impulses) {
+                self.agenda.guard.wait(time)?;
+                self.touching.settled[pair] = true;
+                if impulse > 0.0 {
+                    self.report_impact((pair, impulse), time, hit);
+                }
+                self.touching.count_bounce(pair, impulse > 0.0, time)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The jumps of floors change the rates of the other pairs at them.
+    fn push_neighbours(&mut self, hit: &Hit) {
+        for (node, before) in hit.nodes.iter().zip(&hit.before) {
+            let jump = self.moving.members[*node].state.velocity - before;
+            for at in self.touching.incidence.at(*node) {
+                if hit.pairs.binary_search(&at.pair).is_err() {
+                    let closing = at.part * jump;
+                    let contact = &mut self.touching.contacts[at.pair];
+                    contact.push(if at.on_left { closing } else { -closing });
+                }
+            }
+        }
+    }
+
+    /// Velocities and rates after impacts that hang together.
+    fn give_impulses(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+        if !self.touching.groups.is_chain {
+            return self.give_any(hit, time);
+        }
+        let (guard, chain, places) = (
+            &self.agenda.guard,
+            &mut self.touching.chain,
+            0..hit.pairs.len(),
+        );
+        let look = || guard.wait(time);
+        chain.clear();
+        chain.rates.extend_from_slice(&hit.rates);
+        let restitution = |place| hit.restitution(place, &self.touching.contacts);
+        chain.restitutions.extend(places.clone().map(restitution));
+        chain
+            .passes_on
+            .extend(places.map(|place| hit.passes_on(place)));
+        let rule = self.settings.simultaneous_impacts;
+        give_along(chain, hit, &mut self.moving.members, (rule, &look))?;
+        for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
+            self.touching.contacts[*pair].rate = *rate;
+        }
+        Ok(())
+    }
+
+    /// The same where pairs are no chain.
+    fn give_any(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
+        let (members, contacts) = (&self.moving.members, &self.touching.contacts);
+        let system = System {
+            members,
+            contacts,
+            incidence: self.touching.incidence,
+        };
+        // What of a body is slower than that by far does not move.
+        let fastest = |pair: usize| {
+            let bodies = contacts[pair]
+                .floors()
+                .map(|floor| self.touching.groups.body_of[floor]);
+            let nodes = bodies
+                .into_iter()
+                .flat_map(|body| self.touching.groups.of(body).nodes());
+            let speeds = nodes.map(|node| members[*node].state.velocity.abs());
+            speeds.fold(0.0, f64::max)
+        };
+        let rounds = &mut self.touching.rounds;
+        rounds.pairs.clear();
+        rounds.problem.begin(hit.nodes.len(), 0);
+        for (place, pair) in hit.pairs.iter().enumerate() {
+            rounds.pairs.push(Closed {
+                rate: hit.rates[place],
+                restitution: hit.restitution(place, contacts),
+                passes_on: hit.passes_on(place),
+                scale: fastest(*pair),
+                impulse: 0.0,
+            });
+            let column = tie::elements(*pair, &hit.nodes, system);
+            rounds.problem.push(column);
+        }
+        let opens = hit.pairs.iter().any(|pair| contacts[*pair].opens());
+        let alone = self.settings.simultaneous_impacts == SimultaneousImpacts::Sequential;
+        let collided = rounds.collide(alone, opens, || self.agenda.guard.wait(time))?;
+        if let Err(ClosedIn { contact }) = collided {
+            return Err(self.touching.closed_in(hit.pairs[contact], time));
+        }
+        for (node, before) in hit.nodes.iter().zip(&hit.before) {
+            self.moving.members[*node].state.velocity = *before;
+        }
+        for (index, pair) in hit.pairs.iter().enumerate() {
+            let (contact, closed) = (
+                &mut self.touching.contacts[*pair],
+                &self.touching.rounds.pairs[index],
+            );
+            contact.rate = closed.rate;
+            contact.kick(closed.impulse, &mut self.moving.members);
+            hit.impulses[index] = closed.impulse;
+        }
+        Ok(())
     }
 
     /// Whether bounces that have just begun will be over within the shortest remainder, the pair closing all the while.
     fn chatters(&self, pair: usize, approach: f64) -> bool {
-        let contact = &self.contacts[pair];
+        let contact = &self.touching.contacts[pair];
         let restitution = contact.restitution().unwrap_or(0.0);
         if approach <= 0.0 {
             return false;
         }
         let ahead = contact
             .relation
-            .ahead(|node| self.members[node].acceleration[0]);
-        let closing = contact.over_grounds(ahead, |node| self.members[node].ground.value);
+            .ahead(|node| self.moving.members[node].acceleration[0]);
+        let closing = contact.over_grounds(ahead, |node| self.moving.members[node].ground.value);
         bounces_are_over(contact.rate, closing, restitution)
     }
 
@@ -248,27 +269,22 @@ impl<R: Recorder> Run<'_, R> {
         let opening_rate = self
             .opening(pair, time)
             .map_or(0.0, |opening| opening.velocity);
-        let contact = &mut self.contacts[pair];
+        let contact = &mut self.touching.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER {
             contact.burst + 1
         } else {
             0
         };
         contact.hit = time;
-        let after = |floor: usize| self.members[floor].state.velocity;
+        let after = |floor: usize| self.moving.members[floor].state.velocity;
         let impact = Impact {
             pair,
-            time: self.clock.absolute(time),
+            time: self.agenda.clock.absolute(time),
             impulse,
             opening_rate,
             ..Impact::of(&contact.relation, |floor| hit.before(floor), after)
         };
         self.recorder.impact(&impact);
-    }
-
-    pub(super) fn closed_in(&self, pair: usize, time: f64) -> RunError {
-        let [left, right] = self.contacts[pair].floors();
-        RunError::ClosedIn { left, right, time }
     }
 }
 

@@ -1,9 +1,9 @@
 //! The search for the first event of a piece.
 
-use crate::exact::Run;
 use crate::exact::columns::{Branch, Line};
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::Member;
+use crate::exact::{Run, Touching};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -121,51 +121,7 @@ impl Watch {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
-    /// Finds the first event of a piece.
-    pub(super) fn watch(
-        &self,
-        watch: &mut Watch,
-        (first, len): (usize, usize),
-        time: f64,
-    ) -> Result<(), RunError> {
-        let group = self.groups.of(first);
-        for &node in group.nodes() {
-            let member = &self.members[node];
-            if member.is_wall() {
-                continue;
-            }
-            self.guard.wait(time)?;
-            if self.unloads_from(node) {
-                watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
-            }
-            watch_columns(watch, node, member, len);
-            if self.joined_at(node).nth(1).is_some() {
-                let pushed = |n: usize, on_left: bool| {
-                    self.pushed(node, on_left, |contact| contact.force[n])
-                        .unwrap_or(0.0)
-                };
-                let net = |n: usize| pushed(n, false) - pushed(n, true);
-                watch.change_of(len, member.balanced, net, Event::Balance(node));
-                let slope = |n: usize| (n + 1) as f64 * net(n + 1);
-                watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
-            }
-        }
-        for pair in group.pairs() {
-            self.guard.wait(time)?;
-            self.watch_pair(watch, *pair, len);
-        }
-        Ok(())
-    }
-
-    /// Whether the columns of a floor on the ground, or of one that rests against it and shares its velocity, unload where it turns.
-    fn unloads_from(&self, leader: usize) -> bool {
-        let mut on_ground = self
-            .led_by(leader)
-            .filter(|node| self.members[*node].storey.is_none());
-        on_ground.any(|node| self.members[node].unloads())
-    }
-
+impl Touching<'_> {
     fn watch_pair(&self, watch: &mut Watch, pair: usize, len: usize) {
         let contact = &self.contacts[pair];
         let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
@@ -194,19 +150,67 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
     }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Finds the first event of a piece.
+    pub(super) fn watch(
+        &self,
+        watch: &mut Watch,
+        (first, len): (usize, usize),
+        time: f64,
+    ) -> Result<(), RunError> {
+        let group = self.touching.groups.of(first);
+        for &node in group.nodes() {
+            let member = &self.moving.members[node];
+            if member.is_wall() {
+                continue;
+            }
+            self.agenda.guard.wait(time)?;
+            if self.unloads_from(node) {
+                watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
+            }
+            watch_columns(watch, node, member, len);
+            if self.touching.joined_at(node).nth(1).is_some() {
+                let pushed = |n: usize, on_left: bool| {
+                    self.touching
+                        .pushed(node, on_left, |contact| contact.force[n])
+                        .unwrap_or(0.0)
+                };
+                let net = |n: usize| pushed(n, false) - pushed(n, true);
+                watch.change_of(len, member.balanced, net, Event::Balance(node));
+                let slope = |n: usize| (n + 1) as f64 * net(n + 1);
+                watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
+            }
+        }
+        for pair in group.pairs() {
+            self.agenda.guard.wait(time)?;
+            self.touching.watch_pair(watch, *pair, len);
+        }
+        Ok(())
+    }
+
+    /// Whether the columns of a floor on the ground, or of one that rests against it and shares its velocity, unload where it turns.
+    fn unloads_from(&self, leader: usize) -> bool {
+        let mut on_ground = self
+            .touching
+            .led_by(leader)
+            .filter(|node| self.moving.members[*node].storey.is_none());
+        on_ground.any(|node| self.moving.members[node].unloads())
+    }
 
     /// What an event changes.
     pub(super) fn apply(&mut self, event: Event, time: f64) {
         match event {
             Event::Turn(leader) => {
-                for node in leader..self.led_by(leader).end {
-                    if self.members[node].storey.is_none() {
-                        self.members[node].branch = Branch::Elastic;
+                for node in leader..self.touching.led_by(leader).end {
+                    if self.moving.members[node].storey.is_none() {
+                        self.moving.members[node].branch = Branch::Elastic;
                     }
                 }
             }
             Event::TurnOfDrift(node) => {
-                let member = &mut self.members[node];
+                let member = &mut self.moving.members[node];
                 member.branch = Branch::Elastic;
                 if let Some(storey) = &mut member.storey {
                     storey.still = true;
@@ -214,19 +218,19 @@ impl<R: Recorder> Run<'_, R> {
             }
             Event::Cross(_) => {}
             Event::Yield(node, branch) => {
-                let member = &mut self.members[node];
+                let member = &mut self.moving.members[node];
                 (member.branch, member.line) = (branch, Line::Shifted);
             }
-            Event::Balance(node) => self.members[node].balanced = true,
-            Event::Extremum(node) => self.members[node].peaked = true,
-            Event::Peak(pair) => self.contacts[pair].peaked = true,
+            Event::Balance(node) => self.moving.members[node].balanced = true,
+            Event::Extremum(node) => self.moving.members[node].peaked = true,
+            Event::Peak(pair) => self.touching.contacts[pair].peaked = true,
             Event::Fade(pair) => {
-                let contact = &mut self.contacts[pair];
+                let contact = &mut self.touching.contacts[pair];
                 contact.link = Link::Apart;
                 contact.faded = true;
             }
             Event::Reversal(pair) => {
-                let contact = &mut self.contacts[pair];
+                let contact = &mut self.touching.contacts[pair];
                 contact.rate = 0.0;
                 match contact.link {
                     Link::Touching(Phase::Approach) => {
@@ -243,10 +247,10 @@ impl<R: Recorder> Run<'_, R> {
                     }
                 }
             }
-            Event::Clamp(pair) => self.contacts[pair].cross(Phase::Clamped),
-            Event::Grip(pair) => self.contacts[pair].cross(Phase::Restitution),
+            Event::Clamp(pair) => self.touching.contacts[pair].cross(Phase::Clamped),
+            Event::Grip(pair) => self.touching.contacts[pair].cross(Phase::Restitution),
             Event::Part(pair) => {
-                let contact = &mut self.contacts[pair];
+                let contact = &mut self.touching.contacts[pair];
                 (contact.link, contact.deformation) = (Link::Apart, 0.0);
                 contact.time = time;
             }
