@@ -11,8 +11,8 @@ use criterion::{Criterion, Throughput};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, Hht, Integrator, MoreauJean,
-    Newmark, Node, Pair, Peaks, Rk4, Row, SimultaneousImpacts, Verlet, VerletImpacts,
+    CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, Hht, Integrator, MoreauJean, Newmark, Node, Pair, Peaks, Rk4, Row,
+    SimultaneousImpacts, Verlet, VerletImpacts,
 };
 
 const MASS: f64 = 1e5;
@@ -22,15 +22,10 @@ const CLOCK: Clock = Clock {
     time_step: 0.01,
     n_steps: 1000,
 };
-const CENTRAL: CentralDifference = CentralDifference {
-    contact_substeps: 1,
-};
+const CENTRAL: CentralDifference = CentralDifference { contact_substeps: 1 };
 const METHODS: [(&str, Integrator); 7] = [
     ("central difference", Integrator::CentralDifference(CENTRAL)),
-    (
-        "Newmark",
-        Integrator::Newmark(Newmark::AVERAGE_ACCELERATION),
-    ),
+    ("Newmark", Integrator::Newmark(Newmark::AVERAGE_ACCELERATION)),
     ("HHT", Integrator::Hht(Hht { alpha: -0.1 })),
     (
         "Verlet",
@@ -39,10 +34,7 @@ const METHODS: [(&str, Integrator); 7] = [
         }),
     ),
     ("Runge-Kutta", Integrator::Rk4(Rk4)),
-    (
-        "Moreau-Jean",
-        Integrator::MoreauJean(MoreauJean { theta: 0.5 }),
-    ),
+    ("Moreau-Jean", Integrator::MoreauJean(MoreauJean { theta: 0.5 })),
     (
         "exact",
         Integrator::Exact(Exact {

@@ -8,8 +8,7 @@ use pounding_studies::Trade;
 
 fn main() {
     let study = Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/trade.json");
-    let (completed, trade) =
-        Trade::of_two_structures(&study).expect("the study of the project runs");
+    let (completed, trade) = Trade::of_two_structures(&study).expect("the study of the project runs");
     let mut criterion = Criterion::default().configure_from_args();
     for timed in trade.timed(&completed) {
         let mut group = criterion.benchmark_group(timed.scene);

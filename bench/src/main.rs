@@ -21,11 +21,7 @@
 //! Where to start: `measure.rs`, the way to time and to write a table; `scenes.rs`, what runs in lanes, by hand and by other programs;
 //! `lanes/by_hand.rs`, the loop that lanes are measured by; `peers/entrants.rs`, the list of other programs. `benches/` holds the loops
 //! that criterion times.
-#![expect(
-    clippy::print_stdout,
-    clippy::print_stderr,
-    reason = "a program speaks to its user"
-)]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 mod lanes;
 mod measure;
@@ -104,9 +100,7 @@ fn run(root: &Path) -> Outcome<()> {
     let timed = trade.timed(&completed);
     let mut lines = Vec::new();
     for one in &timed {
-        let base = timed
-            .iter()
-            .find(|other| other.scene == one.scene && other.is_base);
+        let base = timed.iter().find(|other| other.scene == one.scene && other.is_base);
         let base = base.ok_or_else(|| format!("{}: no central difference method", one.scene))?;
         let wall_time = seconds(one, root)? / seconds(base, root)?;
         let work = one.work as f64 / base.work as f64;
@@ -140,9 +134,7 @@ fn cargo(root: &Path, arguments: &[&str]) -> Outcome<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     let command = command.args(arguments).current_dir(root);
-    let status = command
-        .env("CRITERION_HOME", root.join(MEASURED))
-        .status()?;
+    let status = command.env("CRITERION_HOME", root.join(MEASURED)).status()?;
     if status.success() {
         return Ok(());
     }

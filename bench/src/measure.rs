@@ -60,11 +60,7 @@ impl Table {
     /// Writes and prints lines. In a table that begins with the instructions of the machine each line gets them, and replaces those of the
     /// same instructions; those of others stay.
     pub(crate) fn write(&self, root: &Path, lines: &[String]) -> Outcome<()> {
-        let Self {
-            path,
-            title,
-            header,
-        } = self;
+        let Self { path, title, header } = self;
         let before = fs::read_to_string(root.join(path)).unwrap_or_default();
         let by_machine = header.starts_with("instructions,");
         let own = if by_machine {

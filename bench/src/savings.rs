@@ -24,14 +24,8 @@ const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
 pub(super) fn run(root: &Path) -> Outcome<()> {
     let methods = [
         ("exact", json!({"exact": {}})),
-        (
-            "central difference",
-            json!({"central_difference": {"time_step_s": 0.005}}),
-        ),
-        (
-            "Newmark",
-            json!({"newmark": {"time_step_s": 0.005, "beta": 0.25, "gamma": 0.5}}),
-        ),
+        ("central difference", json!({"central_difference": {"time_step_s": 0.005}})),
+        ("Newmark", json!({"newmark": {"time_step_s": 0.005, "beta": 0.25, "gamma": 0.5}})),
     ];
     let burdens = Burden::ALL;
     let order: Vec<usize> = (0..burdens.len()).collect();
@@ -40,10 +34,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
         let method: Method = serde_json::from_value(method)?;
         for n in LENGTHS {
             let row = |burden| Burdened::new(n, method, burden, &root.join(RECORD));
-            let rows = burdens
-                .map(row)
-                .into_iter()
-                .collect::<Result<Vec<_>, _>>()?;
+            let rows = burdens.map(row).into_iter().collect::<Result<Vec<_>, _>>()?;
             let times = in_turn(&order, ROUNDS, |one| Ok(rows[one].run().map(drop)?))?;
             let medians: Vec<f64> = times.into_iter().map(median).collect();
             for (burden, time) in burdens.iter().zip(&medians).skip(1) {

@@ -4,15 +4,11 @@ use std::f64::consts::PI;
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 use pounding_lanes::RowsOf;
-use pounding_solver::{
-    Bilinear, Collisions, Elastic, Hysteretic, Levels, Pair, Peaks, Row, RunError, Storey,
-};
+use pounding_solver::{Bilinear, Collisions, Elastic, Hysteretic, Levels, Pair, Peaks, Row, RunError, Storey};
 use rand_pcg::Pcg64;
 
 use crate::measure::Outcome;
-use crate::setting::{
-    CLOCK, DAMPING, GAPS, GRAVITY, MASS, RESTITUTION, STIFFNESS, Way, between, random, structure,
-};
+use crate::setting::{CLOCK, DAMPING, GAPS, GRAVITY, MASS, RESTITUTION, STIFFNESS, Way, between, random, structure};
 
 /// Scenes in a group, and those of each law: of structures and of towers.
 pub(crate) const GROUP: usize = 16;
@@ -135,10 +131,7 @@ impl Beside for Bilinear {
 }
 
 /// The scenes of groups as rows.
-pub(crate) fn rows<Column: Beside, const L: usize, const R: usize>(
-    groups: &[Group<L, R>],
-    law: ContactLaw,
-) -> Outcome<Vec<Row<Column>>> {
+pub(crate) fn rows<Column: Beside, const L: usize, const R: usize>(groups: &[Group<L, R>], law: ContactLaw) -> Outcome<Vec<Row<Column>>> {
     let levels = Levels::new(&[L, R]);
     let row = |group: &Group<L, R>, lane: usize| {
         let node = |node: usize| {
@@ -162,19 +155,12 @@ pub(crate) fn rows<Column: Beside, const L: usize, const R: usize>(
         let nodes = (0..L + R).map(node).collect();
         Row::new(nodes, levels.facing(0).map(pair).collect())
     };
-    let scenes = groups
-        .iter()
-        .flat_map(|group| (0..GROUP).map(move |lane| (group, lane)));
-    Ok(scenes
-        .map(|(group, lane)| row(group, lane))
-        .collect::<Result<_, _>>()?)
+    let scenes = groups.iter().flat_map(|group| (0..GROUP).map(move |lane| (group, lane)));
+    Ok(scenes.map(|(group, lane)| row(group, lane)).collect::<Result<_, _>>()?)
 }
 
 /// A run of a scene alone, with the recorders that give the numbers of lanes.
-pub(crate) fn alone<Column: Hysteretic>(
-    row: &Row<Column>,
-    (integrator, excitation): Way<'_>,
-) -> Result<(Peaks, Collisions), RunError> {
+pub(crate) fn alone<Column: Hysteretic>(row: &Row<Column>, (integrator, excitation): Way<'_>) -> Result<(Peaks, Collisions), RunError> {
     let n = row.nodes().len();
     let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
     integrator.run(row, excitation, CLOCK, &mut recorder)?;

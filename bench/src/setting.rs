@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Exact, Excitation, Integrator, SimultaneousImpacts, Storey,
-};
+use pounding_solver::{Bilinear, CentralDifference, Clock, Exact, Excitation, Integrator, SimultaneousImpacts, Storey};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -31,9 +29,7 @@ pub(crate) const CLOCK: Clock = Clock {
 };
 /// Time between two samples of the record \[s\], which is all that the exact method needs.
 pub(crate) const RECORDED: f64 = 0.02;
-pub(crate) const STEPPING: CentralDifference = CentralDifference {
-    contact_substeps: 1,
-};
+pub(crate) const STEPPING: CentralDifference = CentralDifference { contact_substeps: 1 };
 
 /// The exact method at a tolerance.
 pub(crate) const fn exact(tolerance: f64) -> Exact {

@@ -20,14 +20,8 @@ const FIGURE: &str = "results/storeys.png";
 const STOREYS: [usize; 7] = [1, 2, 3, 5, 10, 20, 50];
 const BUILDINGS: [usize; 4] = [2, 10, 30, 100];
 /// The row that both have in common, and the one whose time is the unit.
-const FIXED: RowSize = RowSize {
-    storeys: 5,
-    buildings: 5,
-};
-const SMALLEST: RowSize = RowSize {
-    storeys: 1,
-    buildings: 5,
-};
+const FIXED: RowSize = RowSize { storeys: 5, buildings: 5 };
+const SMALLEST: RowSize = RowSize { storeys: 1, buildings: 5 };
 /// Rounds over the rows of a method and condition, at least, and for how long: their median shrugs off those in which the machine was busy.
 const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
 /// Floors that are timed in a round of each size: what else the machine does weighs on short runs most, which are many.
@@ -67,21 +61,14 @@ fn sizes(method: Method, condition: Condition) -> impl Iterator<Item = RowSize> 
 }
 
 /// Of every size its time over that of the smallest row, and the cells of its line.
-fn timed(
-    (method, condition): (Method, Condition),
-    record: &Path,
-) -> Outcome<Vec<(RowSize, f64, String)>> {
+fn timed((method, condition): (Method, Condition), record: &Path) -> Outcome<Vec<(RowSize, f64, String)>> {
     let row = |size| TimedRow::new(size, condition, method, record);
     let sizes: Vec<RowSize> = sizes(method, condition).collect();
     let mut rows = Vec::new();
     for size in &sizes {
         // The smallest one runs as often as it takes to run as many floors.
         let times = size.floors().div_ceil(SMALLEST.floors());
-        rows.extend([
-            (row(*size)?, 1),
-            (row(size.of_one_storey())?, 1),
-            (row(SMALLEST)?, times),
-        ]);
+        rows.extend([(row(*size)?, 1), (row(size.of_one_storey())?, 1), (row(SMALLEST)?, times)]);
     }
     // Those that are compared follow each other, another one first each time: the machine takes and gives back the processor in a rhythm
     // of its own.

@@ -69,9 +69,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
 /// Rows of a size at random, of so many structures together.
 fn rows(size: usize, in_round: usize) -> Outcome<Vec<Row<Elastic>>> {
     let mut random = random();
-    let law = ContactLaw::Stereomechanical(Stereomechanical {
-        restitution: RESTITUTION,
-    });
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: RESTITUTION });
     let mut row = || {
         let mut node = |_| {
             let drawn = structure(&mut random);

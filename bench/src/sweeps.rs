@@ -58,9 +58,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
         let after = lanes::seconds_by_hand(root, threads, *clock)?;
         let ratio = seconds / (0.5 * (before + after) * *runs as f64);
         let (steps, megabytes) = (clock.n_steps, memory.div_ceil(1000));
-        lines.push(format!(
-            "{keeps},{runs},{steps},{threads},{ratio:.2},{megabytes}"
-        ));
+        lines.push(format!("{keeps},{runs},{steps},{threads},{ratio:.2},{megabytes}"));
     }
     TABLE.write(root, &lines)
 }
@@ -74,9 +72,7 @@ impl Sweep {
         for _ in 0..self.3 {
             let mut command = Command::new(program);
             command.arg("sweep").arg(&file);
-            command
-                .args(["--overwrite", "--out"])
-                .arg(home.join("runs.csv"));
+            command.args(["--overwrite", "--out"]).arg(home.join("runs.csv"));
             let (seconds, most) = timed(&mut command)?;
             times.push(seconds);
             memory = memory.max(most);
@@ -86,7 +82,8 @@ impl Sweep {
 
     /// The scenes of the other benchmarks, with what is the default.
     fn text(&self, root: &Path) -> Value {
-        let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
+        let structure =
+            |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
         let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
         let Sweep(runs, Clock { time_step, n_steps }, keeps, _) = *self;
         let mut sweep = json!({

@@ -27,9 +27,7 @@ fn main() -> Result<()> {
     // Beside a package from a registry the others do not lie: all have its version.
     hash.update(env!("CARGO_PKG_VERSION"));
     let packaged = !SOURCES[..SOURCES.len() - 1].iter().any(exists);
-    let sources = SOURCES
-        .into_iter()
-        .skip(if packaged { SOURCES.len() - 1 } else { 0 });
+    let sources = SOURCES.into_iter().skip(if packaged { SOURCES.len() - 1 } else { 0 });
     for source in sources.chain(lock) {
         println!("cargo::rerun-if-changed={source}");
         let mut files = files(Path::new(source))?;

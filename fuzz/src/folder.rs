@@ -62,33 +62,14 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
                 let behind = said.strip_prefix(name.as_str());
                 behind.is_some_and(|behind| behind.is_empty() || behind.starts_with(' '))
             };
-            suite.motions.iter().any(|one| is_of(&one.name))
-                || suite.left_out.iter().any(|one| is_of(&one.name))
+            suite.motions.iter().any(|one| is_of(&one.name)) || suite.left_out.iter().any(|one| is_of(&one.name))
         };
-        assert!(
-            names
-                .iter()
-                .filter(|name| !hidden(name))
-                .all(|name| told(&name)),
-            "{names:?}"
-        );
+        assert!(names.iter().filter(|name| !hidden(name)).all(|name| told(&name)), "{names:?}");
         let mut bytes = BTreeSet::new();
-        let is_new = |one: &pounding_scene::Motion| {
-            bytes.insert((
-                one.origin().sha256.clone(),
-                one.component().map(str::to_owned),
-            ))
-        };
-        assert_eq!(
-            suite.motions.iter().map(is_new).filter(|new| !new).count(),
-            0,
-            "a copy counts"
-        );
+        let is_new = |one: &pounding_scene::Motion| bytes.insert((one.origin().sha256.clone(), one.component().map(str::to_owned)));
+        assert_eq!(suite.motions.iter().map(is_new).filter(|new| !new).count(), 0, "a copy counts");
         let events: BTreeSet<usize> = suite.motions.iter().map(|one| one.event).collect();
-        assert!(
-            events.into_iter().eq(0..suite.n_events),
-            "an event without a motion"
-        );
+        assert!(events.into_iter().eq(0..suite.n_events), "an event without a motion");
         copies_change_nothing(&suite, folder, &declared);
         assert!(!suite.said(true).is_empty(), "nothing is said");
     }
@@ -172,17 +153,10 @@ fn with_header(own: &[u8]) -> String {
     let told = own.first().copied().unwrap_or(0);
     let station = ["ABC", "Los Gatos", "1"][usize::from(told % 3)];
     let event = ["Kobe, NS component", "Kobe, EW component", "Kobe"][usize::from(told / 3 % 3)];
-    let time = [
-        "2010-02-27T06:34:00.998",
-        "2010-02-27T06:34:01",
-        "2010-03-11T14:39:00",
-        "0.0",
-    ];
+    let time = ["2010-02-27T06:34:00.998", "2010-02-27T06:34:01", "2010-03-11T14:39:00", "0.0"];
     let time = time[usize::from(told / 9 % 4)];
     let values = list(own);
-    format!(
-        "# Station: {station}\n# Event: {event}\n# Start time: {time}\n# dt = 0.02 s, unit: g\n{values}"
-    )
+    format!("# Station: {station}\n# Event: {event}\n# Start time: {time}\n# dt = 0.02 s, unit: g\n{values}")
 }
 
 fn csv(own: &[u8]) -> String {

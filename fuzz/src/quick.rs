@@ -18,19 +18,13 @@ pub(crate) fn is_quickly_shaken(scene: &Scene) -> bool {
         Source::File(_) => true,
         Source::Generated(generated) => match *generated {
             Generated::Harmonic {
-                duration_s,
-                time_step_s,
-                ..
+                duration_s, time_step_s, ..
             }
             | Generated::HalfSine {
-                duration_s,
-                time_step_s,
-                ..
+                duration_s, time_step_s, ..
             } => is_short(duration_s, time_step_s),
             Generated::Ricker {
-                frequency_hz,
-                time_step_s,
-                ..
+                frequency_hz, time_step_s, ..
             } => is_short(3.0 / frequency_hz, time_step_s),
             Generated::Stochastic(ref motion) => {
                 let terms = motion.cutoff_hz.unwrap_or(25.0) * motion.duration_s;

@@ -1,8 +1,6 @@
 //! What every record file is held to: read or refused, never a panic; what is read is finite and can be used.
 
-use pounding_motion::{
-    AccelerationUnit, Declared, Direction, NamedFile, components, contents, read_declared,
-};
+use pounding_motion::{AccelerationUnit, Declared, Direction, NamedFile, components, contents, read_declared};
 
 /// Reads some bytes with more and more of what a caller may declare.
 pub(crate) fn check(bytes: &[u8]) {
@@ -62,11 +60,7 @@ fn read(bytes: &[u8], declared: &Declared) {
     assert!(step > 0.0 && step.is_finite(), "time step {step}");
     // Packed values take more than half a byte each.
     let n_values = file.values().len();
-    assert!(
-        n_values <= 2 * bytes.len(),
-        "{n_values} values of {} bytes",
-        bytes.len()
-    );
+    assert!(n_values <= 2 * bytes.len(), "{n_values} values of {} bytes", bytes.len());
     let finite = file.values().iter().all(|value| value.is_finite());
     assert!(finite, "a value that is not finite");
     if let Ok(record) = file.into_record(9.81) {

@@ -51,10 +51,7 @@ pub(crate) fn check(bytes: &[u8]) {
     let exact = prepared.exact().and_then(|exact| exact.run(None));
     if let Some(expected) = said(exact) {
         check_finite(&expected, prepared.floors().all().len());
-        let _ = (
-            prepared.warnings_before(&expected),
-            prepared.limits(&expected),
-        );
+        let _ = (prepared.warnings_before(&expected), prepared.limits(&expected));
         let _ = (prepared.unneeded(&[&expected]), prepared.openings());
     }
     for doubt in prepared.doubts() {
@@ -81,11 +78,7 @@ fn record(file: &str) -> Accelerogram {
 fn check_finite(outcome: &RunResult, n: usize) {
     for structure in 0..n {
         let peaks = outcome.peaks.of(structure);
-        for peak in [
-            peaks.displacement,
-            peaks.restoring_force,
-            peaks.pounding_force,
-        ] {
+        for peak in [peaks.displacement, peaks.restoring_force, peaks.pounding_force] {
             let finite = peak.value.is_finite() && peak.time.is_finite();
             assert!(finite, "{structure}: {peak:?}");
         }

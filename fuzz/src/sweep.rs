@@ -51,10 +51,7 @@ pub(crate) fn check(bytes: &[u8]) {
         assert!(infinite.is_none(), "{infinite:?}");
     }
     for reason in batch.failed.iter().flatten() {
-        assert!(
-            !reason.is_empty() && !reason.contains("panicked"),
-            "{reason}"
-        );
+        assert!(!reason.is_empty() && !reason.contains("panicked"), "{reason}");
     }
     let rows = String::from_utf8(sweep.rows(&batch)).expect("text");
     assert_eq!(rows.is_empty(), batch.failed.is_empty(), "{rows}");
@@ -76,10 +73,7 @@ fn is_short(file: &SweepFile) -> bool {
                 values.len() <= MOST_VALUES && !values.iter().any(searches)
             }
             Spread::Grid(grid) => grid.count <= MOST_VALUES as u64,
-            Spread::Uniform(_)
-            | Spread::LogUniform(_)
-            | Spread::Normal(_)
-            | Spread::LogNormal(_) => true,
+            Spread::Uniform(_) | Spread::LogUniform(_) | Spread::Normal(_) | Spread::LogNormal(_) => true,
         };
         let given = |field: &String| field.contains("record") || field.contains("budget");
         few && !vary.fields.iter().any(given)

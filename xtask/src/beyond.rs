@@ -11,12 +11,7 @@ use pounding_studies::{Beyond, BeyondStudy, StudyFile};
 const USUAL: [&str; 2] = ["results/beyond", "target/beyond"];
 
 /// Runs the scenes under every record of a folder, or under the motions of the project; writes tables and figures.
-pub(crate) fn run(
-    root: &Path,
-    records: Option<&Path>,
-    out: Option<PathBuf>,
-    scaled: bool,
-) -> Result<(), String> {
+pub(crate) fn run(root: &Path, records: Option<&Path>, out: Option<PathBuf>, scaled: bool) -> Result<(), String> {
     let studies = root.join("studies");
     let study = match records {
         Some(records) => BeyondStudy::of_records(&studies, records, scaled).map(Some),
@@ -27,10 +22,8 @@ pub(crate) fn run(
     };
     let study = study.map_err(|error| error.to_string())?;
     let study = study.ok_or("studies: no study lists ground motions")?;
-    let style = ProgressStyle::with_template(
-        "{bar:40} {pos}/{len} motions × directions × kinds of scene, {elapsed}",
-    )
-    .expect("the template is well formed");
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} motions × directions × kinds of scene, {elapsed}")
+        .expect("the template is well formed");
     let bar = ProgressBar::new(study.n_cases() as u64).with_style(style);
     let made = study.run(&|| bar.inc(1));
     bar.finish_and_clear();
@@ -45,12 +38,7 @@ pub(crate) fn run(
             .and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
     }
-    crate::reproduce::say(&format!(
-        "{}\n{} files in {}\n",
-        summary(&made),
-        files.len(),
-        folder.display()
-    ))
+    crate::reproduce::say(&format!("{}\n{} files in {}\n", summary(&made), files.len(), folder.display()))
 }
 
 /// In how many cases each claim holds, and what was left out.

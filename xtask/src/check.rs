@@ -8,21 +8,10 @@ use std::time::Instant;
 
 /// Steps that are commands of cargo: what they are for, arguments, and an environment variable.
 const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
-    (
-        "format",
-        &["fmt", "--all", "--", "--check"],
-        ("CARGO_TERM_QUIET", "false"),
-    ),
+    ("format", &["fmt", "--all", "--", "--check"], ("CARGO_TERM_QUIET", "false")),
     (
         "lints",
-        &[
-            "clippy",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "--deny",
-            "warnings",
-        ],
+        &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"],
         ("CARGO_TERM_QUIET", "false"),
     ),
     // A missing snapshot fails here instead of being written.
@@ -73,9 +62,7 @@ fn oldest(root: &Path) -> Result<(), String> {
     }
     match cargo(&["check", "--workspace"]).status() {
         Ok(status) if status.success() => Ok(()),
-        _ => Err(format!(
-            "the code is no Rust {version}, which Cargo.toml declares"
-        )),
+        _ => Err(format!("the code is no Rust {version}, which Cargo.toml declares")),
     }
 }
 
@@ -91,9 +78,7 @@ fn built_once(root: &Path, cargo: &OsStr) -> Result<(), String> {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
         }
         let text = String::from_utf8_lossy(&output.stdout);
-        let lines = text
-            .lines()
-            .map(|line| line.trim_end_matches(" (*)").to_owned());
+        let lines = text.lines().map(|line| line.trim_end_matches(" (*)").to_owned());
         Ok(lines.collect::<BTreeSet<String>>())
     };
     println!("── features: cargo tree --package xtask, and of the workspace");
@@ -131,15 +116,9 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
             .status()
             .map_err(|error| format!("cannot start cargo: {error}"))?;
         if !status.success() {
-            return Err(format!(
-                "{name} failed; to see it alone: cargo {}",
-                arguments.join(" ")
-            ));
+            return Err(format!("{name} failed; to see it alone: cargo {}", arguments.join(" ")));
         }
-        println!(
-            "   {name} passed in {:.0} s",
-            started.elapsed().as_secs_f64()
-        );
+        println!("   {name} passed in {:.0} s", started.elapsed().as_secs_f64());
     }
     println!("── promises, in part: cargo xtask torture with few rounds");
     crate::torture::run(root, &crate::torture::Rounds::FEW)?;

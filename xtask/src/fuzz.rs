@@ -16,20 +16,14 @@ pub(crate) fn run(root: &Path, seconds: u32, only: Option<&str>) -> Result<(), S
     let mut all = targets(root)?;
     if let Some(only) = only {
         if !all.iter().any(|target| target == only) {
-            return Err(format!(
-                "--target: found {only}, allowed are {}",
-                all.join(", ")
-            ));
+            return Err(format!("--target: found {only}, allowed are {}", all.join(", ")));
         }
         all.retain(|target| target == only);
     }
     for target in all {
         println!("── {target}: {seconds} s");
         let dictionary = format!("fuzz/{target}.dict");
-        let dictionary = root
-            .join(&dictionary)
-            .exists()
-            .then(|| format!("-dict={dictionary}"));
+        let dictionary = root.join(&dictionary).exists().then(|| format!("-dict={dictionary}"));
         // Inputs that it makes go where nobody commits them; it begins from the seeds, too.
         let made = root.join("target/fuzz").join(&target);
         fs::create_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
@@ -67,10 +61,7 @@ fn targets(root: &Path) -> Result<Vec<String>, String> {
     let mut names = Vec::new();
     for entry in fs::read_dir(root.join(TARGETS)).map_err(fail)? {
         let path = entry.map_err(fail)?.path();
-        names.extend(
-            path.file_stem()
-                .map(|stem| stem.to_string_lossy().into_owned()),
-        );
+        names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
     }
     names.sort();
     Ok(names)

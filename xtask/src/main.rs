@@ -26,11 +26,7 @@
 //!
 //! Where to start: `check.rs`, the steps of a check; `reproduce.rs` and `results.rs`, how results are compared by bytes; `rooms.rs`,
 //! the rule that arrows between crates run down.
-#![expect(
-    clippy::print_stdout,
-    clippy::print_stderr,
-    reason = "a program speaks to its user"
-)]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 mod beyond;
 mod check;
@@ -138,11 +134,7 @@ fn main() -> ExitCode {
             let extent = if all { Extent::Whole } else { Extent::Part };
             reproduce::run(&root(), check, extent)
         }
-        Task::Beyond {
-            records,
-            out,
-            as_recorded,
-        } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
+        Task::Beyond { records, out, as_recorded } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
         Task::Studies { names } => studies::run(&root(), &names),
         Task::Verify(asked) => verify::run(&root(), &asked),
         Task::Rooms => rooms::check(&root()),

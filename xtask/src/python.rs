@@ -102,18 +102,12 @@ pub(crate) fn dist(root: &Path) -> Result<(), String> {
     copy(&root.join("target/release/pounding"), &out)?;
     let clean = environment(root, "clean")?;
     let name = wheel.file_name().unwrap_or_default();
-    step(
-        pip(&clean, &["install", "--quiet"]).arg(out.join(name)),
-        root,
-    )?;
+    step(pip(&clean, &["install", "--quiet"]).arg(out.join(name)), root)?;
     let mut tried = Command::new(clean);
     step(tried.args(["-c", TRIED]), &out)?;
     step(Command::new(out.join("pounding")).arg("--version"), &out)?;
     // As a registry would build them; of files that are not committed it says so.
-    step(
-        Command::new(&cargo).args(["package", "--workspace", "--locked"]),
-        root,
-    )?;
+    step(Command::new(&cargo).args(["package", "--workspace", "--locked"]), root)?;
     println!("packed into {}", out.display());
     Ok(())
 }
@@ -131,13 +125,7 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
     let made = root.join("target/python-stubs");
     fresh(&made)?;
     let mut make = maturin(root, python, Built::ToCheck);
-    make.args([
-        "generate-stubs",
-        "--quiet",
-        "--profile",
-        Built::ToCheck.profile(),
-        "--out",
-    ]);
+    make.args(["generate-stubs", "--quiet", "--profile", Built::ToCheck.profile(), "--out"]);
     step(make.arg(&made), &root.join(PACKAGE))?;
     let fail = |path: &Path, error: &std::io::Error| format!("{}: {error}", path.display());
     let new = found(&made, "pyi")?;
@@ -151,10 +139,7 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
         )),
         Err(_) => {
             fs::write(&known, new).map_err(|error| fail(&known, &error))?;
-            Err(format!(
-                "{}: was missing, and is written: look at it",
-                known.display()
-            ))
+            Err(format!("{}: was missing, and is written: look at it", known.display()))
         }
     }
 }
@@ -162,11 +147,7 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
 /// The Python of an environment below `target`, made where it is missing.
 fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
     let home = root.join("target").join(format!("venv-{name}"));
-    let python = home.join(if cfg!(windows) {
-        "Scripts/python.exe"
-    } else {
-        "bin/python"
-    });
+    let python = home.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if !python.exists() {
         let base = if cfg!(windows) { "python" } else { "python3" };
         step(Command::new(base).args(["-m", "venv"]).arg(&home), root)?;

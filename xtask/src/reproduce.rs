@@ -6,9 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{
-    Claim, Comparison, Examples, Extent, Finding, PrintedDigits, Reproduction, Studies, Verdict,
-};
+use pounding_studies::{Claim, Comparison, Examples, Extent, Finding, PrintedDigits, Reproduction, Studies, Verdict};
 
 use crate::results;
 
@@ -17,18 +15,14 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
     let started = Instant::now();
     let studies = Studies::read(&root.join("studies")).map_err(|error| error.to_string())?;
     let studies = studies.with_extremes(extent);
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes and pictures, {elapsed}")
-        .expect("the template is well formed");
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes and pictures, {elapsed}").expect("the template is well formed");
     let examples = Examples::read(&root.join("studies/examples"));
     let examples = examples.map_err(|error| error.to_string())?;
     let units = studies.n_units() + examples.n_units();
     let bar = ProgressBar::new(units as u64).with_style(style);
-    let mut made = studies
-        .reproduce(&|| bar.inc(1))
-        .map_err(|error| error.to_string())?;
+    let mut made = studies.reproduce(&|| bar.inc(1)).map_err(|error| error.to_string())?;
     let of_examples = examples.files(&|| bar.inc(1));
-    made.files
-        .extend(of_examples.map_err(|error| error.to_string())?);
+    made.files.extend(of_examples.map_err(|error| error.to_string())?);
     bar.finish_and_clear();
     let folder = root.join("results");
     if check {
@@ -40,10 +34,7 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
                 differences.join("\n  ")
             ));
         }
-        println!(
-            "results/ is what a fresh run gives ({} files)",
-            made.files.len()
-        );
+        println!("results/ is what a fresh run gives ({} files)", made.files.len());
     } else {
         let changed = results::write(&folder, &made.files)?;
         let seconds = started.elapsed().as_secs_f64();
@@ -56,19 +47,14 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
     if made.surprises.is_empty() {
         Ok(())
     } else {
-        Err(format!(
-            "the agreement is not the known one:\n  {}",
-            made.surprises.join("\n  ")
-        ))
+        Err(format!("the agreement is not the known one:\n  {}", made.surprises.join("\n  ")))
     }
 }
 
 /// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
 pub(crate) fn say(text: &str) -> Result<(), String> {
     match stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("standard output cannot be written: {error}"))
-        }
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output cannot be written: {error}")),
         _ => Ok(()),
     }
 }
@@ -85,9 +71,10 @@ fn summary(made: &Reproduction) -> String {
     };
     let of_others = numbers(Verdict::NotComparable);
     let own = made.comparisons.len() - of_others;
-    let to_the_digit = made.comparisons.iter().filter(|comparison| {
-        comparison.verdict == Verdict::Reproduced && comparison.digits != PrintedDigits::Other
-    });
+    let to_the_digit = made
+        .comparisons
+        .iter()
+        .filter(|comparison| comparison.verdict == Verdict::Reproduced && comparison.digits != PrintedDigits::Other);
     let mut text = format!(
         "Numbers of the paper's own runs: {} of {own} reproduced   results/agreement.csv\n",
         numbers(Verdict::Reproduced)
@@ -96,35 +83,13 @@ fn summary(made: &Reproduction) -> String {
         writeln!(text, "  {words:<20} {count:>4}   {meaning}").expect("a string takes all");
     };
     line("within 0.1 %", numbers(Verdict::Reproduced), "");
-    line(
-        "to the last digit",
-        to_the_digit.count(),
-        "rounded, or cut off",
-    );
+    line("to the last digit", to_the_digit.count(), "rounded, or cut off");
     line("within 3 %", numbers(Verdict::Close), "");
-    line(
-        "further away",
-        numbers(Verdict::Differs),
-        "the reason stands beside each",
-    );
-    line(
-        "not comparable",
-        of_others,
-        "of another work, whose inputs are not known",
-    );
-    writeln!(
-        text,
-        "Findings of the paper: {}   results/claims.csv",
-        made.claims.len()
-    )
-    .expect("a string takes all");
-    for finding in [
-        Finding::Holds,
-        Finding::HoldsOnlyAsStated,
-        Finding::DoesNotHold,
-    ] {
-        writeln!(text, "  {:<20} {:>4}", finding.words(), findings(finding))
-            .expect("a string takes all");
+    line("further away", numbers(Verdict::Differs), "the reason stands beside each");
+    line("not comparable", of_others, "of another work, whose inputs are not known");
+    writeln!(text, "Findings of the paper: {}   results/claims.csv", made.claims.len()).expect("a string takes all");
+    for finding in [Finding::Holds, Finding::HoldsOnlyAsStated, Finding::DoesNotHold] {
+        writeln!(text, "  {:<20} {:>4}", finding.words(), findings(finding)).expect("a string takes all");
     }
     text + "\nTables in results/tables, figures in results/figures.\n"
 }

@@ -5,26 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 8] = [
-    "",
-    "tables",
-    "figures",
-    "trade",
-    "laws",
-    "beyond",
-    "beyond/weaker",
-    "extremes/part",
-];
+const GENERATED: [&str; 8] = ["", "tables", "figures", "trade", "laws", "beyond", "beyond/weaker", "extremes/part"];
 /// The same, where the whole of the extremes is run.
 const WHOLE: &str = "extremes";
 /// What `reproduce` does not make: what is written by hand, and what `bench` measures.
-const KEPT: [&str; 5] = [
-    "README.md",
-    "savings.csv",
-    "storeys.csv",
-    "storeys.png",
-    "wall-time.csv",
-];
+const KEPT: [&str; 5] = ["README.md", "savings.csv", "storeys.csv", "storeys.png", "wall-time.csv"];
 
 /// Writes the files that changed and removes stale ones; returns how many changed.
 pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<usize, String> {
@@ -40,8 +25,7 @@ pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result
         changed += 1;
     }
     for path in stale(folder, files)? {
-        fs::remove_file(&path)
-            .map_err(|error| format!("{}: cannot be removed: {error}", path.display()))?;
+        fs::remove_file(&path).map_err(|error| format!("{}: cannot be removed: {error}", path.display()))?;
         changed += 1;
     }
     Ok(changed)
@@ -50,10 +34,7 @@ pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result
 /// What differs between the folder and a fresh run, in words.
 ///
 /// Figures are compared on Linux x86-64 only: elsewhere their bytes are untested.
-pub(crate) fn differences(
-    folder: &Path,
-    files: &BTreeMap<PathBuf, Vec<u8>>,
-) -> Result<Vec<String>, String> {
+pub(crate) fn differences(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<String>, String> {
     let compares_figures = cfg!(all(target_os = "linux", target_arch = "x86_64"));
     let mut differences = Vec::new();
     for (name, contents) in files {
@@ -61,21 +42,13 @@ pub(crate) fn differences(
         match fs::read(folder.join(name)) {
             Err(error) => differences.push(format!("{}: {error}", name.display())),
             Ok(found) if found != *contents && (compares_figures || !is_figure) => {
-                differences.push(format!(
-                    "{}: {}",
-                    name.display(),
-                    first_difference(&found, contents)
-                ));
+                differences.push(format!("{}: {}", name.display(), first_difference(&found, contents)));
             }
             Ok(_) => {}
         }
     }
     let stale = stale(folder, files)?;
-    differences.extend(
-        stale
-            .iter()
-            .map(|path| format!("{}: no study makes it", path.display())),
-    );
+    differences.extend(stale.iter().map(|path| format!("{}: no study makes it", path.display())));
     Ok(differences)
 }
 
@@ -89,11 +62,7 @@ fn first_difference(found: &[u8], fresh: &[u8]) -> String {
         Some(((found, fresh), line)) => {
             format!("line {line} is\n    {found}\n  a fresh run gives\n    {fresh}")
         }
-        None => format!(
-            "{} lines, a fresh run gives {}",
-            found.lines().count(),
-            fresh.lines().count()
-        ),
+        None => format!("{} lines, a fresh run gives {}", found.lines().count(), fresh.lines().count()),
     }
 }
 
@@ -109,8 +78,7 @@ fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBu
             continue;
         };
         for entry in entries {
-            let entry =
-                entry.map_err(|error| format!("{}: {error}", folder.join(name).display()))?;
+            let entry = entry.map_err(|error| format!("{}: {error}", folder.join(name).display()))?;
             let file = name.join(entry.file_name());
             let kept = KEPT.iter().any(|name| file == Path::new(name)) || entry.path().is_dir();
             if !kept && !files.contains_key(&file) {

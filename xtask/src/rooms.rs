@@ -50,10 +50,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
         below.extend(own);
     }
     let all: usize = table.iter().map(|(_, lines, ..)| lines).sum();
-    println!(
-        "   {:<20} {:>6} {:>4} {:>6}  uses",
-        "crate", "code", "%", "public"
-    );
+    println!("   {:<20} {:>6} {:>4} {:>6}  uses", "crate", "code", "%", "public");
     for (name, lines, public, used) in &table {
         let part = *lines as f64 / all as f64;
         let used: Vec<_> = used.iter().map(|name| short(name)).collect();
@@ -71,11 +68,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
             ));
         }
     }
-    if faults.is_empty() {
-        Ok(())
-    } else {
-        Err(faults.join("\n"))
-    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
 }
 
 /// Name of a crate without what all have.
@@ -87,9 +80,7 @@ fn short(name: &str) -> &str {
 fn manifest(path: &Path) -> Result<(String, BTreeSet<String>), String> {
     let fault = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let text = fs::read_to_string(path).map_err(|error| fault(&error))?;
-    let manifest: toml::Table = text
-        .parse()
-        .map_err(|error: toml::de::Error| fault(&error))?;
+    let manifest: toml::Table = text.parse().map_err(|error: toml::de::Error| fault(&error))?;
     let name = manifest["package"]["name"].as_str().unwrap_or_default();
     let used = manifest.get("dependencies").and_then(toml::Value::as_table);
     let used = used.into_iter().flat_map(toml::Table::keys);
@@ -103,13 +94,8 @@ fn circles_of(name: &str, source: &Source) -> Vec<String> {
     let found = folders.iter().filter_map(|folder| {
         let arrows = siblings(folder, source);
         let names = circle(&arrows)?;
-        let place = [vec![short(name).to_owned()], folder.clone()]
-            .concat()
-            .join("::");
-        Some(format!(
-            "{place}: a circle of modules: {}",
-            names.join(" → ")
-        ))
+        let place = [vec![short(name).to_owned()], folder.clone()].concat().join("::");
+        Some(format!("{place}: a circle of modules: {}", names.join(" → ")))
     });
     found.collect()
 }

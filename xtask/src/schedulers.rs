@@ -39,16 +39,9 @@ pub(crate) fn slurm(root: &Path) -> Result<(), String> {
 }
 
 /// Runs the sweep without a scheduler, and by what submits it: given a folder of its own, the sweep and the table.
-fn compare(
-    root: &Path,
-    scheduler: &str,
-    submit: impl Fn(&Path, &Path, &Path) -> Result<Command, String>,
-) -> Result<(), String> {
+fn compare(root: &Path, scheduler: &str, submit: impl Fn(&Path, &Path, &Path) -> Result<Command, String>) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    step(
-        Command::new(cargo).args(["build", "--package", "pounding"]),
-        root,
-    )?;
+    step(Command::new(cargo).args(["build", "--package", "pounding"]), root)?;
     let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
     let program = own.with_file_name("pounding");
     let home = own.with_file_name(scheduler);
@@ -66,9 +59,7 @@ fn compare(
     step(run.arg("sweep").arg(&sweep).arg("--out").arg(&alone), root)?;
     let [alone, shared] = [alone, shared].map(|path| fs::read(path).map_err(fail));
     if alone? != shared? {
-        return Err(format!(
-            "the sweep by {scheduler} has other bytes than the one without it"
-        ));
+        return Err(format!("the sweep by {scheduler} has other bytes than the one without it"));
     }
     println!("The sweep by {scheduler} has the bytes of the one without it.");
     Ok(())

@@ -13,13 +13,9 @@ pub(crate) fn run(root: &Path, names: &[String]) -> Result<(), String> {
     let surveys = SurveyStudy::all(&files).map_err(|error| error.to_string())?;
     let known: Vec<&str> = surveys.iter().map(SurveyStudy::id).collect();
     if let Some(unknown) = names.iter().find(|name| !known.contains(&name.as_str())) {
-        return Err(format!(
-            "studies: found no survey \"{unknown}\", allowed {}",
-            known.join(", ")
-        ));
+        return Err(format!("studies: found no survey \"{unknown}\", allowed {}", known.join(", ")));
     }
-    let asked =
-        |survey: &&SurveyStudy| names.is_empty() || names.iter().any(|name| name == survey.id());
+    let asked = |survey: &&SurveyStudy| names.is_empty() || names.iter().any(|name| name == survey.id());
     for survey in surveys.iter().filter(asked) {
         let started = Instant::now();
         let spinner = ProgressBar::new_spinner().with_message(survey.id().to_string());

@@ -46,8 +46,7 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
     }
     let folder = asked.out.clone().unwrap_or_else(|| root.join(USUAL));
     copy_records(&campaign.studies, &folder)?;
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {elapsed}")
-        .expect("the template is well formed");
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {elapsed}").expect("the template is well formed");
     let bar = ProgressBar::new(asked.scenes as u64).with_style(style);
     let scenes: Vec<usize> = (asked.first..asked.first + asked.scenes).collect();
     // At once: a campaign is long, and what it found until it is stopped is not lost.
@@ -61,9 +60,7 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
         }
     });
     bar.finish_and_clear();
-    written
-        .into_inner()
-        .expect("no thread panics while it writes")?;
+    written.into_inner().expect("no thread panics while it writes")?;
     let lines = checked.iter().flat_map(Checked::lines);
     let text: String = lines.map(|line| line + "\n").collect();
     let summary = Summary(&checked);

@@ -77,11 +77,7 @@ struct Loop<S, const PEAKS: bool, const IMPULSIVE: bool> {
 
 impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE> {
     #[inline(always)]
-    fn run<const L: usize, const R: usize, const IN_STEP: usize>(
-        self,
-        group: &Group<L, R>,
-        ground: &[f64],
-    ) -> Found {
+    fn run<const L: usize, const R: usize, const IN_STEP: usize>(self, group: &Group<L, R>, ground: &[f64]) -> Found {
         let mut found = vec![[0.0; GROUP]; 2 * (L + R) + R];
         let lanes = V::<S>::LEN;
         for first in (0..GROUP).step_by(IN_STEP * lanes) {
@@ -98,12 +94,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
     }
 
     #[inline(always)]
-    fn begin<const L: usize, const R: usize>(
-        self,
-        group: &Group<L, R>,
-        first: usize,
-        ground: f64,
-    ) -> Scenes<S, L, R> {
+    fn begin<const L: usize, const R: usize>(self, group: &Group<L, R>, first: usize, ground: f64) -> Scenes<S, L, R> {
         let Self { simd, dt, .. } = self;
         let left = Tower::at_rest(simd, (&group.left, first), dt, ground);
         let right = Tower::at_rest(simd, (&group.right, first), dt, ground);
@@ -114,8 +105,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
             impulse: zero,
         }; R];
         for (level, pair) in pairs.iter_mut().enumerate() {
-            pair.reduced_mass =
-                one / (left.floors[level].inverse_mass + right.floors[level].inverse_mass);
+            pair.reduced_mass = one / (left.floors[level].inverse_mass + right.floors[level].inverse_mass);
         }
         Scenes {
             left,
@@ -127,11 +117,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
     }
 
     #[inline(always)]
-    fn steps<const L: usize, const R: usize, const IN_STEP: usize>(
-        self,
-        scenes: &mut [Scenes<S, L, R>; IN_STEP],
-        ground: &[f64],
-    ) {
+    fn steps<const L: usize, const R: usize, const IN_STEP: usize>(self, scenes: &mut [Scenes<S, L, R>; IN_STEP], ground: &[f64]) {
         let zero = V::<S>::splat(self.simd, 0.0);
         for acceleration in ground {
             let acceleration = V::<S>::splat(self.simd, *acceleration);
@@ -148,12 +134,8 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
             let apart = !(pushed || touching.any_true());
             for (scenes, deformations) in scenes.iter_mut().zip(&deformations) {
                 if apart {
-                    scenes
-                        .left
-                        .step::<PEAKS, false, R>(acceleration, deformations);
-                    scenes
-                        .right
-                        .step::<PEAKS, false, R>(acceleration, deformations);
+                    scenes.left.step::<PEAKS, false, R>(acceleration, deformations);
+                    scenes.right.step::<PEAKS, false, R>(acceleration, deformations);
                 } else if IMPULSIVE {
                     self.impact(scenes, acceleration, deformations);
                 } else {
@@ -165,12 +147,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
 
     /// A step with impacts after it, where touching floors approach.
     #[inline(always)]
-    fn impact<const L: usize, const R: usize>(
-        self,
-        scenes: &mut Scenes<S, L, R>,
-        ground: V<S>,
-        deformations: &[V<S>; R],
-    ) {
+    fn impact<const L: usize, const R: usize>(self, scenes: &mut Scenes<S, L, R>, ground: V<S>, deformations: &[V<S>; R]) {
         let zero = V::<S>::splat(self.simd, 0.0);
         let mut left = self.struck::<L, R>(&mut scenes.left, ground);
         let mut right = self.struck::<R, R>(&mut scenes.right, ground);
@@ -194,11 +171,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
 
     /// Lets a building go on from a node, and keeps how it was there, before impacts.
     #[inline(always)]
-    fn struck<const N: usize, const R: usize>(
-        self,
-        tower: &mut Tower<S, N>,
-        ground: V<S>,
-    ) -> Struck<S, N> {
+    fn struck<const N: usize, const R: usize>(self, tower: &mut Tower<S, N>, ground: V<S>) -> Struck<S, N> {
         let before = tower.motions;
         let accelerations = tower.step::<PEAKS, false, R>(ground, &[ground; R]);
         let mut velocities = [ground; N];
@@ -215,12 +188,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
 
     /// A step under the forces of the nonlinear viscoelastic element.
     #[inline(always)]
-    fn push<const L: usize, const R: usize>(
-        self,
-        scenes: &mut Scenes<S, L, R>,
-        ground: V<S>,
-        deformations: &[V<S>; R],
-    ) {
+    fn push<const L: usize, const R: usize>(self, scenes: &mut Scenes<S, L, R>, ground: V<S>, deformations: &[V<S>; R]) {
         let zero = V::<S>::splat(self.simd, 0.0);
         let (mut left, mut right) = ([zero; R], [zero; R]);
         scenes.pushed = false;
@@ -285,9 +253,7 @@ mod tests {
         let (Some(wide), Some(narrow)) = (level.as_avx512(), level.as_avx2()) else {
             return;
         };
-        let pulses: Vec<f64> = (0..400)
-            .map(|step| 4.0 * libm::sin(0.06 * f64::from(step)))
-            .collect();
+        let pulses: Vec<f64> = (0..400).map(|step| 4.0 * libm::sin(0.06 * f64::from(step))).collect();
         for law in laws().unwrap() {
             let scenes = (&towers()[0], law);
             let motion = (pulses.as_slice(), 0.01);

@@ -99,23 +99,14 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize, clock: Clock) -> Outc
 }
 
 /// Scenes of a law, whose numbers vary, with so many vectors in step in the loop by hand.
-struct Compared<'a, const L: usize, const R: usize, const IN_STEP: usize>(
-    &'a [Group<L, R>],
-    ContactLaw,
-    &'a Ground,
-);
+struct Compared<'a, const L: usize, const R: usize, const IN_STEP: usize>(&'a [Group<L, R>], ContactLaw, &'a Ground);
 
 fn by_hand<const L: usize, const R: usize, const IN_STEP: usize>(
     scenes: (&Group<L, R>, ContactLaw),
     keeps: Keeps,
     motion: (&[f64], f64),
 ) -> by_hand::Found {
-    black_box(by_hand::run::<L, R, IN_STEP>(
-        Level::new(),
-        scenes,
-        keeps,
-        motion,
-    ))
+    black_box(by_hand::run::<L, R, IN_STEP>(Level::new(), scenes, keeps, motion))
 }
 
 impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN_STEP> {
@@ -152,11 +143,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
             }
             Ok(())
         })?;
-        let error = if L > 1 {
-            Some(error(&rows[..MEASURED], methods)?)
-        } else {
-            None
-        };
+        let error = if L > 1 { Some(error(&rows[..MEASURED], methods)?) } else { None };
         let touches = |scene: &usize| (0..R).any(|pair| sums.pair(*scene, pair).collisions > 0.0);
         let touch = (0..rows.len()).filter(touches).count() as f64 / rows.len() as f64;
         let share = sums.touching_steps as f64 / sums.steps as f64;
@@ -167,11 +154,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
             println!("{L} and {R} storeys, {law}, {name}: {of_floor:.3} ns per floor and step");
             let exact = matches!(way, Way::Alone(1));
             let error = error.map_or_else(String::new, |error| {
-                let of_steps = if exact {
-                    String::new()
-                } else {
-                    format!("{error:.1e}")
-                };
+                let of_steps = if exact { String::new() } else { format!("{error:.1e}") };
                 format!(",{of_steps}")
             });
             let ratio = seconds(0) / seconds(one);

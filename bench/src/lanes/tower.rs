@@ -63,12 +63,7 @@ type Storeys<const N: usize> = [[Storey<Bilinear>; N]; GROUP];
 impl<S: Simd, const N: usize> Tower<S, N> {
     /// At rest, in the scenes from the first of these on.
     #[inline(always)]
-    pub(super) fn at_rest(
-        simd: S,
-        (storeys, first): (&Storeys<N>, usize),
-        dt: f64,
-        ground: f64,
-    ) -> Self {
+    pub(super) fn at_rest(simd: S, (storeys, first): (&Storeys<N>, usize), dt: f64, ground: f64) -> Self {
         let zero = V::<S>::splat(simd, 0.0);
         let motion = Motion {
             displacement: zero,
@@ -154,12 +149,7 @@ impl<S: Simd, const N: usize> Tower<S, N> {
     /// Lets floors begin anew from velocities after impacts, at the node before this one: those that were hit at the lowest levels,
     /// and those beside them, whose dashpots feel it.
     #[inline(always)]
-    pub(super) fn restart<const LEVELS: usize>(
-        &mut self,
-        dt: f64,
-        hits: &[S::mask64s; LEVELS],
-        struck: &Struck<S, N>,
-    ) {
+    pub(super) fn restart<const LEVELS: usize>(&mut self, dt: f64, hits: &[S::mask64s; LEVELS], struck: &Struck<S, N>) {
         let velocities = &struck.velocities;
         for level in 0..N.min(LEVELS + 1) {
             let lowest = level.saturating_sub(1).min(LEVELS - 1);
@@ -189,11 +179,7 @@ impl<S: Simd, const N: usize> Tower<S, N> {
 
 /// Constants of all floors, by elimination from the top floor down.
 #[inline(always)]
-fn floors<S: Simd, const N: usize>(
-    simd: S,
-    (storeys, first): (&Storeys<N>, usize),
-    dt: f64,
-) -> [Floor<S>; N] {
+fn floors<S: Simd, const N: usize>(simd: S, (storeys, first): (&Storeys<N>, usize), dt: f64) -> [Floor<S>; N] {
     let gather = |level: usize, number: fn(&Storey<Bilinear>) -> f64| {
         let numbers = storeys.each_ref().map(|storeys| number(&storeys[level]));
         V::<S>::from_slice(simd, &numbers[first..first + V::<S>::LEN])

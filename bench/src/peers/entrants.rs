@@ -19,9 +19,7 @@ pub(super) struct Entrant {
 
 /// All who run the scenes of a kind.
 pub(super) fn entrants(kind: Kind) -> impl Iterator<Item = Entrant> {
-    let all = ENTRANTS
-        .iter()
-        .filter(move |(.., runs)| runs.contains(&kind));
+    let all = ENTRANTS.iter().filter(move |(.., runs)| runs.contains(&kind));
     all.map(|&(competitor, [tool, method, label], knob, _)| Entrant {
         competitor,
         tool,
@@ -45,9 +43,7 @@ pub(super) enum Knob {
 }
 
 /// Time steps \[s\]: they divide the step of the record, so that its corners are nodes.
-const TIME_STEPS: [f64; 12] = [
-    2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 2e-6,
-];
+const TIME_STEPS: [f64; 12] = [2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 2e-6];
 const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const OWN_TOLERANCES: [f64; 9] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12];
 /// What the exact method is asked for where its tolerance changes nothing.

@@ -42,8 +42,7 @@ pub(super) fn prepare(home: &Path, scenes: &Value) -> Outcome<()> {
         let environment = home.join("env");
         println!("Python environment: {}", environment.display());
         let venv = &mut Command::new("python3");
-        step(venv.args(["-m", "venv", "--clear"]).arg(&environment))
-            .map_err(|said| no_python(&said))?;
+        step(venv.args(["-m", "venv", "--clear"]).arg(&environment)).map_err(|said| no_python(&said))?;
         let pip = &mut Command::new(environment.join("bin/python"));
         let words = "-m pip install --quiet --disable-pip-version-check";
         step(pip.args(words.split(' ')).args(PACKAGES)).map_err(|said| no_network(&said))?;
@@ -56,9 +55,7 @@ pub(super) fn prepare(home: &Path, scenes: &Value) -> Outcome<()> {
 }
 
 fn no_python(said: &str) -> String {
-    format!(
-        "no Python environment ({said}); other programs need Python 3 with its module venv: install it, or leave `--peers` out"
-    )
+    format!("no Python environment ({said}); other programs need Python 3 with its module venv: install it, or leave `--peers` out")
 }
 
 fn no_network(said: &str) -> String {
@@ -155,9 +152,7 @@ impl Worker {
             return Err(format!("{tool} {method}: {}", answer["failed"]).into());
         };
         let number = |value: &Value| value.as_str().and_then(|text| text.parse().ok());
-        let scene = |line: &Value| -> Found {
-            [0, 1, 2].map(|index| number(&line[index]).unwrap_or(f64::NAN))
-        };
+        let scene = |line: &Value| -> Found { [0, 1, 2].map(|index| number(&line[index]).unwrap_or(f64::NAN)) };
         let found = answer["found"].as_array().into_iter().flatten();
         Ok(Measured {
             seconds,
@@ -183,10 +178,7 @@ mod tests {
         let said = step(&mut Command::new("no-such-python")).unwrap_err();
         assert!(said.starts_with("no-such-python: "), "{said}");
         let python = no_python(&said);
-        assert!(
-            python.contains("Python 3") && python.contains(&said),
-            "{python}"
-        );
+        assert!(python.contains("Python 3") && python.contains(&said), "{python}");
         let network = no_network("exit status: 1");
         assert!(network.contains("scipy==1.17.1"), "{network}");
     }

@@ -33,11 +33,7 @@ pub(super) fn measured(scenes: &Scenes<'_>, method: &str, setting: f64) -> Outco
 }
 
 /// Vectors full of scenes: those that are compared, and others like them.
-fn in_lanes<Column: Beside>(
-    scenes: &Scenes<'_>,
-    rows: &[Row<Column>],
-    time_step: f64,
-) -> Outcome<Measured> {
+fn in_lanes<Column: Beside>(scenes: &Scenes<'_>, rows: &[Row<Column>], time_step: f64) -> Outcome<Measured> {
     let clock = clock(time_step);
     let together = SideBySide::new(STEPPING, scenes.excitation, clock)?;
     let rows: Vec<_> = rows.iter().collect();
@@ -69,9 +65,7 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
         if scene >= tallies.len() || !tallies.is_told(scene) {
             return [f64::NAN; 3];
         }
-        let [left, right] = scenes
-            .tops
-            .map(|top| tallies.displacement(scene, top).abs());
+        let [left, right] = scenes.tops.map(|top| tallies.displacement(scene, top).abs());
         let impulses = (0..scenes.n_pairs).map(|pair| tallies.pair(scene, pair).impulse);
         [left, right, impulses.sum()]
     };
@@ -82,11 +76,7 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
 }
 
 /// One scene after the other by the exact method, each with its recorders.
-fn alone<Column: Hysteretic>(
-    scenes: &Scenes<'_>,
-    rows: &[Row<Column>],
-    tolerance: f64,
-) -> Measured {
+fn alone<Column: Hysteretic>(scenes: &Scenes<'_>, rows: &[Row<Column>], tolerance: f64) -> Measured {
     let mut found = Vec::new();
     let seconds = timed(|| {
         let one = |row| {

@@ -69,12 +69,7 @@ impl Run {
 }
 
 /// Measures a setting once.
-fn measured(
-    entrant: &Entrant,
-    setting: f64,
-    scenes: &Scenes<'_>,
-    worker: &mut Worker,
-) -> Outcome<Measured> {
+fn measured(entrant: &Entrant, setting: f64, scenes: &Scenes<'_>, worker: &mut Worker) -> Outcome<Measured> {
     if entrant.tool == OURS {
         own::measured(scenes, entrant.method, setting)
     } else {
@@ -122,9 +117,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Outcome<Raced> {
     Ok(Raced {
         law,
         title,
-        unit: unit
-            .ok_or("lanes have no time step that is the unit")?
-            .seconds(),
+        unit: unit.ok_or("lanes have no time step that is the unit")?.seconds(),
         runs,
     })
 }

@@ -59,21 +59,14 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
         let ours = points(raced, Run::is_ours);
-        let packages = points(raced, |run| {
-            !run.is_ours() && run.entrant.competitor != Competitor::Loop
-        });
+        let packages = points(raced, |run| !run.is_ours() && run.entrant.competitor != Competitor::Loop);
         let loops = points(raced, |run| run.entrant.competitor == Competitor::Loop);
         for level in LEVELS {
             let Some((own, seconds)) = work::cheapest(&ours, level) else {
                 continue;
             };
             let cells = [&packages, &loops].map(|points| beside(points, level, seconds));
-            lines.push(format!(
-                "{},{level:e},{},{}",
-                raced.law,
-                own.entrant.method,
-                cells.join(",")
-            ));
+            lines.push(format!("{},{level:e},{},{}", raced.law, own.entrant.method, cells.join(",")));
         }
     }
     lines
@@ -83,18 +76,11 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
 fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     if let Some((run, seconds)) = work::cheapest(points, level) {
         let name = format!("{} {}", run.entrant.tool, run.entrant.method);
-        let bound = if work::is_bound(&run.points(), level) {
-            "<"
-        } else {
-            ""
-        };
+        let bound = if work::is_bound(&run.points(), level) { "<" } else { "" };
         return format!("{name},{bound}{}", ratio(seconds / ours));
     }
     let bound = work::spent_in_vain(points);
-    bound.map_or_else(
-        || String::from(","),
-        |seconds| format!("none,>{}", ratio(seconds / ours)),
-    )
+    bound.map_or_else(|| String::from(","), |seconds| format!("none,>{}", ratio(seconds / ours)))
 }
 
 /// The least error of everybody: whether all come to the same answer.
@@ -116,9 +102,7 @@ pub(super) fn panel(raced: &Raced) -> (&'static str, Vec<WorkPrecision>) {
         WorkPrecision {
             competitor: run.entrant.competitor,
             label: run.entrant.label.into(),
-            points: points
-                .map(|(seconds, error)| (seconds / raced.unit, error))
-                .collect(),
+            points: points.map(|(seconds, error)| (seconds / raced.unit, error)).collect(),
         }
     };
     (raced.title, raced.runs.iter().map(curve).collect())

@@ -5,10 +5,7 @@ use std::path::Path;
 
 use pounding_contact::ContactLaw;
 use pounding_lanes::{SceneSums, SideBySide};
-use pounding_solver::{
-    Bilinear, Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Levels, Peaks, Row,
-    Support,
-};
+use pounding_solver::{Bilinear, Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Levels, Peaks, Row, Support};
 use serde_json::{Value, json};
 
 use crate::measure::{Outcome, median};
@@ -135,10 +132,7 @@ impl<'a> Scenes<'a> {
             Self {
                 kind: Kind::Towers,
                 law: element,
-                answers: rows[..SCENES]
-                    .iter()
-                    .map(answer)
-                    .collect::<Result<_, _>>()?,
+                answers: rows[..SCENES].iter().map(answer).collect::<Result<_, _>>()?,
                 rows: Rows::Towers(rows),
                 tops,
                 n_pairs: RIGHT,
@@ -153,23 +147,19 @@ impl<'a> Scenes<'a> {
             let errors = found.iter().zip(answer);
             let errors = errors.map(|(found, answer)| (found - answer).abs() / answer);
             // Not a number is an error, too.
-            errors.fold(0.0, |worst: f64, error| {
-                if error.is_finite() {
-                    worst.max(error)
-                } else {
-                    f64::INFINITY
-                }
-            })
+            errors.fold(
+                0.0,
+                |worst: f64, error| {
+                    if error.is_finite() { worst.max(error) } else { f64::INFINITY }
+                },
+            )
         };
         median(found.iter().zip(&self.answers).map(of_scene))
     }
 }
 
 /// Structures that touch, and in which no bounce dies away, with the answers of the first.
-fn plain(
-    all: &[Row<Elastic>],
-    excitation: Excitation<'_>,
-) -> Outcome<(Vec<Row<Elastic>>, Vec<Found>)> {
+fn plain(all: &[Row<Elastic>], excitation: Excitation<'_>) -> Outcome<(Vec<Row<Elastic>>, Vec<Found>)> {
     let (mut rows, mut answers) = (Vec::new(), Vec::new());
     for row in all {
         let solved = solved(row, STRUCTURES, excitation, ANSWER);
@@ -193,11 +183,7 @@ fn touching(all: Vec<Row<Bilinear>>, excitation: Excitation<'_>) -> Outcome<Vec<
     let mut sums = SceneSums::default();
     let together = SideBySide::new(STEPPING, excitation, CLOCK)?;
     let rows: Vec<_> = all.iter().collect();
-    together.run(
-        Bilinear::rows(&rows),
-        &vec![CLOCK.n_steps; rows.len()],
-        &mut sums,
-    );
+    together.run(Bilinear::rows(&rows), &vec![CLOCK.n_steps; rows.len()], &mut sums);
     let touches = |scene: usize| (0..RIGHT).any(|pair| sums.pair(scene, pair).collisions > 0.0);
     let rows = all.into_iter().enumerate();
     let rows = rows.filter(|(scene, _)| touches(*scene));

@@ -58,10 +58,7 @@ mod tests {
     fn reference_time_at_an_error_follows_the_order_of_the_method() {
         for (error, expected) in [(1e-3, 10.0), (1e-2, 10f64.sqrt()), (1e-4, 1000f64.sqrt())] {
             let found = at_error(&ORDER_TWO, error).unwrap();
-            assert!(
-                (found / expected - 1.0).abs() < 1e-12,
-                "{error}: {found} instead of {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < 1e-12, "{error}: {found} instead of {expected}");
         }
     }
 

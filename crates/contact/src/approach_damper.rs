@@ -45,9 +45,7 @@ pub fn restitution(factor: f64) -> f64 {
 
 /// Factor a with which a damper of both phases delivers e, in (0, 1].
 pub fn factor(restitution: f64) -> f64 {
-    root(0.0, 1.0 / restitution, |factor| {
-        balance(factor, restitution)
-    })
+    root(0.0, 1.0 / restitution, |factor| balance(factor, restitution))
 }
 
 /// Factor a with which a damper of the approach alone delivers e, in (0, 1].
@@ -61,8 +59,7 @@ pub fn factor_on_approach(restitution: f64) -> f64 {
 /// e² φ(−ea) − φ(a), increasing in both arguments.
 fn balance(factor: f64, restitution: f64) -> f64 {
     let cube = restitution * restitution * restitution;
-    factor * (cube * psi(-restitution * factor) + psi(factor))
-        - 0.5 * (1.0 - restitution) * (1.0 + restitution)
+    factor * (cube * psi(-restitution * factor) + psi(factor)) - 0.5 * (1.0 - restitution) * (1.0 + restitution)
 }
 
 /// ψ(x) = (ln(1+x) − x + x²/2)/x³, 1/3 at x = 0; infinite at x = −1.

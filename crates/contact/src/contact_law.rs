@@ -1,7 +1,4 @@
-use crate::{
-    Action, ContactForce, ContactLaw, FreeImpact, FreePair, Overlap, ParameterError,
-    Stereomechanical,
-};
+use crate::{Action, ContactForce, ContactLaw, FreeImpact, FreePair, Overlap, ParameterError, Stereomechanical};
 
 /// Whether the formula of a law would pull, and is clamped at F = 0 instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,17 +45,12 @@ impl ContactLaw {
     pub fn check(&self) -> Result<(), ParameterError> {
         let mut law = *self;
         let mut parameters = law.parameters().into_iter();
-        parameters
-            .try_for_each(|(parameter, number)| parameter.allowed.check(parameter.name, *number))
+        parameters.try_for_each(|(parameter, number)| parameter.allowed.check(parameter.name, *number))
     }
 
     /// The law, if it acts as an impulse.
     pub const fn impulsive(&self) -> Option<Stereomechanical> {
-        if let Self::Stereomechanical(law) = self {
-            Some(*law)
-        } else {
-            None
-        }
+        if let Self::Stereomechanical(law) = self { Some(*law) } else { None }
     }
 
     /// Whether the law gives a force over time, and not an impulse.

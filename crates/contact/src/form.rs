@@ -161,10 +161,6 @@ impl Form {
         let (stiffness, damping) = (self.spring.coefficient, self.damper.coefficient);
         let force = stiffness * deformation + damping * rate;
         let jumps = self.damper.power == Power::Zero && self.spring.power == Power::One;
-        (jumps && force > 0.0).then_some(ContactForce {
-            force,
-            stiffness,
-            damping,
-        })
+        (jumps && force > 0.0).then_some(ContactForce { force, stiffness, damping })
     }
 }

@@ -139,10 +139,7 @@ impl Orbit {
                 let length = search::root(0.0, length, |part| -self.advance(state, part).0.rate);
                 visit(state, length);
                 let middle = self.advance(state, length).0;
-                return Some(State {
-                    rate: 0.0,
-                    ..middle
-                });
+                return Some(State { rate: 0.0, ..middle });
             }
             visit(state, length);
             state = end;

@@ -52,12 +52,7 @@ impl LawName {
     ///
     /// # Errors
     /// [`CalibrationError`] for a stiffness or an e out of range, and where the literature has no formula.
-    pub fn calibrated(
-        self,
-        stiffness: f64,
-        (e, calibration): (f64, Calibration),
-        pair: &FreePair,
-    ) -> Result<ContactLaw, CalibrationError> {
+    pub fn calibrated(self, stiffness: f64, (e, calibration): (f64, Calibration), pair: &FreePair) -> Result<ContactLaw, CalibrationError> {
         let (exact, law) = (self.about().exact, self.name());
         let is_damped = matches!(exact, Exact::Any(_) | Exact::Pair(..));
         let formula = (is_damped && calibration == Calibration::Literature).then(|| {

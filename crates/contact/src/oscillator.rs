@@ -16,9 +16,7 @@ pub(crate) fn given_back(ratio: f64) -> f64 {
 pub(crate) fn ratio(given_back: f64) -> f64 {
     let exponent = libm::log(given_back);
     // D(ζ) < 1/ζ, so that the root lies below 1/D.
-    root(0.0, 1.0 / given_back, |ratio| {
-        ratio * arc_over_chord(ratio) + exponent
-    })
+    root(0.0, 1.0 / given_back, |ratio| ratio * arc_over_chord(ratio) + exponent)
 }
 
 /// Peak of the damped force kδ + cδ̇ during the approach of a pair \[N\].

@@ -30,10 +30,7 @@ pub(crate) fn maximum(low: f64, high: f64, hump: impl Fn(f64) -> f64) -> f64 {
     let mut best = hump(low).max(hump(high));
     // (√5 − 1)/2: one of the two inner points of a section is an inner point of the next.
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut a, mut b) = (
-        right - golden * (right - left),
-        left + golden * (right - left),
-    );
+    let (mut a, mut b) = (right - golden * (right - left), left + golden * (right - left));
     let (mut at_a, mut at_b) = (hump(a), hump(b));
     for _ in 0..N_SECTIONS {
         best = best.max(at_a).max(at_b);

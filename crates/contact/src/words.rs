@@ -188,13 +188,9 @@ impl<'de> Visitor<'de> for Settings {
             (Some(damping), None, None) => return Ok(law.with([stiffness, damping])),
             (None, Some(e), calibration) => {
                 let asked = (e, calibration.unwrap_or(Calibration::Exact));
-                return law
-                    .calibrated(stiffness, asked, &FreePair::UNIT)
-                    .map_err(A::Error::custom);
+                return law.calibrated(stiffness, asked, &FreePair::UNIT).map_err(A::Error::custom);
             }
-            (Some(_), None, Some(_)) => {
-                "found `calibration` without `restitution`, allowed only with it".into()
-            }
+            (Some(_), None, Some(_)) => "found `calibration` without `restitution`, allowed only with it".into(),
             (Some(_), Some(_), _) => {
                 format!("found both `{damping}` and `restitution`, allowed one of them")
             }
@@ -241,13 +237,19 @@ impl LawName {
                 ..RESTITUTION
             };
             let instead = format!("; or `{}`", damping.name);
-            fields.insert(RESTITUTION.name.into(), json!({
-                "description": describe(&asked, &instead), "type": ["number", "null"], "format": "double",
-            }));
-            fields.insert(CALIBRATION.into(), json!({
-                "description": "How the damping follows from the restitution; without it exactly.",
-                "anyOf": [generator.subschema_for::<Calibration>(), { "type": "null" }],
-            }));
+            fields.insert(
+                RESTITUTION.name.into(),
+                json!({
+                    "description": describe(&asked, &instead), "type": ["number", "null"], "format": "double",
+                }),
+            );
+            fields.insert(
+                CALIBRATION.into(),
+                json!({
+                    "description": "How the damping follows from the restitution; without it exactly.",
+                    "anyOf": [generator.subschema_for::<Calibration>(), { "type": "null" }],
+                }),
+            );
         }
         let name = self.name();
         json!({

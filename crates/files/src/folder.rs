@@ -176,17 +176,12 @@ impl ResultNames {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Found::Nothing),
             Err(error) => return Err(unreadable(error)),
             Ok(there) if !there.is_dir() => {
-                return Err(format!(
-                    "{} is a file, allowed is a folder; name another",
-                    folder.display()
-                ));
+                return Err(format!("{} is a file, allowed is a folder; name another", folder.display()));
             }
             Ok(_) => {}
         }
         let entries = fs::read_dir(folder).map_err(unreadable)?;
-        let names: Result<Vec<String>, io::Error> = entries
-            .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
-            .collect();
+        let names: Result<Vec<String>, io::Error> = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect();
         let mut names = names.map_err(unreadable)?;
         names.sort();
         let is_other = |name: &&String| !(self.has)(name) || folder.join(name).is_dir();

@@ -83,10 +83,7 @@ impl Lock {
     }
 
     /// Takes an output by this call of the system.
-    fn by(
-        output: &Path,
-        lock: impl Fn(&File) -> Result<(), TryLockError>,
-    ) -> Result<Self, LockError> {
+    fn by(output: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> Result<Self, LockError> {
         let path = hidden(output, "lock");
         let fault = |source| LockError::File {
             path: path.clone(),
@@ -121,10 +118,7 @@ impl Lock {
             // The last one may have deleted the file between the opening and the lock.
             if is_at(&file, &path).map_err(fault)? {
                 sign(&file).map_err(fault)?;
-                return Ok(Self {
-                    path,
-                    file: Some(file),
-                });
+                return Ok(Self { path, file: Some(file) });
             }
         }
     }
@@ -155,11 +149,7 @@ fn sign(mut file: &File) -> io::Result<()> {
 /// Name of this machine, where it is told.
 fn machine() -> String {
     let told = fs::read_to_string("/proc/sys/kernel/hostname").ok();
-    let told = told.or_else(|| {
-        ["HOSTNAME", "COMPUTERNAME"]
-            .iter()
-            .find_map(|name| std::env::var(name).ok())
-    });
+    let told = told.or_else(|| ["HOSTNAME", "COMPUTERNAME"].iter().find_map(|name| std::env::var(name).ok()));
     told.map_or_else(String::new, |name| format!(" on {}", name.trim()))
 }
 
@@ -194,11 +184,7 @@ mod tests {
         let several = [(); 3].map(|()| Lock::of(&output, Users::Several).unwrap());
         assert!(Lock::of(&output, Users::One).is_err());
         drop(several);
-        assert_eq!(
-            fs::read_dir(folder.path()).unwrap().count(),
-            0,
-            "the last one tidies up"
-        );
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "the last one tidies up");
         // What a kill leaves holds nobody off.
         fs::write(hidden(&output, "lock"), "process 1").unwrap();
         assert!(Lock::of(&output, Users::One).is_ok());

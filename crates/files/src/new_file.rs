@@ -117,11 +117,7 @@ impl Write for NewFile {
 /// Where a file goes: `path`, or what it is a link to.
 fn place_of(path: &Path) -> io::Result<PathBuf> {
     let is_link = fs::symlink_metadata(path).is_ok_and(|about| about.is_symlink());
-    let place = if is_link {
-        fs::canonicalize(path)?
-    } else {
-        path.to_path_buf()
-    };
+    let place = if is_link { fs::canonicalize(path)? } else { path.to_path_buf() };
     match fs::metadata(&place) {
         Ok(there) if !there.is_file() => Err(io::Error::new(
             ErrorKind::InvalidInput,
@@ -151,14 +147,7 @@ pub fn sync_folder(folder: &Path) -> io::Result<()> {
         return Ok(());
     }
     match File::open(folder)?.sync_all() {
-        Err(error)
-            if matches!(
-                error.kind(),
-                ErrorKind::InvalidInput | ErrorKind::Unsupported
-            ) =>
-        {
-            Ok(())
-        }
+        Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
         synced => synced,
     }
 }
@@ -195,14 +184,10 @@ fn leftovers(path: &Path) -> Vec<PathBuf> {
         let name = entry.file_name();
         let own = name.as_encoded_bytes().strip_prefix(begin);
         let drawn = own.and_then(|rest| rest.strip_suffix(NEW.as_bytes()));
-        let is_ours =
-            |drawn: &[u8]| drawn.len() == DRAWN && drawn.iter().all(u8::is_ascii_alphanumeric);
+        let is_ours = |drawn: &[u8]| drawn.len() == DRAWN && drawn.iter().all(u8::is_ascii_alphanumeric);
         drawn.is_some_and(is_ours) && entry.file_type().is_ok_and(|kind| kind.is_file())
     };
-    let entries = fs::read_dir(folder_of(path))
-        .into_iter()
-        .flatten()
-        .flatten();
+    let entries = fs::read_dir(folder_of(path)).into_iter().flatten().flatten();
     entries.filter(begun).map(|entry| entry.path()).collect()
 }
 
@@ -218,10 +203,7 @@ mod tests {
         begun.write_all(b"half").unwrap();
         assert!(!path.exists() && begun.path().exists());
         assert_eq!(leftovers(&path), [begun.path()]);
-        assert!(
-            leftovers(&folder.path().join("a")).is_empty(),
-            "that of a longer name"
-        );
+        assert!(leftovers(&folder.path().join("a")).is_empty(), "that of a longer name");
         drop(begun);
         assert!(leftovers(&path).is_empty(), "what was begun goes");
         write(&path, b"one", Existing::Kept).unwrap();
@@ -239,16 +221,8 @@ mod tests {
     fn issue_what_a_kill_leaves_goes_with_the_next_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let others = [
-            "a.csv",
-            ".a.csv.new",
-            ".a.csv.aB3x_z.new",
-            ".b.a.csv.aB3xyz.new",
-        ];
-        for name in [".a.csv.aB3xyz.new", ".a.csv.000000.new"]
-            .iter()
-            .chain(&others)
-        {
+        let others = ["a.csv", ".a.csv.new", ".a.csv.aB3x_z.new", ".b.a.csv.aB3xyz.new"];
+        for name in [".a.csv.aB3xyz.new", ".a.csv.000000.new"].iter().chain(&others) {
             fs::write(folder.path().join(name), b"half").unwrap();
         }
         let begun = NewFile::beside(&path).unwrap();
@@ -287,15 +261,9 @@ mod tests {
         fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
         symlink(&file, &link).unwrap();
         write(&link, b"new", Existing::Replaced).unwrap();
-        assert!(
-            fs::symlink_metadata(&link).unwrap().is_symlink(),
-            "links stay"
-        );
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink(), "links stay");
         assert_eq!(fs::read(&file).unwrap(), b"new");
-        assert_eq!(
-            fs::metadata(&file).unwrap().permissions().mode() & 0o777,
-            0o640
-        );
+        assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o640);
         assert!(write(folder.path(), b"", Existing::Replaced).is_err());
         assert!(write(Path::new("/dev/null"), b"", Existing::Replaced).is_err());
     }

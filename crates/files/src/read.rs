@@ -21,10 +21,7 @@ impl Length {
 
     fn refused(self) -> io::Error {
         let most = self.most >> 20;
-        refused(format!(
-            "it is longer than {most} MB, allowed are {most} MB; {}",
-            self.help
-        ))
+        refused(format!("it is longer than {most} MB, allowed are {most} MB; {}", self.help))
     }
 }
 
@@ -112,10 +109,7 @@ mod tests {
         }
         let said = read(&path, MOST).unwrap_err().to_string();
         assert_eq!(said, "it is longer than 1 MB, allowed are 1 MB; take less");
-        assert_eq!(
-            read(folder.path(), MOST).unwrap_err().kind(),
-            ErrorKind::IsADirectory
-        );
+        assert_eq!(read(folder.path(), MOST).unwrap_err().kind(), ErrorKind::IsADirectory);
     }
 
     /// A pipe in the place of a file that is compared was waited for.
@@ -131,11 +125,7 @@ mod tests {
         let held = |path: &Path, bytes: &[u8]| holds(path, bytes).unwrap();
         assert!(held(&file, b"a") && !held(&file, b"b") && !held(&file, b"aa"));
         for other in [&pipe, folder.path(), Path::new("/dev/zero")] {
-            assert!(
-                !held(other, b"") && !held(other, b"a"),
-                "{}",
-                other.display()
-            );
+            assert!(!held(other, b"") && !held(other, b"a"), "{}", other.display());
         }
     }
 

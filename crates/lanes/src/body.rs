@@ -164,16 +164,14 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     #[inline(always)]
     pub(super) fn acceleration(&self, ground: Lanes<S>) -> Lanes<S> {
         let pounding = self.contact.pounding();
-        self.constants
-            .acceleration(&self.contact.at_node, pounding, ground)
+        self.constants.acceleration(&self.contact.at_node, pounding, ground)
     }
 
     /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump, in these lanes.
     #[inline(always)]
     pub(super) fn restart(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
         let node = &self.contact.at_node;
-        self.constants
-            .restart(&mut self.motion, node, acceleration, lanes);
+        self.constants.restart(&mut self.motion, node, acceleration, lanes);
     }
 }
 
@@ -196,11 +194,7 @@ impl<S: Simd> AtNode<S> {
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
     /// Force of the columns at a drift \[m\], which they remember \[N\].
     #[inline(always)]
-    pub(super) fn respond(
-        &self,
-        motion: &mut Motion<S, Column::Memory>,
-        drift: Lanes<S>,
-    ) -> Lanes<S> {
+    pub(super) fn respond(&self, motion: &mut Motion<S, Column::Memory>, drift: Lanes<S>) -> Lanes<S> {
         let response = self.column.respond(drift, motion.memory);
         motion.memory = response.memory;
         response.force
@@ -209,9 +203,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
     /// Velocity at the node before that of a motion \[m/s\].
     #[inline(always)]
     pub(super) fn velocity_before(&self, motion: &Motion<S, Column::Memory>) -> Lanes<S> {
-        let Motion {
-            earlier, increment, ..
-        } = *motion;
+        let Motion { earlier, increment, .. } = *motion;
         self.coefficients.velocity([earlier, increment])
     }
 
@@ -226,27 +218,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
 
     /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\], with a pounding force \[N\].
     #[inline(always)]
-    pub(super) fn acceleration(
-        &self,
-        node: &AtNode<S>,
-        pounding: Lanes<S>,
-        ground: Lanes<S>,
-    ) -> Lanes<S> {
+    pub(super) fn acceleration(&self, node: &AtNode<S>, pounding: Lanes<S>, ground: Lanes<S>) -> Lanes<S> {
         let pounding = pounding - damping_force(self.dashpot(node), None, None);
         let felt = self.coefficients.mobile * ground;
-        self.coefficients
-            .smooth((pounding, node.restoring_force), felt)
+        self.coefficients.smooth((pounding, node.restoring_force), felt)
     }
 
     /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump at a node, in these lanes.
     #[inline(always)]
-    pub(super) fn restart(
-        &self,
-        motion: &mut Motion<S, Column::Memory>,
-        node: &AtNode<S>,
-        acceleration: Lanes<S>,
-        lanes: Mask<S>,
-    ) {
+    pub(super) fn restart(&self, motion: &mut Motion<S, Column::Memory>, node: &AtNode<S>, acceleration: Lanes<S>, lanes: Mask<S>) {
         let time_step = self.coefficients.time_step;
         let increment = Coefficients::restarted(time_step, node.jumped, acceleration);
         let displacement = node.displacement + increment;
@@ -256,17 +236,10 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
 
     /// The step of a structure of one storey from a node with this net pounding force \[N\], which it passes.
     #[inline(always)]
-    pub(super) fn step(
-        &self,
-        motion: &mut Motion<S, Column::Memory>,
-        pounding: Lanes<S>,
-        ground: Lanes<S>,
-    ) -> Passed<S> {
+    pub(super) fn step(&self, motion: &mut Motion<S, Column::Memory>, pounding: Lanes<S>, ground: Lanes<S>) -> Passed<S> {
         let displacement = motion.displacement;
         let restoring_force = self.respond(motion, displacement);
-        let smooth = self
-            .coefficients
-            .smooth((pounding, restoring_force), ground);
+        let smooth = self.coefficients.smooth((pounding, restoring_force), ground);
         motion.go_on(self.coefficients.next(smooth, motion.increment));
         Passed {
             displacement,

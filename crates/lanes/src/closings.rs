@@ -85,11 +85,7 @@ struct Gap<S: Simd> {
 impl<S: Simd> Closings<S> {
     /// Of these pairs, each at the node of its left neighbour, for steps of this length \[s\]; `place` says where the structure of a node lies.
     #[inline(always)]
-    pub(super) fn new(
-        (simd, time_step): (S, f64),
-        pairs: &[Option<Pair<S>>],
-        place: impl Fn(usize) -> usize,
-    ) -> Self {
+    pub(super) fn new((simd, time_step): (S, f64), pairs: &[Option<Pair<S>>], place: impl Fn(usize) -> usize) -> Self {
         let zero = Lanes::splat(simd, 0.0);
         let gap = |(left, pair): (usize, &Option<Pair<S>>)| {
             Some(Gap {
@@ -121,24 +117,16 @@ impl<S: Simd> Closings<S> {
 
     /// Looks where structures are before the step from a node.
     #[inline(always)]
-    pub(super) fn look<Column: RestoringForce<Lanes<S>>>(
-        &mut self,
-        structures: &[Body<S, Column>],
-    ) {
+    pub(super) fn look<Column: RestoringForce<Lanes<S>>>(&mut self, structures: &[Body<S, Column>]) {
         for gap in &mut self.gaps {
-            let [left, right] = gap
-                .places
-                .map(|place| structures[place].motion.displacement);
+            let [left, right] = gap.places.map(|place| structures[place].motion.displacement);
             gap.displacement = left - right;
         }
     }
 
     /// Takes the velocities that structures have there, known after that step, before they jump.
     #[inline(always)]
-    pub(super) fn arrive<Column: RestoringForce<Lanes<S>>>(
-        &mut self,
-        structures: &[Body<S, Column>],
-    ) {
+    pub(super) fn arrive<Column: RestoringForce<Lanes<S>>>(&mut self, structures: &[Body<S, Column>]) {
         for (velocity, structure) in self.velocities.iter_mut().zip(structures) {
             *velocity = structure.velocity_before();
         }
@@ -162,11 +150,7 @@ impl<S: Simd> Closings<S> {
     #[inline(always)]
     pub(super) fn jump(&mut self, place: usize, velocity: Lanes<S>) {
         self.velocities[place] = velocity;
-        for gap in self
-            .gaps
-            .iter_mut()
-            .filter(|gap| gap.places.contains(&place))
-        {
+        for gap in self.gaps.iter_mut().filter(|gap| gap.places.contains(&place)) {
             let [left, right] = gap.places.map(|place| self.velocities[place]);
             gap.last.velocity = left - right;
         }

@@ -94,10 +94,7 @@ impl SideBySideColumn for Bilinear {
     fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Hardening<N> {
         Hardening {
             plastic: Plastic {
-                limits: [
-                    gather(|column| column.plastic()[0]),
-                    gather(|column| column.plastic()[1]),
-                ],
+                limits: [gather(|column| column.plastic()[0]), gather(|column| column.plastic()[1])],
                 at_yield: gather(|column| column.yield_force / column.stiffness),
             },
             elastic: gather(Self::elastic),

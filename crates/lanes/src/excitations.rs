@@ -59,12 +59,7 @@ impl<'a> Excitations<'a> {
         let other = steps.find(|other| other.total_cmp(&step).is_ne());
         let found = other.unwrap_or(step);
         let allowed = "the same for all scenes side by side";
-        require(
-            found.total_cmp(&step).is_eq(),
-            "excitation.time_step",
-            found,
-            allowed,
-        )?;
+        require(found.total_cmp(&step).is_eq(), "excitation.time_step", found, allowed)?;
         Ok(step)
     }
 
@@ -106,11 +101,7 @@ impl<'a> Grounds<'a> {
     }
 
     /// Makes the nodes of some steps of a group ready.
-    pub(super) fn sample<S: Simd, Column>(
-        &mut self,
-        rows: Rows<'_, Column>,
-        steps: RangeInclusive<usize>,
-    ) {
+    pub(super) fn sample<S: Simd, Column>(&mut self, rows: Rows<'_, Column>, steps: RangeInclusive<usize>) {
         let Self::Own(own) = self else {
             return;
         };

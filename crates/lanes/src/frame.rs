@@ -27,28 +27,13 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
     /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
-    fn step_in_contact(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        ground: Lanes<S>,
-        jumps: bool,
-    );
+    fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool);
 
     /// Lets what these impacts have hit begin anew from the velocities after them.
-    fn restart(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        struck: &[Link],
-        ground: Lanes<S>,
-    );
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>);
 
     /// Drift of largest magnitude of the storey below the floor at a place in a lane \[m\], where lanes know it.
-    fn peak_drift(
-        &self,
-        structures: &[Structure<S, Column>],
-        place: usize,
-        lane: usize,
-    ) -> Option<f64>;
+    fn peak_drift(&self, structures: &[Structure<S, Column>], place: usize, lane: usize) -> Option<f64>;
 }
 
 /// Structures of one storey, each for itself.
@@ -85,12 +70,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     }
 
     #[inline(always)]
-    fn step_in_contact(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        ground: Lanes<S>,
-        jumps: bool,
-    ) {
+    fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool) {
         for structure in structures {
             if structure.contact.is_near {
                 structure.step_in_contact(ground, jumps);
@@ -101,19 +81,10 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     }
 
     #[inline(always)]
-    fn restart(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        struck: &[Link],
-        ground: Lanes<S>,
-    ) {
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>) {
         for link in struck {
             // One that two pairs share has begun anew with the first of them.
-            let first = if link.is_joined {
-                link.right
-            } else {
-                link.left
-            };
+            let first = if link.is_joined { link.right } else { link.left };
             for structure in &mut structures[first..=link.right] {
                 let jumps = structure.contact.at_node.jumps();
                 structure.restart(structure.acceleration(ground), jumps);
@@ -122,12 +93,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     }
 
     #[inline(always)]
-    fn peak_drift(
-        &self,
-        structures: &[Structure<S, Column>],
-        place: usize,
-        lane: usize,
-    ) -> Option<f64> {
+    fn peak_drift(&self, structures: &[Structure<S, Column>], place: usize, lane: usize) -> Option<f64> {
         structures[place].motion.peak(lane)
     }
 }

@@ -144,8 +144,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         let mut touching = Mask::splat(self.simd, false);
         for left in 1..self.structures.len() {
             if let Some(pair) = &mut self.pairs[left - 1] {
-                let displacement =
-                    |node| self.structures[self.frame.place(node)].motion.displacement;
+                let displacement = |node| self.structures[self.frame.place(node)].motion.displacement;
                 let ahead = displacement(left - 1) - displacement(left);
                 pair.deformation = ahead - pair.gap;
                 touching = touching | pair.deformation.reaches(zero);
@@ -182,8 +181,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             }
         }
         self.busy = busy;
-        self.frame
-            .step_in_contact(&mut self.structures, ground, jumps);
+        self.frame.step_in_contact(&mut self.structures, ground, jumps);
         self.arrive();
         if jumps {
             let scenes = (&mut self.structures[..], &mut self.pairs[..]);
@@ -198,11 +196,7 @@ type Neighbours<'a, S, Column> = [&'a mut Body<S, Column>; 2];
 
 /// Gives a compliant pair its force.
 #[inline(always)]
-fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(
-    pair: &mut Pair<S>,
-    [left, right]: Neighbours<'_, S, Column>,
-    time_step: f64,
-) {
+fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut Pair<S>, [left, right]: Neighbours<'_, S, Column>, time_step: f64) {
     let closing = left.motion.increment - right.motion.increment;
     let rate = closing / closing.like(time_step);
     let Some(force) = pair.law.force(pair.deformation, rate) else {

@@ -37,8 +37,7 @@ impl<S: Simd> Law<S> {
     #[inline(always)]
     pub(super) fn new(simd: S, laws: [ContactLaw; MOST_LANES], masses: [f64; MOST_LANES]) -> Self {
         if laws[0].impulsive().is_some() {
-            let restitution =
-                laws.map(|law| law.impulsive().map_or(f64::NAN, |law| law.restitution));
+            let restitution = laws.map(|law| law.impulsive().map_or(f64::NAN, |law| law.restitution));
             let restitution = Lanes::new(simd, &restitution);
             return Self::Impulsive(Impulsive {
                 factor: restitution.like(1.0) + restitution,
@@ -114,14 +113,7 @@ impl<S: Simd> Formed<S> {
 
 /// The form of compliant laws of one kind, with reduced masses and approach speeds.
 #[inline(always)]
-fn form<S: Simd>(
-    simd: S,
-    (laws, masses, speeds): (
-        &[ContactLaw; MOST_LANES],
-        &[f64; MOST_LANES],
-        &[f64; MOST_LANES],
-    ),
-) -> Form<Lanes<S>> {
+fn form<S: Simd>(simd: S, (laws, masses, speeds): (&[ContactLaw; MOST_LANES], &[f64; MOST_LANES], &[f64; MOST_LANES])) -> Form<Lanes<S>> {
     let forms = std::array::from_fn::<_, MOST_LANES, _>(|lane| {
         let form = laws[lane].form(masses[lane], speeds[lane]);
         form.expect("a law that is not impulsive has a form")

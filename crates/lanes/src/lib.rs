@@ -80,11 +80,7 @@ impl<'a> SideBySide<'a> {
     ///
     /// # Errors
     /// [`RunError::Setting`] for settings out of range, and for sub-steps in contact.
-    pub fn new(
-        settings: CentralDifference,
-        excitations: impl Into<Excitations<'a>>,
-        clock: Clock,
-    ) -> Result<Self, RunError> {
+    pub fn new(settings: CentralDifference, excitations: impl Into<Excitations<'a>>, clock: Clock) -> Result<Self, RunError> {
         settings.check()?;
         let substeps = settings.contact_substeps;
         let allowed = "1 side by side; scenes with more run alone";
@@ -128,9 +124,7 @@ impl<'a> SideBySide<'a> {
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
-            && pairs.all(|(pair, other)| {
-                pair.relation.points() == other.relation.points() && kind(pair) == kind(other)
-            })
+            && pairs.all(|(pair, other)| pair.relation.points() == other.relation.points() && kind(pair) == kind(other))
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
@@ -145,12 +139,7 @@ impl<'a> SideBySide<'a> {
         }
     }
 
-    fn run_alike<Column: SideBySideColumn>(
-        &self,
-        rows: &[&Row<Column>],
-        n_steps: &[usize],
-        tallies: &mut SceneSums,
-    ) -> bool {
+    fn run_alike<Column: SideBySideColumn>(&self, rows: &[&Row<Column>], n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         let reach = 1..=self.clock.n_steps;
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
         let in_reach = in_reach && self.excitations.are_for(rows.len());
@@ -175,8 +164,7 @@ impl<'a> SideBySide<'a> {
         };
         dispatch!(self.level, simd => run::run(simd, &method, task));
         let is_compliant = |pair: &Pair| pair.law.is_compliant();
-        let both =
-            first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
+        let both = first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
         // Impacts of a rest are one collision, which only a run of the scene alone can tell.
         for (scene, row) in rows.iter().enumerate() {
             if both {

@@ -24,10 +24,7 @@ pub(super) struct Mask<S: Simd>(S::mask64s);
 impl<S: Simd> Lanes<S> {
     /// Lanes of this machine.
     pub(super) const N: usize = {
-        assert!(
-            <S::f64s as SimdBase<S>>::LEN <= MOST_LANES,
-            "more lanes than arrays over them have"
-        );
+        assert!(<S::f64s as SimdBase<S>>::LEN <= MOST_LANES, "more lanes than arrays over them have");
         <S::f64s as SimdBase<S>>::LEN
     };
 

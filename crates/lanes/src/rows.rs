@@ -40,12 +40,7 @@ impl<'a, Column> Rows<'a, Column> {
 impl<Column: SideBySideColumn> Rows<'_, Column> {
     /// A structure of all rows as it is before it feels the ground, for a time step \[s\].
     #[inline(always)]
-    pub(super) fn structure<S: Simd>(
-        self,
-        simd: S,
-        node: usize,
-        time_step: f64,
-    ) -> Structure<S, Column> {
+    pub(super) fn structure<S: Simd>(self, simd: S, node: usize, time_step: f64) -> Structure<S, Column> {
         let displacement = |node| self.gather(simd, node, &|node| node.initial_displacement);
         let drift = match self.rows[0].nodes()[node].support.below() {
             None => displacement(node),
@@ -56,12 +51,7 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
 
     /// A number of a structure of all rows.
     #[inline(always)]
-    pub(super) fn gather<S: Simd>(
-        self,
-        simd: S,
-        node: usize,
-        number: &dyn Fn(&Node<Column>) -> f64,
-    ) -> Lanes<S> {
+    pub(super) fn gather<S: Simd>(self, simd: S, node: usize, number: &dyn Fn(&Node<Column>) -> f64) -> Lanes<S> {
         let mut values = [0.0; MOST_LANES];
         for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
             *value = number(&self.lane(lane).nodes()[node]);

@@ -22,11 +22,7 @@ pub(super) struct Task<'a, Column> {
 
 /// Runs rows of one shape, each for its number of steps, and tells what happened in them.
 #[inline(always)]
-pub(super) fn run<S: Simd, Column: SideBySideColumn>(
-    simd: S,
-    method: &Shaken,
-    task: Task<'_, Column>,
-) {
+pub(super) fn run<S: Simd, Column: SideBySideColumn>(simd: S, method: &Shaken, task: Task<'_, Column>) {
     let first = task.rows[0];
     if (0..first.nodes().len()).all(|node| first.stands_alone(node)) {
         run_in::<S, Column, Single>(simd, method, task);
@@ -37,11 +33,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 
 /// The same, and their structures go on as the frame says.
 #[inline(always)]
-fn run_in<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
-    simd: S,
-    method: &Shaken,
-    mut task: Task<'_, Column>,
-) {
+fn run_in<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(simd: S, method: &Shaken, mut task: Task<'_, Column>) {
     let mut group: Option<Group<S, Column, F>> = None;
     let chunks = task.rows.chunks(Lanes::<S>::N);
     for (chunk, rows) in chunks.enumerate() {

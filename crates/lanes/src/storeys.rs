@@ -39,11 +39,7 @@ struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
 impl<S: Simd> Storeys<S> {
     /// Lets all floors go on from a node.
     #[inline(always)]
-    fn go_on<Column: SideBySideColumn, const IN_CONTACT: bool>(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        ground: Lanes<S>,
-    ) {
+    fn go_on<Column: SideBySideColumn, const IN_CONTACT: bool>(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         for range in self.buildings.ranges() {
             let mut building = Building::<S, Column, IN_CONTACT> {
                 zero: ground.like(0.0),
@@ -71,11 +67,7 @@ impl<S: Simd> Storeys<S> {
             ground_damping: self.ground_damping[place],
             velocity: below.contact.at_node.jumped,
         });
-        let damping = damping_force(
-            floor.dashpot(),
-            below,
-            above.map(Structure::<S, Column>::dashpot),
-        );
+        let damping = damping_force(floor.dashpot(), below, above.map(Structure::<S, Column>::dashpot));
         let mut restoring = floor.contact.at_node.restoring_force;
         if let Some(above) = above {
             restoring = restoring - above.contact.at_node.restoring_force;
@@ -109,16 +101,11 @@ impl<S: Simd> Storeys<S> {
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
         let after = self.acceleration::<Column>(building, (first, level), ground);
         let after = Number::select(feels, after, before);
-        (
-            after,
-            floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero),
-        )
+        (after, floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero))
     }
 }
 
-impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
-    for Building<'_, S, Column, IN_CONTACT>
-{
+impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>> for Building<'_, S, Column, IN_CONTACT> {
     #[inline(always)]
     fn motion(&self, level: usize) -> [Lanes<S>; 2] {
         let motion = &self.structures[level].motion;
@@ -181,9 +168,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         let mut places = vec![0; buildings.all().len()];
         for (place, node) in buildings.all().iter().enumerate() {
             places[*node] = place;
-            let gather = |number: fn(&FloorCoefficients) -> f64| {
-                Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])))
-            };
+            let gather = |number: fn(&FloorCoefficients) -> f64| Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])));
             coefficients.push(FloorCoefficients::beside(gather, time_step));
             let damping = |lane: usize| rows.lane(lane).nodes()[*node].support.ground_damping();
             ground_damping.push(Lanes::new(simd, &std::array::from_fn(damping)));
@@ -226,12 +211,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     }
 
     #[inline(always)]
-    fn step_in_contact(
-        &mut self,
-        structures: &mut [Structure<S, Column>],
-        ground: Lanes<S>,
-        jumps: bool,
-    ) {
+    fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool) {
         self.go_on::<Column, true>(structures, ground);
         if jumps {
             for structure in structures {
@@ -256,12 +236,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     }
 
     #[inline(always)]
-    fn peak_drift(
-        &self,
-        structures: &[Structure<S, Column>],
-        place: usize,
-        lane: usize,
-    ) -> Option<f64> {
+    fn peak_drift(&self, structures: &[Structure<S, Column>], place: usize, lane: usize) -> Option<f64> {
         let motion = &structures[place].motion;
         let mut ranges = self.buildings.ranges();
         if ranges.any(|range| range.start == place) {

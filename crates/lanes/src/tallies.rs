@@ -91,10 +91,7 @@ impl SceneSums {
     /// Takes a scene of others, of the same shape, as one of its own.
     pub fn take(&mut self, scene: usize, (others, place): (&Self, usize)) {
         let range = |place: usize, n: usize| place * n..(place + 1) * n;
-        let (own, its) = (
-            range(scene, self.n_structures),
-            range(place, self.n_structures),
-        );
+        let (own, its) = (range(scene, self.n_structures), range(place, self.n_structures));
         self.displacements[own.clone()].copy_from_slice(&others.displacements[its.clone()]);
         self.drifts[own].copy_from_slice(&others.drifts[its]);
         let (own, its) = (range(scene, self.n_pairs), range(place, self.n_pairs));

@@ -4,10 +4,7 @@ use fearless_simd::Level;
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 
 use super::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
-use pounding_solver::{
-    CentralDifference, Clock, Elastic, Exact, Excitation, Floor, Node, Pair, Row,
-    SimultaneousImpacts,
-};
+use pounding_solver::{CentralDifference, Clock, Elastic, Exact, Excitation, Floor, Node, Pair, Row, SimultaneousImpacts};
 
 const CLOCK: Clock = Clock {
     time_step: 0.01,
@@ -20,19 +17,12 @@ const SCENES: usize = 13;
 fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elastic>> {
     let row = |scene: usize| {
         let node = |index: usize| {
-            let shift = if index.is_multiple_of(2) {
-                3e5 * scene as f64
-            } else {
-                6.6e6
-            };
+            let shift = if index.is_multiple_of(2) { 3e5 * scene as f64 } else { 6.6e6 };
             let stiffness = 2e6 + 4e5 * index as f64 + shift;
             let node = Node::structure(1e5, 2e4, Elastic { stiffness });
             let on_floor = |below| {
                 let ground_damping = 1e4;
-                node.on_floor(Floor {
-                    below,
-                    ground_damping,
-                })
+                node.on_floor(Floor { below, ground_damping })
             };
             index.checked_sub(structures).map_or(node, on_floor)
         };
@@ -57,17 +47,11 @@ fn laws() -> [ContactLaw; 2] {
 /// What was told of every structure and its right neighbour, in bits.
 fn bits(tallies: &SceneSums, structures: usize) -> Vec<[u64; 5]> {
     let of = |scene: usize| {
-        assert!(
-            tallies.is_told(scene),
-            "{structures}: scene {scene} was given up"
-        );
+        assert!(tallies.is_told(scene), "{structures}: scene {scene} was given up");
         (1..structures).map(move |right| {
             let pair = tallies.pair(scene, right - 1);
             let [one, other] = [right - 1, right].map(|node| tallies.displacement(scene, node));
-            assert!(
-                pair.collisions > 0.0,
-                "{structures}: nothing touches in scene {scene}"
-            );
+            assert!(pair.collisions > 0.0, "{structures}: nothing touches in scene {scene}");
             [one, other, pair.collisions, pair.impulse, pair.peak_force].map(f64::to_bits)
         })
     };
@@ -89,8 +73,7 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
         let shapes = [(2, 1), (3, 1), (5, 1), (2, 3)];
         for shape in shapes {
             let (rows, structures) = (rows(law, shape), shape.0);
-            let mut wide =
-                SideBySide::new(CentralDifference::default(), excitation, CLOCK).expect("valid");
+            let mut wide = SideBySide::new(CentralDifference::default(), excitation, CLOCK).expect("valid");
             let all: Vec<_> = rows.iter().collect();
             let n_steps = [CLOCK.n_steps; SCENES];
             assert!(wide.run(RowsOf::Elastic(&all), &n_steps, &mut one));

@@ -63,20 +63,12 @@ impl BandPass {
 }
 
 /// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart do not hold, or none.
-pub(crate) fn below_nyquist(
-    setting: &'static str,
-    found: f64,
-    time_step: f64,
-) -> Result<(), RecordError> {
+pub(crate) fn below_nyquist(setting: &'static str, found: f64, time_step: f64) -> Result<(), RecordError> {
     let nyquist = 0.5 / time_step;
     if found < nyquist {
         Ok(())
     } else {
-        Err(RecordError::Frequency {
-            setting,
-            found,
-            nyquist,
-        })
+        Err(RecordError::Frequency { setting, found, nyquist })
     }
 }
 
@@ -91,8 +83,7 @@ impl Record {
     /// extension.
     pub fn band_passed(&self, filter: &BandPass) -> Result<Self, RecordError> {
         filter.check(self.time_step())?;
-        let [low, high] =
-            [filter.low_corner, filter.high_corner].map(|corner| corner * self.time_step());
+        let [low, high] = [filter.low_corner, filter.high_corner].map(|corner| corner * self.time_step());
         let mut cascade = Cascade::band_pass(filter.order, low, high);
         let samples = match filter.passes {
             Passes::Forward => {
@@ -118,9 +109,7 @@ impl Record {
 /// Filters more samples than `padding` forward, then backward.
 fn there_and_back(cascade: &mut Cascade, samples: &[f64], padding: usize) -> Vec<f64> {
     let last = samples.len() - 1;
-    let before = (1..=padding)
-        .rev()
-        .map(|index| 2.0 * samples[0] - samples[index]);
+    let before = (1..=padding).rev().map(|index| 2.0 * samples[0] - samples[index]);
     let after = (1..=padding).map(|index| 2.0 * samples[last] - samples[last - index]);
     let mut extended: Vec<f64> = before.chain(samples.iter().copied()).chain(after).collect();
     cascade.settle(extended[0]);

@@ -39,10 +39,7 @@ impl Record {
         }
         let elapsed = (last - first) as f64 * self.time_step();
         let velocity = (displacement[last] - displacement[first]) / elapsed;
-        let peak = integrated
-            .velocity
-            .iter()
-            .fold(0.0, |peak: f64, one| peak.max(one.abs()));
+        let peak = integrated.velocity.iter().fold(0.0, |peak: f64, one| peak.max(one.abs()));
         let share = velocity.abs() / peak;
         (share > DRIFT && share.is_finite()).then_some(Drift { velocity, share })
     }
@@ -75,11 +72,7 @@ mod tests {
         assert!(drift.share > 0.1 && drift.share < 0.5, "{drift:?}");
         let reversed = shaken(0.005).reversed().drift().expect("a drift");
         assert_eq!(reversed.velocity.to_bits(), (-drift.velocity).to_bits());
-        let scaled = shaken(0.005)
-            .scaled(4.0)
-            .expect("finite")
-            .drift()
-            .expect("a drift");
+        let scaled = shaken(0.005).scaled(4.0).expect("finite").drift().expect("a drift");
         assert_eq!(scaled.share.to_bits(), drift.share.to_bits());
         let detrended = shaken(0.005).detrended(Trend::Linear).expect("a record");
         assert_eq!(detrended.drift(), None);
@@ -88,10 +81,7 @@ mod tests {
     #[test]
     fn extreme_records_that_cannot_drift() {
         for samples in [vec![1.0], vec![0.0, 0.0], vec![0.0; 50]] {
-            assert_eq!(
-                Record::new(0.01, samples, "").expect("a record").drift(),
-                None
-            );
+            assert_eq!(Record::new(0.01, samples, "").expect("a record").drift(), None);
         }
     }
 }

@@ -61,10 +61,7 @@ impl Cascade {
         for index in 0..order / 2 {
             let angle = PI * f64::from(2 * index + 1) / f64::from(2 * order);
             // A pole p of the low-pass filter becomes two, the roots of s² − width·p·s + centre.
-            let half = [
-                -0.5 * width * libm::sin(angle),
-                0.5 * width * libm::cos(angle),
-            ];
+            let half = [-0.5 * width * libm::sin(angle), 0.5 * width * libm::cos(angle)];
             let outer = outer_root(half, centre);
             let size = outer[0] * outer[0] + outer[1] * outer[1];
             sections.push(Section::new(width, 2.0 * outer[0], size));
@@ -102,20 +99,8 @@ fn outer_root([re, im]: [f64; 2], centre: f64) -> [f64; 2] {
     // The larger part of the square root first, the other from the product: neither loses digits.
     let large = (0.5 * (size + square_re.abs())).sqrt();
     // Both vanish together where the two roots coincide.
-    let small = if large > 0.0 {
-        0.5 * square_im / large
-    } else {
-        0.0
-    };
-    let [root_re, root_im] = if square_re >= 0.0 {
-        [large, small]
-    } else {
-        [small, large]
-    };
-    let sign = if re * root_re + im * root_im >= 0.0 {
-        1.0
-    } else {
-        -1.0
-    };
+    let small = if large > 0.0 { 0.5 * square_im / large } else { 0.0 };
+    let [root_re, root_im] = if square_re >= 0.0 { [large, small] } else { [small, large] };
+    let sign = if re * root_re + im * root_im >= 0.0 { 1.0 } else { -1.0 };
     [re + sign * root_re, im + sign * root_im]
 }

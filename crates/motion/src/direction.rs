@@ -11,8 +11,7 @@ pub enum Direction {
 
 /// Words for up and down, in capitals; so are those that begin with `VERT`.
 const UPRIGHT: [&str; 14] = [
-    "UP", "U", "UD", "U-D", "V", "VER", "VRT", "Z", "DOWN", "DWN", "DN", "UP-DOWN", "UPDOWN",
-    "VTCL",
+    "UP", "U", "UD", "U-D", "V", "VER", "VRT", "Z", "DOWN", "DWN", "DN", "UP-DOWN", "UPDOWN", "VTCL",
 ];
 
 /// Words for directions along the ground, in capitals.
@@ -113,22 +112,16 @@ fn end_of_code(word: &str) -> Option<char> {
     let letters: Vec<char> = word.chars().collect();
     let (band, instrument, end) = match letters[..] {
         [band, instrument, end] => (band, instrument, end),
-        [band, instrument, end, tens, ones] if tens.is_ascii_digit() && ones.is_ascii_digit() => {
-            (band, instrument, end)
-        }
+        [band, instrument, end, tens, ones] if tens.is_ascii_digit() && ones.is_ascii_digit() => (band, instrument, end),
         _ => return None,
     };
-    let is_code = band.is_ascii_uppercase()
-        && INSTRUMENTS.contains(instrument)
-        && "ZNE123RTUVWXYABC".contains(end);
+    let is_code = band.is_ascii_uppercase() && INSTRUMENTS.contains(instrument) && "ZNE123RTUVWXYABC".contains(end);
     is_code.then_some(end)
 }
 
 /// Degrees, 0 to 360, or degrees from a compass point to another, `N08W`.
 fn is_azimuth(word: &str) -> bool {
-    let between = word
-        .strip_prefix(['N', 'S'])
-        .and_then(|word| word.strip_suffix(['E', 'W']));
+    let between = word.strip_prefix(['N', 'S']).and_then(|word| word.strip_suffix(['E', 'W']));
     let (degrees, most) = between.map_or((word, 360), |degrees| (degrees, 90));
     let digits = (1..=3).contains(&degrees.len()) && degrees.bytes().all(|b| b.is_ascii_digit());
     digits && degrees.parse().is_ok_and(|degrees: u32| degrees <= most)
@@ -137,8 +130,7 @@ fn is_azimuth(word: &str) -> bool {
 /// Whether a word is the channel code of an instrument that measures in one of these directions.
 pub(crate) fn is_channel_end(word: &str, ends: &str) -> bool {
     let instrument = word.chars().nth(1);
-    instrument.is_some_and(|letter| "NLGH".contains(letter))
-        && end_of_code(word).is_some_and(|end| ends.contains(end))
+    instrument.is_some_and(|letter| "NLGH".contains(letter)) && end_of_code(word).is_some_and(|end| ends.contains(end))
 }
 
 #[cfg(test)]
@@ -206,8 +198,7 @@ mod tests {
     #[test]
     fn extreme_names_that_tell_no_direction() {
         for name in [
-            "", " ", "Chan", "361", "1234", "N99W", "S 100", "ß", "STATION", "CHAN 2", "column 3",
-            "(UP)",
+            "", " ", "Chan", "361", "1234", "N99W", "S 100", "ß", "STATION", "CHAN 2", "column 3", "(UP)",
         ] {
             let horizontal = name == "S 100";
             let expected = horizontal.then_some(Direction::Horizontal);

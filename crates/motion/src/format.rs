@@ -43,9 +43,7 @@ mod usgs_text;
 mod values;
 
 use crate::line::{Line, lines};
-use crate::{
-    Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, ReadError, Site,
-};
+use crate::{Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, ReadError, Site};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
 use spacing::Spacing;
@@ -197,20 +195,14 @@ pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
 }
 
 fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
-    components
-        .into_iter()
-        .map(|component| component.name)
-        .collect()
+    components.into_iter().map(|component| component.name).collect()
 }
 
 /// The lines from each at which something begins to the next.
 fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
     let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
     starts.push(lines.len());
-    starts
-        .windows(2)
-        .map(|pair| &lines[pair[0]..pair[1]])
-        .collect()
+    starts.windows(2).map(|pair| &lines[pair[0]..pair[1]]).collect()
 }
 
 /// For the formats whose files hold one component without a name.

@@ -52,18 +52,12 @@ impl GroundFilter {
         let settings = [
             ("ground.angular_frequency", self.angular_frequency),
             ("ground.damping_ratio", self.damping_ratio),
-            (
-                "ground.high_pass_angular_frequency",
-                self.high_pass_angular_frequency,
-            ),
-            (
-                "ground.high_pass_damping_ratio",
-                self.high_pass_damping_ratio,
-            ),
+            ("ground.high_pass_angular_frequency", self.high_pass_angular_frequency),
+            ("ground.high_pass_damping_ratio", self.high_pass_damping_ratio),
         ];
-        settings.into_iter().try_for_each(|(setting, found)| {
-            within(setting, found, found > 0.0, "a finite number > 0")
-        })
+        settings
+            .into_iter()
+            .try_for_each(|(setting, found)| within(setting, found, found > 0.0, "a finite number > 0"))
     }
 
     /// Returns the share S(ω)/S₀ \[–\] of the density of white noise that comes up at a circular frequency \[rad/s\].

@@ -58,9 +58,7 @@ impl Harmonic {
             let angle = TAU * (self.frequency * time) + self.phase;
             self.amplitude * self.rise(time) * self.rise(self.duration - time) * libm::sin(angle)
         };
-        let samples = (0..=steps(self.duration, self.time_step)?)
-            .map(sample)
-            .collect();
+        let samples = (0..=steps(self.duration, self.time_step)?).map(sample).collect();
         let source = format!(
             "harmonic motion: {} m/s² at {} Hz, phase {} rad, ramps of {} periods",
             self.amplitude, self.frequency, self.phase, self.ramp_periods

@@ -44,25 +44,20 @@ impl Record {
             velocity.push(v);
             displacement.push(u);
         }
-        Integrated {
-            velocity,
-            displacement,
-        }
+        Integrated { velocity, displacement }
     }
 
     /// The steps between samples, one less than those.
     pub(crate) fn steps(&self) -> impl Iterator<Item = Step> {
         let start = [0.0, 0.0];
-        self.samples()
-            .windows(2)
-            .scan(start, |[velocity, displacement], pair| {
-                let step = Step {
-                    accelerations: [pair[0], pair[1]],
-                    velocity: *velocity,
-                    displacement: *displacement,
-                };
-                [*velocity, *displacement] = step.at(self.time_step(), self.time_step());
-                Some(step)
-            })
+        self.samples().windows(2).scan(start, |[velocity, displacement], pair| {
+            let step = Step {
+                accelerations: [pair[0], pair[1]],
+                velocity: *velocity,
+                displacement: *displacement,
+            };
+            [*velocity, *displacement] = step.at(self.time_step(), self.time_step());
+            Some(step)
+        })
     }
 }

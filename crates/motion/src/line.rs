@@ -139,32 +139,19 @@ pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let count = |end: u8| memchr::memchr_iter(end, rest).count();
     let n_ends = count(b'\n').max(count(b'\r'));
-    let allowed = if 2 * n_ends > rest.len() {
-        MOST_EMPTY
-    } else {
-        MOST
-    };
+    let allowed = if 2 * n_ends > rest.len() { MOST_EMPTY } else { MOST };
     if n_ends > allowed {
-        return Err(ReadError::TooManyLines {
-            found: n_ends,
-            allowed,
-        });
+        return Err(ReadError::TooManyLines { found: n_ends, allowed });
     }
     let mut lines = Vec::with_capacity(n_ends + 1);
     while !rest.is_empty() {
-        let end = rest
-            .iter()
-            .position(|byte| matches!(byte, b'\n' | b'\r'))
-            .unwrap_or(rest.len());
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
         let (bytes, after) = rest.split_at(end);
         lines.push(Line {
             number: lines.len() + 1,
             bytes,
         });
-        rest = after
-            .strip_prefix(b"\r\n")
-            .or_else(|| after.get(1..))
-            .unwrap_or_default();
+        rest = after.strip_prefix(b"\r\n").or_else(|| after.get(1..)).unwrap_or_default();
     }
     Ok(lines)
 }
@@ -179,9 +166,7 @@ pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
         return None;
     }
     let text = std::str::from_utf8(bytes).ok()?;
-    text.parse()
-        .ok()
-        .or_else(|| text.replace(['D', 'd'], "E").parse().ok())
+    text.parse().ok().or_else(|| text.replace(['D', 'd'], "E").parse().ok())
 }
 
 pub(crate) fn excerpt(bytes: &[u8]) -> String {

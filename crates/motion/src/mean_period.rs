@@ -62,12 +62,8 @@ fn transform(terms: &mut [[f64; 2]]) {
         let stride = length / (2 * half);
         for block in terms.chunks_exact_mut(2 * half) {
             let (left, right) = block.split_at_mut(half);
-            for ((one, other), turn) in left.iter_mut().zip(right).zip(turns.iter().step_by(stride))
-            {
-                let turned = [
-                    other[0] * turn[0] - other[1] * turn[1],
-                    other[0] * turn[1] + other[1] * turn[0],
-                ];
+            for ((one, other), turn) in left.iter_mut().zip(right).zip(turns.iter().step_by(stride)) {
+                let turned = [other[0] * turn[0] - other[1] * turn[1], other[0] * turn[1] + other[1] * turn[0]];
                 *other = [one[0] - turned[0], one[1] - turned[1]];
                 *one = [one[0] + turned[0], one[1] + turned[1]];
             }
@@ -114,10 +110,7 @@ mod tests {
         assert!((found - 1.25).abs() < 2e-3, "{found}");
         let scaled = record.scaled(-3.0).expect("a record");
         let other = scaled.mean_period().expect("a motion");
-        assert!(
-            (found - other).abs() < 1e-14,
-            "no matter how strong: {other}"
-        );
+        assert!((found - other).abs() < 1e-14, "no matter how strong: {other}");
     }
 
     #[test]
@@ -127,11 +120,7 @@ mod tests {
             record.mean_period()
         };
         assert_eq!(mean(0.01, vec![0.0; 300]), None, "nothing moves");
-        assert_eq!(
-            mean(10.0, vec![1.0, -1.0, 1.0]),
-            None,
-            "samples too far apart"
-        );
+        assert_eq!(mean(10.0, vec![1.0, -1.0, 1.0]), None, "samples too far apart");
         let single = mean(0.01, vec![1.0]).expect("a shock has all frequencies alike");
         // ∫ df/f over the band divided by its width; the sum ends up to 0.05 Hz inside the band.
         assert!((single - libm::log(80.0) / 19.75).abs() < 5e-3, "{single}");

@@ -86,9 +86,7 @@ impl Record {
     /// The instant \[s\] at which ∫a² dt reaches a value below its last, from its values at the samples.
     fn instant(&self, squares: &[f64], wanted: f64) -> f64 {
         let index = squares.partition_point(|&square| square <= wanted) - 1;
-        let (Some(&left), Some(&right)) =
-            (self.samples().get(index), self.samples().get(index + 1))
-        else {
+        let (Some(&left), Some(&right)) = (self.samples().get(index), self.samples().get(index + 1)) else {
             return self.duration();
         };
         let missing = (wanted - squares[index]) / self.time_step();

@@ -51,10 +51,7 @@ impl NamedFile {
     /// one other is a right angle apart, or a vertical component stands beside it: `r001`, `r002`, `r091` are three records. A letter
     /// such as `U` is up beside `E` or `N`; letters that count, as in `A`, `B`, `E`, tell nothing.
     pub fn of_all<N: AsRef<OsStr>>(names: &[N]) -> Vec<Self> {
-        let names: Vec<_> = names
-            .iter()
-            .map(|name| name.as_ref().to_string_lossy())
-            .collect();
+        let names: Vec<_> = names.iter().map(|name| name.as_ref().to_string_lossy()).collect();
         let places: Vec<Vec<Place>> = names.iter().map(|name| Place::all_of(name)).collect();
         let mut groups: BTreeMap<&str, Vec<&Place>> = BTreeMap::new();
         for place in places.iter().flatten() {
@@ -97,9 +94,7 @@ impl NamedFile {
 fn rsn(name: &str) -> Option<u32> {
     let behind = ["RSN", "NGA_NO_"].iter().find_map(|start| {
         let begin = name.get(..start.len())?;
-        begin
-            .eq_ignore_ascii_case(start)
-            .then(|| &name[start.len()..])
+        begin.eq_ignore_ascii_case(start).then(|| &name[start.len()..])
     })?;
     let end = behind.find(|letter: char| !letter.is_ascii_digit());
     behind[..end.unwrap_or(behind.len())].parse().ok()

@@ -47,10 +47,7 @@ impl RickerPulse {
             let x = PI * self.frequency * (step.abs_diff(half) as f64 * self.time_step);
             self.amplitude * (1.0 - 2.0 * x * x) * libm::exp(-x * x)
         };
-        let source = format!(
-            "Ricker pulse: {} m/s² at {} Hz",
-            self.amplitude, self.frequency
-        );
+        let source = format!("Ricker pulse: {} m/s² at {} Hz", self.amplitude, self.frequency);
         Record::new(self.time_step, (0..=2 * half).map(sample).collect(), source)
     }
 }
@@ -96,10 +93,7 @@ impl HalfSinePulse {
             }
             self.amplitude * libm::sin(PI * (step as f64 * self.time_step / self.duration))
         };
-        let source = format!(
-            "half-sine pulse: {} m/s² over {} s",
-            self.amplitude, self.duration
-        );
+        let source = format!("half-sine pulse: {} m/s² over {} s", self.amplitude, self.duration);
         Record::new(self.time_step, (0..=last).map(sample).collect(), source)
     }
 }

@@ -16,9 +16,7 @@ use words::{before, choice, listed, numbered, several};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadError {
     /// The text holds nothing but blank lines and comments.
-    #[error(
-        "the text holds nothing but blank lines and comments; give a header followed by numbers"
-    )]
+    #[error("the text holds nothing but blank lines and comments; give a header followed by numbers")]
     Empty,
     /// The file is of another kind altogether.
     #[error("the file is {what}, allowed is a record as text, SAC or miniSEED; {advice}")]
@@ -40,9 +38,7 @@ pub enum ReadError {
         found: u8,
     },
     /// The text has more lines than a record.
-    #[error(
-        "found {found} lines, allowed are {allowed}; cut the record to the shaking that matters"
-    )]
+    #[error("found {found} lines, allowed are {allowed}; cut the record to the shaking that matters")]
     TooManyLines {
         /// Its lines.
         found: usize,
@@ -50,9 +46,7 @@ pub enum ReadError {
         allowed: usize,
     },
     /// The record has more samples than can be used.
-    #[error(
-        "found more samples than the {allowed} allowed; cut the record to the shaking that matters, or resample it"
-    )]
+    #[error("found more samples than the {allowed} allowed; cut the record to the shaking that matters, or resample it")]
     TooManySamples {
         /// Most that are read.
         allowed: usize,
@@ -82,9 +76,7 @@ pub enum ReadError {
     #[error(transparent)]
     Row(#[from] RowError),
     /// A CSV has too few samples to tell its time step.
-    #[error(
-        "{found} sample(s) found, but the time step is taken from the time column and needs at least 2"
-    )]
+    #[error("{found} sample(s) found, but the time step is taken from the time column and needs at least 2")]
     TooFewSamples {
         /// Samples in the file.
         found: usize,
@@ -352,9 +344,7 @@ pub enum ReadError {
         declared: AccelerationUnit,
     },
     /// A file does not state its time step, and none is declared.
-    #[error(
-        "the file does not say how far apart its values are; declare it as `time_step` in seconds"
-    )]
+    #[error("the file does not say how far apart its values are; declare it as `time_step` in seconds")]
     TimeStepNotStated,
     /// A declared time step is not that of the file.
     #[error(
@@ -407,9 +397,7 @@ pub enum ReadError {
         declared: f64,
     },
     /// A declared worth of a count cannot scale the values.
-    #[error(
-        "the declared `per_count` is {found:?}, and must be finite, not 0, and keep every value finite"
-    )]
+    #[error("the declared `per_count` is {found:?}, and must be finite, not 0, and keep every value finite")]
     DeclaredPerCount {
         /// Worth of a count declared.
         found: f64,
@@ -435,10 +423,7 @@ pub enum ReadError {
         fitting: Vec<(usize, String)>,
     },
     /// The declared component is none of the file's.
-    #[error(
-        "{found:?} is declared as `component`, but the file holds {}",
-        choice(names)
-    )]
+    #[error("{found:?} is declared as `component`, but the file holds {}", choice(names))]
     UnknownComponent {
         /// Component declared.
         found: String,

@@ -37,11 +37,7 @@ impl Record {
     /// # Errors
     /// Refuses an empty list, a sample beyond [`Self::STRONGEST`], and a time step that is not above zero and up to
     /// [`Self::LONGEST_STEP`].
-    pub fn new(
-        time_step: f64,
-        samples: Vec<f64>,
-        source: impl Into<String>,
-    ) -> Result<Self, RecordError> {
+    pub fn new(time_step: f64, samples: Vec<f64>, source: impl Into<String>) -> Result<Self, RecordError> {
         checked_step(time_step)?;
         if samples.is_empty() {
             return Err(RecordError::Empty);
@@ -160,10 +156,7 @@ impl Record {
     #[must_use]
     pub fn reversed(&self) -> Self {
         let samples = self.samples.iter().map(|sample| -sample).collect();
-        Self {
-            samples,
-            ..self.clone()
-        }
+        Self { samples, ..self.clone() }
     }
 
     /// Returns the time \[s\] and the value \[m/s²\], with its sign, of the largest absolute
@@ -199,20 +192,11 @@ pub(crate) fn steps(duration: f64, time_step: f64) -> Result<usize, RecordError>
 }
 
 /// Refuses a setting that is not finite or not valid.
-pub(crate) fn within(
-    setting: &'static str,
-    found: f64,
-    valid: bool,
-    allowed: &'static str,
-) -> Result<(), RecordError> {
+pub(crate) fn within(setting: &'static str, found: f64, valid: bool, allowed: &'static str) -> Result<(), RecordError> {
     if valid && found.is_finite() {
         Ok(())
     } else {
-        Err(RecordError::Setting {
-            setting,
-            found,
-            allowed,
-        })
+        Err(RecordError::Setting { setting, found, allowed })
     }
 }
 

@@ -23,21 +23,14 @@ pub(crate) fn unusual(values: &[f64], of_list: Option<f64>) -> impl Iterator<Ite
     let told = if values.len() < FEWEST { &[] } else { values };
     let is_zero = !told.is_empty() && told.iter().all(|value| value.abs() <= 0.0);
     let zero = is_zero.then_some(Unusual::Zero { found: told.len() });
-    zero.into_iter()
-        .chain(first(told))
-        .chain(step(told, of_list))
+    zero.into_iter().chain(first(told)).chain(step(told, of_list))
 }
 
 /// A first value that is the peak, several times the second largest magnitude.
 fn first(values: &[f64]) -> Option<Unusual> {
     let (found, others) = values.split_first()?;
-    let second = others
-        .iter()
-        .fold(0.0, |peak: f64, value| peak.max(value.abs()));
-    (second > 0.0 && found.abs() > SEVERAL * second).then_some(Unusual::FirstSample {
-        found: *found,
-        second,
-    })
+    let second = others.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+    (second > 0.0 && found.abs() > SEVERAL * second).then_some(Unusual::FirstSample { found: *found, second })
 }
 
 /// One of the first two values that is the time step.
@@ -66,14 +59,8 @@ mod tests {
         values.extend([0.1, -0.2, 0.25, -0.1].repeat(5));
         let (first, second) = (1.0, 0.25);
         let expected = [
-            Unusual::FirstSample {
-                found: first,
-                second,
-            },
-            Unusual::StepAsSample {
-                sample: 2,
-                found: 0.01,
-            },
+            Unusual::FirstSample { found: first, second },
+            Unusual::StepAsSample { sample: 2, found: 0.01 },
         ];
         assert_eq!(found(&values), expected);
         assert_eq!(found(&values[2..]), []);

@@ -42,8 +42,7 @@ const LAND: &str = "MOUNTAIN MT MTN HILL HILLS RIDGE PEAK MESA CLIFF BLUFF SLOPE
 const FLOOR: &str = "FLOOR FLR FL STORY STOREY LEVEL PISO NIVEL";
 
 /// Numbers of floors above the lowest, in capitals.
-const UPPER: &str =
-    "SECOND THIRD FOURTH FIFTH SIXTH SEVENTH EIGHTH NINTH TENTH ELEVENTH TWELFTH UPPER TOP";
+const UPPER: &str = "SECOND THIRD FOURTH FIFTH SIXTH SEVENTH EIGHTH NINTH TENTH ELEVENTH TWELFTH UPPER TOP";
 
 fn is(known: &str, word: &str) -> bool {
     known.split(' ').any(|known| known == word)
@@ -54,9 +53,7 @@ impl Site {
     pub(crate) fn off_the_ground(&self) -> Option<Unusual> {
         match self {
             Self::Ground => None,
-            Self::Borehole(found) | Self::Structure(found) => Some(Unusual::OffTheGround {
-                found: found.clone(),
-            }),
+            Self::Borehole(found) | Self::Structure(found) => Some(Unusual::OffTheGround { found: found.clone() }),
         }
     }
 
@@ -69,20 +66,12 @@ impl Site {
             .filter(|word| !word.is_empty())
             .collect();
         let said = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let word = |index: Option<usize>| {
-            index
-                .and_then(|index| words.get(index))
-                .map_or("", |word| *word)
-        };
+        let word = |index: Option<usize>| index.and_then(|index| words.get(index)).map_or("", |word| *word);
         // `Mid-Height`, `Down-hole`, `Free field`.
         let pairs: Vec<String> = words.windows(2).map(<[_]>::concat).collect();
         let has = |known: &str| {
             let pairs = pairs.iter().map(String::as_str);
-            words
-                .iter()
-                .copied()
-                .chain(pairs)
-                .any(|word| is(known, word))
+            words.iter().copied().chain(pairs).any(|word| is(known, word))
         };
         let depths: Vec<f64> = (words.iter())
             .filter_map(|word| word.trim_end_matches(['M', 'F', 'T']).parse().ok())
@@ -105,8 +94,7 @@ impl Site {
             let on_land = is("TOP CREST ARCH", place) && has(LAND);
             is(STRUCTURE, place) && !is(STREET, word(Some(index + 1))) && !on_land
         };
-        let is_on =
-            words.iter().enumerate().any(is_placed) || pairs.iter().any(|pair| is(STRUCTURE, pair));
+        let is_on = words.iter().enumerate().any(is_placed) || pairs.iter().any(|pair| is(STRUCTURE, pair));
         let at_foot = has(FOOT) || floors(is_lowest) || (has("BASE") && !has(ABOVE));
         if (!has(GROUND) || has("ABOVE")) && (floors(is_upper) || (is_on && !at_foot)) {
             return Self::Structure(said);
@@ -120,10 +108,7 @@ fn number(word: &str, glued: bool) -> Option<u32> {
     let behind = word.trim_start_matches(|letter: char| letter.is_ascii_digit());
     let ends = if glued { "F FL FLR" } else { "ST ND RD TH" };
     let is_number = is(ends, behind) || (behind.is_empty() && !glued);
-    word[..word.len() - behind.len()]
-        .parse()
-        .ok()
-        .filter(|_| is_number)
+    word[..word.len() - behind.len()].parse().ok().filter(|_| is_number)
 }
 
 /// Whether a word counts a floor above the lowest: `10TH`, `2nd`, `3`, `SECOND`.
@@ -175,10 +160,7 @@ mod tests {
             "5th floor, bank vault",
             "Top of Hill Street Bridge, deck",
         ] {
-            assert!(
-                matches!(Site::of_location(text), Site::Structure(_)),
-                "{text}"
-            );
+            assert!(matches!(Site::of_location(text), Site::Structure(_)), "{text}");
         }
         for text in [
             "Downhole, 40 m",
@@ -192,10 +174,7 @@ mod tests {
             "100 ft deep hole",
             "Borehole array, 12 m below surface",
         ] {
-            assert!(
-                matches!(Site::of_location(text), Site::Borehole(_)),
-                "{text}"
-            );
+            assert!(matches!(Site::of_location(text), Site::Borehole(_)), "{text}");
         }
     }
 

@@ -99,9 +99,7 @@ impl StochasticMotion {
         let n_terms = steps(self.cutoff, 1.0 / period)?;
         // Every cosine takes its values from these: all frequencies are multiples of the lowest.
         let turn = |step: usize| TAU * (step as f64 / n_steps as f64);
-        let table: Vec<[f64; 2]> = (0..n_steps)
-            .map(|step| [libm::cos(turn(step)), libm::sin(turn(step))])
-            .collect();
+        let table: Vec<[f64; 2]> = (0..n_steps).map(|step| [libm::cos(turn(step)), libm::sin(turn(step))]).collect();
         let mut random = Pcg64::new(u128::from(self.seed), STREAM);
         let mut samples = vec![0.0; n_steps];
         let spacing = TAU / period;

@@ -97,8 +97,7 @@ impl Unusual {
 
     /// What looks wrong of the time step \[s\] and the peak \[g\] of a record; that it is zero is told elsewhere.
     pub(crate) fn of_record(time_step: f64, peak: f64) -> impl Iterator<Item = Self> {
-        let step =
-            (!USUAL_STEPS.contains(&time_step)).then_some(Self::TimeStep { found: time_step });
+        let step = (!USUAL_STEPS.contains(&time_step)).then_some(Self::TimeStep { found: time_step });
         let is_usual = Self::USUAL_PEAKS.contains(&peak) || peak <= 0.0;
         let peak = (!is_usual).then_some(Self::Peak { found: peak });
         step.into_iter().chain(peak)
@@ -139,11 +138,9 @@ impl Unusual {
             Self::FirstSample { found, second } => (found / second).abs(),
             Self::Resampled { lost } => lost / USUAL_LOSS,
             Self::HeaderPeak { found } => found / USUAL_DIFFERENCE,
-            Self::Zero { .. }
-            | Self::OneSigned { .. }
-            | Self::StepAsSample { .. }
-            | Self::Velocity { .. }
-            | Self::OffTheGround { .. } => 1.0,
+            Self::Zero { .. } | Self::OneSigned { .. } | Self::StepAsSample { .. } | Self::Velocity { .. } | Self::OffTheGround { .. } => {
+                1.0
+            }
         }
     }
 
@@ -172,10 +169,7 @@ impl Unusual {
                 two_digits(*instead)
             ),
             Self::Zero { found } => format!("{found} values in the file that are all zero"),
-            Self::OneSigned {
-                found,
-                rises: false,
-            } => {
+            Self::OneSigned { found, rises: false } => {
                 format!("{found} values in the file that never change sign")
             }
             Self::OneSigned { found, rises: true } => {
@@ -189,18 +183,10 @@ impl Unusual {
             Self::StepAsSample { sample, found } => {
                 format!("value {sample} of the file, {found}, equal to its time step")
             }
-            Self::Resampled { lost } => format!(
-                "a peak that is {:.1} % lower after resampling",
-                100.0 * lost
-            ),
-            Self::HeaderPeak { found } => format!(
-                "a peak that is {:.0} % off that in the header of the file",
-                100.0 * found
-            ),
+            Self::Resampled { lost } => format!("a peak that is {:.1} % lower after resampling", 100.0 * lost),
+            Self::HeaderPeak { found } => format!("a peak that is {:.0} % off that in the header of the file", 100.0 * found),
             Self::Velocity { found } => {
-                format!(
-                    "{found:?} in the file, which speaks for velocities, declared to be accelerations"
-                )
+                format!("{found:?} in the file, which speaks for velocities, declared to be accelerations")
             }
             Self::OffTheGround { found } => {
                 format!("a sensor that is not at the ground, by its file: {found}")
@@ -215,12 +201,8 @@ impl Unusual {
             Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
             Self::DeclaredUnit { .. } => "0.1 to 1.5 g, where the unit is declared",
             Self::Zero { .. } => "shaking",
-            Self::OneSigned { .. } => {
-                "shaking both ways; a spectrum, a column of times or an offset has one sign"
-            }
-            Self::FirstSample { .. } => {
-                "a motion that begins near zero; the first may be a number of the header"
-            }
+            Self::OneSigned { .. } => "shaking both ways; a spectrum, a column of times or an offset has one sign",
+            Self::FirstSample { .. } => "a motion that begins near zero; the first may be a number of the header",
             Self::StepAsSample { .. } => "a step that stands above the values, not among them",
             Self::Resampled { .. } => "up to 0.1 %; a shorter step keeps more",
             Self::HeaderPeak { .. } => "up to 5 %; the file may be cut, damaged or corrected",

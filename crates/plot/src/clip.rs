@@ -25,12 +25,7 @@ pub(super) fn pieces(points: &[Point], edges: Box2) -> Vec<Vec<Point>> {
 fn visible(a: Point, b: Point, (low, high): Box2) -> Option<(Point, Point)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (step, room) in [
-        (-dx, a.0 - low.0),
-        (dx, high.0 - a.0),
-        (-dy, a.1 - low.1),
-        (dy, high.1 - a.1),
-    ] {
+    for (step, room) in [(-dx, a.0 - low.0), (dx, high.0 - a.0), (-dy, a.1 - low.1), (dy, high.1 - a.1)] {
         if step == 0.0 {
             if room < 0.0 {
                 return None;
@@ -45,10 +40,7 @@ fn visible(a: Point, b: Point, (low, high): Box2) -> Option<(Point, Point)> {
         return None;
     }
     let at = |s: f64| (a.0 + s * dx, a.1 + s * dy);
-    Some((
-        if enter > 0.0 { at(enter) } else { a },
-        if leave < 1.0 { at(leave) } else { b },
-    ))
+    Some((if enter > 0.0 { at(enter) } else { a }, if leave < 1.0 { at(leave) } else { b }))
 }
 
 /// Tells whether a point is inside a box or on its edge.

@@ -20,18 +20,9 @@ pub(super) fn shapes(curve: &Curve, frame: &Frame) -> Vec<Shape> {
             let marks = visible(curve, frame).flat_map(|at| marked(curve, at));
             lines(curve, frame).into_iter().chain(marks).collect()
         }
-        Kind::Stems => curve
-            .points
-            .iter()
-            .flat_map(|&point| stem(curve, point, frame))
-            .collect(),
-        Kind::Area => runs(&curve.points)
-            .iter()
-            .flat_map(|run| area(run, curve.shade, frame))
-            .collect(),
-        Kind::Bars => bars(curve, frame)
-            .map(|ends| bar(ends, curve.shade))
-            .collect(),
+        Kind::Stems => curve.points.iter().flat_map(|&point| stem(curve, point, frame)).collect(),
+        Kind::Area => runs(&curve.points).iter().flat_map(|run| area(run, curve.shade, frame)).collect(),
+        Kind::Bars => bars(curve, frame).map(|ends| bar(ends, curve.shade)).collect(),
     }
 }
 
@@ -53,13 +44,9 @@ pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
     let points: Vec<Point> = match curve.kind {
         Kind::Points => return visible(curve, frame).collect(),
         Kind::Bars => {
-            return bars(curve, frame)
-                .flat_map(|(from, to)| between(from, to))
-                .collect();
+            return bars(curve, frame).flat_map(|(from, to)| between(from, to)).collect();
         }
-        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area => {
-            curve.points.iter().map(placed).collect()
-        }
+        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area => curve.points.iter().map(placed).collect(),
         Kind::Stems => {
             let foot = |&(x, _): &Point| (frame.across(x), frame.base());
             curve
@@ -133,19 +120,9 @@ fn lines(curve: &Curve, frame: &Frame) -> Vec<Shape> {
     if curve.kind == Kind::Points {
         return Vec::new();
     }
-    let points: Vec<Point> = curve
-        .points
-        .iter()
-        .map(|&point| frame.place(point))
-        .collect();
+    let points: Vec<Point> = curve.points.iter().map(|&point| frame.place(point)).collect();
     let pieces = clip::pieces(&points, frame.edges);
-    pieces
-        .into_iter()
-        .map(|points| Shape::Line {
-            points,
-            pen: pen(curve),
-        })
-        .collect()
+    pieces.into_iter().map(|points| Shape::Line { points, pen: pen(curve) }).collect()
 }
 
 fn stem(curve: &Curve, (x, y): (f64, f64), frame: &Frame) -> Vec<Shape> {
@@ -169,20 +146,14 @@ fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
     let points: Vec<Point> = run.iter().map(|&point| frame.place(point)).collect();
     let mut shapes = Vec::new();
     for piece in clip::pieces(&points, tall) {
-        let edge: Vec<Point> = piece
-            .into_iter()
-            .map(|(x, y)| (x, y.clamp(bottom, top)))
-            .collect();
+        let edge: Vec<Point> = piece.into_iter().map(|(x, y)| (x, y.clamp(bottom, top))).collect();
         let (first, last) = (edge[0].0, edge[edge.len() - 1].0);
         let mut corners = vec![(first, frame.base())];
         corners.extend(&edge);
         corners.push((last, frame.base()));
         shapes.push(Shape::Polygon {
             corners,
-            fill: Fill {
-                shade,
-                opacity: OPACITY,
-            },
+            fill: Fill { shade, opacity: OPACITY },
             outline: None,
         });
         shapes.push(Shape::Line {
@@ -208,10 +179,7 @@ fn bar(((left, middle), (right, _)): (Point, Point), shade: Shade) -> Shape {
     Shape::Rectangle {
         corner: (left, middle - marks::TALL / 2.0),
         size: (right - left, marks::TALL),
-        fill: Some(Fill {
-            shade,
-            opacity: OPACITY,
-        }),
+        fill: Some(Fill { shade, opacity: OPACITY }),
         outline: Some(Pen::solid(shade, THIN)),
     }
 }
@@ -268,19 +236,8 @@ mod tests {
 
     #[test]
     fn reference_runs_leave_out_the_rest_at_zero() {
-        let points = [
-            (0.0, 0.0),
-            (1.0, 0.0),
-            (2.0, 5.0),
-            (3.0, 0.0),
-            (4.0, 0.0),
-            (5.0, 0.0),
-            (6.0, 1.0),
-        ];
-        let expected = [
-            vec![(1.0, 0.0), (2.0, 5.0), (3.0, 0.0)],
-            vec![(5.0, 0.0), (6.0, 1.0)],
-        ];
+        let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 5.0), (3.0, 0.0), (4.0, 0.0), (5.0, 0.0), (6.0, 1.0)];
+        let expected = [vec![(1.0, 0.0), (2.0, 5.0), (3.0, 0.0)], vec![(5.0, 0.0), (6.0, 1.0)]];
         assert_eq!(runs(&points), expected);
     }
 

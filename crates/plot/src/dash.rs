@@ -45,10 +45,7 @@ mod tests {
     #[test]
     fn reference_dashes_follow_the_line() {
         let dashes = dashes(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], 1.0);
-        let expected = [
-            vec![(0.0, 0.0), (3.0, 0.0), (3.0, 1.0)],
-            vec![(3.0, 3.4), (3.0, 7.0)],
-        ];
+        let expected = [vec![(0.0, 0.0), (3.0, 0.0), (3.0, 1.0)], vec![(3.0, 3.4), (3.0, 7.0)]];
         assert_eq!(dashes, expected);
     }
 }

@@ -16,11 +16,7 @@ const DIVIDED: f64 = 8.0;
 /// Decades are written, as many as `fit`; where there are fewer than three, 1, 2 and 5 of each; and in a range
 /// with hardly a decade, what a linear axis would have. Between decades 2 to 9 get short ticks if a decade is long
 /// enough \[mm\]; between every second or third, the others do.
-pub(super) fn choose(
-    range: (f64, f64),
-    decade: f64,
-    fit: impl Fn(&[Tick]) -> bool,
-) -> (Vec<Tick>, Vec<f64>) {
+pub(super) fn choose(range: (f64, f64), decade: f64, fit: impl Fn(&[Tick]) -> bool) -> (Vec<Tick>, Vec<f64>) {
     let (first, last) = (exponent(range.0, f64::ceil), exponent(range.1, f64::floor));
     let decades: Vec<i32> = (first..=last).collect();
     if decades.len() < FEW {
@@ -34,11 +30,7 @@ pub(super) fn choose(
     }
     let mut chosen = Vec::new();
     for step in STEPS {
-        let ticks: Vec<Tick> = decades
-            .iter()
-            .filter(|&n| n % step == 0)
-            .map(|&n| power(n))
-            .collect();
+        let ticks: Vec<Tick> = decades.iter().filter(|&n| n % step == 0).map(|&n| power(n)).collect();
         if ticks.len() < 2 {
             break;
         }
@@ -48,11 +40,7 @@ pub(super) fn choose(
             let short = match step {
                 1 if decade < DIVIDED => Vec::new(),
                 1 => digits(range).1,
-                _ => decades
-                    .iter()
-                    .filter(|&n| n % step != 0)
-                    .map(|&n| ticks::decimal(1, n))
-                    .collect(),
+                _ => decades.iter().filter(|&n| n % step != 0).map(|&n| ticks::decimal(1, n)).collect(),
             };
             return (chosen, short);
         }
@@ -61,10 +49,7 @@ pub(super) fn choose(
 }
 
 /// Returns the decade beside a number; one that the number meets but for its last digits counts as met.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "finite numbers have small exponents"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "finite numbers have small exponents")]
 fn exponent(value: f64, round: fn(f64) -> f64) -> i32 {
     let exponent = libm::log10(value);
     let whole = exponent.round();
@@ -155,23 +140,14 @@ mod tests {
         let (ticks, between) = choose((1e-14, 1.0), 10.0, |ticks| ticks.len() <= 4);
         let written: Vec<f64> = ticks.iter().map(|tick| tick.value).collect();
         assert_eq!(written, [1e-12, 1e-8, 1e-4, 1.0]);
-        assert_eq!(
-            written.len() + between.len(),
-            15,
-            "the others get short ticks"
-        );
+        assert_eq!(written.len() + between.len(), 15, "the others get short ticks");
         let (crowded, _) = choose((1e-14, 1.0), 10.0, |_| false);
         assert!(crowded.len() >= 2, "an axis keeps two numbers");
     }
 
     #[test]
     fn extreme_magnitudes_give_finite_ticks() {
-        for range in [
-            (1e-299, 1e299),
-            (1e299, 9e299),
-            (2e-300, 3e-300),
-            (1.0, 1.0 + 1e-6),
-        ] {
+        for range in [(1e-299, 1e299), (1e299, 9e299), (2e-300, 3e-300), (1.0, 1.0 + 1e-6)] {
             let (ticks, _) = choose(range, 1.0, |_| true);
             assert!(
                 ticks.len() >= 2 && ticks.iter().all(|tick| tick.value.is_finite()),

@@ -59,10 +59,7 @@ pub struct Fill {
 impl Fill {
     /// Returns a fill that hides what lies behind.
     pub const fn solid(shade: Shade) -> Self {
-        Self {
-            shade,
-            opacity: 1.0,
-        }
+        Self { shade, opacity: 1.0 }
     }
 }
 

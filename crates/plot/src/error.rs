@@ -7,9 +7,7 @@ pub enum PlotError {
     #[error("a figure needs at least one panel and one column")]
     NoPanel,
     /// The paper is too small to hold the panels, or not between 1 mm and 2 m wide and high.
-    #[error(
-        "{width_mm} mm × {height_mm} mm is no size that the picture fits in: make it larger or show less"
-    )]
+    #[error("{width_mm} mm × {height_mm} mm is no size that the picture fits in: make it larger or show less")]
     Size {
         /// Width asked for \[mm\].
         width_mm: f64,
@@ -25,9 +23,7 @@ pub enum PlotError {
         weight: f64,
     },
     /// A point of a curve is not a pair of finite numbers, or not positive along a logarithmic axis.
-    #[error(
-        "panel {panel}, curve {curve}, point {point} is not finite, or not positive along a logarithmic axis"
-    )]
+    #[error("panel {panel}, curve {curve}, point {point} is not finite, or not positive along a logarithmic axis")]
     CurvePoint {
         /// Index of the panel, from 0.
         panel: usize,
@@ -64,9 +60,7 @@ pub enum PlotError {
         shape: usize,
     },
     /// A text holds a character that the bundled font does not have.
-    #[error(
-        "the bundled font lacks {character:?} in {text:?}: choose another, or add it to the subset"
-    )]
+    #[error("the bundled font lacks {character:?} in {text:?}: choose another, or add it to the subset")]
     Character {
         /// The character.
         character: char,

@@ -69,10 +69,7 @@ impl Axis {
     /// Returns the axis with equal lengths for equal ratios.
     #[must_use]
     pub fn log(self) -> Self {
-        Self {
-            scale: Scale::Log,
-            ..self
-        }
+        Self { scale: Scale::Log, ..self }
     }
 }
 
@@ -186,10 +183,7 @@ impl Curve {
     /// Returns the curve with a mark at every point.
     #[must_use]
     pub fn marked(self, mark: Mark) -> Self {
-        Self {
-            mark: Some(mark),
-            ..self
-        }
+        Self { mark: Some(mark), ..self }
     }
 }
 
@@ -251,10 +245,7 @@ pub struct Note {
 impl Note {
     /// Returns a note beside a point.
     pub fn new(at: (f64, f64), text: impl Into<String>) -> Self {
-        Self {
-            at,
-            text: text.into(),
-        }
+        Self { at, text: text.into() }
     }
 }
 

@@ -69,10 +69,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
     for (cell, y_ruler) in cells.iter().zip(rulers) {
         let (column, band) = (&columns[cell.column], &bands[cell.row]);
         let frame = Frame {
-            edges: (
-                (column.left, band.bottom),
-                (column.right, band.bottom + band.height),
-            ),
+            edges: ((column.left, band.bottom), (column.right, band.bottom + band.height)),
             x: cell.ranges.0,
             y: cell.ranges.1,
         };
@@ -177,9 +174,7 @@ fn cells(figure: &Figure) -> Result<Vec<Cell<'_>>, PlotError> {
         // Numbers are left out only where the panel below repeats them, or the panel to the left has them.
         let below = panels.get(index + figure.columns);
         let footed = panel.x.is_some() || below.is_none_or(|below| below.x.is_some());
-        let beside = cells
-            .last()
-            .filter(|_| column > 0 && panel.y.label.is_empty());
+        let beside = cells.last().filter(|_| column > 0 && panel.y.label.is_empty());
         let same = |left: &Cell<'_>| left.ranges.1 == y && left.panel.y.scale == panel.y.scale;
         cells.push(Cell {
             panel,
@@ -197,32 +192,19 @@ fn cells(figure: &Figure) -> Result<Vec<Cell<'_>>, PlotError> {
 fn names_width(axis: &Axis) -> f64 {
     match &axis.scale {
         Scale::Linear | Scale::Log => 0.0,
-        Scale::Names(names) => names
-            .iter()
-            .map(|name| text::width(name, TICK_POINTS))
-            .fold(0.0, f64::max),
+        Scale::Names(names) => names.iter().map(|name| text::width(name, TICK_POINTS)).fold(0.0, f64::max),
     }
 }
 
 /// Divides the height among the rows by their weights, after what is written above and below them.
 fn bands(cells: &[Cell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
     let rows = cells.last().map_or(0, |cell| cell.row + 1);
-    let most = |row: usize, measure: &dyn Fn(&Cell<'_>) -> f64| {
-        cells
-            .iter()
-            .filter(|cell| cell.row == row)
-            .map(measure)
-            .fold(0.0, f64::max)
-    };
-    let heads: Vec<f64> = (0..rows)
-        .map(|row| most(row, &|cell| head(cell.panel, legend_width)))
-        .collect();
+    let most =
+        |row: usize, measure: &dyn Fn(&Cell<'_>) -> f64| cells.iter().filter(|cell| cell.row == row).map(measure).fold(0.0, f64::max);
+    let heads: Vec<f64> = (0..rows).map(|row| most(row, &|cell| head(cell.panel, legend_width))).collect();
     let feet: Vec<f64> = (0..rows).map(|row| most(row, &foot)).collect();
-    let weights: Vec<f64> = (0..rows)
-        .map(|row| most(row, &|cell| cell.panel.weight))
-        .collect();
-    let taken =
-        heads.iter().chain(&feet).sum::<f64>() + 2.0 * MARGIN + ROW_SPACE * (count(rows) - 1.0);
+    let weights: Vec<f64> = (0..rows).map(|row| most(row, &|cell| cell.panel.weight)).collect();
+    let taken = heads.iter().chain(&feet).sum::<f64>() + 2.0 * MARGIN + ROW_SPACE * (count(rows) - 1.0);
     let unit = (height - taken) / weights.iter().sum::<f64>();
     let mut top = height - MARGIN;
     let mut bands = Vec::new();
@@ -255,11 +237,7 @@ fn columns(cells: &[Cell<'_>], rulers: &[Ruler], bands: &[Band], n: usize) -> Ve
     for gutter in gutters {
         let left = margin + gutter;
         let right = left + width;
-        columns.push(Column {
-            margin,
-            left,
-            right,
-        });
+        columns.push(Column { margin, left, right });
         margin = right + RIGHT + COLUMN_SPACE;
     }
     columns

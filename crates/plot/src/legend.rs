@@ -100,10 +100,7 @@ impl<'a> Shared<'a> {
 
     /// Returns the width \[mm\].
     pub(super) fn width(&self) -> f64 {
-        let widths = self
-            .columns
-            .iter()
-            .map(|column| widest_sample(column) + longest(column) + SPACE);
+        let widths = self.columns.iter().map(|column| widest_sample(column) + longest(column) + SPACE);
         widths.sum::<f64>() - SPACE
     }
 }
@@ -113,9 +110,9 @@ fn above(panel: &Panel, frame: &Frame, width: f64) -> Vec<Shape> {
     let mut middle = top + height(panel, width) - ROW / 2.0 + 0.6;
     let mut shapes = Vec::new();
     for row in rows(panel, width) {
-        let ends = row.iter().map(|entry| {
-            entry.start + curves::sample_width(entry.curve.kind) + length(entry.label)
-        });
+        let ends = row
+            .iter()
+            .map(|entry| entry.start + curves::sample_width(entry.curve.kind) + length(entry.label));
         // A row that is wider than its panel starts further left.
         let left = left.min(right - ends.fold(0.0, f64::max));
         for entry in row {
@@ -139,11 +136,7 @@ fn rows(panel: &Panel, width: f64) -> Vec<Vec<Entry<'_>>> {
             start = 0.0;
         }
         if let Some(row) = rows.last_mut() {
-            row.push(Entry {
-                curve,
-                label,
-                start,
-            });
+            row.push(Entry { curve, label, start });
         }
         start += long + SPACE;
     }
@@ -157,10 +150,7 @@ fn inside(panel: &Panel, frame: &Frame) -> Vec<Shape> {
         return Vec::new();
     }
     let sample = widest_sample(&entries);
-    let size = (
-        sample + longest(&entries) + 2.0 * INSET,
-        ROW * count(entries.len()) + INSET,
-    );
+    let size = (sample + longest(&entries) + 2.0 * INSET, ROW * count(entries.len()) + INSET);
     let (left, bottom) = emptiest(panel, frame, size);
     let mut shapes = vec![Shape::filled(
         (left, bottom),
@@ -183,33 +173,15 @@ fn emptiest(panel: &Panel, frame: &Frame, (width, height): Point) -> Point {
     let ((left, bottom), (right, top)) = frame.edges;
     let (near, far) = (left + MARGIN, right - MARGIN - width);
     let (low, high) = (bottom + MARGIN, top - MARGIN - height);
-    let mut points: Vec<Point> = panel
-        .curves
-        .iter()
-        .flat_map(|curve| curves::traces(curve, frame))
-        .collect();
+    let mut points: Vec<Point> = panel.curves.iter().flat_map(|curve| curves::traces(curve, frame)).collect();
     // A note counts for much: a hidden word is worse than a hidden stretch of curve.
-    points.extend(
-        panel
-            .notes
-            .iter()
-            .flat_map(|note| [frame.place(note.at); 20]),
-    );
+    points.extend(panel.notes.iter().flat_map(|note| [frame.place(note.at); 20]));
     let hidden = |&(x, y): &Point| {
-        let near = (
-            (x - MARGIN, y - MARGIN),
-            (x + width + MARGIN, y + height + MARGIN),
-        );
-        points
-            .iter()
-            .filter(|&&point| clip::contains(near, point))
-            .count()
+        let near = ((x - MARGIN, y - MARGIN), (x + width + MARGIN, y + height + MARGIN));
+        points.iter().filter(|&&point| clip::contains(near, point)).count()
     };
     let corners = [(far, high), (near, high), (far, low), (near, low)];
-    corners
-        .into_iter()
-        .min_by_key(hidden)
-        .unwrap_or((far, high))
+    corners.into_iter().min_by_key(hidden).unwrap_or((far, high))
 }
 
 /// Returns the curves that have a label.
@@ -222,9 +194,7 @@ fn labelled(panel: &Panel) -> impl Iterator<Item = (&Curve, &str)> {
 
 /// Returns the width of the widest sample of entries \[mm\].
 fn widest_sample(entries: &[(&Curve, &str)]) -> f64 {
-    let widths = entries
-        .iter()
-        .map(|entry| curves::sample_width(entry.0.kind));
+    let widths = entries.iter().map(|entry| curves::sample_width(entry.0.kind));
     widths.fold(0.0, f64::max)
 }
 

@@ -105,11 +105,7 @@ pub fn render_both(picture: &impl Picture) -> Result<(String, Vec<u8>), PlotErro
 /// The text with a question mark for what the bundled font does not have.
 pub fn writable(text: &str) -> String {
     let known = |character| {
-        if text::covered(character) {
-            character
-        } else {
-            '?'
-        }
+        if text::covered(character) { character } else { '?' }
     };
     text.chars().map(known).collect()
 }

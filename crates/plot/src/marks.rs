@@ -27,13 +27,7 @@ impl Mark {
     fn is_hollow(self) -> bool {
         match self {
             Self::Ring | Self::HollowSquare | Self::HollowTriangle | Self::HollowDiamond => true,
-            Self::Disc
-            | Self::Square
-            | Self::Triangle
-            | Self::Inverted
-            | Self::Diamond
-            | Self::Cross
-            | Self::Stroke => false,
+            Self::Disc | Self::Square | Self::Triangle | Self::Inverted | Self::Diamond | Self::Cross | Self::Stroke => false,
         }
     }
 }
@@ -63,18 +57,11 @@ pub(super) fn shapes(mark: Mark, centre: Point, shade: Shade) -> Vec<Shape> {
             fill: Some(fill),
             outline,
         }],
-        Mark::Square | Mark::HollowSquare => {
-            polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)])
-        }
+        Mark::Square | Mark::HollowSquare => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
         Mark::Triangle | Mark::HollowTriangle => polygon(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.1)]),
         Mark::Inverted => polygon(&[(-1.1, 0.8), (1.1, 0.8), (0.0, -1.1)]),
-        Mark::Diamond | Mark::HollowDiamond => {
-            polygon(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)])
-        }
-        Mark::Cross => vec![
-            stroke((-0.9, -0.9), (0.9, 0.9)),
-            stroke((-0.9, 0.9), (0.9, -0.9)),
-        ],
+        Mark::Diamond | Mark::HollowDiamond => polygon(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)]),
+        Mark::Cross => vec![stroke((-0.9, -0.9), (0.9, 0.9)), stroke((-0.9, 0.9), (0.9, -0.9))],
         Mark::Stroke => {
             let half = TALL / 2.0 / SIZE;
             vec![stroke((0.0, -half), (0.0, half))]
@@ -109,10 +96,7 @@ mod tests {
             let near = ((10.0 - reach, 20.0 - reach), (10.0 + reach, 20.0 + reach));
             for shape in one {
                 let points = match shape {
-                    Shape::Line { points, .. }
-                    | Shape::Polygon {
-                        corners: points, ..
-                    } => points.clone(),
+                    Shape::Line { points, .. } | Shape::Polygon { corners: points, .. } => points.clone(),
                     Shape::Circle { centre, radius, .. } => {
                         vec![(centre.0 - radius, centre.1), (centre.0, centre.1 + radius)]
                     }

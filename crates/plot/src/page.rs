@@ -35,17 +35,11 @@ pub(super) fn unchecked(drawing: &Drawing) -> Result<String, PlotError> {
     let (width_mm, height_mm) = (drawing.width, drawing.height);
     let sound = |length: f64| (1.0..=2000.0).contains(&length);
     if !(sound(width_mm) && sound(height_mm)) {
-        return Err(PlotError::Size {
-            width_mm,
-            height_mm,
-        });
+        return Err(PlotError::Size { width_mm, height_mm });
     }
     let mut written = String::new();
     let canvas = SVGBackend::with_string(&mut written, (size(width_mm), size(height_mm)));
-    let mut page = Page {
-        canvas,
-        height: height_mm,
-    };
+    let mut page = Page { canvas, height: height_mm };
     page.rectangle((0.0, 0.0), (width_mm, height_mm), Fill::solid(Shade::White))?;
     for (index, shape) in drawing.shapes.iter().enumerate() {
         if !on_paper(drawing, shape) {
@@ -79,21 +73,14 @@ fn on_paper(drawing: &Drawing, shape: &Shape) -> bool {
     match shape {
         Shape::Rectangle { corner, size, .. } => near(corner) && near(size),
         Shape::Circle { centre, radius, .. } => near(centre) && near(&(*radius, 0.0)),
-        Shape::Polygon {
-            corners: points, ..
-        }
-        | Shape::Line { points, .. } => points.iter().all(near),
+        Shape::Polygon { corners: points, .. } | Shape::Line { points, .. } => points.iter().all(near),
         Shape::Arrow { from, to, .. } => near(from) && near(to),
         Shape::Text { at, .. } => near(at),
     }
 }
 
 /// Returns a length in units, at least one.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "lengths are below 1e5 mm"
-)]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are below 1e5 mm")]
 fn size(length: f64) -> u32 {
     (length * UNITS).round().max(1.0) as u32
 }
@@ -151,11 +138,7 @@ impl Page<'_> {
                 fill,
                 outline,
             } => self.circle(*centre, *radius, (*fill, *outline)),
-            Shape::Polygon {
-                corners,
-                fill,
-                outline,
-            } => {
+            Shape::Polygon { corners, fill, outline } => {
                 self.polygon(corners, *fill)?;
                 outline.map_or(Ok(()), |pen| self.outline(corners, pen))
             }
@@ -165,15 +148,9 @@ impl Page<'_> {
         }
     }
 
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "`on_paper` bounds coordinates to 2e6 units"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "`on_paper` bounds coordinates to 2e6 units")]
     fn unit(&self, (x, y): Point) -> (i32, i32) {
-        (
-            (x * UNITS).round() as i32,
-            ((self.height - y) * UNITS).round() as i32,
-        )
+        ((x * UNITS).round() as i32, ((self.height - y) * UNITS).round() as i32)
     }
 
     fn units(&self, points: &[Point]) -> Vec<(i32, i32)> {
@@ -182,24 +159,14 @@ impl Page<'_> {
         units
     }
 
-    fn rectangle(
-        &mut self,
-        (x, y): Point,
-        (width, height): Point,
-        fill: Fill,
-    ) -> Result<(), PlotError> {
+    fn rectangle(&mut self, (x, y): Point, (width, height): Point, fill: Fill) -> Result<(), PlotError> {
         let (upper_left, lower_right) = (self.unit((x, y + height)), self.unit((x + width, y)));
         self.canvas
             .draw_rect(upper_left, lower_right, &inside(fill), true)
             .map_err(|_| REFUSED)
     }
 
-    fn circle(
-        &mut self,
-        centre: Point,
-        radius: f64,
-        look: (Option<Fill>, Option<Pen>),
-    ) -> Result<(), PlotError> {
+    fn circle(&mut self, centre: Point, radius: f64, look: (Option<Fill>, Option<Pen>)) -> Result<(), PlotError> {
         let centre = self.unit(centre);
         if let Some(fill) = look.0 {
             self.canvas
@@ -214,9 +181,7 @@ impl Page<'_> {
 
     fn polygon(&mut self, corners: &[Point], fill: Fill) -> Result<(), PlotError> {
         let corners = self.units(corners);
-        self.canvas
-            .fill_polygon(corners, &inside(fill))
-            .map_err(|_| REFUSED)
+        self.canvas.fill_polygon(corners, &inside(fill)).map_err(|_| REFUSED)
     }
 
     /// Draws a line around corners, and on to the second, so that it closes with a corner.
@@ -234,9 +199,7 @@ impl Page<'_> {
         for piece in pieces {
             let units = self.units(&piece);
             if units.len() > 1 {
-                self.canvas
-                    .draw_path(units, &stroke(pen))
-                    .map_err(|_| REFUSED)?;
+                self.canvas.draw_path(units, &stroke(pen)).map_err(|_| REFUSED)?;
             }
         }
         Ok(())
@@ -259,10 +222,7 @@ impl Page<'_> {
         let width = pen.points * MM_PER_POINT;
         let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
         let neck = (tip.0 - long * dx, tip.1 - long * dy);
-        let sides = [
-            (neck.0 - wide * dy, neck.1 + wide * dx),
-            (neck.0 + wide * dy, neck.1 - wide * dx),
-        ];
+        let sides = [(neck.0 - wide * dy, neck.1 + wide * dx), (neck.0 + wide * dy, neck.1 - wide * dx)];
         self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
         // The shaft ends inside the head, or its square end would blunt the tip.
         Ok((tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy))
@@ -295,12 +255,8 @@ impl Page<'_> {
         };
         let font = text::font(em * UNITS * TEXT_SIZE).transform(turn);
         let ink = colour(*shade, 1.0);
-        let style = TextStyle::from(font)
-            .color(&ink)
-            .pos(Pos::new(across, VPos::Center));
-        self.canvas
-            .draw_text(text, &style, self.unit(at))
-            .map_err(|_| REFUSED)
+        let style = TextStyle::from(font).color(&ink).pos(Pos::new(across, VPos::Center));
+        self.canvas.draw_text(text, &style, self.unit(at)).map_err(|_| REFUSED)
     }
 }
 
@@ -316,10 +272,7 @@ mod tests {
             height: 10.0,
             shapes,
         };
-        assert_eq!(
-            svg(&sheet(10.0, vec![far])),
-            Err(PlotError::Coordinate { shape: 0 })
-        );
+        assert_eq!(svg(&sheet(10.0, vec![far])), Err(PlotError::Coordinate { shape: 0 }));
         assert_eq!(
             svg(&sheet(0.0, vec![])),
             Err(PlotError::Size {

@@ -4,9 +4,7 @@ use super::clip::{self, Box2};
 use super::marks::SIZE;
 use super::ruler::{Ruler, TICK_POINTS};
 use super::scale::Frame;
-use super::{
-    Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, curves, legend, scale, text,
-};
+use super::{Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, curves, legend, scale, text};
 
 pub(super) const LABEL_POINTS: f64 = 9.0;
 const NOTE_POINTS: f64 = 8.0;
@@ -64,12 +62,7 @@ impl Plot<'_> {
     pub(super) fn shapes(&self) -> Vec<Shape> {
         let mut shapes = self.grid();
         shapes.extend(self.marks());
-        shapes.extend(
-            self.panel
-                .curves
-                .iter()
-                .flat_map(|curve| curves::shapes(curve, &self.frame)),
-        );
+        shapes.extend(self.panel.curves.iter().flat_map(|curve| curves::shapes(curve, &self.frame)));
         shapes.extend(self.axes());
         shapes.extend(self.panel.notes.iter().flat_map(|note| self.note(note)));
         shapes.extend(legend::shapes(self.panel, &self.frame, self.legend_width));
@@ -78,11 +71,7 @@ impl Plot<'_> {
     }
 
     fn grid(&self) -> Vec<Shape> {
-        let across = self
-            .y_ruler
-            .ticks
-            .iter()
-            .map(|tick| self.level(tick.value, GRID));
+        let across = self.y_ruler.ticks.iter().map(|tick| self.level(tick.value, GRID));
         self.x_ruler
             .ticks
             .iter()
@@ -94,31 +83,16 @@ impl Plot<'_> {
     fn marks(&self) -> Vec<Shape> {
         let (x, y) = (self.frame.x, self.frame.y);
         let markers = self.panel.markers.iter().filter(|&&at| x.contains(at));
-        let zero = self
-            .panel
-            .curves
-            .iter()
-            .any(scale::starts_from_zero)
-            .then_some(0.0);
-        let levels = self
-            .panel
-            .levels
-            .iter()
-            .chain(zero.as_ref())
-            .filter(|&&at| y.contains(at));
+        let zero = self.panel.curves.iter().any(scale::starts_from_zero).then_some(0.0);
+        let levels = self.panel.levels.iter().chain(zero.as_ref()).filter(|&&at| y.contains(at));
         let markers = markers.map(|&at| self.upright(at, MARKER));
-        markers
-            .chain(levels.map(|&at| self.level(at, LEVEL)))
-            .collect()
+        markers.chain(levels.map(|&at| self.level(at, LEVEL))).collect()
     }
 
     fn axes(&self) -> Vec<Shape> {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let corner = vec![(left, top), (left, bottom), (right, bottom)];
-        let mut shapes = vec![Shape::Line {
-            points: corner,
-            pen: AXIS,
-        }];
+        let mut shapes = vec![Shape::Line { points: corner, pen: AXIS }];
         for tick in &self.y_ruler.ticks {
             let y = self.frame.up(tick.value);
             shapes.push(Shape::line((left - TICK.0, y), (left, y), AXIS));
@@ -159,10 +133,7 @@ impl Plot<'_> {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let mut shapes = Vec::new();
         if self.numbered.0 && !self.x.label.is_empty() {
-            let at = (
-                f64::midpoint(left, right),
-                bottom - FOOT.0 - FOOT.1 / 2.0 + 0.3,
-            );
+            let at = (f64::midpoint(left, right), bottom - FOOT.0 - FOOT.1 / 2.0 + 0.3);
             shapes.push(Shape::text(at, &*self.x.label, LABEL_POINTS, Align::Middle));
         }
         let mut across = self.margin + text::height(LABEL_POINTS) / 2.0;
@@ -186,27 +157,19 @@ impl Plot<'_> {
     fn label_middle(&self, line: &str) -> f64 {
         let ((_, bottom), (_, top)) = self.frame.edges;
         let half = text::width(line, LABEL_POINTS) / 2.0;
-        f64::midpoint(bottom, top)
-            .min(top - half)
-            .max(f64::midpoint(bottom, top) - 2.0)
+        f64::midpoint(bottom, top).min(top - half).max(f64::midpoint(bottom, top) - 2.0)
     }
 
     fn title(&self) -> Option<Shape> {
         let ((left, _), (_, top)) = self.frame.edges;
-        let at = (
-            left,
-            top + legend::height(self.panel, self.legend_width) + TITLE / 2.0 + 0.3,
-        );
+        let at = (left, top + legend::height(self.panel, self.legend_width) + TITLE / 2.0 + 0.3);
         let title = &self.panel.title;
         (!title.is_empty()).then(|| Shape::text(at, &**title, LABEL_POINTS, Align::Start))
     }
 
     /// Writes a note beside its point on nearly white paper, to its right or on the next side that hides less.
     fn note(&self, note: &Note) -> [Shape; 2] {
-        let size = (
-            text::width(&note.text, NOTE_POINTS),
-            text::height(NOTE_POINTS),
-        );
+        let size = (text::width(&note.text, NOTE_POINTS), text::height(NOTE_POINTS));
         let traces: Vec<Point> = self
             .panel
             .curves
@@ -217,10 +180,7 @@ impl Plot<'_> {
         let hidden = |&(low, high): &Box2| {
             // The width of lines and forms counts too.
             let near = ((low.0 - SIZE, low.1 - SIZE), (high.0 + SIZE, high.1 + SIZE));
-            traces
-                .iter()
-                .filter(|&&point| clip::contains(near, point))
-                .count()
+            traces.iter().filter(|&&point| clip::contains(near, point)).count()
         };
         let (low, high) = boxes.into_iter().min_by_key(hidden).unwrap_or(boxes[0]);
         let paper = Fill {
@@ -229,10 +189,7 @@ impl Plot<'_> {
         };
         let at = (low.0 + NOTE_EDGE.0, f64::midpoint(low.1, high.1));
         let text = Shape::text(at, &*note.text, NOTE_POINTS, Align::Start);
-        [
-            Shape::filled(low, (high.0 - low.0, high.1 - low.1), paper),
-            text,
-        ]
+        [Shape::filled(low, (high.0 - low.0, high.1 - low.1), paper), text]
     }
 
     /// Returns the paper of a note of a size right, left, above and below a point, moved into the panel.

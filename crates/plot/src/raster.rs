@@ -21,29 +21,16 @@ const SVG_PER_INCH: f32 = 96.0;
 pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     let tree = tree(svg)?;
     let scale = DOTS_PER_INCH / SVG_PER_INCH;
-    let (width, height) = (
-        dots(tree.size().width() * scale),
-        dots(tree.size().height() * scale),
-    );
+    let (width, height) = (dots(tree.size().width() * scale), dots(tree.size().height() * scale));
     let mut pixels = Pixmap::new(width, height).ok_or(PlotError::Renderer { stage: "pixels" })?;
-    resvg::render(
-        &tree,
-        Transform::from_scale(scale, scale),
-        &mut pixels.as_mut(),
-    );
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
     // The paper is white and hides what is behind: every fourth byte, the alpha, is full.
     let pixels = pixels.data().chunks_exact(4);
-    let colours: Vec<u8> = pixels
-        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]].map(level))
-        .collect();
+    let colours: Vec<u8> = pixels.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]].map(level)).collect();
     // Which filter packs better depends on the picture.
     let plain = encode((width, height), &colours, Filter::NoFilter)?;
     let differences = encode((width, height), &colours, Filter::Up)?;
-    Ok(if plain.len() <= differences.len() {
-        plain
-    } else {
-        differences
-    })
+    Ok(if plain.len() <= differences.len() { plain } else { differences })
 }
 
 /// Returns the picture as an SVG that needs no font.
@@ -81,11 +68,7 @@ fn dots(length: f32) -> u32 {
 }
 
 /// Writes eight bits per colour, as small as the encoder can.
-fn encode(
-    (width, height): (u32, u32),
-    colours: &[u8],
-    filter: Filter,
-) -> Result<Vec<u8>, PlotError> {
+fn encode((width, height): (u32, u32), colours: &[u8], filter: Filter) -> Result<Vec<u8>, PlotError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width, height);
     encoder.set_color(ColorType::Rgb);

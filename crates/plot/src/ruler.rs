@@ -27,20 +27,14 @@ pub(super) struct Ruler {
 impl Ruler {
     /// Chooses what stands along an x axis of a length \[mm\].
     pub(super) fn across(axis: &Axis, range: Range, length: f64) -> Self {
-        let fit = |ticks: &[Tick]| {
-            spacing(ticks, range, length) >= NUMBER_SPACE.0 + widest(ticks).max(4.0)
-        };
+        let fit = |ticks: &[Tick]| spacing(ticks, range, length) >= NUMBER_SPACE.0 + widest(ticks).max(4.0);
         Self::choose(axis, range, length, (12, fit))
     }
 
     /// Chooses what stands along a y axis of a length \[mm\]: about ten numbers, or as many as stand apart in a low
     /// panel.
     pub(super) fn up(axis: &Axis, range: Range, length: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "paper is at most 2 m high"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "paper is at most 2 m high")]
         let most = (length / NUMBER_SPACE.1).clamp(0.0, 9.0) as u32;
         let space = match axis.scale {
             Scale::Linear => NUMBER_SPACE.1,
@@ -51,12 +45,7 @@ impl Ruler {
         Self::choose(axis, range, length, (most, fit))
     }
 
-    fn choose(
-        axis: &Axis,
-        range: Range,
-        length: f64,
-        (most, fit): (u32, impl Fn(&[Tick]) -> bool),
-    ) -> Self {
+    fn choose(axis: &Axis, range: Range, length: f64, (most, fit): (u32, impl Fn(&[Tick]) -> bool)) -> Self {
         let ends = (range.from, range.to);
         let (ticks, between) = match &axis.scale {
             Scale::Linear => (ticks::choose(ends, most, &fit), Vec::new()),
@@ -67,11 +56,7 @@ impl Ruler {
             Scale::Names(names) => (named(names), Vec::new()),
         };
         let crowded = matches!(axis.scale, Scale::Names(_)) && !fit(&ticks);
-        Self {
-            ticks,
-            between,
-            crowded,
-        }
+        Self { ticks, between, crowded }
     }
 
     /// Returns the width of the widest number or name \[mm\].
@@ -93,16 +78,11 @@ fn named(names: &[String]) -> Vec<Tick> {
 /// Returns the least distance of ticks on an axis of a length \[mm\].
 fn spacing(ticks: &[Tick], range: Range, length: f64) -> f64 {
     let place = |tick: &Tick| range.fraction(tick.value) * length;
-    let distances = ticks
-        .windows(2)
-        .map(|pair| (place(&pair[1]) - place(&pair[0])).abs());
+    let distances = ticks.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).abs());
     distances.fold(length, f64::min)
 }
 
 /// Returns the width of the widest of texts \[mm\].
 fn widest(ticks: &[Tick]) -> f64 {
-    ticks
-        .iter()
-        .map(|tick| text::width(&tick.label, TICK_POINTS))
-        .fold(0.0, f64::max)
+    ticks.iter().map(|tick| text::width(&tick.label, TICK_POINTS)).fold(0.0, f64::max)
 }

@@ -85,24 +85,16 @@ impl Frame {
 /// Returns the range of an x axis: its own, or that of the curves of the panels that share it.
 pub(super) fn x_range(axis: &Axis, panels: &[&Panel]) -> Result<Range, PlotError> {
     let curves = || panels.iter().flat_map(|panel| &panel.curves);
-    let points = curves()
-        .flat_map(|curve| &curve.points)
-        .map(|point| point.0);
+    let points = curves().flat_map(|curve| &curve.points).map(|point| point.0);
     let headroom = if curves().any(is_airy) { HEADROOM } else { 0.0 };
     settle(axis, points, headroom, Rule::Linear)
 }
 
 /// Returns the range of the y axis of a panel: its own, or that of the curves, with zero where they start from it.
 pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
-    let points = panel
-        .curves
-        .iter()
-        .flat_map(|curve| &curve.points)
-        .map(|point| point.1);
+    let points = panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     let stands = panel.y.scale != Scale::Log && panel.curves.iter().any(starts_from_zero);
-    let values = points
-        .chain(panel.levels.iter().copied())
-        .chain(stands.then_some(0.0));
+    let values = points.chain(panel.levels.iter().copied()).chain(stands.then_some(0.0));
     settle(&panel.y, values, HEADROOM, Rule::Down)
 }
 
@@ -121,22 +113,10 @@ pub(super) fn starts_from_zero(curve: &Curve) -> bool {
 /// Returns the range asked for, or one around the values; refuses what cannot be divided into ticks.
 ///
 /// Names go by the rule `names`.
-fn settle(
-    axis: &Axis,
-    values: impl Iterator<Item = f64>,
-    headroom: f64,
-    names: Rule,
-) -> Result<Range, PlotError> {
+fn settle(axis: &Axis, values: impl Iterator<Item = f64>, headroom: f64, names: Rule) -> Result<Range, PlotError> {
     let (rule, (from, to)) = match &axis.scale {
-        Scale::Linear => (
-            Rule::Linear,
-            axis.range.unwrap_or_else(|| around(values, headroom)),
-        ),
-        Scale::Log => (
-            Rule::Log,
-            axis.range
-                .unwrap_or_else(|| around_ratios(values, headroom)),
-        ),
+        Scale::Linear => (Rule::Linear, axis.range.unwrap_or_else(|| around(values, headroom))),
+        Scale::Log => (Rule::Log, axis.range.unwrap_or_else(|| around_ratios(values, headroom))),
         Scale::Names(list) => (names, (-0.5, list.len() as f64 - 0.5)),
     };
     let size = from.abs().max(to.abs());
@@ -186,11 +166,7 @@ fn around_ratios(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64)
         return (1.0, 10.0);
     };
     let decades = libm::log10(high / low);
-    let factor = if decades > 1e-8 {
-        libm::exp10(headroom * decades)
-    } else {
-        10.0
-    };
+    let factor = if decades > 1e-8 { libm::exp10(headroom * decades) } else { 10.0 };
     (low / factor, high * factor)
 }
 
@@ -242,16 +218,10 @@ mod tests {
     #[test]
     fn reference_names_run_downwards_on_a_y_axis() {
         let axis = Axis::names(vec!["a".into(), "b".into(), "c".into()]);
-        for (rule, expected) in [
-            (Rule::Down, [1.0, 0.5, 0.0]),
-            (Rule::Linear, [0.0, 0.5, 1.0]),
-        ] {
+        for (rule, expected) in [(Rule::Down, [1.0, 0.5, 0.0]), (Rule::Linear, [0.0, 0.5, 1.0])] {
             let range = settle(&axis, std::iter::empty(), 0.0, rule).unwrap();
             for (value, expected) in [-0.5, 1.0, 2.5].into_iter().zip(expected) {
-                assert!(
-                    (range.fraction(value) - expected).abs() < 1e-15,
-                    "{rule:?} {value}"
-                );
+                assert!((range.fraction(value) - expected).abs() < 1e-15, "{rule:?} {value}");
             }
         }
     }
@@ -261,10 +231,7 @@ mod tests {
         for (from, to) in [(0.0, 1.0), (-1.0, 1.0), (1e-310, 1.0), (1.0, 1.0)] {
             let axis = Axis::over("e", from, to).log();
             let settled = settle(&axis, std::iter::empty(), 0.0, Rule::Linear);
-            assert!(
-                matches!(settled, Err(PlotError::Range { .. })),
-                "{from} to {to}"
-            );
+            assert!(matches!(settled, Err(PlotError::Range { .. })), "{from} to {to}");
         }
     }
 
@@ -279,16 +246,8 @@ mod tests {
             (1e9, 1e9 + 1e-3),
         ];
         for (from, to) in ends {
-            let settled = settle(
-                &Axis::over("u", from, to),
-                std::iter::empty(),
-                0.0,
-                Rule::Linear,
-            );
-            assert!(
-                matches!(settled, Err(PlotError::Range { .. })),
-                "{from} to {to}"
-            );
+            let settled = settle(&Axis::over("u", from, to), std::iter::empty(), 0.0, Rule::Linear);
+            assert!(matches!(settled, Err(PlotError::Range { .. })), "{from} to {to}");
         }
     }
 }

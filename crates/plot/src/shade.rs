@@ -32,14 +32,7 @@ pub enum Shade {
 impl Shade {
     /// Returns the colour of the curve of this number, for a row of structures; after six they come again.
     pub const fn nth(index: usize) -> Self {
-        const CURVES: [Shade; 6] = [
-            Shade::Blue,
-            Shade::Vermilion,
-            Shade::Ink,
-            Shade::Green,
-            Shade::Amber,
-            Shade::Grey,
-        ];
+        const CURVES: [Shade; 6] = [Shade::Blue, Shade::Vermilion, Shade::Ink, Shade::Green, Shade::Amber, Shade::Grey];
         CURVES[index % CURVES.len()]
     }
 

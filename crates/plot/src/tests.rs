@@ -5,10 +5,7 @@ mod axes;
 use super::*;
 
 fn wave(n: u32) -> Vec<(f64, f64)> {
-    (0..n)
-        .map(|k| f64::from(k) / f64::from(n))
-        .map(|x| (x, x * (1.0 - x)))
-        .collect()
+    (0..n).map(|k| f64::from(k) / f64::from(n)).map(|x| (x, x * (1.0 - x))).collect()
 }
 
 fn figure(curves: Vec<Curve>) -> Figure {
@@ -25,9 +22,7 @@ fn figure(curves: Vec<Curve>) -> Figure {
 }
 
 fn of(points: Vec<(f64, f64)>) -> Figure {
-    figure(vec![
-        Curve::new(Kind::Line, Shade::Blue, points).named("left"),
-    ])
+    figure(vec![Curve::new(Kind::Line, Shade::Blue, points).named("left")])
 }
 
 /// Draws a figure as text.
@@ -44,16 +39,9 @@ fn number(png: &[u8], at: usize) -> u32 {
 fn reference_png_has_size_and_resolution() {
     let png = render_png(&of(wave(50))).unwrap();
     assert_eq!((number(&png, 16), number(&png, 20)), (2100, 1260));
-    assert_eq!(
-        (png[24], png[25]),
-        (8, 2),
-        "eight bits, red, green and blue"
-    );
+    assert_eq!((png[24], png[25]), (8, 2), "eight bits, red, green and blue");
     let density = png.windows(4).position(|chunk| chunk == b"pHYs").unwrap();
-    assert_eq!(
-        (number(&png, density + 4), number(&png, density + 8)),
-        (11811, 11811)
-    );
+    assert_eq!((number(&png, density + 4), number(&png, density + 8)), (11811, 11811));
 }
 
 #[test]
@@ -81,15 +69,8 @@ fn limit_an_unseen_curve_changes_nothing() {
         curves,
         ..Panel::default()
     };
-    let outside = [
-        Kind::Line,
-        Kind::Thin,
-        Kind::Dashed,
-        Kind::Stems,
-        Kind::Points,
-        Kind::Bars,
-    ]
-    .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]).marked(Mark::Ring));
+    let outside = [Kind::Line, Kind::Thin, Kind::Dashed, Kind::Stems, Kind::Points, Kind::Bars]
+        .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]).marked(Mark::Ring));
     let base = vec![Curve::new(Kind::Stems, Shade::Ink, vec![])];
     let one = Figure {
         panels: vec![panel(base.clone())],
@@ -113,15 +94,8 @@ fn limit_curves_without_extent_are_drawn() {
         Kind::Points,
         Kind::Bars,
     ] {
-        for points in [
-            vec![],
-            vec![(1.0, 2.0)],
-            vec![(0.0, 3.0), (1.0, 3.0)],
-            vec![(0.0, 0.0), (1.0, 0.0)],
-        ] {
-            let figure = figure(vec![
-                Curve::new(kind, Shade::Green, points.clone()).named("left"),
-            ]);
+        for points in [vec![], vec![(1.0, 2.0)], vec![(0.0, 3.0), (1.0, 3.0)], vec![(0.0, 0.0), (1.0, 0.0)]] {
+            let figure = figure(vec![Curve::new(kind, Shade::Green, points.clone()).named("left")]);
             assert!(drawn(&figure).is_ok(), "{kind:?} {points:?}");
         }
     }
@@ -129,11 +103,7 @@ fn limit_curves_without_extent_are_drawn() {
 
 #[test]
 fn extreme_numbers_that_are_not_finite_are_refused() {
-    for bad in [
-        (f64::NAN, 0.0),
-        (0.0, f64::INFINITY),
-        (f64::NEG_INFINITY, 0.0),
-    ] {
+    for bad in [(f64::NAN, 0.0), (0.0, f64::INFINITY), (f64::NEG_INFINITY, 0.0)] {
         let refused = drawn(&of(vec![(0.0, 0.0), bad]));
         assert_eq!(
             refused,
@@ -159,13 +129,7 @@ fn extreme_figures_are_refused() {
     assert!(matches!(drawn(&small), Err(PlotError::Size { .. })));
     let mut weightless = of(wave(5));
     weightless.panels[0].weight = 0.0;
-    assert_eq!(
-        drawn(&weightless),
-        Err(PlotError::Weight {
-            panel: 0,
-            weight: 0.0
-        })
-    );
+    assert_eq!(drawn(&weightless), Err(PlotError::Weight { panel: 0, weight: 0.0 }));
     assert!(matches!(
         drawn(&of(vec![(0.0, -1e308), (1.0, 1e308)])),
         Err(PlotError::Range { .. })

@@ -79,9 +79,7 @@ pub(super) fn database() -> Arc<fontdb::Database> {
 pub(super) fn width(text: &str, points: f64) -> f64 {
     // Measured large, since plotters counts in whole units.
     const LARGE: f64 = 1000.0;
-    let units = font(LARGE * EXTENT)
-        .layout_box(text)
-        .map_or(0, |(_, (right, _))| right);
+    let units = font(LARGE * EXTENT).layout_box(text).map_or(0, |(_, (right, _))| right);
     f64::from(units) / LARGE * points * MM_PER_POINT
 }
 
@@ -93,10 +91,7 @@ pub(super) fn height(points: f64) -> f64 {
 /// Breaks a text at a space into two lines if it is wider than the room \[mm\] and has a space.
 pub(super) fn broken(text: &str, points: f64, room: f64) -> Vec<&str> {
     let middle = text.len() / 2;
-    let space = text
-        .match_indices(' ')
-        .map(|(at, _)| at)
-        .min_by_key(|at| at.abs_diff(middle));
+    let space = text.match_indices(' ').map(|(at, _)| at).min_by_key(|at| at.abs_diff(middle));
     match space {
         Some(at) if width(text, points) > room => vec![&text[..at], &text[at + 1..]],
         _ => vec![text],
@@ -123,11 +118,7 @@ pub(super) fn check(drawing: &Drawing) -> Result<(), PlotError> {
                 text: text.clone(),
             });
         }
-        let (along, paper) = if *upright {
-            (at.1, drawing.height)
-        } else {
-            (at.0, drawing.width)
-        };
+        let (along, paper) = if *upright { (at.1, drawing.height) } else { (at.0, drawing.width) };
         let width = width(text, *points);
         let start = match align {
             Align::Start => along,
@@ -143,9 +134,7 @@ pub(super) fn check(drawing: &Drawing) -> Result<(), PlotError> {
 
 /// Tells whether the font has a character.
 pub(super) fn covered(character: char) -> bool {
-    COVERED
-        .iter()
-        .any(|&(first, last)| (first..=last).contains(&character))
+    COVERED.iter().any(|&(first, last)| (first..=last).contains(&character))
 }
 
 #[cfg(test)]
@@ -198,10 +187,7 @@ mod tests {
             }
             let drawn = f64::from(node.abs_bounding_box().width()) / 96.0 * 25.4;
             let measured = width(text, 9.0);
-            assert!(
-                (measured - drawn).abs() < 0.06 * measured,
-                "{text}: {measured} against {drawn}"
-            );
+            assert!((measured - drawn).abs() < 0.06 * measured, "{text}: {measured} against {drawn}");
         }
     }
 
@@ -210,9 +196,7 @@ mod tests {
         let text = "Displacement relative to the ground";
         for align in [Align::Start, Align::Middle, Align::End] {
             let shapes = vec![Shape::text((5.0, 5.0), text, 10.0, align)];
-            let refused = PlotError::LongText {
-                text: text.to_owned(),
-            };
+            let refused = PlotError::LongText { text: text.to_owned() };
             assert_eq!(
                 page::svg(&Drawing {
                     width: 10.0,

@@ -34,14 +34,10 @@ fn at_least_apart((from, to): (f64, f64), distance: f64) -> Vec<Tick> {
     let step = decimal(digit, exponent);
     // The tolerance keeps an end of the axis that is a tick but for its last digits.
     let (first, last) = ((from / step - 1e-9).ceil(), (to / step + 1e-9).floor());
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "`scale` refuses ranges where these pass 1e10"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "`scale` refuses ranges where these pass 1e10")]
     let digits: Vec<i64> = (first as i64..=last as i64).map(|k| k * digit).collect();
     let largest = digits.iter().map(|digits| digits.abs()).max().unwrap_or(0);
-    let magnitude =
-        exponent + i32::try_from(largest.to_string().len()).expect("an integer has few digits");
+    let magnitude = exponent + i32::try_from(largest.to_string().len()).expect("an integer has few digits");
     let powers = magnitude > 6 || exponent < -6;
     digits
         .iter()
@@ -55,9 +51,7 @@ fn at_least_apart((from, to): (f64, f64), distance: f64) -> Vec<Tick> {
 /// Rounds up to 1, 2 or 5 × 10ⁿ; returns the digit and n.
 fn round_up(distance: f64) -> (i64, i32) {
     let written = format!("{distance:e}");
-    let (mantissa, exponent) = written
-        .split_once('e')
-        .expect("this format always has an exponent");
+    let (mantissa, exponent) = written.split_once('e').expect("this format always has an exponent");
     let mantissa: f64 = mantissa.parse().expect("a finite number was written");
     let exponent: i32 = exponent.parse().expect("an integer was written");
     match mantissa {
@@ -95,10 +89,7 @@ fn plain(digits: &str, exponent: i32) -> String {
             let (whole, fraction) = padded.split_at(padded.len() - decimals);
             format!("{whole}.{fraction}")
         }
-        _ => format!(
-            "{digits}{}",
-            "0".repeat(usize::try_from(exponent).unwrap_or(0))
-        ),
+        _ => format!("{digits}{}", "0".repeat(usize::try_from(exponent).unwrap_or(0))),
     }
 }
 
@@ -119,9 +110,7 @@ pub(super) fn raised(exponent: i32) -> String {
 /// Raises a digit or a minus sign.
 fn superscript(character: char) -> char {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    character
-        .to_digit(10)
-        .map_or('⁻', |digit| RAISED[digit as usize])
+    character.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])
 }
 
 #[cfg(test)]
@@ -129,10 +118,7 @@ mod tests {
     use super::*;
 
     fn labels(range: (f64, f64), most: u32) -> Vec<String> {
-        choose(range, most, |_| true)
-            .into_iter()
-            .map(|tick| tick.label)
-            .collect()
+        choose(range, most, |_| true).into_iter().map(|tick| tick.label).collect()
     }
 
     #[test]
@@ -140,43 +126,22 @@ mod tests {
         assert_eq!(labels((0.0, 10.0), 10).len(), 11);
         assert_eq!(labels((0.0, 10.0), 7), ["0", "2", "4", "6", "8", "10"]);
         assert_eq!(labels((-8.0, 8.0), 5), ["\u{2212}5", "0", "5"]);
-        assert_eq!(
-            labels((0.0, 0.3), 6),
-            ["0", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30"]
-        );
-        assert_eq!(
-            labels((-0.021, 0.02), 5),
-            ["\u{2212}0.02", "\u{2212}0.01", "0", "0.01", "0.02"]
-        );
-        assert_eq!(
-            labels((0.0, 2000.0), 5),
-            ["0", "500", "1000", "1500", "2000"]
-        );
+        assert_eq!(labels((0.0, 0.3), 6), ["0", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30"]);
+        assert_eq!(labels((-0.021, 0.02), 5), ["\u{2212}0.02", "\u{2212}0.01", "0", "0.01", "0.02"]);
+        assert_eq!(labels((0.0, 2000.0), 5), ["0", "500", "1000", "1500", "2000"]);
     }
 
     #[test]
     fn reference_long_numbers_become_powers_of_ten() {
-        assert_eq!(
-            labels((0.0, 5e6), 5),
-            ["0", "1×10⁶", "2×10⁶", "3×10⁶", "4×10⁶", "5×10⁶"]
-        );
-        assert_eq!(
-            labels((0.0, 2e-8), 5),
-            ["0", "5×10⁻⁹", "1×10⁻⁸", "1.5×10⁻⁸", "2×10⁻⁸"]
-        );
+        assert_eq!(labels((0.0, 5e6), 5), ["0", "1×10⁶", "2×10⁶", "3×10⁶", "4×10⁶", "5×10⁶"]);
+        assert_eq!(labels((0.0, 2e-8), 5), ["0", "5×10⁻⁹", "1×10⁻⁸", "1.5×10⁻⁸", "2×10⁻⁸"]);
     }
 
     #[test]
     fn limit_fewer_ticks_where_they_do_not_fit() {
         let ticks = choose((0.0, 10.0), 10, |ticks| ticks.len() <= 4);
-        assert_eq!(
-            ticks.iter().map(|tick| tick.value).collect::<Vec<_>>(),
-            [0.0, 5.0, 10.0]
-        );
-        assert!(
-            choose((0.0, 10.0), 10, |_| false).len() >= 2,
-            "an axis keeps two numbers"
-        );
+        assert_eq!(ticks.iter().map(|tick| tick.value).collect::<Vec<_>>(), [0.0, 5.0, 10.0]);
+        assert!(choose((0.0, 10.0), 10, |_| false).len() >= 2, "an axis keeps two numbers");
     }
 
     #[test]

@@ -25,19 +25,9 @@ const SCENE: &str = r#"
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Two steps of the ground's velocity, one forth and one back: accelerations [m/s²] that are 0.01 s apart.
     let pulse = |length: usize, acceleration: f64| vec![acceleration; length];
-    let samples = [
-        pulse(50, 2.0),
-        pulse(100, -2.0),
-        pulse(50, 2.0),
-        pulse(200, 0.0),
-    ]
-    .concat();
+    let samples = [pulse(50, 2.0), pulse(100, -2.0), pulse(50, 2.0), pulse(200, 0.0)].concat();
     let record = Record::new(0.01, samples, "two steps")?;
-    println!(
-        "record: {:.1} s, peak {:.1} m/s²",
-        record.duration(),
-        record.peak().1
-    );
+    println!("record: {:.1} s, peak {:.1} m/s²", record.duration(), record.peak().1);
 
     // Whatever a scene says of its record, such as scale or processing, is done to yours.
     let scene = Scene::parse(SCENE.as_bytes(), "towers.toml".as_ref())?;
@@ -47,11 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pair = run.of_pair(0);
     println!("collisions: {}", pair.collisions);
     if let Some(first) = pair.first {
-        println!(
-            "first at {:.3} s with {:.1} kN·s",
-            first.start,
-            1e-3 * first.impulse
-        );
+        println!("first at {:.3} s with {:.1} kN·s", first.start, 1e-3 * first.impulse);
     }
     Ok(())
 }

@@ -12,9 +12,7 @@
 use std::f64::consts::PI;
 
 use pounding::contact::{ContactLaw, Stereomechanical};
-use pounding::solver::{
-    Clock, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Peaks, Row,
-};
+use pounding::solver::{Clock, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Peaks, Row};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A tower is a mass [kg] on an elastic column with a period [s] and 5 % of critical damping. All numbers are SI.
@@ -36,10 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Recorders watch the run; a pair of them is a recorder, too.
     let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
-    let clock = Clock {
-        time_step: step,
-        n_steps,
-    };
+    let clock = Clock { time_step: step, n_steps };
     Integrator::Exact(Exact::default()).run(&row, ground, clock, &mut recorder)?;
 
     let (peaks, collisions) = recorder;

@@ -11,9 +11,7 @@
 use std::f64::consts::PI;
 
 use pounding::contact::{ContactLaw, Stereomechanical};
-use pounding::solver::{
-    Clock, Collisions, Elastic, Exact, Excitation, Integrator, Levels, Pair, Point, Row, Storey,
-};
+use pounding::solver::{Clock, Collisions, Elastic, Exact, Excitation, Integrator, Levels, Pair, Point, Row, Storey};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A storey is a floor [kg] on columns [N/m] with dashpots [N·s/m]; each building has two alike.
@@ -48,10 +46,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ground = Excitation::new(step, &samples)?;
 
     let mut collisions = Collisions::new(row.nodes().len(), row.pairs());
-    let clock = Clock {
-        time_step: step,
-        n_steps,
-    };
+    let clock = Clock { time_step: step, n_steps };
     Integrator::Exact(Exact::default()).run(&row, ground, clock, &mut collisions)?;
     for (pair, name) in ["roofs:         ", "slab on column:"].iter().enumerate() {
         let of_pair = collisions.all().iter().filter(|one| one.pair == pair);

@@ -18,11 +18,7 @@ impl Out {
     /// # Errors
     /// What stands in the way, and what to do about it.
     pub(crate) fn open(path: &Path, overwrite: bool) -> Result<Self, String> {
-        let others = if overwrite {
-            Others::Stay
-        } else {
-            Others::Refused("--overwrite")
-        };
+        let others = if overwrite { Others::Stay } else { Others::Refused("--overwrite") };
         let folder = ResultFolder::open(path, RESULT_NAMES, others);
         let folder = folder.map_err(|reason| of_option(&reason))?;
         new_file::say_if_unlocked(folder.is_locked());

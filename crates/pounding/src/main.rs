@@ -59,9 +59,7 @@ fn tell(line: &str) {
 /// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
 pub(crate) fn print(text: &str) -> Result<(), String> {
     match stdout().write_all(visible(text).as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("standard output cannot be written: {error}"))
-        }
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output cannot be written: {error}")),
         _ => Ok(()),
     }
 }

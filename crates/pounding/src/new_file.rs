@@ -7,11 +7,7 @@ use pounding::files::{Existing, input_at};
 
 /// What becomes of a file that is there already.
 pub(crate) fn existing(overwrite: bool) -> Existing {
-    if overwrite {
-        Existing::Replaced
-    } else {
-        Existing::Kept
-    }
+    if overwrite { Existing::Replaced } else { Existing::Kept }
 }
 
 /// Refuses one of the files that were read, and unless `overwrite` is set a file that is there already, before anything is written.

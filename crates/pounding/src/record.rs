@@ -33,9 +33,7 @@ pub(crate) fn lines(prepared: &Simulation) -> Vec<String> {
     ];
     let readings = prepared.origin().map(|origin| origin.file.readings());
     let read = readings.into_iter().flatten().map(|reading| {
-        let line = reading
-            .line
-            .map_or(String::new(), |line| format!(" (line {line})"));
+        let line = reading.line.map_or(String::new(), |line| format!(" (line {line})"));
         format!("{} {}{line}", reading.what, reading.found)
     });
     let read: Vec<String> = read.collect();

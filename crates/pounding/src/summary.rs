@@ -4,10 +4,7 @@ mod brief;
 pub(crate) mod direction;
 mod tables;
 
-use pounding::scene::{
-    Errors, Implausible, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Scene, Simulation,
-    Warning,
-};
+use pounding::scene::{Errors, Implausible, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Scene, Simulation, Warning};
 use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::text::digits;
 
@@ -35,9 +32,7 @@ pub(crate) fn brief(prepared: &Simulation, review: &Review, notices: &[String]) 
 /// Everything that is printed of a run.
 pub(crate) fn details(prepared: &Simulation, review: &Review, notices: &[String]) -> String {
     let scene = prepared.scene();
-    let Review {
-        outcome, errors, ..
-    } = review;
+    let Review { outcome, errors, .. } = review;
     let measured = review.measured();
     joined([
         paragraph("Scene", &scene.name),
@@ -75,14 +70,12 @@ fn warnings(found: &[String], prepared: &Simulation) -> String {
 fn with_advice(review: &Review, notices: &[String]) -> Vec<String> {
     let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
     let advice = review.warnings.iter().any(is_error);
-    let advice =
-        advice.then(|| "`pounding advise SCENE --error 3%` finds a method and time step".into());
+    let advice = advice.then(|| "`pounding advise SCENE --error 3%` finds a method and time step".into());
     notices.iter().cloned().chain(advice).collect()
 }
 
 /// What is said of a method that was looked for.
-const SEARCHED: &str =
-    "looking for it took the exact run and many others, so that for one run it saves nothing";
+const SEARCHED: &str = "looking for it took the exact run and many others, so that for one run it saves nothing";
 
 /// The method, its settings and how it was chosen.
 pub(crate) fn method_lines(prepared: &Simulation) -> String {
@@ -128,9 +121,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
             | Method::MoreauJean { .. }
             | Method::Accuracy(_) => "none beyond rounding: the method is exact".into(),
         },
-        Errors::Doubtful => {
-            "not known: the method is exact, but this run has gone wrong (see the warnings)".into()
-        }
+        Errors::Doubtful => "not known: the method is exact, but this run has gone wrong (see the warnings)".into(),
         Errors::NotMeasured => "not measured (--no-error)".into(),
         Errors::Unknown(reason) => format!("not known, the exact run fails: {reason}"),
         Errors::Measured(errors, _) => {
@@ -140,9 +131,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 largest if largest.is_finite() => {
                     format!("the largest is {} ({of})", percent(largest))
                 }
-                _ if errors.pairs().iter().any(PairErrors::differ) => {
-                    "the numbers of collisions differ".into()
-                }
+                _ if errors.pairs().iter().any(PairErrors::differ) => "the numbers of collisions differ".into(),
                 _ => format!("the exact run has no {of}, or this run has none"),
             };
             format!(
@@ -174,15 +163,8 @@ fn work_lines(method: &Method, work: Work, errors: &Errors) -> String {
 /// Settings of a method in words, each after a comma.
 fn settings(method: &Method) -> String {
     match *method {
-        Method::CentralDifference {
-            contact_substeps: 1,
-            ..
-        }
-        | Method::Rk4 { .. }
-        | Method::Accuracy(_) => String::new(),
-        Method::CentralDifference {
-            contact_substeps, ..
-        } => format!(",\n{contact_substeps} sub-steps while touching"),
+        Method::CentralDifference { contact_substeps: 1, .. } | Method::Rk4 { .. } | Method::Accuracy(_) => String::new(),
+        Method::CentralDifference { contact_substeps, .. } => format!(",\n{contact_substeps} sub-steps while touching"),
         Method::Newmark { beta, gamma, .. } => {
             format!(", β = {}, γ = {}", short(beta), short(gamma))
         }

@@ -14,10 +14,7 @@ pub(crate) const NONE: &str = "–";
 
 /// Lines with a word before the first; long lines are broken between words.
 pub(crate) fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = visible(text)
-        .lines()
-        .flat_map(|line| broken(line, WIDTH - LABEL))
-        .collect();
+    let broken: Vec<String> = visible(text).lines().flat_map(|line| broken(line, WIDTH - LABEL)).collect();
     let indent = " ".repeat(LABEL);
     format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
 }
@@ -70,17 +67,12 @@ pub(crate) fn table<const LINES: usize>(header: &[[&str; LINES]], rows: &[Vec<St
     let first = widths[0].min(WIDTH.saturating_sub(others).max(LABEL));
     let print = |line: &Vec<String>| {
         let others = line.iter().zip(&widths).skip(1);
-        let others: Vec<String> = others
-            .map(|(cell, width)| format!("  {cell:>width$}"))
-            .collect();
+        let others: Vec<String> = others.map(|(cell, width)| format!("  {cell:>width$}")).collect();
         let (above, name) = if line[0].chars().count() > first {
             let blanks = line[0].chars().take_while(|letter| *letter == ' ').count();
             let indent = " ".repeat(blanks);
             let pieces = pieces(&line[0], WIDTH - blanks);
-            (
-                format!("{indent}{}\n", pieces.join(&format!("\n{indent}"))),
-                "",
-            )
+            (format!("{indent}{}\n", pieces.join(&format!("\n{indent}"))), "")
         } else {
             (String::new(), line[0].as_str())
         };

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use pounding_contact::{Calibration, LawName};
 use pounding_report::{OpenSees, OpenSeesError, Sketch};
 use pounding_scene::{
-    Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method,
-    QuantityGroup, Scene, SharedMotion, Simulation, StepMethod, certificate_json, in_scene,
-    usual_stiffness,
+    Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
+    StepMethod, certificate_json, in_scene, usual_stiffness,
 };
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -89,21 +88,13 @@ pub(crate) fn sketch_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResul
         floors: &floors.or_refused(py)?,
         touched: &[],
     };
-    sketch
-        .svg()
-        .map_err(|error| error.to_string())
-        .or_refused(py)
+    sketch.svg().map_err(|error| error.to_string()).or_refused(py)
 }
 
 /// What pounding does to every storey, in both directions of shaking, as JSON.
 #[pyfunction]
 #[pyo3(signature = (text, path, record=None))]
-pub(crate) fn effects(
-    py: Python<'_>,
-    text: &str,
-    path: PathBuf,
-    record: Option<&Record>,
-) -> PyResult<String> {
+pub(crate) fn effects(py: Python<'_>, text: &str, path: PathBuf, record: Option<&Record>) -> PyResult<String> {
     let given = Given::of(text, path, record);
     let found = wait(py, None, |watch| -> Result<String, Error> {
         let effects = Effects::of(&given.simulation(watch)?);
@@ -133,8 +124,7 @@ pub(crate) fn advise(
     let known = QuantityGroup::EVERY.into_iter();
     let names = QuantityGroup::EVERY.map(QuantityGroup::name).join("`, `");
     let found = known.clone().find(|group| group.name() == quantity);
-    let quantity =
-        found.ok_or_else(|| format!("quantity: found `{quantity}`, allowed are `{names}`"));
+    let quantity = found.ok_or_else(|| format!("quantity: found `{quantity}`, allowed are `{names}`"));
     let quantity = quantity.or_refused(py)?;
     if !(error > 0.0 && error < 1.0) {
         let message = format!("error: found {error}, allowed is more than 0 and less than 1");
@@ -176,19 +166,10 @@ pub(crate) fn certify(
     let method = method.map(|method| {
         let names: Vec<_> = StepMethod::all().map(StepMethod::name).collect();
         let named = StepMethod::all().find(|one| one.name() == method);
-        named.ok_or_else(|| {
-            format!(
-                "method: found `{method}`, allowed are `{}`",
-                names.join("`, `")
-            )
-        })
+        named.ok_or_else(|| format!("method: found `{method}`, allowed are `{}`", names.join("`, `")))
     });
     let method = method.transpose().or_refused(py)?;
-    for (name, number) in [
-        ("masses[0]", masses[0]),
-        ("masses[1]", masses[1]),
-        ("speed", speed),
-    ] {
+    for (name, number) in [("masses[0]", masses[0]), ("masses[1]", masses[1]), ("speed", speed)] {
         if !(number > 0.0 && number.is_finite()) {
             let message = format!("{name}: found {number}, allowed is a finite number > 0");
             return Err(message).or_refused(py);
@@ -198,11 +179,7 @@ pub(crate) fn certify(
         law,
         stiffness: stiffness.unwrap_or_else(|| usual_stiffness(law)),
         restitution,
-        calibration: if literature {
-            Calibration::Literature
-        } else {
-            Calibration::Exact
-        },
+        calibration: if literature { Calibration::Literature } else { Calibration::Exact },
     };
     let collision = FreeCollision { masses, speed };
     let found = wait(py, None, |_| -> Result<String, String> {
@@ -210,10 +187,7 @@ pub(crate) fn certify(
         let certificate = certificate.map_err(|error| error.to_string())?;
         let facts = certificate.facts(&wanted, &collision);
         let lines = time_step.map(|step| certificate.lines(&collision, step, method));
-        Ok(json_text(&certificate_json(
-            &facts,
-            &lines.unwrap_or_default(),
-        )))
+        Ok(json_text(&certificate_json(&facts, &lines.unwrap_or_default())))
     })?;
     found.or_refused(py)
 }
@@ -240,18 +214,13 @@ pub(crate) fn opensees(
     approximate: bool,
 ) -> PyResult<String> {
     let given = Given::of(text, path, record);
-    let asked = OpenSees {
-        time_step,
-        approximate,
-    };
+    let asked = OpenSees { time_step, approximate };
     let found = wait(py, None, |watch| -> Result<String, String> {
         let scene = Scene {
             method: Method::EXACT,
             ..given.scene().map_err(|error| said(&error))?
         };
-        let simulation = given
-            .simulation_of(&scene, watch)
-            .map_err(|error| said(&error))?;
+        let simulation = given.simulation_of(&scene, watch).map_err(|error| said(&error))?;
         asked.script(&simulation).map_err(|error| match error {
             OpenSeesError::NotModelled(what) => what,
             OpenSeesError::Run(error) => said(&given.in_file(error)),

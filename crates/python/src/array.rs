@@ -64,11 +64,7 @@ impl Array {
             Memory::Counts(numbers) => (numbers.as_ptr().addr(), "u8"),
             Memory::Motion(motion) => (motion.record().samples().as_ptr().addr(), "f8"),
         };
-        let order = if cfg!(target_endian = "little") {
-            "<"
-        } else {
-            ">"
-        };
+        let order = if cfg!(target_endian = "little") { "<" } else { ">" };
         let interface = PyDict::new(py);
         interface.set_item("version", 3)?;
         interface.set_item("typestr", format!("{order}{kind}"))?;

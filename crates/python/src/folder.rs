@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::lines::{Line, Watched, failed, lines_of};
-use pounding_scene::{
-    DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
-};
+use pounding_scene::{DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite};
 use pounding_text::json_text;
 use pyo3::prelude::*;
 
@@ -40,9 +38,7 @@ pub(crate) fn assess(
 ) -> PyResult<Assessment> {
     let [from, to] = stiffness;
     if !(from > 0.0 && from <= 1.0 && to >= 1.0 && to.is_finite()) {
-        let message = format!(
-            "stiffness: found {from} and {to}, allowed are two factors with 1 between them"
-        );
+        let message = format!("stiffness: found {from} and {to}, allowed are two factors with 1 between them");
         return Err(message).or_refused(py);
     }
     let scaling = scaling(scale, target).or_refused(py)?;
@@ -60,8 +56,7 @@ pub(crate) fn assess(
             |motion| scaling.applied(&scene, motion),
             |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
         )?;
-        let report =
-            AssessmentReport::of_lines(scene, &suite, &lines.lines).map_err(|error| said(&error))?;
+        let report = AssessmentReport::of_lines(scene, &suite, &lines.lines).map_err(|error| said(&error))?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),
@@ -78,10 +73,7 @@ fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, String> {
 }
 
 fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
-    Watched {
-        stop: watch.stop,
-        step,
-    }
+    Watched { stop: watch.stop, step }
 }
 
 /// What records are scaled to.
@@ -172,11 +164,7 @@ pub(crate) fn required_gap(
                 Ok((gaps, excesses, prepared.doubts()))
             },
         )?;
-        let said = [
-            vec![suite.counts()],
-            failed(&lines.lines),
-            suite.remarks(true),
-        ];
+        let said = [vec![suite.counts()], failed(&lines.lines), suite.remarks(true)];
         Ok((scene, lines.lines, said.concat()))
     })?;
     let (scene, lines, said) = found.or_refused(py)?;
@@ -197,9 +185,7 @@ fn warnings(lines: &[Widths]) -> Vec<String> {
 
 /// What looks wrong, a sentence for each kind.
 fn unusual(lines: &[Widths]) -> Vec<String> {
-    let found = lines
-        .iter()
-        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
     Implausible::lines(found.flat_map(|(line, (.., doubts))| {
         let doubts = doubts.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
@@ -209,9 +195,7 @@ fn unusual(lines: &[Widths]) -> Vec<String> {
 /// The widths as columns.
 fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
     let rows = || {
-        let found = lines
-            .iter()
-            .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+        let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
         found.flat_map(|(line, (gaps, ..))| gaps.iter().map(move |gap| (line, gap)))
     };
     let name = |side: usize| {
@@ -219,30 +203,14 @@ fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
         Column::texts(names)
     };
     let first = [
-        (
-            "record",
-            Column::texts(rows().map(|(line, _)| line.motion.clone())),
-        ),
-        (
-            "event",
-            Column::Counts(rows().map(|(line, _)| line.event as u64 + 1).collect()),
-        ),
-        (
-            "reversed",
-            Column::Flags(rows().map(|(line, _)| line.reversed).collect()),
-        ),
+        ("record", Column::texts(rows().map(|(line, _)| line.motion.clone()))),
+        ("event", Column::Counts(rows().map(|(line, _)| line.event as u64 + 1).collect())),
+        ("reversed", Column::Flags(rows().map(|(line, _)| line.reversed).collect())),
         ("left", name(0)),
         ("right", name(1)),
-        (
-            "level",
-            Column::Counts(rows().map(|(_, gap)| gap.at_level as u64).collect()),
-        ),
+        ("level", Column::Counts(rows().map(|(_, gap)| gap.at_level as u64).collect())),
     ];
-    let names = rows()
-        .next()
-        .map(|(_, gap)| gap.numbers())
-        .into_iter()
-        .flatten();
+    let names = rows().next().map(|(_, gap)| gap.numbers()).into_iter().flatten();
     let columns = names.map(|(name, _)| {
         let number = |gap: &Separation| gap.numbers().find(|(key, _)| *key == name);
         let numbers = rows().map(|(_, gap)| number(gap).map(|(_, number)| number));

@@ -23,8 +23,7 @@ use pyo3::prelude::*;
 mod _pounding {
     #[pymodule_export]
     use super::answers::{
-        advise, certify, check_scene, effects, laws, opensees, periods_between, read_words,
-        sketch_scene, visible, words_of,
+        advise, certify, check_scene, effects, laws, opensees, periods_between, read_words, sketch_scene, visible, words_of,
     };
     #[pymodule_export]
     use super::array::Array;

@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use pounding_motion::Record as Samples;
-use pounding_scene::{
-    Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, record_bytes, response_spectra,
-};
+use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, record_bytes, response_spectra};
 use pounding_text::json_text;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -44,15 +42,9 @@ impl Record {
             source,
         };
         let motion = match (&raw, &record.source) {
-            (Raw::File { path, bytes }, _) => {
-                GroundMotion::of_bytes(&record, (path, bytes), "record")?
-            }
-            (Raw::Samples(samples), _) => {
-                GroundMotion::of_record(&record, samples.clone()).map_err(in_record)?
-            }
-            (Raw::Formula, Source::Generated(generated)) => {
-                GroundMotion::of_formula(&record, generated).map_err(in_record)?
-            }
+            (Raw::File { path, bytes }, _) => GroundMotion::of_bytes(&record, (path, bytes), "record")?,
+            (Raw::Samples(samples), _) => GroundMotion::of_record(&record, samples.clone()).map_err(in_record)?,
+            (Raw::Formula, Source::Generated(generated)) => GroundMotion::of_formula(&record, generated).map_err(in_record)?,
             (Raw::Formula, Source::File(_)) => GroundMotion::of(&record, Path::new(""), "record")?,
         };
         Ok(Self {
@@ -89,12 +81,7 @@ impl Record {
 
     /// Takes samples in m/s², as the bytes of numbers of 64 bits, `time_step` s apart.
     #[staticmethod]
-    fn of_samples(
-        py: Python<'_>,
-        samples: &Bound<'_, PyBytes>,
-        time_step: f64,
-        words: String,
-    ) -> PyResult<Self> {
+    fn of_samples(py: Python<'_>, samples: &Bound<'_, PyBytes>, time_step: f64, words: String) -> PyResult<Self> {
         let numbers = samples.as_bytes().chunks_exact(8);
         let number = |bytes: &[u8]| f64::from_ne_bytes(bytes.try_into().unwrap_or_default());
         let samples = Samples::new(time_step, numbers.map(number).collect(), "an array");
@@ -191,9 +178,7 @@ impl Record {
         let samples = self.samples();
         let (time, peak) = samples.peak();
         let measures = samples.measures();
-        let interval = |interval: Option<pounding_motion::Interval>| {
-            interval.map(|interval| interval.duration())
-        };
+        let interval = |interval: Option<pounding_motion::Interval>| interval.map(|interval| interval.duration());
         let origin = self.motion.origin.as_ref();
         let readings = origin.map(|origin| {
             let readings = origin.file.readings().iter();
@@ -226,37 +211,23 @@ impl Record {
     }
 
     /// Response spectra at some periods [s], for some damping ratios [–]: a row for each of both.
-    fn spectrum(
-        &self,
-        py: Python<'_>,
-        periods: Vec<f64>,
-        damping_ratios: Vec<f64>,
-    ) -> PyResult<Table> {
+    fn spectrum(&self, py: Python<'_>, periods: Vec<f64>, damping_ratios: Vec<f64>) -> PyResult<Table> {
         let of = (periods.len() * damping_ratios.len()) as u64;
         let spectra = wait(py, None, |watch| {
             let (stop, done) = (Some(watch.stop), || watch.step(1, of));
-            response_spectra(self.samples(), &periods, &damping_ratios, stop, &done)
-                .map_err(|error| error.to_string())
+            response_spectra(self.samples(), &periods, &damping_ratios, stop, &done).map_err(|error| error.to_string())
         })?
         .or_refused(py)?;
         let rows = || {
             let of_ratio = |one: &Spectrum| {
                 let ratio = one.damping_ratio;
-                one.values
-                    .clone()
-                    .into_iter()
-                    .map(move |values| (ratio, values))
+                one.values.clone().into_iter().map(move |values| (ratio, values))
             };
             spectra.iter().flat_map(of_ratio)
         };
-        let column = |value: fn(&pounding_scene::SpectralValues) -> f64| {
-            Column::numbers(rows().map(|(_, one)| Some(value(&one))))
-        };
+        let column = |value: fn(&pounding_scene::SpectralValues) -> f64| Column::numbers(rows().map(|(_, one)| Some(value(&one))));
         Ok(Table::new([
-            (
-                "damping_ratio",
-                Column::numbers(rows().map(|(ratio, _)| Some(ratio))),
-            ),
+            ("damping_ratio", Column::numbers(rows().map(|(ratio, _)| Some(ratio)))),
             ("period_s", column(|one| one.period)),
             ("sd_m", column(|one| one.displacement)),
             ("pseudo_sv_m_per_s", column(|one| one.pseudo_velocity)),

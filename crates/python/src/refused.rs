@@ -35,9 +35,7 @@ fn of_class(py: Python<'_>, class: &str, message: &str) -> PyErr {
 
 /// What is said of an error: of words that Python made there is no line and no column.
 pub(crate) fn said(error: &Error) -> String {
-    if let Error::Form {
-        path, place, fault, ..
-    } = error
+    if let Error::Form { path, place, fault, .. } = error
         && !path.is_file()
     {
         return place
@@ -58,11 +56,7 @@ pub(crate) trait OrRefused<T> {
 impl<T> OrRefused<T> for Result<T, Error> {
     fn or_refused(self, py: Python<'_>) -> PyResult<T> {
         self.map_err(|error| {
-            let class = if is_missing(&error) {
-                "NotFound"
-            } else {
-                "Refused"
-            };
+            let class = if is_missing(&error) { "NotFound" } else { "Refused" };
             of_class(py, class, &said(&error))
         })
     }

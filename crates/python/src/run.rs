@@ -3,10 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pounding_report::{
-    BothDirections, HistoryQuantity, Report, Sketch, Summary, history_of, other_direction,
-    run_sentence,
-};
+use pounding_report::{BothDirections, HistoryQuantity, Report, Sketch, Summary, history_of, other_direction, run_sentence};
 use pounding_scene::{Error, Implausible, Options, Review, Scene, Simulation};
 use pounding_solver::Collision;
 use pyo3::exceptions::PyKeyError;
@@ -49,11 +46,7 @@ impl<'a> Given<'a> {
 
     /// An error with the file of the scene, where it has one.
     pub(crate) fn in_file(&self, error: Error) -> Error {
-        if self.path.is_file() {
-            error.in_file(&self.path)
-        } else {
-            error
-        }
+        if self.path.is_file() { error.in_file(&self.path) } else { error }
     }
 
     /// The scene, ready to run.
@@ -154,9 +147,7 @@ const PAIRS: [&str; 10] = [
 
 /// A number of an entry by its name, where points part tables.
 fn number(entry: &Value, name: &str) -> Option<f64> {
-    name.split('.')
-        .try_fold(entry, |value, field| value.get(field))?
-        .as_f64()
+    name.split('.').try_fold(entry, |value, field| value.get(field))?.as_f64()
 }
 
 /// A column for each name, without those that no entry has.
@@ -183,22 +174,11 @@ impl Run {
         let name = |index: usize| floors.all()[index].name.clone();
         let structures = &self.simulation.scene().structures;
         let building = |index: usize| structures[floors.all()[index].structure].name().to_owned();
-        let counts = |count: &dyn Fn(usize) -> usize| {
-            Column::Counts(all.clone().map(|index| count(index) as u64).collect())
-        };
+        let counts = |count: &dyn Fn(usize) -> usize| Column::Counts(all.clone().map(|index| count(index) as u64).collect());
         let first = [
-            (
-                "structure".to_owned(),
-                counts(&|index| floors.all()[index].structure),
-            ),
-            (
-                "storey".to_owned(),
-                counts(&|index| floors.storey_of(index)),
-            ),
-            (
-                "building".to_owned(),
-                Column::texts(all.clone().map(building)),
-            ),
+            ("structure".to_owned(), counts(&|index| floors.all()[index].structure)),
+            ("storey".to_owned(), counts(&|index| floors.storey_of(index))),
+            ("building".to_owned(), Column::texts(all.clone().map(building))),
             ("name".to_owned(), Column::texts(all.clone().map(name))),
         ];
         Table::new(first.into_iter().chain(columns(&summary, &PEAKS)))
@@ -226,18 +206,9 @@ impl Run {
                 "level".to_owned(),
                 Column::Counts((0..facing.len()).map(|pair| self.level(pair)).collect()),
             ),
-            (
-                "left".to_owned(),
-                Column::texts(pairs.iter().map(|pair| pair.left.clone())),
-            ),
-            (
-                "right".to_owned(),
-                Column::texts(pairs.iter().map(|pair| pair.right.clone())),
-            ),
-            (
-                "law".to_owned(),
-                Column::texts(pairs.iter().map(|pair| pair.law.clone())),
-            ),
+            ("left".to_owned(), Column::texts(pairs.iter().map(|pair| pair.left.clone()))),
+            ("right".to_owned(), Column::texts(pairs.iter().map(|pair| pair.right.clone()))),
+            ("law".to_owned(), Column::texts(pairs.iter().map(|pair| pair.law.clone()))),
             (
                 "collisions".to_owned(),
                 Column::Counts(pairs.iter().map(|pair| pair.collisions as u64).collect()),
@@ -251,8 +222,7 @@ impl Run {
     fn impacts(&self) -> Table {
         let all = self.review.outcome.collisions.all();
         let names = |side: usize| {
-            let name =
-                move |one: &Collision| self.simulation.floors().names(one.pair)[side].clone();
+            let name = move |one: &Collision| self.simulation.floors().names(one.pair)[side].clone();
             Column::texts(all.iter().map(name))
         };
         let column = |value: fn(&Collision) -> Option<f64>| {
@@ -260,9 +230,7 @@ impl Run {
             Column::numbers(all.iter().map(|one| value(one).map(|value| value + 0.0)))
         };
         let facing = self.simulation.floors().facing();
-        let counts = |of: &dyn Fn(usize) -> u64| {
-            Column::Counts(all.iter().map(|one| of(one.pair)).collect())
-        };
+        let counts = |of: &dyn Fn(usize) -> u64| Column::Counts(all.iter().map(|one| of(one.pair)).collect());
         Table::new([
             ("pair", counts(&|pair| pair as u64)),
             ("contact", counts(&|pair| facing[pair].contact as u64)),
@@ -365,18 +333,11 @@ impl Run {
             floors,
             touched: &touched,
         };
-        sketch
-            .svg()
-            .map_err(|error| error.to_string())
-            .or_refused(py)
+        sketch.svg().map_err(|error| error.to_string()).or_refused(py)
     }
 
     /// The files of a report, by name; with both directions of shaking on its first page where `both` is set.
-    fn files(
-        &self,
-        py: Python<'_>,
-        both: bool,
-    ) -> PyResult<std::collections::BTreeMap<String, Vec<u8>>> {
+    fn files(&self, py: Python<'_>, both: bool) -> PyResult<std::collections::BTreeMap<String, Vec<u8>>> {
         wait(py, None, |watch| {
             let report = self.report();
             if !both {

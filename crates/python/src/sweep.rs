@@ -15,17 +15,11 @@ use crate::waiting::wait;
 /// reasons, what is said of those whose direction nothing tells, and what looks wrong.
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
-pub(crate) fn sweep(
-    py: Python<'_>,
-    text: &str,
-    path: PathBuf,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Table, Vec<String>)> {
+pub(crate) fn sweep(py: Python<'_>, text: &str, path: PathBuf, progress: Option<&Bound<'_, PyAny>>) -> PyResult<(Table, Vec<String>)> {
     let ran = wait(py, progress, |watch| -> Result<_, String> {
         let words = |error: pounding_scene::Error| crate::refused::said(&error);
         let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
-        let sweep = Sweep::of((file, text.as_bytes()), &path, Some(watch.stop))
-            .map_err(|error| error.to_string())?;
+        let sweep = Sweep::of((file, text.as_bytes()), &path, Some(watch.stop)).map_err(|error| error.to_string())?;
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;

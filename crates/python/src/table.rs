@@ -4,10 +4,7 @@ use std::ffi::CStr;
 use std::sync::Arc;
 
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
-use arrow_array::{
-    ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchIterator, StringArray,
-    UInt64Array,
-};
+use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchIterator, StringArray, UInt64Array};
 use arrow_schema::{ArrowError, Schema};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -68,22 +65,16 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    pub(crate) fn new<Name: Into<String>>(
-        columns: impl IntoIterator<Item = (Name, Column)>,
-    ) -> Self {
+    pub(crate) fn new<Name: Into<String>>(columns: impl IntoIterator<Item = (Name, Column)>) -> Self {
         let columns = columns.into_iter();
         Self {
-            columns: columns
-                .map(|(name, column)| (name.into(), column))
-                .collect(),
+            columns: columns.map(|(name, column)| (name.into(), column)).collect(),
         }
     }
 
     fn to_arrow(&self) -> Result<RecordBatch, ArrowError> {
         let columns = self.columns.iter();
-        RecordBatch::try_from_iter_with_nullable(
-            columns.map(|(name, column)| (name, column.to_arrow(), true)),
-        )
+        RecordBatch::try_from_iter_with_nullable(columns.map(|(name, column)| (name, column.to_arrow(), true)))
     }
 }
 
@@ -120,11 +111,7 @@ impl Table {
 
     /// The table as a stream of Arrow with one batch, whatever schema is asked for.
     #[pyo3(signature = (requested_schema=None))]
-    fn __arrow_c_stream__<'py>(
-        &self,
-        py: Python<'py>,
-        requested_schema: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn __arrow_c_stream__<'py>(&self, py: Python<'py>, requested_schema: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
         // The protocol lets a producer give what it has.
         drop(requested_schema);
         let message = |error: ArrowError| PyValueError::new_err(error.to_string());
@@ -136,11 +123,8 @@ impl Table {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        let same = |(one, other): (&(String, Column), &(String, Column))| {
-            one.0 == other.0 && same(&one.1, &other.1)
-        };
-        self.columns.len() == other.columns.len()
-            && self.columns.iter().zip(&other.columns).all(same)
+        let same = |(one, other): (&(String, Column), &(String, Column))| one.0 == other.0 && same(&one.1, &other.1);
+        self.columns.len() == other.columns.len() && self.columns.iter().zip(&other.columns).all(same)
     }
 }
 
@@ -148,8 +132,7 @@ impl Table {
 fn same(one: &Column, other: &Column) -> bool {
     match (one, other) {
         (Column::Numbers(one), Column::Numbers(other)) => {
-            let bits =
-                |numbers: &[f64]| numbers.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
+            let bits = |numbers: &[f64]| numbers.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
             bits(one) == bits(other)
         }
         (one, other) => one == other,

@@ -58,11 +58,7 @@ impl Drop for Flag {
 ///
 /// # Errors
 /// `KeyboardInterrupt` where Ctrl-C was pressed, and what `progress` raises; both end the work first.
-pub(crate) fn wait<T: Send>(
-    py: Python<'_>,
-    progress: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(&Watch) -> T + Send,
-) -> PyResult<T> {
+pub(crate) fn wait<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, work: impl FnOnce(&Watch) -> T + Send) -> PyResult<T> {
     let flag = Flag::take();
     let watch = Watch {
         stop: flag.0,

@@ -13,9 +13,7 @@ const SAME: f64 = 1e-9;
 /// When a sample arrives \[s\]: ground accelerations are integrated twice to what grounds move against each other, and one that comes
 /// 1e-15 s late would be 1e-12 of that.
 fn instant(sample: f64, interval: f64, arrival: f64) -> Sum {
-    Sum::default()
-        .plus_product(Sum::of(sample), Sum::of(interval))
-        .plus(arrival)
+    Sum::default().plus_product(Sum::of(sample), Sum::of(interval)).plus(arrival)
 }
 
 /// The ground at a sample of the record, where it has arrived, and at an instant after it.
@@ -160,11 +158,7 @@ mod tests {
     fn off(samples: &[f64], arrivals: [f64; 2]) -> f64 {
         let excitation = Excitation::new(0.1, samples).expect("finite samples");
         let n = samples.len() as f64;
-        let velocity: f64 = 0.1
-            * samples
-                .windows(2)
-                .map(|ends| 0.5 * (ends[0] + ends[1]))
-                .sum::<f64>();
+        let velocity: f64 = 0.1 * samples.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).sum::<f64>();
         let wanted = velocity * (arrivals[1] - arrivals[0]);
         let segments = Segments::new(excitation, arrivals.to_vec(), 30.0);
         let last = segments.filter(|segment| segment.start > 0.1 * n + arrivals[1]);

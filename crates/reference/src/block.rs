@@ -44,9 +44,7 @@ impl Block {
             leaders.map(|(way, lead)| way * lead[other]).sum()
         });
         Self {
-            forces: (0..pairs.len())
-                .map(|pair| by_floor.iter().map(|of| of[pair]).collect())
-                .collect(),
+            forces: (0..pairs.len()).map(|pair| by_floor.iter().map(|of| of[pair]).collect()).collect(),
             pairs,
             ways,
             accelerations,
@@ -88,9 +86,7 @@ fn matrix(rows: &[usize], columns: &[usize], of: impl Fn(usize, usize) -> f64) -
 /// W = G M⁻¹ Gᵀ of some pairs \[1/kg\].
 pub(super) fn mobility(model: &Model, pairs: &[usize]) -> Matrix {
     let of = |one: usize, other: usize| {
-        let common = |(floor, part): (usize, f64)| {
-            part * model.pairs[other].part(floor) * model.structures[floor].inverse_mass
-        };
+        let common = |(floor, part): (usize, f64)| part * model.pairs[other].part(floor) * model.structures[floor].inverse_mass;
         model.pairs[one].parts().map(common).sum()
     };
     matrix(pairs, pairs, of)
@@ -134,9 +130,7 @@ pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
             None => free.push(row[n..2 * n].to_vec()),
         }
     }
-    let dot = |one: &[f64], other: &[f64]| -> f64 {
-        one.iter().zip(other).map(|(one, other)| one * other).sum()
-    };
+    let dot = |one: &[f64], other: &[f64]| -> f64 { one.iter().zip(other).map(|(one, other)| one * other).sum() };
     while let Some(way) = free.pop() {
         let square = dot(&way, &way);
         for other in free.iter_mut().chain(&mut found) {
@@ -161,10 +155,7 @@ fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
     loop {
         let (mut largest, mut place) = (DEPENDENT, None);
         for row in (0..rows.len()).filter(|row| columns[*row].is_none()) {
-            for column in all
-                .clone()
-                .filter(|column| !columns.contains(&Some(*column)))
-            {
+            for column in all.clone().filter(|column| !columns.contains(&Some(*column))) {
                 let part = weighed(&rows[row], column) / sizes[row];
                 if part > largest {
                     (largest, place) = (part, Some((row, column)));
@@ -207,20 +198,14 @@ pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// Tries all sets of numbers below `n`; returns the finding of the set that misses least, and among equals of that with least Σ x².
-pub(super) fn best<Found>(
-    n: usize,
-    judge: impl Fn(&[usize]) -> (f64, f64, Found),
-) -> Option<Found> {
+pub(super) fn best<Found>(n: usize, judge: impl Fn(&[usize]) -> (f64, f64, Found)) -> Option<Found> {
     let mut best: Option<(f64, f64, Found)> = None;
     for set in (0..1_usize << n).rev() {
         let members: Vec<_> = (0..n).filter(|member| (set >> member) & 1 == 1).collect();
         let (miss, squares, found) = judge(&members);
         // No other set has a smaller sum.
         let done = miss == 0.0 && members.len() == n;
-        if best
-            .as_ref()
-            .is_none_or(|best| (miss, squares) < (best.0, best.1))
-        {
+        if best.as_ref().is_none_or(|best| (miss, squares) < (best.0, best.1)) {
             best = Some((miss, squares, found));
         }
         if done {

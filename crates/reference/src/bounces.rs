@@ -17,8 +17,7 @@ impl Runner {
         let touching = impact::touching(&self.motion, &self.state.high);
         let groups = impact::together(&self.motion.model, &touching, time)?;
         for &pair in &touching {
-            self.state
-                .set(self.motion.model.pairs[pair].deformation, 0.0);
+            self.state.set(self.motion.model.pairs[pair].deformation, 0.0);
         }
         let mut phases = self.motion.phases.clone();
         let impulses = self.strike(&touching, &groups, time);
@@ -101,15 +100,9 @@ impl Runner {
             let mut met = pairs[pair].parts();
             other != pair && met.any(|(floor, _)| pairs[other].part(floor) != 0.0)
         };
-        let rests = |other: usize| {
-            matches!(
-                self.motion.phases.pairs[other].contact,
-                Contact::Resting { .. }
-            )
-        };
+        let rests = |other: usize| matches!(self.motion.phases.pairs[other].contact, Contact::Resting { .. });
         let mut others = touching.iter();
-        self.bounces[pair].count >= MOST_BOUNCES
-            || others.any(|&other| shares(other) && soon(other) && rests(other))
+        self.bounces[pair].count >= MOST_BOUNCES || others.any(|&other| shares(other) && soon(other) && rests(other))
     }
 
     /// Time until a pair that has just been hit would touch again, at the present acceleration; without end where it would not. Within a
@@ -132,10 +125,7 @@ impl Runner {
         let y = &self.state.high;
         let rate = self.motion.model.rate(pair, y);
         let closing = self.motion.closing(pair, y, &self.scratch);
-        rate < 0.0
-            && restitution < 1.0
-            && closing > 0.0
-            && -2.0 * rate < SHORTEST * closing * (1.0 - restitution)
+        rate < 0.0 && restitution < 1.0 && closing > 0.0 && -2.0 * rate < SHORTEST * closing * (1.0 - restitution)
     }
 
     /// Decides which pairs at rest press on.

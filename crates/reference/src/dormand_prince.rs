@@ -85,13 +85,7 @@ impl DormandPrince {
     }
 
     /// One step of `length` in a variable.
-    pub(super) fn step(
-        &mut self,
-        motion: &Motion,
-        (variable, length): (Variable, f64),
-        from: &State,
-        to: &mut State,
-    ) {
+    pub(super) fn step(&mut self, motion: &Motion, (variable, length): (Variable, f64), from: &State, to: &mut State) {
         let Self { slopes, point } = self;
         motion.slope((variable, 0.0), &from.high, &mut slopes[0]);
         for (stage, (node, weights)) in STAGES.iter().enumerate() {
@@ -122,9 +116,7 @@ impl DormandPrince {
     pub(super) fn error(&self, length: f64, scale: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0;
         for index in 0..self.point.len() {
-            let terms = ERROR
-                .iter()
-                .map(|&(slope, weight)| weight * self.slopes[slope][index]);
+            let terms = ERROR.iter().map(|&(slope, weight)| weight * self.slopes[slope][index]);
             let sum: f64 = terms.sum();
             // A wall has neither motion nor scale.
             if sum != 0.0 {
@@ -189,10 +181,7 @@ mod tests {
         let mut to = from.clone();
         let mut method = DormandPrince::new(motion.model.n_unknowns());
         method.step(&motion, (Variable::Time, length), &from, &mut to);
-        assert!(
-            (to.high[TIME] - length).abs() <= f64::EPSILON * length,
-            "time"
-        );
+        assert!((to.high[TIME] - length).abs() <= f64::EPSILON * length, "time");
         let estimate = method.error(length, |_| 1.0);
         ((energy(&to) - energy(&from)).abs(), estimate)
     }
@@ -205,10 +194,7 @@ mod tests {
             // One power more for one step than for all of them together.
             let (step, estimated) = (slope(coarse, fine), slope(estimate, finer));
             assert!(step > 8.5, "{length}: {coarse:e} to {fine:e}, slope {step}");
-            assert!(
-                (5.5..8.0).contains(&estimated),
-                "{length}: slope {estimated} of the estimate"
-            );
+            assert!((5.5..8.0).contains(&estimated), "{length}: slope {estimated} of the estimate");
             assert!(estimate > coarse, "the estimate is cautious");
         }
     }

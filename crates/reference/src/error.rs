@@ -18,9 +18,7 @@ pub enum SecondRouteError {
         time: f64,
     },
     /// No step is short enough for the tolerance.
-    #[error(
-        "second route: no step meets the tolerance {tolerance:e} at t = {time} s; raise the tolerance"
-    )]
+    #[error("second route: no step meets the tolerance {tolerance:e} at t = {time} s; raise the tolerance")]
     Tolerance {
         /// Start of the step \[s\].
         time: f64,
@@ -28,9 +26,7 @@ pub enum SecondRouteError {
         tolerance: f64,
     },
     /// More events between two samples of the record than can be told apart.
-    #[error(
-        "second route: more than {limit} events within one sample of the record, at t = {time} s"
-    )]
+    #[error("second route: more than {limit} events within one sample of the record, at t = {time} s")]
     TooManyEvents {
         /// When the limit was passed \[s\].
         time: f64,

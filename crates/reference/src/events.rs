@@ -85,8 +85,7 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
                 if parting != Some(index) {
                     events.push(Event::Part(index));
                 }
-                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout)
-                {
+                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout) {
                     events.extend([Event::ForcePeak(index), Event::Clamp(index)]);
                 }
             }
@@ -107,12 +106,8 @@ impl Event {
         let Motion { model, phases, .. } = motion;
         match self {
             Self::SegmentEnd => motion.segment.length - y[TIME],
-            Self::Turn(structure) => {
-                phases.structures[structure].direction * y[velocity(structure)]
-            }
-            Self::DriftTurn(structure) => {
-                phases.structures[structure].drift_direction * model.drift_rate(structure, y)
-            }
+            Self::Turn(structure) => phases.structures[structure].direction * y[velocity(structure)],
+            Self::DriftTurn(structure) => phases.structures[structure].drift_direction * model.drift_rate(structure, y),
             Self::Yield(structure) => {
                 let direction = phases.structures[structure].drift_direction;
                 let limit = model.structures[structure].columns.limit();
@@ -136,9 +131,7 @@ impl Event {
             Self::ForcePeak(pair) => {
                 motion.slope(NOW, y, scratch);
                 match phases.pairs[pair].contact {
-                    Contact::Approach { rising, .. } | Contact::Restitution { rising } => {
-                        rising * motion.force_rate(pair, y, scratch)
-                    }
+                    Contact::Approach { rising, .. } | Contact::Restitution { rising } => rising * motion.force_rate(pair, y, scratch),
                     Contact::Resting { .. } => motion.resting_peak(pair, y, scratch),
                     Contact::Apart | Contact::Clamped => 0.0,
                 }
@@ -189,9 +182,8 @@ impl Event {
             }
             Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
             Self::ForcePeak(pair) => {
-                if let Contact::Approach { rising, .. }
-                | Contact::Restitution { rising }
-                | Contact::Resting { rising, .. } = &mut phases.pairs[pair].contact
+                if let Contact::Approach { rising, .. } | Contact::Restitution { rising } | Contact::Resting { rising, .. } =
+                    &mut phases.pairs[pair].contact
                 {
                     *rising = -*rising;
                 }

@@ -35,11 +35,7 @@ pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
 const MOST_AT_ONCE: usize = 14;
 
 /// The groups of pairs that touch at a time \[s\].
-pub(super) fn together(
-    model: &Model,
-    touching: &[usize],
-    time: f64,
-) -> Result<Vec<Vec<usize>>, SecondRouteError> {
+pub(super) fn together(model: &Model, touching: &[usize], time: f64) -> Result<Vec<Vec<usize>>, SecondRouteError> {
     let groups = groups(model, touching);
     match groups.iter().map(Vec::len).max() {
         Some(found) if found > MOST_AT_ONCE => Err(SecondRouteError::TooManyAtOnce {
@@ -63,12 +59,7 @@ pub(super) enum Outcome {
 }
 
 /// Jumps the velocities of groups of touching pairs; the impulse of every pair \[N·s\].
-pub(super) fn collide(
-    model: &Model,
-    y: &mut [f64],
-    groups: &[Vec<usize>],
-    outcomes: &[Outcome],
-) -> Vec<f64> {
+pub(super) fn collide(model: &Model, y: &mut [f64], groups: &[Vec<usize>], outcomes: &[Outcome]) -> Vec<f64> {
     let mut total = vec![0.0; model.pairs.len()];
     for group in groups {
         for round in 0..=MOST_ROUNDS {
@@ -152,18 +143,11 @@ fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
             impulses[*one] = *found;
         }
         let miss = |one: usize| {
-            let lost = all[one]
-                .iter()
-                .zip(&impulses)
-                .map(|(by, impulse)| by * impulse);
+            let lost = all[one].iter().zip(&impulses).map(|(by, impulse)| by * impulse);
             let terms = lost.clone().map(f64::abs).sum::<f64>() + demand(one).abs();
             let lack = demand(one) - lost.sum::<f64>();
             let Turn { stays, .. } = turns[one];
-            let off = if stays || set.contains(&one) {
-                lack.abs()
-            } else {
-                lack
-            };
+            let off = if stays || set.contains(&one) { lack.abs() } else { lack };
             let pull = if stays { 0.0 } else { -impulses[one] };
             (off - NOISE * terms).max(pull * all[one][one])
         };
@@ -174,9 +158,5 @@ fn answer(model: &Model, turns: &[Turn]) -> Vec<f64> {
     let impulses = best(turns.len(), judge).unwrap_or_default();
     let least = |turn: &Turn| if turn.stays { f64::NEG_INFINITY } else { 0.0 };
     let least = turns.iter().map(least);
-    impulses
-        .into_iter()
-        .zip(least)
-        .map(|(impulse, least)| impulse.max(least))
-        .collect()
+    impulses.into_iter().zip(least).map(|(impulse, least)| impulse.max(least)).collect()
 }

@@ -60,11 +60,7 @@ pub(super) struct Touching {
 
 impl Law {
     pub(super) fn of(mut law: ContactLaw, reduced_mass: f64) -> Self {
-        let numbers: Vec<_> = law
-            .parameters()
-            .iter()
-            .map(|(_, number)| **number)
-            .collect();
+        let numbers: Vec<_> = law.parameters().iter().map(|(_, number)| **number).collect();
         let (k, last) = (numbers[0], numbers[numbers.len() - 1]);
         // c = 2 ξ̄ √(k m), of β̄ as well.
         let c = 2.0 * last * (k * reduced_mass).sqrt();
@@ -73,9 +69,7 @@ impl Law {
             ContactLaw::LinearSpring(_) => (Spring::Linear(k), Damper::None, false),
             ContactLaw::Hertz(_) => (Spring::Hertz(k), Damper::None, false),
             ContactLaw::KelvinVoigt(_) => (Spring::Linear(k), Damper::Constant(c), true),
-            ContactLaw::ModifiedLinearViscoelastic(_) => {
-                (Spring::Linear(k), Damper::Constant(c), false)
-            }
+            ContactLaw::ModifiedLinearViscoelastic(_) => (Spring::Linear(k), Damper::Constant(c), false),
             ContactLaw::NonlinearViscoelastic(_) => (Spring::Hertz(k), Damper::Quarter(c), false),
             ContactLaw::HertzDamp(_) => (Spring::Hertz(k), Damper::Factor(last), true),
             ContactLaw::ModifiedKelvin(_) => (Spring::Linear(k), Damper::Factor(last), true),

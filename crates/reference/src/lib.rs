@@ -91,13 +91,7 @@ impl Fineness {
     };
 
     fn check(self) -> Result<(), SecondRouteError> {
-        let refused = |setting, found, allowed| {
-            Err(SecondRouteError::Setting {
-                setting,
-                found,
-                allowed,
-            })
-        };
+        let refused = |setting, found, allowed| Err(SecondRouteError::Setting { setting, found, allowed });
         if !(1e-14..=1e-6).contains(&self.tolerance) {
             return refused("tolerance", self.tolerance, "1e-14 to 1e-6");
         }

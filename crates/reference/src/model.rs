@@ -107,9 +107,7 @@ impl Neighbours {
 
     /// Size of the terms of that difference, where quantities of floors have these sizes.
     pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
-        self.parts()
-            .map(|(floor, part)| part.abs() * sizes(floor))
-            .sum()
+        self.parts().map(|(floor, part)| part.abs() * sizes(floor)).sum()
     }
 
     /// A floor or wall on the ground of the left point, and of the right one.
@@ -121,9 +119,7 @@ impl Neighbours {
 impl Model {
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
         let nodes = row.nodes().iter().enumerate();
-        let mut structures: Vec<_> = nodes
-            .map(|(index, node)| structure(node, row.arrival(index)))
-            .collect();
+        let mut structures: Vec<_> = nodes.map(|(index, node)| structure(node, row.arrival(index))).collect();
         let n_nodes = structures.len();
         let spots = |pair: &Pair| {
             let points = [pair.relation.left, pair.relation.right];
@@ -142,8 +138,7 @@ impl Model {
         }
         let neighbours = |(index, (pair, [left, right])): (usize, (&Pair, [Spot; 2]))| {
             let parts = left.parts().chain(right.parts());
-            let mobility =
-                |(floor, part): (usize, f64)| part * part * structures[floor].inverse_mass;
+            let mobility = |(floor, part): (usize, f64)| part * part * structures[floor].inverse_mass;
             let reduced_mass = 1.0 / parts.map(mobility).sum::<f64>();
             Neighbours {
                 left,
@@ -194,9 +189,7 @@ impl Model {
 
     /// Drift at t = 0 \[m\].
     pub(super) fn initial_drift(&self, structure: &Structure) -> f64 {
-        let below = structure
-            .below
-            .map(|below| self.structures[below].initial_displacement);
+        let below = structure.below.map(|below| self.structures[below].initial_displacement);
         structure.initial_displacement - below.unwrap_or(0.0)
     }
 

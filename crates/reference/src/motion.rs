@@ -37,8 +37,7 @@ pub(super) struct Segment {
 impl Segment {
     /// How much faster the ground under one structure moves than that under another one, at a time since the start of the segment \[m/s\].
     pub(super) fn faster(&self, [one, other]: [usize; 2], since: f64) -> f64 {
-        let [(of_one, rate_of_one), (of_other, rate_of_other)] =
-            [one, other].map(|structure| self.grounds[structure]);
+        let [(of_one, rate_of_one), (of_other, rate_of_other)] = [one, other].map(|structure| self.grounds[structure]);
         let change = (of_one - of_other) + 0.5 * since * (rate_of_one - rate_of_other);
         self.moved.difference(velocity(one), velocity(other)) + since * change
     }
@@ -76,17 +75,9 @@ impl Motion {
     }
 
     /// Pounding forces and accelerations in space, without what presses at rest, and what else changes.
-    pub(super) fn accelerate(
-        &self,
-        (variable, position): (Variable, f64),
-        y: &[f64],
-        dy: &mut [f64],
-    ) {
+    pub(super) fn accelerate(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
         let Self {
-            model,
-            phases,
-            segment,
-            ..
+            model, phases, segment, ..
         } = self;
         for (index, structure) in model.structures.iter().enumerate() {
             dy[displacement(index)] = y[velocity(index)];
@@ -154,9 +145,7 @@ impl Motion {
     pub(super) fn restoring_force(&self, structure: usize, y: &[f64]) -> f64 {
         let branch = self.phases.structures[structure].branch;
         let drift = self.model.drift(structure, y);
-        self.model.structures[structure]
-            .columns
-            .force(branch, drift, y)
+        self.model.structures[structure].columns.force(branch, drift, y)
     }
 
     /// Part of the restoring force that yields \[N\].
@@ -222,8 +211,7 @@ impl Motion {
         for index in 0..self.model.structures.len() {
             let known = self.phases.structures[index].push;
             let between = self.is_between(index);
-            self.phases.structures[index].push =
-                between.then(|| known.unwrap_or_else(|| sign(self.push(index, slope))));
+            self.phases.structures[index].push = between.then(|| known.unwrap_or_else(|| sign(self.push(index, slope))));
         }
     }
 
@@ -247,11 +235,7 @@ impl Motion {
             match contact {
                 Contact::Restitution { .. } if pulls => *contact = Contact::Clamped,
                 Contact::Clamped if !pulls => *contact = Contact::Restitution { rising: -1.0 },
-                Contact::Apart
-                | Contact::Approach { .. }
-                | Contact::Restitution { .. }
-                | Contact::Clamped
-                | Contact::Resting { .. } => {}
+                Contact::Apart | Contact::Approach { .. } | Contact::Restitution { .. } | Contact::Clamped | Contact::Resting { .. } => {}
             }
         }
     }
@@ -264,8 +248,7 @@ impl Motion {
         }
         for pair in 0..self.phases.pairs.len() {
             let rate = self.force_rate(pair, y, slope);
-            if let Contact::Approach { rising, .. } | Contact::Restitution { rising } =
-                &mut self.phases.pairs[pair].contact
+            if let Contact::Approach { rising, .. } | Contact::Restitution { rising } = &mut self.phases.pairs[pair].contact
                 && *rising * rate < 0.0
             {
                 *rising = -*rising;

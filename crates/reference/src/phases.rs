@@ -76,13 +76,8 @@ impl Contact {
     pub(super) fn turned(self, direction: f64) -> Self {
         match self {
             Self::Apart | Self::Resting { .. } => self,
-            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped if direction < 0.0 => {
-                Self::Restitution { rising: -1.0 }
-            }
-            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped => Self::Approach {
-                touch: None,
-                rising: 1.0,
-            },
+            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped if direction < 0.0 => Self::Restitution { rising: -1.0 },
+            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped => Self::Approach { touch: None, rising: 1.0 },
         }
     }
 }
@@ -92,9 +87,7 @@ impl Phases {
     pub(super) fn new(model: &Model) -> Self {
         let structure = |structure: &super::model::Structure| {
             let own = structure.initial_velocity;
-            let below = structure
-                .below
-                .map(|below| model.structures[below].initial_velocity);
+            let below = structure.below.map(|below| model.structures[below].initial_velocity);
             let drift = model.initial_drift(structure);
             StructurePhase {
                 direction: sign(own),
@@ -180,10 +173,7 @@ impl Phases {
     /// Sets the clock back at the start of a new segment, after one of `length` \[s\].
     pub(super) fn shift(&mut self, length: f64) {
         for phase in &mut self.pairs {
-            if let Contact::Approach {
-                touch: Some(touch), ..
-            } = &mut phase.contact
-            {
+            if let Contact::Approach { touch: Some(touch), .. } = &mut phase.contact {
                 *touch -= length;
             }
         }

@@ -44,11 +44,7 @@ impl Plan {
                 }
             }
         };
-        Self {
-            variable,
-            length,
-            target,
-        }
+        Self { variable, length, target }
     }
 
     pub(super) fn shorten(&mut self, length: f64) {
@@ -64,10 +60,7 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
     let pairs = &motion.phases.pairs;
     let touches = pairs.iter().filter_map(|phase| match phase.contact {
         Contact::Approach { touch, .. } => touch,
-        Contact::Apart
-        | Contact::Restitution { .. }
-        | Contact::Clamped
-        | Contact::Resting { .. } => None,
+        Contact::Apart | Contact::Restitution { .. } | Contact::Clamped | Contact::Resting { .. } => None,
     });
     if let Some(touch) = touches.max_by(f64::total_cmp) {
         return Variable::since(touch, y[TIME]);
@@ -82,10 +75,7 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
         let rate = motion.model.rate(index, y);
         let acceleration = motion.model.rate(index, scratch);
         // Sure to part: at this acceleration the rate would vanish only long after the deformation has.
-        let parts = returns(phase)
-            && deformation > 0.0
-            && rate < 0.0
-            && rate * rate > 2.0 * deformation * acceleration.abs();
+        let parts = returns(phase) && deformation > 0.0 && rate < 0.0 && rate * rate > 2.0 * deformation * acceleration.abs();
         parts.then_some((index, deformation, deformation / -rate))
     });
     match parting.min_by(|left, right| left.2.total_cmp(&right.2)) {

@@ -104,8 +104,7 @@ impl Record {
         }
         for (index, phase) in motion.phases.pairs.iter().enumerate() {
             if phase.contact.touches()
-                && let Some(collision) =
-                    self.open[index].and_then(|last| self.response.collisions[index].get_mut(last))
+                && let Some(collision) = self.open[index].and_then(|last| self.response.collisions[index].get_mut(last))
             {
                 let force = slope[motion.model.impulse(index)];
                 collision.peak_force = collision.peak_force.map(|peak| peak.max(force));
@@ -162,9 +161,7 @@ impl Record {
     /// Impulsive pairs collide at one instant, each with an impulse ≥ 0; of what is no more than `least` \[N·s\] nothing is told.
     pub(super) fn impacts(&mut self, motion: &Motion, impulses: &[f64], least: &[f64], time: f64) {
         let impacts = impulses.iter().copied().enumerate();
-        let impacts: Vec<_> = impacts
-            .filter(|&(pair, impulse)| impulse > least[pair])
-            .collect();
+        let impacts: Vec<_> = impacts.filter(|&(pair, impulse)| impulse > least[pair]).collect();
         for &(pair, impulse) in &impacts {
             self.response.collisions[pair].push(Collision {
                 start: time,

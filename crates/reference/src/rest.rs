@@ -87,11 +87,7 @@ impl Motion {
         }
         for (index, pair) in self.model.pairs.iter().enumerate() {
             let force = self
-                .pounding_force(
-                    index,
-                    self.model.deformation(index, y),
-                    self.model.rate(index, y),
-                )
+                .pounding_force(index, self.model.deformation(index, y), self.model.rate(index, y))
                 .abs();
             for (floor, part) in pair.parts() {
                 forces[floor] += part.abs() * force;
@@ -110,9 +106,7 @@ impl Motion {
     /// Acceleration with which a pair closes that is not at rest \[m/s²\]; `slope` is the derivative of the unknowns.
     pub(super) fn closing(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
         let neighbours = self.model.pairs[pair];
-        let [left, right] = neighbours
-            .grounds()
-            .map(|one| self.segment.ground(one, y[TIME]));
+        let [left, right] = neighbours.grounds().map(|one| self.segment.ground(one, y[TIME]));
         neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
@@ -141,8 +135,7 @@ impl Motion {
     ///
     /// `scratch` is the derivative of the unknowns afterwards.
     pub(super) fn decide(&mut self, y: &[f64], scratch: &mut [f64]) {
-        let rests =
-            |&pair: &usize| matches!(self.phases.pairs[pair].contact, Contact::Resting { .. });
+        let rests = |&pair: &usize| matches!(self.phases.pairs[pair].contact, Contact::Resting { .. });
         let resting: Vec<usize> = (0..self.model.pairs.len()).filter(rests).collect();
         self.accelerate(NOW, y, scratch);
         let (without, terms) = (self.floors(scratch), self.terms(y));
@@ -154,10 +147,7 @@ impl Motion {
             let [closing, rounding] = closings[pair];
             let presses = self.block.pairs.contains(&pair);
             let phase = &mut self.phases.pairs[pair];
-            phase.contact = Contact::Resting {
-                presses,
-                rising: -1.0,
-            };
+            phase.contact = Contact::Resting { presses, rising: -1.0 };
             if !presses && closing < -rounding {
                 phase.contact = Contact::Apart;
                 phase.direction = -1.0;
@@ -167,10 +157,7 @@ impl Motion {
         for &pair in &resting {
             if self.phases.presses(pair) {
                 let rising = sign(self.resting_force_rate(pair, y, scratch)[0]);
-                self.phases.pairs[pair].contact = Contact::Resting {
-                    presses: true,
-                    rising,
-                };
+                self.phases.pairs[pair].contact = Contact::Resting { presses: true, rising };
             }
         }
     }
@@ -183,8 +170,7 @@ impl Motion {
             let pairs = set.iter().map(|member| group[*member]).collect();
             let block = Block::new(&self.model, pairs);
             let closings = self.closings(&block, without, terms);
-            let excess =
-                move |member: usize| closings[group[member]][0] - closings[group[member]][1];
+            let excess = move |member: usize| closings[group[member]][0] - closings[group[member]][1];
             (block, excess)
         };
         let judge = |set: &[usize]| {
@@ -200,11 +186,7 @@ impl Motion {
                     let own = forces[position] - IDLE * sizes[position];
                     own / self.model.pairs[all.pairs[position]].reduced_mass
                 };
-                if needed > 0.0 {
-                    0.0
-                } else {
-                    f64::MIN_POSITIVE.max(-needed)
-                }
+                if needed > 0.0 { 0.0 } else { f64::MIN_POSITIVE.max(-needed) }
             };
             let mut miss = (0..group.len()).map(excess).fold(0.0, f64::max);
             if miss == 0.0 {
@@ -219,22 +201,14 @@ impl Motion {
     /// Rate of the force of a pair at rest \[N/s\], `slope` being the derivative of the unknowns, and what rounding leaves of it.
     fn resting_force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> [f64; 2] {
         let force = |by: f64| {
-            let near = y
-                .iter()
-                .zip(slope)
-                .map(|(unknown, slope)| unknown + by * slope);
+            let near = y.iter().zip(slope).map(|(unknown, slope)| unknown + by * slope);
             let mut change = vec![0.0; y.len()];
             let near = near.collect::<Vec<_>>();
             self.slope(NOW, &near, &mut change);
             change[self.model.impulse(pair)]
         };
-        let touches =
-            |phase: &Contact| phase.touches() && !matches!(phase, Contact::Resting { .. });
-        let bent = self
-            .phases
-            .pairs
-            .iter()
-            .any(|phase| touches(&phase.contact));
+        let touches = |phase: &Contact| phase.touches() && !matches!(phase, Contact::Resting { .. });
+        let bent = self.phases.pairs.iter().any(|phase| touches(&phase.contact));
         let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
         let rate = (force(time) - force(-time)) / (2.0 * time);
         let sizes = self.block.forces(f64::abs, &self.terms(y));

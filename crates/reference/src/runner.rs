@@ -90,12 +90,7 @@ impl Runner {
             motion,
             state,
         };
-        let Self {
-            scales,
-            motion,
-            state,
-            ..
-        } = &mut runner;
+        let Self { scales, motion, state, .. } = &mut runner;
         scales.enlarge(&motion.model, &state.high);
         runner
     }
@@ -127,22 +122,14 @@ impl Runner {
     /// Takes the deformations of pairs far apart, and their rates, from the motions of both sides again: impacts round each of the
     /// unknowns by itself, and over many of them a gap would become another one.
     fn measure(&mut self) {
-        let Self {
-            motion,
-            state,
-            scales,
-            ..
-        } = self;
+        let Self { motion, state, scales, .. } = self;
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
             let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
-                for (own, unknown, gap) in [
-                    (0, displacement as fn(usize) -> usize, pair.gap),
-                    (1, velocity, 0.0),
-                ] {
+                for (own, unknown, gap) in [(0, displacement as fn(usize) -> usize, pair.gap), (1, velocity, 0.0)] {
                     let ahead = |state: &[f64]| pair.ahead(|floor| state[unknown(floor)]);
                     let over_ground = ahead(&state.high) + ahead(&state.low);
                     let [left, right] = pair.grounds().map(unknown);
@@ -175,12 +162,7 @@ impl Runner {
     }
 
     fn try_step(&mut self, variable: Variable, length: f64) {
-        self.method.step(
-            &self.motion,
-            (variable, length),
-            &self.state,
-            &mut self.trial,
-        );
+        self.method.step(&self.motion, (variable, length), &self.state, &mut self.trial);
     }
 
     /// Shortens the step until its error is allowed.
@@ -201,18 +183,10 @@ impl Runner {
                 if elapsed <= 0.0 && !met {
                     break;
                 }
-                self.proposal = if met {
-                    allowed.max(self.proposal)
-                } else {
-                    allowed
-                };
+                self.proposal = if met { allowed.max(self.proposal) } else { allowed };
                 return Ok(());
             }
-            let factor = if factor.is_finite() {
-                factor.max(0.2)
-            } else {
-                0.2
-            };
+            let factor = if factor.is_finite() { factor.max(0.2) } else { 0.2 };
             plan.shorten(factor * plan.length);
         }
         let time = self.now();
@@ -248,11 +222,9 @@ impl Runner {
             *middle = 0.5 * (self.state.high[index] + end[index]) + 0.125 * plan.length * bend;
         }
         let (motion, middle, scratch) = (&self.motion, &self.middle, &mut self.scratch);
-        self.events.iter().any(|event| {
-            event.is_reversal()
-                && event.value(motion, middle, scratch) < 0.0
-                && event.value(motion, end, scratch) >= 0.0
-        })
+        self.events
+            .iter()
+            .any(|event| event.is_reversal() && event.value(motion, middle, scratch) < 0.0 && event.value(motion, end, scratch) >= 0.0)
     }
 
     /// Shortens the step to the first event in it; `trial` is then just past that.
@@ -309,8 +281,7 @@ impl Runner {
     /// Makes the end of the step the present, records it and lets its events happen.
     fn commit(&mut self, plan: Plan) -> Result<(), SecondRouteError> {
         let started = self.now();
-        self.record
-            .transfer(&self.motion, &self.state.high, &self.trial.high);
+        self.record.transfer(&self.motion, &self.state.high, &self.trial.high);
         std::mem::swap(&mut self.state, &mut self.trial);
         if let Some(Event::SegmentEnd) = plan.target {
             self.state.set(TIME, self.motion.segment.length);
@@ -378,11 +349,7 @@ impl Runner {
                 | Event::Stir(_) => {}
             }
         }
-        if collides {
-            self.collide(time)
-        } else {
-            self.rest(time)
-        }
+        if collides { self.collide(time) } else { self.rest(time) }
     }
 
     /// A pair begins to press.

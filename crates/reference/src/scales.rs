@@ -97,10 +97,7 @@ impl Scales {
     /// Drifts are differences of displacements; and a floor that the one below wakes begins to move like a higher power
     /// of time than a structure that is hit.
     fn share(&mut self, model: &Model, unknown: fn(usize) -> usize) {
-        let storeys = || {
-            (0..model.structures.len())
-                .filter_map(|index| Some((index, model.structures[index].below?)))
-        };
+        let storeys = || (0..model.structures.len()).filter_map(|index| Some((index, model.structures[index].below?)));
         for (floor, below) in storeys().rev() {
             let size = self.sizes[unknown(floor)];
             let carrier = &mut self.sizes[unknown(below)];

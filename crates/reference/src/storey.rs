@@ -109,25 +109,14 @@ impl Columns {
         }
         let force = self.stiffness * drift - self.hardened(drift);
         let excess = force - force.clamp(-self.limit(), self.limit());
-        let plastic_displacement = if excess == 0.0 {
-            0.0
-        } else {
-            excess / self.stiffness
-        };
-        Branch::Elastic {
-            plastic_displacement,
-        }
+        let plastic_displacement = if excess == 0.0 { 0.0 } else { excess / self.stiffness };
+        Branch::Elastic { plastic_displacement }
     }
 
     /// Force \[N\] on a branch.
     pub(super) fn force(&self, branch: Branch, drift: f64, y: &[f64]) -> f64 {
         match (branch, self.smooth) {
-            (
-                Branch::Elastic {
-                    plastic_displacement,
-                },
-                _,
-            ) => self.stiffness * (drift - plastic_displacement),
+            (Branch::Elastic { plastic_displacement }, _) => self.stiffness * (drift - plastic_displacement),
             (Branch::Yielding { force }, _) => force + self.hardened(drift),
             (Branch::Smooth { .. }, smooth) => {
                 let z = smooth.map_or(0.0, |smooth| y[smooth.unknown]);

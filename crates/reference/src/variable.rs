@@ -51,9 +51,7 @@ impl Variable {
     /// Deformation of a pair that the variable knows better than the displacements do.
     pub(super) fn deformation(self, of: usize, position: f64) -> Option<f64> {
         match self {
-            Self::RootOfDeformation { pair, start } if pair == of => {
-                Some((start - position) * (start - position))
-            }
+            Self::RootOfDeformation { pair, start } if pair == of => Some((start - position) * (start - position)),
             Self::Time | Self::RootOfTime { .. } | Self::RootOfDeformation { .. } => None,
         }
     }

@@ -54,11 +54,7 @@ impl Animation {
     /// As of [`Simulation::run`].
     pub fn of(simulation: &Simulation) -> Result<Option<Self>, Error> {
         let exact = simulation.exact()?;
-        let periods = exact
-            .scene()
-            .structures
-            .iter()
-            .filter_map(Structure::period);
+        let periods = exact.scene().structures.iter().filter_map(Structure::period);
         let longest = periods.fold(0.0, f64::max);
         let run = exact.run_with(Extras {
             interval: Some(longest / FRAMES[1] as f64),
@@ -151,11 +147,7 @@ impl<'a> Film<'a> {
         };
         let states = &histories.of(floor).states;
         let place = (time / histories.interval()).max(0.0);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a place among the states"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place among the states")]
         let before = place.floor() as usize;
         let at = |index: usize| {
             let state = states.get(index).or(states.last());

@@ -20,12 +20,7 @@ pub struct Blow {
 impl Blow {
     /// Of every pair that touches, the hardest first.
     pub fn all(outcome: &RunResult) -> Vec<Self> {
-        let mut pairs: Vec<usize> = outcome
-            .collisions
-            .all()
-            .iter()
-            .map(|one| one.pair)
-            .collect();
+        let mut pairs: Vec<usize> = outcome.collisions.all().iter().map(|one| one.pair).collect();
         pairs.sort_unstable();
         pairs.dedup();
         let blow = |pair: usize| {

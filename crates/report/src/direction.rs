@@ -82,11 +82,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
     let mut strains = both.map(|(_, result)| strain(result));
     let [one, other] = [strains[0].0, strains[1].0];
     let differ = (one - other).abs() > SAME * one.max(other);
-    let is_other = if differ {
-        other > one
-    } else {
-        harm(both[1].1) > harm(both[0].1)
-    };
+    let is_other = if differ { other > one } else { harm(both[1].1) > harm(both[0].1) };
     if is_other {
         both.reverse();
         strains.reverse();
@@ -104,12 +100,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
 }
 
 /// What to know of both directions: responses beyond the model of either, at its worst, and warnings.
-fn notices(
-    prepared: &Simulation,
-    review: &Review,
-    other: &RunResult,
-    names: [&str; 2],
-) -> Vec<String> {
+fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&str; 2]) -> Vec<String> {
     let both = [review.excesses.clone(), prepared.excesses(other)];
     let mut kinds: Vec<ExcessKind> = both.iter().flatten().map(|one| one.kind).collect();
     kinds.sort_unstable();
@@ -118,15 +109,9 @@ fn notices(
     let excess = |kind: ExcessKind| {
         let said = |side: usize, one: &Excess| format!("{}: {one}", names[side]);
         match (of(0, kind), of(1, kind)) {
-            (Some(one), Some(other)) if (one.found - other.found).abs() <= SAME * one.found => {
-                Some(format!("both directions: {one}"))
-            }
+            (Some(one), Some(other)) if (one.found - other.found).abs() <= SAME * one.found => Some(format!("both directions: {one}")),
             (Some(one), Some(other)) => {
-                let (side, worse) = if other.found > one.found {
-                    (1, other)
-                } else {
-                    (0, one)
-                };
+                let (side, worse) = if other.found > one.found { (1, other) } else { (0, one) };
                 Some(format!("both directions, worse {}", said(side, worse)))
             }
             (Some(one), None) => Some(said(0, one)),
@@ -149,9 +134,7 @@ fn notices(
 /// Number of pairs that touch.
 fn touching(prepared: &Simulation, result: &RunResult) -> usize {
     let pairs = 0..prepared.pairs().len();
-    pairs
-        .filter(|pair| result.of_pair(*pair).collisions > 0)
-        .count()
+    pairs.filter(|pair| result.of_pair(*pair).collisions > 0).count()
 }
 
 /// What a run of a scene comes to, in a sentence: how often floors touch, and how hard.
@@ -176,18 +159,9 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
     let how = match hardest {
         // Of impulsive contact a force is that of rest.
-        Blow {
-            force: Some(force), ..
-        } if !is_compliant => format!("pressing with up to {} kN", short(1e-3 * force)),
-        Blow {
-            force: Some(force), ..
-        } => format!(
-            "with up to {} kN by the contact stiffness of the scene",
-            short(1e-3 * force)
-        ),
-        Blow {
-            speed: Some(speed), ..
-        } => format!("at up to {} m/s", short(speed)),
+        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN", short(1e-3 * force)),
+        Blow { force: Some(force), .. } => format!("with up to {} kN by the contact stiffness of the scene", short(1e-3 * force)),
+        Blow { speed: Some(speed), .. } => format!("at up to {} m/s", short(speed)),
         Blow { impulse, .. } => format!("with up to {} kN·s", short(1e-3 * impulse)),
     };
     let times = match all.collisions {
@@ -197,10 +171,7 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     };
     let at = match pairs {
         1 => String::new(),
-        _ => format!(
-            ", at {} of {pairs} pairs of floors",
-            touching(prepared, result)
-        ),
+        _ => format!(", at {} of {pairs} pairs of floors", touching(prepared, result)),
     };
     let place = if pairs > 1 {
         format!(" ({left} – {right})")

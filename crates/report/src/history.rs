@@ -16,11 +16,7 @@ pub(super) struct Motion<'a> {
 
 impl<'a> Motion<'a> {
     /// Of a run that kept its histories.
-    pub(super) fn of(
-        prepared: &'a Simulation,
-        travel: Option<&'a Travel>,
-        outcome: &'a RunResult,
-    ) -> Self {
+    pub(super) fn of(prepared: &'a Simulation, travel: Option<&'a Travel>, outcome: &'a RunResult) -> Self {
         let kept = outcome.histories.as_ref();
         Self {
             prepared,
@@ -54,17 +50,14 @@ impl<'a> Motion<'a> {
     pub(super) fn drifts(&self, floor: usize) -> impl Iterator<Item = f64> {
         let below = self.floors().below(floor).map(|below| self.states(below));
         let states = self.states(floor).iter().enumerate();
-        states.map(move |(row, state)| {
-            state.displacement - below.map_or(0.0, |below| below[row].displacement)
-        })
+        states.map(move |(row, state)| state.displacement - below.map_or(0.0, |below| below[row].displacement))
     }
 
     /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
     pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
         let pair = self.prepared.pairs()[pair];
         let (left, right) = (pair.left(), pair.right());
-        let [left_moved, right_moved] =
-            [left, right].map(|node| self.states(node)[row].displacement);
+        let [left_moved, right_moved] = [left, right].map(|node| self.states(node)[row].displacement);
         let own = pair.gap() + right_moved - left_moved;
         let bases = |travel: &Travel| travel.opening([left, right], self.time(row)).displacement;
         own - self.travel.map_or(0.0, bases)
@@ -112,11 +105,7 @@ pub enum HistoryQuantity {
 ///
 /// # Panics
 /// If the run kept no histories.
-pub fn history_of(
-    prepared: &Simulation,
-    outcome: &RunResult,
-    quantity: HistoryQuantity,
-) -> Vec<Vec<f64>> {
+pub fn history_of(prepared: &Simulation, outcome: &RunResult, quantity: HistoryQuantity) -> Vec<Vec<f64>> {
     let travel = prepared.travel();
     let motion = Motion::of(prepared, travel.as_ref(), outcome);
     let floors = 0..prepared.floors().all().len();
@@ -134,9 +123,9 @@ pub fn history_of(
     match quantity {
         HistoryQuantity::Displacement => of_floors(&|floor, row| state(floor, row).displacement),
         HistoryQuantity::Velocity => of_floors(&|floor, row| state(floor, row).velocity),
-        HistoryQuantity::AbsoluteAcceleration => of_floors(&|floor, row| {
-            state(floor, row).acceleration + motion.ground(floor, motion.time(row))
-        }),
+        HistoryQuantity::AbsoluteAcceleration => {
+            of_floors(&|floor, row| state(floor, row).acceleration + motion.ground(floor, motion.time(row)))
+        }
         HistoryQuantity::ShearForce => of_floors(&|floor, row| state(floor, row).restoring_force),
         HistoryQuantity::Drift => floors.map(|floor| motion.drifts(floor).collect()).collect(),
         HistoryQuantity::Opening => of_pairs(&|pair, row| motion.opening(pair, row)),
@@ -152,9 +141,7 @@ pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
     let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
     // Not the pairs of the model, of which a full one has more.
     let facing = floors.facing().iter().enumerate();
-    let compliant: Vec<bool> = facing
-        .map(|(pair, _)| prepared.pairs()[pair].law.is_compliant())
-        .collect();
+    let compliant: Vec<bool> = facing.map(|(pair, _)| prepared.pairs()[pair].law.is_compliant()).collect();
     let drifts: Vec<Option<Vec<f64>>> = (0..floors.all().len())
         .map(|floor| has_drift(floors, floor).then(|| motion.drifts(floor).collect()))
         .collect();

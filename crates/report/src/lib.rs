@@ -63,8 +63,8 @@ use sampling::Sampling;
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
-    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, SCHEMA_VERSION, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary, SCHEMA_VERSION,
+    StructureErrorSummary, StructureSummary, Summary, WorkSummary,
 };
 
 /// A run with its histories, ready to be written to a folder.
@@ -172,26 +172,16 @@ impl<'a> Report<'a> {
         };
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
         let animation = Animation::of_run(prepared, outcome);
-        let moving = animation
-            .as_ref()
-            .map_or_else(String::new, Animation::figure);
+        let moving = animation.as_ref().map_or_else(String::new, Animation::figure);
         let page = page::html(self, &summary, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
-            (
-                IMPACTS.into(),
-                impacts::csv(prepared.floors(), outcome).into_bytes(),
-            ),
+            (IMPACTS.into(), impacts::csv(prepared.floors(), outcome).into_bytes()),
             (SUMMARY.into(), summary.to_json().into_bytes()),
             (PAGE.into(), page.into_bytes()),
         ]);
         if let Some(effects) = &self.effects {
-            files.insert(
-                EFFECTS.into(),
-                effects
-                    .to_csv(prepared.scene(), prepared.floors())
-                    .into_bytes(),
-            );
+            files.insert(EFFECTS.into(), effects.to_csv(prepared.scene(), prepared.floors()).into_bytes());
         }
         if let Some(animation) = animation {
             files.insert(animation::FILE.into(), animation.svg.into_bytes());
@@ -207,11 +197,8 @@ impl<'a> Report<'a> {
 
     /// Whether a results folder can have a file of this name.
     pub fn has_file(name: &str) -> bool {
-        let is_figure = |(stem, end): (&str, &str)| {
-            figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
-        };
-        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name)
-            || name.rsplit_once('.').is_some_and(is_figure)
+        let is_figure = |(stem, end): (&str, &str)| figures::NAMES.contains(&stem) && matches!(end, "svg" | "png");
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
     }
 }
 
@@ -220,11 +207,7 @@ pub const FILES_OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
 
 /// What tells a folder of results from any other.
 pub const RESULT_NAMES: ResultNames = ResultNames {
-    has: |name| {
-        Report::has_file(name)
-            || AssessmentReport::has_file(name)
-            || FILES_OF_RECORDS.contains(&name)
-    },
+    has: |name| Report::has_file(name) || AssessmentReport::has_file(name) || FILES_OF_RECORDS.contains(&name),
     marks: &[SUMMARY, FILES_OF_RECORDS[1], assessment::JSON],
 };
 

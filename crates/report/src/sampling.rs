@@ -36,9 +36,7 @@ impl Sampling {
         }
         let of_record = prepared.record().time_step();
         let interval = of_record / (of_record / LONGEST - 1e-9).ceil().max(1.0);
-        let every = (duration / interval / MOST_ROWS as f64 - 1e-9)
-            .ceil()
-            .max(1.0);
+        let every = (duration / interval / MOST_ROWS as f64 - 1e-9).ceil().max(1.0);
         let words = if every > 1.0 {
             "a multiple of a part of the record's time step, so that there are at most 20 000 rows"
         } else if interval < of_record {

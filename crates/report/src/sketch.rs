@@ -45,21 +45,12 @@ pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
     let elevations = (0..floors.all().len()).map(|floor| elevation(floors, floor));
     let scale = TALL / elevations.fold(0.0, f64::max);
     let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
-    let mut shapes = vec![Shape::line(
-        (0.0, GROUND),
-        (width, GROUND),
-        Pen::solid(Shade::Ink, 1.0),
-    )];
+    let mut shapes = vec![Shape::line((0.0, GROUND), (width, GROUND), Pen::solid(Shade::Ink, 1.0))];
     for (index, structure) in structures.iter().enumerate() {
         let left = BETWEEN + index as f64 * (WIDE + BETWEEN);
         shapes.extend(building(sketch, index, left, scale));
         let below = (left + WIDE / 2.0, GROUND - 4.0);
-        shapes.push(Shape::text(
-            below,
-            shortened(structure.name()),
-            8.0,
-            Align::Middle,
-        ));
+        shapes.push(Shape::text(below, shortened(structure.name()), 8.0, Align::Middle));
     }
     for (left, contact) in scene.contacts.iter().flatten().enumerate() {
         let at = BETWEEN + (left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
@@ -75,9 +66,7 @@ pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
 
 /// A structure from its left side on, with its floors; a wall is half as high as the paper.
 fn building(sketch: &Sketch<'_>, index: usize, left: f64, scale: f64) -> Vec<Shape> {
-    let Sketch {
-        floors, touched, ..
-    } = sketch;
+    let Sketch { floors, touched, .. } = sketch;
     let own = floors.of_structure(index);
     let is_wall = own.iter().all(|floor| floors.all()[*floor].is_wall());
     let tops = own.iter().map(|floor| scale * elevation(floors, *floor));

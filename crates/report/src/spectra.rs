@@ -1,8 +1,6 @@
 //! Response spectra as a picture.
 
-use pounding_plot::{
-    Axis, Curve, Figure, Kind, Legend, Panel, PlotError, Shade, render_both, writable,
-};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, PlotError, Shade, render_both, writable};
 use pounding_scene::{SpectralValues, Spectrum};
 use pounding_text::digits;
 
@@ -32,10 +30,7 @@ const SHADES: [Shade; 7] = [
 ///
 /// # Errors
 /// [`PlotError`] for values that are not finite.
-pub fn spectra_figure(
-    spectra: &[Spectrum],
-    shown: SpectraLabels<'_>,
-) -> Result<(String, Vec<u8>), PlotError> {
+pub fn spectra_figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Result<(String, Vec<u8>), PlotError> {
     render_both(&figure(spectra, shown))
 }
 
@@ -49,19 +44,13 @@ fn figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Figure {
         };
         Panel {
             y: Axis::auto(label),
-            curves: spectra
-                .iter()
-                .zip(SHADES.iter().cycle())
-                .map(curve)
-                .collect(),
+            curves: spectra.iter().zip(SHADES.iter().cycle()).map(curve).collect(),
             legend: Legend::Shared,
             ..Panel::default()
         }
     };
     let mut panels = vec![
-        panel("Pseudo-Sa (g)", |values, gravity| {
-            values.pseudo_acceleration / gravity
-        }),
+        panel("Pseudo-Sa (g)", |values, gravity| values.pseudo_acceleration / gravity),
         panel("Pseudo-Sv (m/s)", |values, _| values.pseudo_velocity),
         panel("Sd (mm)", |values, _| 1e3 * values.displacement),
     ];

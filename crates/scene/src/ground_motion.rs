@@ -6,10 +6,7 @@ use std::sync::Arc;
 
 use crate::file::{FileUse, Generated, ScaleTo, check};
 use crate::{Error, MotionError, RecordUse, SceneError, Source, record_bytes};
-use pounding_motion::{
-    Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, RowError,
-    read_declared,
-};
+use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, RowError, read_declared};
 use sha2::{Digest, Sha256};
 
 /// A ground motion as a scene uses it, and where it came from.
@@ -61,9 +58,7 @@ impl GroundMotion {
     pub fn of_file(record: &RecordUse, origin: Arc<Origin>) -> Result<Self, SceneError> {
         check::record::check(record)?;
         let file = origin.file.clone();
-        let read = file
-            .into_record(record.gravity_m_per_s2)
-            .map_err(at("record.gravity_m_per_s2"))?;
+        let read = file.into_record(record.gravity_m_per_s2).map_err(at("record.gravity_m_per_s2"))?;
         let (record, scale) = used(record, read)?;
         Ok(Self {
             record,
@@ -107,11 +102,7 @@ impl GroundMotion {
     ///
     /// # Errors
     /// [`Error::Record`] for bytes that cannot be read, and what cannot be done to it in `scene`.
-    pub fn of_bytes(
-        record: &RecordUse,
-        (path, bytes): (&Path, &[u8]),
-        scene: &str,
-    ) -> Result<Self, Error> {
+    pub fn of_bytes(record: &RecordUse, (path, bytes): (&Path, &[u8]), scene: &str) -> Result<Self, Error> {
         let declared = match &record.source {
             Source::File(file) => file,
             Source::Generated(_) => &FileUse::default(),
@@ -205,11 +196,7 @@ impl Origin {
     ///
     /// # Errors
     /// Those of [`Self::of`].
-    pub fn of_silent(
-        path: &Path,
-        bytes: &[u8],
-        declared: &FileUse,
-    ) -> Result<(Self, FileUse), Error> {
+    pub fn of_silent(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<(Self, FileUse), Error> {
         let mut taken = FileUse {
             unit: None,
             time_step_s: None,
@@ -222,17 +209,11 @@ impl Origin {
             let tried = Self::of(path, bytes, &taken);
             let before = taken.clone();
             if let Err(Error::Record { source, .. }) = &tried {
-                if matches!(
-                    source,
-                    ReadError::TimeStepNotStated | ReadError::UnevenTime { .. }
-                ) {
+                if matches!(source, ReadError::TimeStepNotStated | ReadError::UnevenTime { .. }) {
                     taken.time_step_s = declared.time_step_s;
                 } else if matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. }) {
                     (taken.unit, taken.per_count) = (declared.unit, declared.per_count);
-                } else if matches!(
-                    source,
-                    ReadError::Velocity { .. } | ReadError::OneSigned { .. }
-                ) {
+                } else if matches!(source, ReadError::Velocity { .. } | ReadError::OneSigned { .. }) {
                     taken.acceleration = declared.acceleration;
                 } else if matches!(source, ReadError::Row(RowError::Rows { .. })) {
                     taken.in_rows = declared.in_rows;
@@ -253,9 +234,7 @@ fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
     let lacks = matches!(
         &error,
         Error::Record {
-            source: ReadError::TimeStepNotStated
-                | ReadError::UnitNotStated
-                | ReadError::Counts { .. },
+            source: ReadError::TimeStepNotStated | ReadError::UnitNotStated | ReadError::Counts { .. },
             ..
         }
     );
@@ -326,14 +305,10 @@ fn at(place: &'static str) -> impl Fn(RecordError) -> MotionError {
 /// The record as the scene uses it, and what it was multiplied by.
 fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), MotionError> {
     if let Some(trend) = record.detrend {
-        used = used
-            .detrended(trend.to_motion())
-            .map_err(at("record.detrend"))?;
+        used = used.detrended(trend.to_motion()).map_err(at("record.detrend"))?;
     }
     if let Some(band) = record.band_pass {
-        used = used
-            .band_passed(&band.to_motion())
-            .map_err(at("record.band_pass"))?;
+        used = used.band_passed(&band.to_motion()).map_err(at("record.band_pass"))?;
     }
     if let Some(time_step) = record.resample_s {
         used = used.resampled(time_step).map_err(at("record.resample_s"))?;
@@ -362,10 +337,6 @@ fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), MotionErr
         _ => 1.0,
     };
     used = used.scaled(record.scale).map_err(at("record.scale"))?;
-    let scaled = if record.reversed {
-        used.reversed()
-    } else {
-        used
-    };
+    let scaled = if record.reversed { used.reversed() } else { used };
     Ok((scaled, target * record.scale))
 }

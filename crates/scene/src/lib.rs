@@ -45,30 +45,24 @@ mod spectrum;
 mod statistics;
 mod suite;
 
-pub use accuracy::errors::{
-    AT_ONCE, LEAST_PART, MEASURE, PairErrors, RunErrors, ZERO, relative, relative_to,
-};
+pub use accuracy::errors::{AT_ONCE, LEAST_PART, MEASURE, PairErrors, RunErrors, ZERO, relative, relative_to};
 pub use accuracy::ladder::{EVALUATIONS_PER_PIECE, Ladder, cost, entries, price};
-pub use accuracy::methods::{
-    COMPARED_METHODS, ComparedMethod, Knob, REFERENCE, RIVAL, StepMethod, is_compliant, label_of,
-};
+pub use accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob, REFERENCE, RIVAL, StepMethod, is_compliant, label_of};
 pub use accuracy::opening::Options;
 pub use accuracy::price::{Going, LEDGER_OF_PIECE};
 pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
 pub use assess::FloorPeaks;
 pub use assess::alone::Alone;
 pub use assess::assessment::{
-    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RequiredGap,
-    RuleAssessment, RunOfCase, StiffnessEffect, WORSE,
+    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RequiredGap, RuleAssessment, RunOfCase, StiffnessEffect,
+    WORSE,
 };
 pub use assess::bumper::{Bumper, BumperPair, BumperRun, COMPRESSION, THICKNESS};
 pub use assess::bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
 pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground, acceleration_in_g};
 pub use assess::distribution::Distribution;
 pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
-pub use assess::run::{
-    AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors,
-};
+pub use assess::run::{AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors};
 pub use assess::scaling::{MotionSpectrum, Scaling};
 pub use assess::separation::{Rule, Separation};
 pub use assess::target_fit::{LEAST_SHARE, TargetFit};
@@ -80,10 +74,9 @@ pub use file::refused::Refused;
 pub use file::scene_error::SceneError;
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{
-    BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand,
-    Generated, Ground, Jumps, Method, Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo,
-    Scene, Sdof, SdofFile, SdofFileError, SetNumber, Source, Start, Stochastic, Storey, Structure,
-    Unit, UnknownNeighbour, set_number,
+    BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand, Generated, Ground, Jumps, Method,
+    Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile, SdofFileError, SetNumber, Source, Start, Stochastic,
+    Storey, Structure, Unit, UnknownNeighbour, set_number,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
 pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};
@@ -91,21 +84,15 @@ pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json,
 pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
-pub use judge::response::{
-    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY,
-};
+pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
-    Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial,
-    Values, holding, in_scene, least_opening,
+    Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
 };
-pub use spectrum::{
-    SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum,
-    scaled_to_sa,
-};
+pub use spectrum::{SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum, scaled_to_sa};
 pub use statistics::wilson;
 pub use suite::lines;
 pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

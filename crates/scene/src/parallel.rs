@@ -15,8 +15,7 @@ pub fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec
         }
     });
     let made = made.into_iter();
-    made.filter_map(|place| place.into_inner().ok().flatten())
-        .collect()
+    made.filter_map(|place| place.into_inner().ok().flatten()).collect()
 }
 
 /// The same of two items.
@@ -29,10 +28,7 @@ pub fn both<T: Sync, R: Send>(items: &[T; 2], work: impl Fn(&T) -> R + Sync) -> 
 ///
 /// # Errors
 /// Those of `work`.
-pub fn try_each<T: Sync, R: Send, E: Send>(
-    items: &[T],
-    work: impl Fn(&T) -> Result<R, E> + Sync,
-) -> Result<Vec<R>, E> {
+pub fn try_each<T: Sync, R: Send, E: Send>(items: &[T], work: impl Fn(&T) -> Result<R, E> + Sync) -> Result<Vec<R>, E> {
     each(items, work).into_iter().collect()
 }
 

@@ -122,10 +122,7 @@ impl FloorQuantity {
     /// Whether it is the value of largest magnitude of something that goes to both sides.
     pub fn is_peak(self) -> bool {
         match self {
-            Self::PeakDisplacementM
-            | Self::PeakShearForceN
-            | Self::PeakDriftM
-            | Self::PeakAccelerationMPerS2 => true,
+            Self::PeakDisplacementM | Self::PeakShearForceN | Self::PeakDriftM | Self::PeakAccelerationMPerS2 => true,
             Self::PeakDisplacementTimeS
             | Self::ResidualDisplacementAtEndM
             | Self::ResidualDriftAtEndM
@@ -227,9 +224,7 @@ impl Quantity {
             Self::Pair(quantity) => match quantity {
                 PairQuantity::Collisions => QuantityGroup::All,
                 PairQuantity::FirstStartS | PairQuantity::TouchingS => QuantityGroup::Time,
-                PairQuantity::FirstImpulseNS
-                | PairQuantity::LargestImpulseNS
-                | PairQuantity::TotalImpulseNS => QuantityGroup::Impulse,
+                PairQuantity::FirstImpulseNS | PairQuantity::LargestImpulseNS | PairQuantity::TotalImpulseNS => QuantityGroup::Impulse,
                 PairQuantity::PeakForceN => QuantityGroup::Force,
                 PairQuantity::LeastOpeningM => QuantityGroup::Displacement,
             },

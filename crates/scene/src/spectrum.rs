@@ -8,8 +8,7 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{
-    AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator,
-    ModelError, Node, Recorders, Row, RunError,
+    AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator, ModelError, Node, Recorders, Row, RunError,
 };
 
 /// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
@@ -92,11 +91,7 @@ pub enum SpectrumError {
 ///
 /// # Errors
 /// Refuses a period or a damping ratio out of range, and a period so short that the record holds some hundred thousand.
-pub fn response_spectrum(
-    record: &Record,
-    periods: &[f64],
-    damping_ratio: f64,
-) -> Result<Vec<SpectralValues>, SpectrumError> {
+pub fn response_spectrum(record: &Record, periods: &[f64], damping_ratio: f64) -> Result<Vec<SpectralValues>, SpectrumError> {
     spectrum(record, periods, damping_ratio, (None, &|| ()))
 }
 
@@ -131,33 +126,19 @@ fn spectrum(
     damping_ratio: f64,
     (stop, done): (Option<&'static AtomicBool>, &(dyn Fn() + Sync)),
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
-    let budget = Budget {
-        stop,
-        ..Budget::default()
-    };
+    let budget = Budget { stop, ..Budget::default() };
     let excitation = Excitation::new(record.time_step(), record.samples())?;
-    check(
-        "damping_ratio",
-        damping_ratio,
-        (0.0..=1.0).contains(&damping_ratio),
-        "0 to 1",
-    )?;
+    check("damping_ratio", damping_ratio, (0.0..=1.0).contains(&damping_ratio), "0 to 1")?;
     for (index, &period) in periods.iter().enumerate() {
         let valid = period == 0.0 || (1e-6..=1e6).contains(&period);
-        check(
-            &format!("periods[{index}]"),
-            period,
-            valid,
-            "0 s, or 1e-6 s to 1e6 s",
-        )?;
+        check(&format!("periods[{index}]"), period, valid, "0 s, or 1e-6 s to 1e6 s")?;
     }
     let values = |&period: &f64| {
         let found = if period == 0.0 {
             Ok(of_the_ground(record))
         } else {
             let end = record.duration() + period;
-            values(excitation, end, (period, damping_ratio), budget)
-                .map_err(|source| SpectrumError::Run { period, source })
+            values(excitation, end, (period, damping_ratio), budget).map_err(|source| SpectrumError::Run { period, source })
         };
         done();
         found
@@ -180,12 +161,7 @@ pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
 ///
 /// # Errors
 /// Those of [`response_spectrum`]; a target that is not a finite number > 0; a record that is zero throughout.
-pub fn scaled_to_sa(
-    record: &Record,
-    period: f64,
-    damping_ratio: f64,
-    target: f64,
-) -> Result<Record, SpectrumError> {
+pub fn scaled_to_sa(record: &Record, period: f64, damping_ratio: f64, target: f64) -> Result<Record, SpectrumError> {
     let valid = target.is_finite() && target > 0.0;
     check("target", target, valid, "a finite number > 0 m/s²")?;
     let spectrum = response_spectrum(record, &[period], damping_ratio)?;
@@ -220,12 +196,7 @@ fn of_the_ground(record: &Record) -> SpectralValues {
 }
 
 /// Runs a structure of unit mass to `end` \[s\].
-fn values(
-    excitation: Excitation<'_>,
-    end: f64,
-    (period, damping_ratio): (f64, f64),
-    budget: Budget,
-) -> Result<SpectralValues, RunError> {
+fn values(excitation: Excitation<'_>, end: f64, (period, damping_ratio): (f64, f64), budget: Budget) -> Result<SpectralValues, RunError> {
     let frequency = TAU / period;
     let stiffness = frequency * frequency;
     let damping = Damping::Ratio(damping_ratio).coefficient(1.0, stiffness);

@@ -12,10 +12,7 @@ pub fn wilson(count: u64, of: u64) -> (f64, f64) {
     let centre = (share + z * z / (2.0 * n)) / whole;
     let half = z / whole * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
     // Between them lies the share; rounding may leave a bound on the wrong side of 0 or 1.
-    (
-        (centre - half).clamp(0.0, share),
-        (centre + half).clamp(share, 1.0),
-    )
+    ((centre - half).clamp(0.0, share), (centre + half).clamp(share, 1.0))
 }
 
 #[cfg(test)]
@@ -33,10 +30,7 @@ mod tests {
                 let squared = (bound - share) * (bound - share);
                 let z = TWO_SIDED_95;
                 let allowed = z * z * bound * (1.0 - bound) / of as f64;
-                assert!(
-                    (squared - allowed).abs() < 1e-15,
-                    "{count} of {of}: {bound}"
-                );
+                assert!((squared - allowed).abs() < 1e-15, "{count} of {of}: {bound}");
             }
         }
     }

@@ -13,9 +13,7 @@ use std::sync::atomic::AtomicBool;
 use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
 
 use crate::ground_motion::{opened, shown_name};
-use crate::{
-    Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel,
-};
+use crate::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel};
 use copies::Copies;
 pub use entries::files_in;
 use entries::{Entry, entries_of};
@@ -47,12 +45,7 @@ impl Motion {
     ///
     /// # Errors
     /// Those of [`Simulation::new`]; [`Error::is_stopped`] tells one that was ended.
-    pub fn shake(
-        &self,
-        scene: &Scene,
-        reversed: bool,
-        stop: Option<&'static AtomicBool>,
-    ) -> Result<Simulation, Error> {
+    pub fn shake(&self, scene: &Scene, reversed: bool, stop: Option<&'static AtomicBool>) -> Result<Simulation, Error> {
         let mut scene = scene.clone();
         scene.duration_s = None;
         scene.record.reversed = reversed;
@@ -70,11 +63,7 @@ impl Motion {
     ///
     /// # Errors
     /// What cannot be done to it in `scene`.
-    pub fn used_as(
-        &self,
-        record: &RecordUse,
-        scene: &str,
-    ) -> Result<(RecordUse, GroundMotion), Error> {
+    pub fn used_as(&self, record: &RecordUse, scene: &str) -> Result<(RecordUse, GroundMotion), Error> {
         let record = RecordUse {
             source: Source::File(self.taken.clone()),
             ..record.clone()
@@ -171,9 +160,7 @@ impl Suite {
             NamedFile::of_all(&names)
         });
         let named: Vec<_> = files.iter().zip(named).collect();
-        let read = parallel::each(&named, |(file, named)| {
-            of_file(file, named.clone(), declared)
-        });
+        let read = parallel::each(&named, |(file, named)| of_file(file, named.clone(), declared));
         let n_entries = files.len() + left_out.len();
         let (mut all, mut first) = (Vec::new(), None);
         for (file, read) in files.iter().zip(read) {
@@ -192,8 +179,7 @@ impl Suite {
         let copies = Copies::among(&mut all);
         let (n_events, alike) = events::number(&mut all, &copies);
         copies.leave_out(&mut all);
-        let (motions, others): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|one| one.reason.is_none());
+        let (motions, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.reason.is_none());
         left_out.extend(others.into_iter().filter_map(Read::left_out));
         let suite = Self {
             n_events,
@@ -260,11 +246,7 @@ impl Refused {
 ///
 /// # Errors
 /// Says why it shakes no row: it is vertical, of a borehole or of a structure.
-fn whether_it_shakes(
-    channel: &Channel,
-    named: &NamedFile,
-    several: bool,
-) -> Result<Option<Direction>, Reason> {
+fn whether_it_shakes(channel: &Channel, named: &NamedFile, several: bool) -> Result<Option<Direction>, Reason> {
     match &channel.site {
         Site::Ground if named.in_borehole && !several => {
             return Err(ReasonKind::Borehole.saying("by its name"));

@@ -1,9 +1,6 @@
 //! A row with the leanest columns that it needs.
 
-use crate::{
-    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorders,
-    Row, RunError, Travel, Work,
-};
+use crate::{Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorders, Row, RunError, Travel, Work};
 
 /// A row with the leanest columns that it needs: decided once per run.
 #[derive(Debug, Clone)]

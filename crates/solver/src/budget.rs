@@ -60,10 +60,7 @@ impl From<Clock> for Course {
 impl Clock {
     /// A run on this clock that may cost so much.
     pub fn within(self, budget: Budget) -> Course {
-        Course {
-            clock: self,
-            budget,
-        }
+        Course { clock: self, budget }
     }
 }
 
@@ -83,8 +80,7 @@ impl Course {
     /// Begins a run of which one step takes as long as so many steps of a floor.
     pub(crate) fn begin(&self, floors_per_step: usize) -> Guard {
         let steps = (STEPS_BETWEEN / floors_per_step.max(1)).max(1);
-        let longest =
-            |seconds| Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?);
+        let longest = |seconds| Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?);
         Guard {
             budget: self.budget,
             until: self.budget.seconds.and_then(longest),
@@ -123,9 +119,7 @@ impl Guard {
             return Err(RunError::Stopped { time });
         }
         match (self.until, self.budget.seconds) {
-            (Some(until), Some(seconds)) if Instant::now() > until => {
-                Err(RunError::TooLong { time, seconds })
-            }
+            (Some(until), Some(seconds)) if Instant::now() > until => Err(RunError::TooLong { time, seconds }),
             _ => Ok(()),
         }
     }

@@ -50,9 +50,7 @@ pub enum ModelError {
         fault: PointFault,
     },
     /// A pair whose points cannot meet.
-    #[error(
-        "pairs[{pair}]: found points at nodes {left} and {right} of {found}; allowed are two buildings, or a building and a wall"
-    )]
+    #[error("pairs[{pair}]: found points at nodes {left} and {right} of {found}; allowed are two buildings, or a building and a wall")]
     NotNeighbours {
         /// Index of the pair.
         pair: usize,
@@ -64,9 +62,7 @@ pub enum ModelError {
         found: &'static str,
     },
     /// A floor that does not stand on an earlier one of its own building.
-    #[error(
-        "nodes[{node}]: stands on node {below}; allowed is an earlier floor that is no wall and carries no other one"
-    )]
+    #[error("nodes[{node}]: stands on node {below}; allowed is an earlier floor that is no wall and carries no other one")]
     NotAFloor {
         /// Index of the node.
         node: usize,
@@ -111,9 +107,7 @@ pub enum PointFault {
         n_nodes: usize,
     },
     /// A share of the ground alone.
-    #[error(
-        "found no floor, allowed are a floor, and a point between a floor and what it stands on"
-    )]
+    #[error("found no floor, allowed are a floor, and a point between a floor and what it stands on")]
     NoFloor,
     /// A share of two floors of which neither stands on the other.
     #[error("found a point between {} and node {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
@@ -383,19 +377,10 @@ impl RunError {
 ///
 /// # Errors
 /// [`RunError::Setting`] if it is not valid.
-pub fn require(
-    valid: bool,
-    setting: &'static str,
-    found: f64,
-    allowed: &'static str,
-) -> Result<(), RunError> {
+pub fn require(valid: bool, setting: &'static str, found: f64, allowed: &'static str) -> Result<(), RunError> {
     if valid {
         Ok(())
     } else {
-        Err(RunError::Setting {
-            setting,
-            found,
-            allowed,
-        })
+        Err(RunError::Setting { setting, found, allowed })
     }
 }

@@ -1,7 +1,6 @@
 use crate::{
-    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Laws, MoreauJean, Newmark,
-    Recorder, Rk4, Row, RunError, Verlet, Work, exact, explicit::central_difference, explicit::rk4,
-    explicit::verlet, implicit::hht, implicit::moreau_jean, implicit::newmark,
+    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Laws, MoreauJean, Newmark, Recorder, Rk4, Row, RunError, Verlet, Work,
+    exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht, implicit::moreau_jean, implicit::newmark,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -62,16 +61,12 @@ impl Integrator {
             });
         }
         match *self {
-            Self::CentralDifference(settings) => {
-                central_difference::run(settings, row, excitation, course, recorder)
-            }
+            Self::CentralDifference(settings) => central_difference::run(settings, row, excitation, course, recorder),
             Self::Newmark(settings) => newmark::run(settings, row, excitation, course, recorder),
             Self::Hht(settings) => hht::run(settings, row, excitation, course, recorder),
             Self::Verlet(settings) => verlet::run(settings, row, excitation, course, recorder),
             Self::Rk4(settings) => rk4::run(settings, row, excitation, course, recorder),
-            Self::MoreauJean(settings) => {
-                moreau_jean::run(settings, row, excitation, course, recorder)
-            }
+            Self::MoreauJean(settings) => moreau_jean::run(settings, row, excitation, course, recorder),
             Self::Exact(settings) => exact::run(settings, row, excitation, course, recorder),
         }
     }
@@ -79,15 +74,10 @@ impl Integrator {
     /// The laws that its runs are held to: the exact method alone has to keep energy to rounding.
     pub fn laws(&self) -> Laws {
         match self {
-            Self::Exact(Exact { tolerance, .. }) => Laws::Energy {
-                tolerance: *tolerance,
-            },
-            Self::CentralDifference(_)
-            | Self::Newmark(_)
-            | Self::Hht(_)
-            | Self::Verlet(_)
-            | Self::Rk4(_)
-            | Self::MoreauJean(_) => Laws::All,
+            Self::Exact(Exact { tolerance, .. }) => Laws::Energy { tolerance: *tolerance },
+            Self::CentralDifference(_) | Self::Newmark(_) | Self::Hht(_) | Self::Verlet(_) | Self::Rk4(_) | Self::MoreauJean(_) => {
+                Laws::All
+            }
         }
     }
 }

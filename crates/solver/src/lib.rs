@@ -62,9 +62,7 @@ mod work;
 /// Each item is generic over [`Number`](pounding_contact::Number), or finds what all its users share.
 pub mod formulas {
     pub use crate::error::require;
-    pub use crate::exact::{
-        BURST, CHATTER, LONGEST_LEAP, ROUNDING_OF_COEFFICIENTS, bounces_are_over, in_flight,
-    };
+    pub use crate::exact::{BURST, CHATTER, LONGEST_LEAP, ROUNDING_OF_COEFFICIENTS, bounces_are_over, in_flight};
     pub use crate::explicit::central_difference::building::{FloorCoefficients, Floors, solve};
     pub use crate::explicit::central_difference::coefficients::Coefficients;
     pub use crate::explicit::central_difference::first_increment;
@@ -94,9 +92,7 @@ pub use implicit::newmark::Newmark;
 pub use integrator::Integrator;
 pub use model::bilinear::Bilinear;
 pub use model::bouc_wen::{Bent, BoucWen};
-pub use model::column::{
-    Elastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
-};
+pub use model::column::{Elastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness};
 pub use model::damping::Damping;
 pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
@@ -109,9 +105,8 @@ pub use model::support::{Floor, Support};
 pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
-    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History, LastStates,
-    Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms,
-    TransferredMomentum,
+    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History, LastStates, Laws, Ledger, LedgerError, PairTerms,
+    Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
 pub use work::Work;

@@ -12,13 +12,7 @@ pub(crate) trait Stepping<Column: RestoringForce> {
     const PARTS: usize = 1;
 
     /// Takes a step and reports it.
-    fn step<R: Recorder>(
-        &mut self,
-        row: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError>;
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError>;
 }
 
 /// A step of the clock.
@@ -90,10 +84,7 @@ impl<'a> Step<'a> {
     /// Times of both ends \[s\].
     #[inline]
     pub(crate) fn times(&self) -> (f64, f64) {
-        (
-            self.clock.time(self.number - 1),
-            self.clock.time(self.number),
-        )
+        (self.clock.time(self.number - 1), self.clock.time(self.number))
     }
 
     /// The ground at a part of the step after a node.
@@ -130,10 +121,7 @@ impl<'a> Step<'a> {
     /// Its end: the ground there, and the time.
     #[inline]
     pub(crate) fn end(&self) -> (Ground<'a>, f64) {
-        (
-            self.ground(self.parts * self.number),
-            self.clock.time(self.number),
-        )
+        (self.ground(self.parts * self.number), self.clock.time(self.number))
     }
 
     /// Counts the pairs that overlap after the step and lets impulsive ones jump; true when one did.

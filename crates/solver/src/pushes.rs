@@ -110,11 +110,7 @@ impl Pushes {
     /// Ends the spans of a floor: `scale` \[s\] times the weighted sum of the forces at their ends, the last N of those at the start of the
     /// spans before, at the start and at the end.
     #[inline]
-    pub(crate) fn weigh<const N: usize>(
-        &mut self,
-        slots: Range<usize>,
-        (scale, weights): (f64, [f64; N]),
-    ) {
+    pub(crate) fn weigh<const N: usize>(&mut self, slots: Range<usize>, (scale, weights): (f64, [f64; N])) {
         let ends = self.all[slots.clone()].iter_mut();
         for (push, earlier) in ends.zip(&mut self.earlier[slots]) {
             let known = [*earlier, push.forces[0], push.forces[1]];
@@ -164,13 +160,7 @@ impl Pushes {
 
 impl<Column: RestoringForce> Row<Column> {
     /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
-    pub(crate) fn push(
-        &self,
-        states: &mut [State],
-        pushes: &mut Pushes,
-        approaches: &mut Approaches,
-        ground: Ground<'_>,
-    ) {
+    pub(crate) fn push(&self, states: &mut [State], pushes: &mut Pushes, approaches: &mut Approaches, ground: Ground<'_>) {
         pushes.forget_ends();
         for state in states.iter_mut() {
             (state.force_from_left, state.force_from_right) = (0.0, 0.0);

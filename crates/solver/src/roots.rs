@@ -35,11 +35,7 @@ pub fn quick_first_root(coefficients: &[f64], length: f64) -> Option<f64> {
 
 /// The same with a function that finds the zero of a polynomial that grows from ≤ 0 at 0 to > 0 at a width.
 #[inline]
-fn first_root_by(
-    rise: impl Fn(&[f64], f64) -> f64,
-    coefficients: &[f64],
-    length: f64,
-) -> Option<f64> {
+fn first_root_by(rise: impl Fn(&[f64], f64) -> f64, coefficients: &[f64], length: f64) -> Option<f64> {
     let known = coefficients.iter().position(|c| *c != 0.0)?;
     let whole = &coefficients[known..];
     if whole[0] > 0.0 {
@@ -161,11 +157,7 @@ fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
         let change = (next - x).abs();
         let fall = change / before;
         // Where steps fall as squares do, the next one is this one times the square of its fall. A half of the bracket is no such step.
-        let rest = if inside && fall < FAST {
-            change * fall * fall
-        } else {
-            change
-        };
+        let rest = if inside && fall < FAST { change * fall * fall } else { change };
         (x, before) = (next, if inside { change } else { 0.0 });
         if rest <= f64::EPSILON * x.abs() || low >= high {
             break;
@@ -243,17 +235,10 @@ mod tests {
             let zeros = [0.6, 0.6 + separation];
             for search in [first_root, quick_first_root] {
                 let found = search(&with_zeros(&zeros), 1.0).unwrap();
-                assert!(
-                    (found - 0.6).abs() < 1e-15 / separation,
-                    "{separation}: {found}"
-                );
+                assert!((found - 0.6).abs() < 1e-15 / separation, "{separation}: {found}");
             }
         }
-        assert_eq!(
-            first_root(&[-1.0 - 1e-12, 2.0, -1.0], 2.0),
-            None,
-            "a near miss"
-        );
+        assert_eq!(first_root(&[-1.0 - 1e-12, 2.0, -1.0], 2.0), None, "a near miss");
     }
 
     /// Newton's method that overshot an end at the zero by rounding halved the bracket, and took that for the end of its own steps: the zero

@@ -201,13 +201,8 @@ impl Span<'_> {
     ///
     /// In the variable of a [`Path::Series`], in which its forces are smooth, and so to rounding where the functions
     /// are smooth too.
-    pub fn integrate<const N: usize>(
-        &self,
-        integrand: impl Fn(f64, &State) -> [f64; N],
-    ) -> [f64; N] {
-        self.integrate_between(self.start_time, self.end_time, |time, state, _| {
-            integrand(time, state)
-        })
+    pub fn integrate<const N: usize>(&self, integrand: impl Fn(f64, &State) -> [f64; N]) -> [f64; N] {
+        self.integrate_between(self.start_time, self.end_time, |time, state, _| integrand(time, state))
     }
 
     /// The same integrals between two instants of the span, of functions of the drift of the storey below, too.
@@ -243,8 +238,7 @@ impl Span<'_> {
             }
             Path::Flight(_) => {
                 let mut room = Expansion::default();
-                self.expanded(&mut room)
-                    .integrate_between(from, to, integrand)
+                self.expanded(&mut room).integrate_between(from, to, integrand)
             }
         }
     }
@@ -264,10 +258,7 @@ impl Span<'_> {
         let r = 1.0 - s;
         let linear = |a: f64, b: f64| r * a + s * b;
         let (a, b) = (&self.start, &self.end);
-        let Motion {
-            displacement,
-            velocity,
-        } = self.cubic_between([a.into(), b.into()], time);
+        let Motion { displacement, velocity } = self.cubic_between([a.into(), b.into()], time);
         State {
             displacement,
             velocity,
@@ -285,12 +276,8 @@ impl Span<'_> {
         let r = 1.0 - s;
         let rise = b.displacement - a.displacement;
         Motion {
-            displacement: r * a.displacement
-                + s * b.displacement
-                + s * r * (r * (a.velocity * h - rise) - s * (b.velocity * h - rise)),
-            velocity: 6.0 * s * r * rise / h
-                + r * (r - 2.0 * s) * a.velocity
-                + s * (s - 2.0 * r) * b.velocity,
+            displacement: r * a.displacement + s * b.displacement + s * r * (r * (a.velocity * h - rise) - s * (b.velocity * h - rise)),
+            velocity: 6.0 * s * r * rise / h + r * (r - 2.0 * s) * a.velocity + s * (s - 2.0 * r) * b.velocity,
         }
     }
 }
@@ -312,18 +299,9 @@ mod tests {
         let span = Span::step(false, 0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
         for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
             let (found, wanted) = (span.at(time), path(time));
-            assert!(
-                (found.displacement - wanted.displacement).abs() < 1e-14,
-                "{time}: {found:?}"
-            );
-            assert!(
-                (found.velocity - wanted.velocity).abs() < 1e-14,
-                "{time}: {found:?}"
-            );
-            assert!(
-                (found.acceleration - wanted.acceleration).abs() < 1e-14,
-                "{time}: {found:?}"
-            );
+            assert!((found.displacement - wanted.displacement).abs() < 1e-14, "{time}: {found:?}");
+            assert!((found.velocity - wanted.velocity).abs() < 1e-14, "{time}: {found:?}");
+            assert!((found.acceleration - wanted.acceleration).abs() < 1e-14, "{time}: {found:?}");
         }
     }
 
@@ -384,10 +362,7 @@ mod tests {
         let h: f64 = 0.0625;
         let [integral, duration] = span.integrate(|_, state| [state.displacement, 1.0]);
         let wanted = h + 1.6 * h * h.sqrt().sqrt() + 1.5 * h * h;
-        assert!(
-            (integral / wanted - 1.0).abs() < 1e-14,
-            "{integral} {wanted}"
-        );
+        assert!((integral / wanted - 1.0).abs() < 1e-14, "{integral} {wanted}");
         assert!((duration / h - 1.0).abs() < 1e-14, "{duration}");
         // A cubic from rest to rest over 1 m: ∫u dt is half the duration.
         let end = State {

@@ -30,12 +30,7 @@ impl Integrator {
     pub fn critical_time_step_in_contact(&self, pair: &Oscillation) -> Option<f64> {
         let sub_steps = match self {
             Self::CentralDifference(settings) => settings.contact_substeps,
-            Self::Newmark(_)
-            | Self::Hht(_)
-            | Self::Verlet(_)
-            | Self::Rk4(_)
-            | Self::MoreauJean(_)
-            | Self::Exact(_) => 1,
+            Self::Newmark(_) | Self::Hht(_) | Self::Verlet(_) | Self::Rk4(_) | Self::MoreauJean(_) | Self::Exact(_) => 1,
         };
         self.limit(pair, sub_steps, pair.damping_ratio)
     }
@@ -49,10 +44,7 @@ impl Integrator {
             Self::CentralDifference(_) => Some(f64::from(sub_steps) * lagged(explicit)),
             Self::Verlet(_) => Some(lagged(2.0 * explicit)),
             Self::Newmark(Newmark { beta, gamma }) if beta < 0.5 * gamma => {
-                let (stable, damps) = (
-                    0.5 * gamma - beta,
-                    (gamma - 0.5) * oscillation.damping_ratio,
-                );
+                let (stable, damps) = (0.5 * gamma - beta, (gamma - 0.5) * oscillation.damping_ratio);
                 Some((damps + (stable + damps * damps).sqrt()) / (stable * omega))
             }
             Self::Rk4(_) => Some(Rk4::critical_time_step(omega, oscillation.damping_ratio)),

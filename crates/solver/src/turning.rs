@@ -5,11 +5,7 @@ use crate::roots::{CAPACITY, first_root, shift};
 /// Tells every x above the first and below the last at which a polynomial changes its sign, in their order.
 ///
 /// By bounds, so that two changes between two looks are not missed.
-pub(crate) fn sign_changes(
-    coefficients: &[f64],
-    [first, last]: [f64; 2],
-    mut each: impl FnMut(f64),
-) {
+pub(crate) fn sign_changes(coefficients: &[f64], [first, last]: [f64; 2], mut each: impl FnMut(f64)) {
     let mut local = [0.0; CAPACITY];
     let local = &mut local[..coefficients.len()];
     local.copy_from_slice(coefficients);

@@ -32,9 +32,7 @@ pub enum StudyError {
         allowed: &'static str,
     },
     /// A scene that a claim of the paper is tested on and that no study has.
-    #[error(
-        "studies/{study}.json: found no scene \"{scene}\"; the claims of the paper are tested on it"
-    )]
+    #[error("studies/{study}.json: found no scene \"{scene}\"; the claims of the paper are tested on it")]
     MissingScene {
         /// Name of the study.
         study: String,
@@ -65,14 +63,8 @@ impl StudyError {
 
 /// The fault in a CSV file with its line and field, both counted from 1 as in messages about records.
 fn counted_from_one(error: &csv::Error) -> String {
-    if let csv::ErrorKind::Deserialize {
-        pos: Some(pos),
-        err,
-    } = error.kind()
-    {
-        let field = err
-            .field()
-            .map_or_else(String::new, |field| format!(", field {}", field + 1));
+    if let csv::ErrorKind::Deserialize { pos: Some(pos), err } = error.kind() {
+        let field = err.field().map_or_else(String::new, |field| format!(", field {}", field + 1));
         format!("line {}{field}: {}", pos.line(), err.kind())
     } else {
         error.to_string()

@@ -44,9 +44,7 @@ mod statistics;
 mod study;
 
 pub use error::StudyError;
-pub use paper::agreement::{
-    CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
-};
+pub use paper::agreement::{CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv};
 pub use paper::claims::{Claim, ClaimCount, ClaimCounts, Finding, Survival, claims, claims_csv};
 pub use paper::figures::figure_png;
 pub use paper::printed::{NotPrinted, Printed, PrintedDigits};
@@ -70,8 +68,5 @@ pub use study::completed::Completed;
 pub use study::laws::AtlasSettings;
 pub use study::other_motions::{BeyondSettings, ListedMotion, Strength};
 pub use study::stress::{Edges, Extent, Line, Map, Values};
-pub use study::surveys::{
-    Fragility, HeldConstant, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity,
-    StiffnessRatio, Survey,
-};
+pub use study::surveys::{Fragility, HeldConstant, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity, StiffnessRatio, Survey};
 pub use study::{Output, Study, StudyFile};

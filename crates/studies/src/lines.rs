@@ -26,10 +26,7 @@ mod tests {
 
     #[test]
     fn limit_lines_of_methods_can_be_told_apart() {
-        let lines: Vec<_> = COMPARED_METHODS
-            .iter()
-            .filter_map(|one| line_of(one.key))
-            .collect();
+        let lines: Vec<_> = COMPARED_METHODS.iter().filter_map(|one| line_of(one.key)).collect();
         assert!(lines.len() > 5, "most methods have one");
         for (n, (shade, kind, _)) in lines.iter().enumerate() {
             for other in &lines[..n] {

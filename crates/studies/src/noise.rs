@@ -71,26 +71,14 @@ mod tests {
     fn reference_noise_is_standard_normal() {
         let normals: Vec<f64> = noisy(0.5, 1, 7).iter().map(|sample| sample - 2.0).collect();
         let n = normals.len() as f64;
-        let moment = |power| {
-            normals
-                .iter()
-                .map(|x: &f64| libm::pow(*x, power))
-                .sum::<f64>()
-                / n
-        };
+        let moment = |power| normals.iter().map(|x: &f64| libm::pow(*x, power)).sum::<f64>() / n;
         // Five standard errors of each moment of n normal numbers.
-        let within = |found: f64, wanted: f64, variance: f64| {
-            (found - wanted).abs() <= 5.0 * (variance / n).sqrt()
-        };
+        let within = |found: f64, wanted: f64, variance: f64| (found - wanted).abs() <= 5.0 * (variance / n).sqrt();
         assert!(within(moment(1.0), 0.0, 1.0), "mean {}", moment(1.0));
         assert!(within(moment(2.0), 1.0, 2.0), "variance {}", moment(2.0));
         assert!(within(moment(3.0), 0.0, 15.0), "skewness {}", moment(3.0));
         assert!(within(moment(4.0), 3.0, 96.0), "kurtosis {}", moment(4.0));
-        let neighbours = normals
-            .windows(2)
-            .map(|pair| pair[0] * pair[1])
-            .sum::<f64>()
-            / n;
+        let neighbours = normals.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>() / n;
         assert!(within(neighbours, 0.0, 1.0), "neighbours {neighbours}");
     }
 
@@ -98,10 +86,6 @@ mod tests {
     fn limit_noise_depends_on_level_and_run_only() {
         assert_eq!(noisy(1e-3, 1, 2), noisy(1e-3, 1, 2), "the same twice");
         assert_ne!(noisy(1e-3, 1, 2), noisy(1e-3, 2, 1), "another stream");
-        assert_eq!(
-            noisy(0.0, 1, 2),
-            vec![2.0; 20_001],
-            "no noise changes nothing"
-        );
+        assert_eq!(noisy(0.0, 1, 2), vec![2.0; 20_001], "no noise changes nothing");
     }
 }

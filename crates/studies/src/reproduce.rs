@@ -5,9 +5,8 @@ use crate::paper::tables::Value;
 use crate::program::Program;
 use crate::study::output::OwnFolder;
 use crate::{
-    Atlas, Beyond, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes,
-    PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
-    figure_png, paper,
+    Atlas, Beyond, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes, PublishedValues, StudyError, StudyFile, Table,
+    Trade, agreement_csv, claims, claims_csv, figure_png, paper,
 };
 use pounding_scene::parallel;
 use std::collections::BTreeMap;
@@ -59,10 +58,7 @@ impl Studies {
     /// The same with another number of noisy records for each standard deviation of the noise.
     #[must_use]
     pub fn with_noisy_runs(self, n_noisy_runs: usize) -> Self {
-        Self {
-            n_noisy_runs,
-            ..self
-        }
+        Self { n_noisy_runs, ..self }
     }
 
     /// The same with the whole of the extremes, or the part that is usually run.
@@ -105,31 +101,16 @@ impl Studies {
         let claims = claims(&completed)?;
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
         files.extend(converged.files(&completed, &self.published)?);
-        files.extend(paper::files(
-            &completed,
-            &self.published,
-            converged.exact(),
-        )?);
+        files.extend(paper::files(&completed, &self.published, converged.exact())?);
         let beyond = beyond(&completed, done)?;
-        let tallies = beyond
-            .as_ref()
-            .map_or_else(|| vec![ClaimCounts::default()], Beyond::tallies);
+        let tallies = beyond.as_ref().map_or_else(|| vec![ClaimCounts::default()], Beyond::tallies);
         if let Some(beyond) = beyond {
             files.extend(beyond.files()?);
         }
-        files.insert(
-            "agreement.csv".into(),
-            agreement_csv(&comparisons).into_bytes(),
-        );
+        files.insert("agreement.csv".into(), agreement_csv(&comparisons).into_bytes());
         files.insert(
             "claims.csv".into(),
-            claims_csv(
-                &claims,
-                &without_slips(&completed)?,
-                converged.survivals(),
-                &tallies,
-            )
-            .into_bytes(),
+            claims_csv(&claims, &without_slips(&completed)?, converged.survivals(), &tallies).into_bytes(),
         );
         let surprises = self.published.surprises(&comparisons);
         Ok(Reproduction {
@@ -142,18 +123,12 @@ impl Studies {
 }
 
 /// Files of all studies by their paths, and the numbers of their tables by the names of these.
-fn collected(
-    completed: &[Completed],
-    made: Vec<RenderedStudy>,
-) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
+fn collected(completed: &[Completed], made: Vec<RenderedStudy>) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
     let (mut files, mut values) = (BTreeMap::new(), BTreeMap::new());
     for (study, made) in completed.iter().zip(made) {
         let id = &study.file.id;
         if let Some(table) = made.table {
-            files.insert(
-                Path::new("tables").join(id).with_extension("csv"),
-                table.to_csv().into_bytes(),
-            );
+            files.insert(Path::new("tables").join(id).with_extension("csv"), table.to_csv().into_bytes());
             let name = id.strip_prefix("table-").unwrap_or(id);
             values.insert(name.to_string(), table.values);
         }
@@ -168,12 +143,8 @@ fn collected(
 /// The claims by the method as the paper describes it.
 fn without_slips(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     let all = completed.iter();
-    let by_program: Vec<_> = all
-        .filter(|study| study.file.study.program.is_some())
-        .collect();
-    let again = parallel::try_each(&by_program, |study| {
-        study.by_program(|_| Program::DESCRIBED)
-    });
+    let by_program: Vec<_> = all.filter(|study| study.file.study.program.is_some()).collect();
+    let again = parallel::try_each(&by_program, |study| study.by_program(|_| Program::DESCRIBED));
     claims(&again?)
 }
 
@@ -197,9 +168,7 @@ impl RenderedStudy {
         let folder = match study.file.study.output.folder() {
             Some(OwnFolder::Trade(ladder)) => Trade::measure(study, ladder, done)?.files()?,
             Some(OwnFolder::Laws(settings)) => Atlas::draw(study, settings, done)?.files()?,
-            Some(OwnFolder::Extremes(edges)) => {
-                Extremes::measure(study, edges, extent, done)?.files()?
-            }
+            Some(OwnFolder::Extremes(edges)) => Extremes::measure(study, edges, extent, done)?.files()?,
             // After the studies whose claims it tests; surveys run by themselves.
             Some(OwnFolder::Beyond(_) | OwnFolder::Survey) | None => BTreeMap::new(),
         };

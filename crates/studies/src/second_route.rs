@@ -25,10 +25,7 @@ impl OnRow for SecondRoute<'_> {
 ///
 /// # Errors
 /// [`SecondRouteError`] when the run ends early.
-pub fn second_route(
-    prepared: &Simulation,
-    fineness: Fineness,
-) -> Result<Response, SecondRouteError> {
+pub fn second_route(prepared: &Simulation, fineness: Fineness) -> Result<Response, SecondRouteError> {
     let clock = prepared.clock();
     prepared.on_row(SecondRoute {
         excitation: prepared.excitation(),

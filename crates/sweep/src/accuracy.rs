@@ -85,9 +85,9 @@ impl Sweep {
     /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
     pub(super) fn choose(&mut self, asked: f64) {
         let sampled = self.sampled();
-        let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
-            self.cheapest(&sampled.chooses, &sampled.measures, asked)
-        });
+        let method = sampled
+            .as_ref()
+            .map_or(Method::EXACT, |sampled| self.cheapest(&sampled.chooses, &sampled.measures, asked));
         let errors = match sampled {
             Some(Sample { measures, .. }) if method != Method::EXACT => {
                 self.set_method(&Method::EXACT);
@@ -108,11 +108,7 @@ impl Sweep {
             asked,
             method,
             columns: self.outputs.iter().enumerate().map(column).collect(),
-            within: if rows.is_empty() {
-                1.0
-            } else {
-                within as f64 / rows.len() as f64
-            },
+            within: if rows.is_empty() { 1.0 } else { within as f64 / rows.len() as f64 },
             rows: ColumnErrors::of("largest in a row".into(), rows),
         });
     }
@@ -142,8 +138,7 @@ impl Sweep {
         self.set_method(&flown);
         let flights = (!flies_already).then(|| self.numbers(few));
         let flights = flights.filter(|flown| flown.beside > 0.0);
-        let flights =
-            flights.map(|flown| flown.price + flown.beside * self.without_ledger(exact) / ALONE);
+        let flights = flights.map(|flown| flown.price + flown.beside * self.without_ledger(exact) / ALONE);
         let flights = flights.filter(|price| prices.is_worth(*price, *price));
         // No step costs more than what is taken else.
         let finest = prices.halved(flights.unwrap_or(f64::INFINITY));
@@ -168,12 +163,7 @@ impl Sweep {
     }
 
     /// The finest step that is worth it, if it may be within the error asked for: in half of a few runs.
-    fn that_may_hold(
-        &mut self,
-        (runs, truth): (&[u64], &[Told]),
-        asked: f64,
-        finest: Option<i32>,
-    ) -> Option<i32> {
+    fn that_may_hold(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: Option<i32>) -> Option<i32> {
         finest.filter(|halved| {
             self.set_method(&central_difference(*halved));
             let found = self.numbers(runs).numbers;
@@ -183,11 +173,7 @@ impl Sweep {
 
     /// A price of runs alone by the exact method, had they no ledger: runs side by side have none.
     fn without_ledger(&self, price: f64) -> f64 {
-        if self.verdict {
-            price / LEDGER_OF_PIECE
-        } else {
-            price
-        }
+        if self.verdict { price / LEDGER_OF_PIECE } else { price }
     }
 
     /// What some runs cost by the exact method alone, as a mean.
@@ -231,12 +217,7 @@ impl Sweep {
 
     /// Central differences with the longest step that is within the error asked for in most runs. The next finer step has to confirm it,
     /// as one step may be lucky.
-    fn stepping(
-        &mut self,
-        (runs, truth): (&[u64], &[Told]),
-        asked: f64,
-        finest: i32,
-    ) -> Option<Method> {
+    fn stepping(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: i32) -> Option<Method> {
         let mut held = false;
         for halved in 0..=finest + 1 {
             self.set_method(&central_difference(halved));
@@ -253,10 +234,7 @@ impl Sweep {
     fn sampled(&self) -> Option<Sample> {
         let n_runs = self.n_runs();
         let order = Permutation::new(n_runs, &mut Pcg64::new(17, 23));
-        let all: Vec<_> = (0..n_runs)
-            .take(CHOOSING + MEASURING)
-            .map(|index| order.at(index))
-            .collect();
+        let all: Vec<_> = (0..n_runs).take(CHOOSING + MEASURING).map(|index| order.at(index)).collect();
         let (chooses, measures) = all.split_at_checked(CHOOSING)?;
         (measures.len() == MEASURING).then(|| Sample {
             chooses: chooses.to_vec(),
@@ -270,11 +248,7 @@ impl Sweep {
     /// number with its sign, and none of what the row went through.
     fn numbers(&self, runs: &[u64]) -> Sampled {
         let number = |(value, output): (&f64, &Output)| {
-            if output.quantity.is_peak() {
-                value.abs()
-            } else {
-                *value
-            }
+            if output.quantity.is_peak() { value.abs() } else { *value }
         };
         let some = |runs: &[u64]| {
             let mut told = Vec::with_capacity(runs.len());
@@ -297,9 +271,7 @@ impl Sweep {
         let together = runs.len() / (4 * rayon::current_num_threads());
         let together = together.clamp(1, TOGETHER);
         let told: Vec<_> = runs.par_chunks(together).flat_map_iter(some).collect();
-        let costs = |of: fn(&(Numbers, f64, f64)) -> f64| {
-            mean(told.iter().map(|(_, ran)| ran.as_ref().map_or(0.0, of)))
-        };
+        let costs = |of: fn(&(Numbers, f64, f64)) -> f64| mean(told.iter().map(|(_, ran)| ran.as_ref().map_or(0.0, of)));
         Sampled {
             beside: costs(|(_, beside, _)| *beside),
             price: costs(|(.., price)| *price),
@@ -366,11 +338,7 @@ fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
                 let pairs = values.iter().zip(&found.values).zip(least);
                 let of = |((a, b), least): ((&f64, &f64), f64)| {
                     let is_none = a.is_nan() && b.is_nan();
-                    if is_none {
-                        f64::NAN
-                    } else {
-                        distance(*a, *b, least)
-                    }
+                    if is_none { f64::NAN } else { distance(*a, *b, least) }
                 };
                 pairs.map(of).collect()
             }

@@ -94,10 +94,7 @@ struct Making<'a> {
     /// The scene under this motion, in which numbers are set; nothing where all are read.
     template: Option<Renumbered>,
     /// Scenes of the template that have run, whose memory the next ones take.
-    #[expect(
-        clippy::vec_box,
-        reason = "boxes go from here into scenes that are ready, and back"
-    )]
+    #[expect(clippy::vec_box, reason = "boxes go from here into scenes that are ready, and back")]
     ran: Vec<Box<Simulation>>,
 }
 
@@ -125,9 +122,7 @@ impl<'a> Making<'a> {
     /// are set.
     fn make(&mut self, motion: usize, run: u64) -> Result<(Box<Simulation>, bool), String> {
         let (sweep, ran) = (self.sweep, self.ran.pop());
-        sweep
-            .plan
-            .settings(run, &mut self.point, &mut self.settings);
+        sweep.plan.settings(run, &mut self.point, &mut self.settings);
         let template = self.template.as_mut();
         if let Some(one) = template.and_then(|one| one.prepared(&self.settings, ran)) {
             return Ok((one, true));
@@ -197,8 +192,7 @@ impl Sweep {
             match caught(|| making.make(motion, run)) {
                 Ok((mut prepared, of_template)) => {
                     prepared.set_stop(self.stop);
-                    ready.of_template =
-                        of_template && (ready.of_template || ready.scenes.is_empty());
+                    ready.of_template = of_template && (ready.of_template || ready.scenes.is_empty());
                     if self.motions.differ() {
                         ready.samples += prepared.record().samples().len();
                     }
@@ -212,11 +206,7 @@ impl Sweep {
                 if self.is_stopped() {
                     return;
                 }
-                let Ready {
-                    scenes,
-                    of_template,
-                    ..
-                } = std::mem::take(&mut ready);
+                let Ready { scenes, of_template, .. } = std::mem::take(&mut ready);
                 let done = scenes.into_iter().filter(|_| of_template);
                 making.ran = done.map(|(_, prepared)| prepared).collect();
             }
@@ -224,11 +214,7 @@ impl Sweep {
     }
 
     /// Runs scenes that are ready: side by side where they can, else one after the other.
-    fn run_ready(
-        &self,
-        ready: &[(u64, Box<Simulation>)],
-        tell: &mut impl FnMut(u64, Result<Ran<'_>, String>),
-    ) {
+    fn run_ready(&self, ready: &[(u64, Box<Simulation>)], tell: &mut impl FnMut(u64, Result<Ran<'_>, String>)) {
         let together = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.outputs.len());
         let mut least = Vec::new();
@@ -271,12 +257,7 @@ impl Sweep {
     }
 
     /// One run; its numbers in the order of the columns, what they count as at least, and its price.
-    pub(super) fn run_alone(
-        &self,
-        prepared: &Simulation,
-        numbers: &mut Vec<f64>,
-        least: &mut Vec<f64>,
-    ) -> Result<f64, String> {
+    pub(super) fn run_alone(&self, prepared: &Simulation, numbers: &mut Vec<f64>, least: &mut Vec<f64>) -> Result<f64, String> {
         let reason = |error: Error| error.reason();
         numbers.clear();
         least.clear();
@@ -296,9 +277,7 @@ impl Sweep {
             let floors = prepared.floors().all();
             let of = |place: usize| {
                 let quantity = match output.quantity {
-                    Quantity::Floor(asked) => {
-                        Quantity::Floor(output.asked_of(&floors[place], asked))
-                    }
+                    Quantity::Floor(asked) => Quantity::Floor(output.asked_of(&floors[place], asked)),
                     pair @ Quantity::Pair(_) => pair,
                 };
                 let number = values.of(quantity, place).unwrap_or(f64::NAN);
@@ -308,21 +287,13 @@ impl Sweep {
             numbers.push(number);
             least.push(counts_as);
         }
-        let going = if self.verdict {
-            Going::Judged
-        } else {
-            Going::Alone
-        };
+        let going = if self.verdict { Going::Judged } else { Going::Alone };
         Ok(prepared.price(outcome.work, going))
     }
 }
 
 /// What a run gives, or why it fails; a panic is such a reason.
 fn caught<T>(run: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| {
-        Err(
-            "the program panicked, which is a fault of its own; `pounding run` of this scene shows where"
-                .into(),
-        )
-    })
+    catch_unwind(AssertUnwindSafe(run))
+        .unwrap_or_else(|_| Err("the program panicked, which is a fault of its own; `pounding run` of this scene shows where".into()))
 }

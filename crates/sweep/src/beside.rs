@@ -6,9 +6,7 @@ use super::Sweep;
 use super::output::Output;
 use crate::side_by_side::{alone_because, side_by_side};
 use pounding_lanes::SceneSums;
-use pounding_scene::{
-    Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening,
-};
+use pounding_scene::{Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening};
 
 impl Sweep {
     /// What happened in scenes that are ready, where they could run side by side.
@@ -32,10 +30,7 @@ impl Sweep {
         let is_tallied = |output: &Output| match output.quantity {
             Quantity::Floor(quantity) => matches!(
                 quantity,
-                FloorQuantity::PeakDisplacementM
-                    | FloorQuantity::PeakDriftM
-                    | FloorQuantity::Ductility
-                    | FloorQuantity::DriftRatio
+                FloorQuantity::PeakDisplacementM | FloorQuantity::PeakDriftM | FloorQuantity::Ductility | FloorQuantity::DriftRatio
             ),
             Quantity::Pair(quantity) => matches!(
                 quantity,
@@ -62,10 +57,7 @@ impl Sweep {
     /// Why all runs go one at a time, which takes many times as long; nothing where they can go side by side.
     pub fn alone_because(&self) -> Option<String> {
         if let Some(output) = self.untallied() {
-            return Some(format!(
-                "`{}` among the `outputs` is not known side by side",
-                output.word
-            ));
+            return Some(format!("`{}` among the `outputs` is not known side by side", output.word));
         }
         if let Some(limit) = self.limit() {
             return Some(format!("`{limit}` of the `budget` is that of a run alone"));
@@ -93,9 +85,7 @@ impl Sweep {
                     let asked = output.asked_of(floor, asked);
                     (of_floor(floor, (tallies, scene, place), asked), 0.0)
                 }),
-                Quantity::Pair(asked) => {
-                    output.severest(|pair| of_pair(prepared, (tallies, scene), pair, asked))
-                }
+                Quantity::Pair(asked) => output.severest(|pair| of_pair(prepared, (tallies, scene), pair, asked)),
             };
             numbers.push(number);
             if self.closings {
@@ -107,11 +97,7 @@ impl Sweep {
 }
 
 /// A number of a floor of one of these scenes; NaN where it has none.
-fn of_floor(
-    floor: &Floor,
-    (tallies, scene, index): (&SceneSums, usize, usize),
-    asked: FloorQuantity,
-) -> f64 {
+fn of_floor(floor: &Floor, (tallies, scene, index): (&SceneSums, usize, usize), asked: FloorQuantity) -> f64 {
     let drift = || tallies.drift(scene, index);
     let none = f64::NAN;
     match asked {
@@ -131,12 +117,7 @@ fn of_floor(
 }
 
 /// A number of a pair of one of these scenes, NaN where it has none, and what it counts as at least.
-fn of_pair(
-    prepared: &Simulation,
-    (tallies, scene): (&SceneSums, usize),
-    index: usize,
-    asked: PairQuantity,
-) -> (f64, f64) {
+fn of_pair(prepared: &Simulation, (tallies, scene): (&SceneSums, usize), index: usize, asked: PairQuantity) -> (f64, f64) {
     let pair = &prepared.pairs()[index];
     let tally = tallies.pair(scene, index);
     let touches = tally.collisions > 0.0;

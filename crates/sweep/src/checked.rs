@@ -99,10 +99,7 @@ impl Sweep {
         Err(format!(
             "{}: found {} side by side with other runs and {} alone, {:.1e} apart, allowed is {allowed:.1e}; this is a fault of the program: \
              report it, and let all runs go alone, as with `touching_s` among the `outputs`",
-            self.outputs[furthest].name,
-            runs.beside[furthest],
-            runs.alone[furthest],
-            apart[furthest],
+            self.outputs[furthest].name, runs.beside[furthest], runs.alone[furthest], apart[furthest],
         ))
     }
 
@@ -195,10 +192,7 @@ mod tests {
             // A structure that goes equally far to both sides: the sign of its peak is rounding by the exact method alone.
             assert_eq!(changed(-2.0).is_ok(), hidden > 0.0, "{method}");
             let reason = changed(found).unwrap_err();
-            assert!(
-                reason.starts_with("tower: peak_displacement_m: found "),
-                "{reason}"
-            );
+            assert!(reason.starts_with("tower: peak_displacement_m: found "), "{reason}");
         }
     }
 }

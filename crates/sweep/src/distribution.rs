@@ -91,12 +91,7 @@ impl TryFrom<LogNormalFile> for LogNormal {
     fn try_from(words: LogNormalFile) -> Result<Self, RangeError> {
         let deviation = words.log_standard_deviation;
         require(words.median > 0.0, "median", words.median, POSITIVE)?;
-        require(
-            deviation > 0.0,
-            "log_standard_deviation",
-            deviation,
-            POSITIVE,
-        )?;
+        require(deviation > 0.0, "log_standard_deviation", deviation, POSITIVE)?;
         if let Some(from) = words.from {
             require(from > 0.0, "from", from, POSITIVE)?;
         }
@@ -136,9 +131,7 @@ impl Truncation {
         let allowed = "bounds with more than a millionth of the distribution between them";
         let valid = self.to - self.from > 1e-6;
         let given = from.map(|from| ("from", from)).or(to.map(|to| ("to", to)));
-        given.map_or(Ok(()), |(field, found)| {
-            require(valid, field, found, allowed)
-        })
+        given.map_or(Ok(()), |(field, found)| require(valid, field, found, allowed))
     }
 
     fn quantile(self, part: f64) -> f64 {

@@ -46,9 +46,7 @@ pub enum SweepError {
         instead: &'static str,
     },
     /// A field that varies twice.
-    #[error(
-        "{place}: found the field `{field}` a second time, by itself or within another field, allowed is once; delete one"
-    )]
+    #[error("{place}: found the field `{field}` a second time, by itself or within another field, allowed is once; delete one")]
     Twice {
         /// The entry of the file.
         place: String,
@@ -56,22 +54,16 @@ pub enum SweepError {
         field: String,
     },
     /// Something at random, and no number of samples.
-    #[error(
-        "{place}: varies at random, but `samples` is missing; add {{\"count\": 1024, \"seed\": 1, \"method\": \"sobol\"}}"
-    )]
+    #[error("{place}: varies at random, but `samples` is missing; add {{\"count\": 1024, \"seed\": 1, \"method\": \"sobol\"}}")]
     NoSamples {
         /// The entry of the file.
         place: String,
     },
     /// Samples of nothing.
-    #[error(
-        "samples: found samples, but nothing varies at random; delete them, or let a field be `uniform` or `normal`"
-    )]
+    #[error("samples: found samples, but nothing varies at random; delete them, or let a field be `uniform` or `normal`")]
     NothingSampled,
     /// More axes than a Sobol sequence has.
-    #[error(
-        "samples.method: found `sobol` for {found} fields at random, allowed are up to {allowed}; use `latin_hypercube`"
-    )]
+    #[error("samples.method: found `sobol` for {found} fields at random, allowed are up to {allowed}; use `latin_hypercube`")]
     TooManyAxes {
         /// Number of fields.
         found: usize,
@@ -136,9 +128,7 @@ pub enum SweepError {
     )]
     Accuracy,
     /// A record, or folder of records, that is not there.
-    #[error(
-        "records: found no file or folder {0}, allowed is one that is there, seen from the folder of the sweep"
-    )]
+    #[error("records: found no file or folder {0}, allowed is one that is there, seen from the folder of the sweep")]
     NoSuchRecord(String),
     /// No record that shakes.
     #[error("records: found no record in {0}, allowed is a folder with one or more, or a file")]
@@ -272,9 +262,7 @@ fn runs(missing: &[(u64, u64)]) -> String {
 }
 
 fn at(position: Option<(usize, usize)>) -> String {
-    position.map_or_else(String::new, |(line, column)| {
-        format!(", line {line}, column {column}")
-    })
+    position.map_or_else(String::new, |(line, column)| format!(", line {line}, column {column}"))
 }
 
 impl SweepError {

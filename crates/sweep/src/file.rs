@@ -222,11 +222,7 @@ impl Default for Outputs {
             structures: vec![FloorQuantity::PeakDisplacementM],
             buildings: Vec::new(),
             neighbours: Vec::new(),
-            pairs: vec![
-                PairQuantity::Collisions,
-                PairQuantity::PeakForceN,
-                PairQuantity::TotalImpulseNS,
-            ],
+            pairs: vec![PairQuantity::Collisions, PairQuantity::PeakForceN, PairQuantity::TotalImpulseNS],
         }
     }
 }
@@ -275,9 +271,7 @@ struct VaryFile {
 /// Something that varies in too few, too many or wrong words.
 #[derive(Debug, thiserror::Error)]
 enum WordsError {
-    #[error(
-        "found neither `field` nor `fields`, allowed is one of them; name the field that varies"
-    )]
+    #[error("found neither `field` nor `fields`, allowed is one of them; name the field that varies")]
     NoField,
     #[error("found both `field` and `fields`, allowed is one of them; delete the other")]
     TwoFields,
@@ -318,9 +312,7 @@ impl TryFrom<VaryFile> for Vary {
             ("normal", words.normal.map(Spread::Normal)),
             ("log_normal", words.log_normal.map(Spread::LogNormal)),
         ];
-        let mut given = spreads
-            .into_iter()
-            .filter_map(|(name, spread)| Some((name, spread?)));
+        let mut given = spreads.into_iter().filter_map(|(name, spread)| Some((name, spread?)));
         let (name, spread) = given.next().ok_or(WordsError::NoSpread)?;
         if let Some((other, _)) = given.next() {
             return Err(WordsError::TwoSpreads(name, other));

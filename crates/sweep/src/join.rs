@@ -101,12 +101,7 @@ impl Sources {
 }
 
 /// Makes the table, and puts it on disk.
-pub(super) fn put(
-    out: &Path,
-    sources: &Sources,
-    existing: Existing,
-    lock: &Lock,
-) -> Result<Joined, SweepError> {
+pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock) -> Result<Joined, SweepError> {
     let (file, joined) = made(out, sources)?;
     let joined = Joined {
         is_locked: lock.is_kept(),

@@ -76,9 +76,7 @@ pub use column::SweepColumn;
 pub use column_errors::ColumnErrors;
 pub use distribution::{LogNormal, Normal};
 pub use error::{RefusedScene, SweepError};
-pub use file::{
-    Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema,
-};
+pub use file::{Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema};
 pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
 use output::{Output, Row};
@@ -90,9 +88,7 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
 
-use pounding_scene::{
-    Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite,
-};
+use pounding_scene::{Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -150,11 +146,7 @@ impl Sweep {
     ///
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
-    pub fn of(
-        (file, bytes): (SweepFile, &[u8]),
-        path: &Path,
-        stop: Option<&'static AtomicBool>,
-    ) -> Result<Self, SweepError> {
+    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -275,9 +267,7 @@ impl Sweep {
             return Vec::new();
         };
         let none = row.floors().says_no_contact().map(String::from);
-        none.into_iter()
-            .chain(row.floors().says_unwatched())
-            .collect()
+        none.into_iter().chain(row.floors().says_unwatched()).collect()
     }
 
     /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.
@@ -331,9 +321,7 @@ fn set_tolerance(scene: &mut Value) {
     let Some(scene) = scene.as_object_mut() else {
         return;
     };
-    let method = scene
-        .entry("method")
-        .or_insert_with(|| serde_json::json!({"exact": {}}));
+    let method = scene.entry("method").or_insert_with(|| serde_json::json!({"exact": {}}));
     if method.as_str() == Some("exact") {
         *method = serde_json::json!({"exact": {}});
     }
@@ -399,14 +387,9 @@ mod tests {
         let vary = json!([{"field": "structures[0].sdof.mass_kg", "normal": mass}]);
         let mut failed = 0;
         for seed in 0..30 {
-            let batch = sweep(&vary, seed)
-                .expect("the median is a mass")
-                .batch(0..4);
+            let batch = sweep(&vary, seed).expect("the median is a mass").batch(0..4);
             failed += batch.failed.iter().flatten().count();
         }
-        assert!(
-            (5..60).contains(&failed),
-            "{failed} of 120 masses are below 0"
-        );
+        assert!((5..60).contains(&failed), "{failed} of 120 masses are below 0");
     }
 }

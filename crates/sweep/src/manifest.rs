@@ -75,11 +75,7 @@ const SUMMED: Most = Most {
 
 impl Cut {
     fn of(sweep: &Sweep) -> Self {
-        if sweep.asks_for_tallies() {
-            BESIDE
-        } else {
-            ALONE
-        }
+        if sweep.asks_for_tallies() { BESIDE } else { ALONE }
     }
 
     /// Of a part with rows.
@@ -261,9 +257,7 @@ const CSV: &str = ".csv";
 /// Whether a sweep writes files of this name into its folder: parts, manifests, and under a hidden name either.
 pub(super) fn is_own(name: &str) -> bool {
     let part = |name: &str| {
-        let number = name
-            .strip_prefix(PART)
-            .and_then(|rest| rest.strip_suffix(CSV));
+        let number = name.strip_prefix(PART).and_then(|rest| rest.strip_suffix(CSV));
         number.is_some_and(|number| number.bytes().all(|digit| digit.is_ascii_digit()))
     };
     let shown = match name.strip_prefix('.') {
@@ -296,11 +290,7 @@ mod tests {
 
     #[test]
     fn limit_names_of_a_sweep() {
-        for own in [
-            "part-000000012.csv",
-            "manifest.json",
-            ".part-000000001.csv.aB3x.new",
-        ] {
+        for own in ["part-000000012.csv", "manifest.json", ".part-000000001.csv.aB3x.new"] {
             assert!(is_own(own), "{own}");
         }
         for other in [

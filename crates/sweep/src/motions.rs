@@ -6,9 +6,7 @@ use std::sync::Arc;
 use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
-use pounding_scene::{
-    Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite,
-};
+use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite};
 
 /// One ground motion in one direction.
 #[derive(Debug, Clone)]
@@ -69,13 +67,7 @@ pub(super) struct Motions {
 impl Motions {
     /// Reads the motions of a sweep whose first run is this scene; `base` is the folder of its file, `of_scene` that of the
     /// scene's.
-    pub(super) fn read(
-        file: &SweepFile,
-        base: &Path,
-        of_scene: &Path,
-        scene: &Scene,
-        axes: &[Axis],
-    ) -> Result<Self, SweepError> {
+    pub(super) fn read(file: &SweepFile, base: &Path, of_scene: &Path, scene: &Scene, axes: &[Axis]) -> Result<Self, SweepError> {
         let differs = Differs::by(axes);
         let mut record = scene.record.clone();
         if differs == Differs::Scale {
@@ -89,10 +81,7 @@ impl Motions {
             suite: None,
             files: Vec::new(),
             replace: file.records.is_some(),
-            duration_varies: axes
-                .iter()
-                .flat_map(|axis| &axis.fields)
-                .any(|place| place.is_in("duration_s")),
+            duration_varies: axes.iter().flat_map(|axis| &axis.fields).any(|place| place.is_in("duration_s")),
             differs,
         };
         let Some(records) = &file.records else {
@@ -149,11 +138,7 @@ impl Motions {
     }
 
     /// The scene of a run as this motion shakes it, and the motion as the scene uses it.
-    pub(super) fn shake(
-        &self,
-        index: usize,
-        mut scene: Scene,
-    ) -> Result<(Scene, SharedMotion), Error> {
+    pub(super) fn shake(&self, index: usize, mut scene: Scene) -> Result<(Scene, SharedMotion), Error> {
         let shaking = &self.all[index];
         scene.record.reversed = shaking.record.reversed;
         if self.replace {
@@ -169,10 +154,7 @@ impl Motions {
         };
         match motion {
             Ok(motion) => Ok((scene, motion)),
-            Err(source) => Err(Error::Scene {
-                scene: scene.name,
-                source,
-            }),
+            Err(source) => Err(Error::Scene { scene: scene.name, source }),
         }
     }
 

@@ -55,10 +55,7 @@ impl Row {
         let structures = self.floors.iter().map(|floor| floor.structure);
         let of_pairs = self.pairs.iter().map(|pair| self.neighbours(pair));
         let other = |floor: usize| floors.all()[floor].structure;
-        let of_others = floors
-            .facing()
-            .iter()
-            .map(|pair| [other(pair.left), other(pair.right)]);
+        let of_others = floors.facing().iter().map(|pair| [other(pair.left), other(pair.right)]);
         structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others)
     }
 
@@ -74,11 +71,7 @@ impl Row {
             own.count().to_string()
         };
         let floors: Vec<_> = (0..self.structures.len()).map(of_structure).collect();
-        format!(
-            "{} floors and walls and {} pairs",
-            floors.join(" + "),
-            self.pairs.len()
-        )
+        format!("{} floors and walls and {} pairs", floors.join(" + "), self.pairs.len())
     }
 
     /// The columns of the numbers that are asked for.
@@ -86,27 +79,18 @@ impl Row {
         let floors: Vec<_> = self.floors.iter().map(|one| one.name.clone()).collect();
         let each = |names: &[String]| {
             let names = unique(names).into_iter().enumerate();
-            names
-                .map(|(place, name)| (name, vec![place]))
-                .collect::<Vec<_>>()
+            names.map(|(place, name)| (name, vec![place])).collect::<Vec<_>>()
         };
         let between = |[left, right]: [&String; 2]| format!("{left} – {right}");
-        let of_pair =
-            |pair: &FloorPair| between([pair.left, pair.right].map(|floor| &floors[floor]));
+        let of_pair = |pair: &FloorPair| between([pair.left, pair.right].map(|floor| &floors[floor]));
         let pairs: Vec<_> = self.pairs.iter().map(of_pair).collect();
         let names = unique(&self.structures);
         let buildings = (0..names.len()).map(|structure| {
-            let own = |place: &usize| {
-                self.floors[*place].structure == structure && !self.floors[*place].is_wall
-            };
+            let own = |place: &usize| self.floors[*place].structure == structure && !self.floors[*place].is_wall;
             let own = (0..floors.len()).filter(own).collect();
             (format!("{}{ANY_FLOOR}", names[structure]), own)
         });
-        let mut two: Vec<_> = self
-            .pairs
-            .iter()
-            .map(|pair| self.neighbours(pair))
-            .collect();
+        let mut two: Vec<_> = self.pairs.iter().map(|pair| self.neighbours(pair)).collect();
         two.sort_unstable();
         two.dedup();
         let neighbours = two.into_iter().map(|two| {
@@ -184,11 +168,7 @@ impl Output {
         let first = places.next().unwrap_or((f64::NAN, 0.0));
         places.fold(first, |found, other| {
             let is_severer = severity(other.0) > severity(found.0);
-            if is_severer || found.0.is_nan() {
-                other
-            } else {
-                found
-            }
+            if is_severer || found.0.is_nan() { other } else { found }
         })
     }
 }

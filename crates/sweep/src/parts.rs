@@ -43,8 +43,7 @@ impl Parts {
 
     /// Whether there is anything in the folder of parts of a table, or the table is there and their clean-up is not over.
     pub fn are_begun(out: &Path) -> bool {
-        joined_beside(out).exists()
-            || fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
+        joined_beside(out).exists() || fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
     }
 
     /// Goes on with the parts beside `out`, or begins with them. The whole keeps other processes off `out`, shards work side by side.
@@ -54,12 +53,7 @@ impl Parts {
     /// # Errors
     /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::ThereAlready`] of a table without parts,
     /// [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the system refuses.
-    pub fn open(
-        sweep: &Sweep,
-        out: &Path,
-        shard: Shard,
-        overwritten: bool,
-    ) -> Result<Option<Self>, SweepError> {
+    pub fn open(sweep: &Sweep, out: &Path, shard: Shard, overwritten: bool) -> Result<Option<Self>, SweepError> {
         let folder = Self::folder_of(out);
         let manifest = Manifest::of(sweep);
         if manifest.n_parts() > MOST {
@@ -69,11 +63,7 @@ impl Parts {
                 has_rows: sweep.without_rows().is_none(),
             });
         }
-        let users = if shard.is_whole() {
-            Users::One
-        } else {
-            Users::Several
-        };
+        let users = if shard.is_whole() { Users::One } else { Users::Several };
         let lock = Lock::of(out, users)?;
         let mut parts = Self {
             out: out.to_path_buf(),
@@ -125,9 +115,7 @@ impl Parts {
         // First the names: a shard that begins at the same moment writes its manifest before its first part.
         let names = self.names()?;
         let found = match Manifest::of_folder(&self.folder) {
-            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => {
-                None
-            }
+            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => None,
             found => found?,
         };
         match found {
@@ -164,12 +152,8 @@ impl Parts {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
             entries => entries.map_err(SweepError::file(&self.folder))?,
         };
-        let names = entries
-            .flatten()
-            .map(|entry| entry.file_name().to_string_lossy().into_owned());
-        Ok(names
-            .filter(|name| is_own(name) || !name.starts_with('.'))
-            .collect())
+        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+        Ok(names.filter(|name| is_own(name) || !name.starts_with('.')).collect())
     }
 
     fn has_whole_part(&self, names: &[String]) -> bool {
@@ -177,17 +161,13 @@ impl Parts {
             let path = path_of(&self.folder, *part);
             path.exists() && part::read(&self.manifest, *part, &path).is_ok()
         };
-        names.iter().any(|name| is_own(name))
-            && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
+        names.iter().any(|name| is_own(name)) && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
     }
 
     /// Deletes what a sweep wrote of these, the manifest last: cut short, it still tells whose the rest is.
     fn delete(&self, names: &[String]) -> Result<(), SweepError> {
         let is_manifest = |name: &&String| name.as_str() == MANIFEST;
-        let (manifests, parts): (Vec<_>, Vec<_>) = names
-            .iter()
-            .filter(|name| is_own(name))
-            .partition(is_manifest);
+        let (manifests, parts): (Vec<_>, Vec<_>) = names.iter().filter(|name| is_own(name)).partition(is_manifest);
         for name in parts.into_iter().chain(manifests) {
             let path = self.folder.join(name);
             fs::remove_file(&path).map_err(SweepError::file(&path))?;
@@ -360,11 +340,7 @@ impl Parts {
         self.delete(&self.names()?)?;
         match fs::remove_dir(&self.folder) {
             // Somebody put files of theirs into it, or an earlier process was ended behind this.
-            Err(error)
-                if matches!(
-                    error.kind(),
-                    ErrorKind::DirectoryNotEmpty | ErrorKind::NotFound
-                ) => {}
+            Err(error) if matches!(error.kind(), ErrorKind::DirectoryNotEmpty | ErrorKind::NotFound) => {}
             removed => removed.map_err(SweepError::file(&self.folder))?,
         }
         fs::remove_file(&beside).map_err(SweepError::file(&beside))

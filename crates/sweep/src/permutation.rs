@@ -42,9 +42,10 @@ impl Permutation {
     fn mixed(&self, place: u64) -> u64 {
         let mask = (1_u64 << self.bits) - 1;
         let halves = (place >> self.bits, place & mask);
-        let (left, right) = self.keys.iter().fold(halves, |(left, right), key| {
-            (right, left ^ (scrambled(right ^ key) & mask))
-        });
+        let (left, right) = self
+            .keys
+            .iter()
+            .fold(halves, |(left, right), key| (right, left ^ (scrambled(right ^ key) & mask)));
         (left << self.bits) | right
     }
 }
@@ -81,9 +82,6 @@ mod tests {
             let permutation = Permutation::new(10, &mut Pcg64::new(seed, 0));
             counts[usize::try_from(permutation.at(3)).expect("below ten")] += 1;
         }
-        assert!(
-            counts.iter().all(|count| (750..1250).contains(count)),
-            "{counts:?}"
-        );
+        assert!(counts.iter().all(|count| (750..1250).contains(count)), "{counts:?}");
     }
 }

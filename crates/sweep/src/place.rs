@@ -18,9 +18,7 @@ enum Step {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PlaceError {
     /// A text that names no field.
-    #[error(
-        "found \"{0}\", allowed is the way to a field of the scene, such as \"contacts[0].gap_m\""
-    )]
+    #[error("found \"{0}\", allowed is the way to a field of the scene, such as \"contacts[0].gap_m\"")]
     NoPlace(String),
     /// An item that a list does not have.
     #[error("found {place}[{item}], allowed are {} in the scene", items(*found))]
@@ -39,9 +37,7 @@ pub enum PlaceError {
     #[error("found no table `{0}` in the scene: write it there as a table with its fields")]
     NoTable(String),
     /// No item of a list has the field.
-    #[error(
-        "found no item of `{list}` with the field `{field}` in the scene; add it there, or name another"
-    )]
+    #[error("found no item of `{list}` with the field `{field}` in the scene; add it there, or name another")]
     NoItemWith {
         /// The list.
         list: String,
@@ -90,9 +86,7 @@ impl Place {
     /// Of a field of an item of a list its index, and the way from there: of `structures[0].sdof.mass_kg` 0 and `sdof.mass_kg`.
     pub(super) fn in_item_of(&self, list: &str) -> Option<(usize, String)> {
         match &self.0[..] {
-            [Step::Field(name), Step::Item(index), rest @ ..] if name == list => {
-                Some((*index, named(rest)))
-            }
+            [Step::Field(name), Step::Item(index), rest @ ..] if name == list => Some((*index, named(rest))),
             _ => None,
         }
     }
@@ -143,10 +137,7 @@ fn steps(text: &str) -> Option<Vec<Step>> {
     for piece in text.split('.') {
         let mut parts = piece.split('[');
         let name = parts.next().filter(|name| !name.is_empty())?;
-        if !name
-            .chars()
-            .all(|letter| letter.is_alphanumeric() || letter == '_')
-        {
+        if !name.chars().all(|letter| letter.is_alphanumeric() || letter == '_') {
             return None;
         }
         steps.push(Step::Field(name.into()));
@@ -162,12 +153,7 @@ fn steps(text: &str) -> Option<Vec<Step>> {
 }
 
 /// Walks on from `value`, which lies at `way`.
-fn expand(
-    rest: &[Step],
-    value: &Value,
-    way: &mut Vec<Step>,
-    found: &mut Vec<Place>,
-) -> Result<(), PlaceError> {
+fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Place>) -> Result<(), PlaceError> {
     let Some((step, rest)) = rest.split_first() else {
         found.push(Place(way.clone()));
         return Ok(());
@@ -179,9 +165,7 @@ fn expand(
         gone
     };
     match (step, value) {
-        (Step::Field(name), Value::Object(fields)) => {
-            go(step.clone(), fields.get(name).unwrap_or(&Value::Null))
-        }
+        (Step::Field(name), Value::Object(fields)) => go(step.clone(), fields.get(name).unwrap_or(&Value::Null)),
         // What is left out of the scene may be a table.
         (Step::Field(_), Value::Null) => go(step.clone(), &Value::Null),
         (Step::Field(_), _) => Err(PlaceError::NoTable(named(way))),
@@ -231,11 +215,7 @@ mod tests {
             "method": "exact",
         });
         let named = |text: &str| match Place::all(text, &scene) {
-            Ok(places) => places
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .join(" "),
+            Ok(places) => places.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
             Err(error) => error.to_string(),
         };
         for (text, wanted) in [
@@ -253,17 +233,11 @@ mod tests {
         for (text, begins) in [
             ("", "found \"\""),
             ("contacts[x].gap_m", "found \"contacts[x].gap_m\""),
-            (
-                "contacts[2].gap_m",
-                "found contacts[2], allowed are [0] to [1]",
-            ),
+            ("contacts[2].gap_m", "found contacts[2], allowed are [0] to [1]"),
             ("contacts.gap_m", "found no table `contacts`"),
             ("method.exact.tolerance", "found no table `method`"),
             ("record[0]", "found no list `record`"),
-            (
-                "structures[*].building.name",
-                "found no item of `structures`",
-            ),
+            ("structures[*].building.name", "found no item of `structures`"),
         ] {
             assert!(named(text).starts_with(begins), "{text}: {}", named(text));
         }

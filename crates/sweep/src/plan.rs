@@ -40,21 +40,12 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn new(
-        vary: Vec<(Vary, Vec<Place>)>,
-        samples: Option<Samples>,
-        n_motions: usize,
-    ) -> Result<Self, SweepError> {
+    pub(super) fn new(vary: Vec<(Vary, Vec<Place>)>, samples: Option<Samples>, n_motions: usize) -> Result<Self, SweepError> {
         let n_motions = n_motions as u64;
         let n_sampled = check_samples(&vary, samples)?;
         let n_samples = samples.map_or(1, |samples| samples.count);
-        let counts = vary
-            .iter()
-            .map(|(vary, _)| vary.spread.count().unwrap_or(1));
-        let total = counts
-            .chain([n_samples, n_motions])
-            .map(|count| count as f64)
-            .product::<f64>();
+        let counts = vary.iter().map(|(vary, _)| vary.spread.count().unwrap_or(1));
+        let total = counts.chain([n_samples, n_motions]).map(|count| count as f64).product::<f64>();
         if total > MOST as f64 {
             return Err(SweepError::TooManyRuns(total));
         }
@@ -110,13 +101,11 @@ impl Plan {
         }
         let mut coordinates = point.coordinates.iter();
         to.clear();
-        to.extend(self.axes.iter().map(|axis| {
-            axis.setting(place, || {
-                *coordinates
-                    .next()
-                    .expect("a coordinate for each sampled axis")
-            })
-        }));
+        to.extend(
+            self.axes
+                .iter()
+                .map(|axis| axis.setting(place, || *coordinates.next().expect("a coordinate for each sampled axis"))),
+        );
     }
 }
 
@@ -132,20 +121,14 @@ const FIXED: [(&str, &str); 4] = [
 ];
 
 /// What varies, with the places of its fields in the scene.
-pub(super) fn placed(
-    file: &SweepFile,
-    scene: &Value,
-) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
+pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
     let mut known: Vec<Place> = Vec::new();
     let mut placed = Vec::with_capacity(file.vary.len());
     for (index, vary) in file.vary.iter().enumerate() {
         let place = || format!("vary[{index}]");
         let mut fields = Vec::new();
         for field in &vary.fields {
-            let found = Place::all(field, scene).map_err(|source| SweepError::NoField {
-                place: place(),
-                source,
-            })?;
+            let found = Place::all(field, scene).map_err(|source| SweepError::NoField { place: place(), source })?;
             for one in found {
                 if let Some(instead) = fixed(&one, file) {
                     return Err(SweepError::Fixed {
@@ -184,15 +167,11 @@ fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
         return Some("`records` stand in its place; delete one of them");
     }
     let mut all = FIXED.iter();
-    all.find(|(fixed, _)| text == *fixed)
-        .map(|(_, instead)| *instead)
+    all.find(|(fixed, _)| text == *fixed).map(|(_, instead)| *instead)
 }
 
 /// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.
-fn check_samples(
-    vary: &[(Vary, Vec<Place>)],
-    samples: Option<Samples>,
-) -> Result<usize, SweepError> {
+fn check_samples(vary: &[(Vary, Vec<Place>)], samples: Option<Samples>) -> Result<usize, SweepError> {
     let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<Place>))| vary.spread.count().is_none();
     let mut sampled = vary.iter().enumerate().filter(is_sampled);
     let first = sampled.next().map(|(index, _)| index);
@@ -202,14 +181,10 @@ fn check_samples(
             place: format!("vary[{index}]"),
         }),
         (None, Some(_)) => Err(SweepError::NothingSampled),
-        (_, Some(samples))
-            if samples.method == super::file::SampleMethod::Sobol && n > most_sobol_axes() =>
-        {
-            Err(SweepError::TooManyAxes {
-                found: n,
-                allowed: most_sobol_axes(),
-            })
-        }
+        (_, Some(samples)) if samples.method == super::file::SampleMethod::Sobol && n > most_sobol_axes() => Err(SweepError::TooManyAxes {
+            found: n,
+            allowed: most_sobol_axes(),
+        }),
         _ => Ok(n),
     }
 }

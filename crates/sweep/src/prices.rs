@@ -40,11 +40,7 @@ impl Prices {
     ///
     /// Runs that choose and measure are run by the exact method, too, which itself needs none of them.
     pub(super) fn is_worth(&self, run: f64, tried: f64) -> bool {
-        let Counts {
-            all,
-            choosing,
-            measuring,
-        } = self.counts;
+        let Counts { all, choosing, measuring } = self.counts;
         let chosen = choosing * (self.exact + tried);
         let measured = measuring * (self.exact + run);
         chosen + measured + all * run <= (1.0 - SAVES) * all * self.exact

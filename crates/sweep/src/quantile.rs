@@ -21,17 +21,9 @@ pub(super) fn quantile(probability: f64) -> f64 {
         let r = 0.180_625 - q * q;
         return q * ratio(&CENTRE, r);
     }
-    let tail = if q < 0.0 {
-        probability
-    } else {
-        1.0 - probability
-    };
+    let tail = if q < 0.0 { probability } else { 1.0 - probability };
     let r = (-libm::log(tail)).sqrt();
-    let magnitude = if r <= 5.0 {
-        ratio(&NEAR, r - 1.6)
-    } else {
-        ratio(&FAR, r - 5.0)
-    };
+    let magnitude = if r <= 5.0 { ratio(&NEAR, r - 1.6) } else { ratio(&FAR, r - 5.0) };
     magnitude.copysign(q)
 }
 
@@ -39,8 +31,7 @@ pub(super) fn quantile(probability: f64) -> f64 {
 type Ratio = [[f64; 8]; 2];
 
 fn ratio(of: &Ratio, x: f64) -> f64 {
-    let [numerator, denominator] =
-        of.map(|terms| terms.iter().fold(0.0, |sum, term| sum * x + term));
+    let [numerator, denominator] = of.map(|terms| terms.iter().fold(0.0, |sum, term| sum * x + term));
     numerator / denominator
 }
 

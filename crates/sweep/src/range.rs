@@ -9,20 +9,11 @@ pub(super) struct RangeError {
     allowed: &'static str,
 }
 
-pub(super) fn require(
-    valid: bool,
-    field: &'static str,
-    found: f64,
-    allowed: &'static str,
-) -> Result<(), RangeError> {
+pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), RangeError> {
     if valid && found.is_finite() {
         Ok(())
     } else {
-        Err(RangeError {
-            field,
-            found,
-            allowed,
-        })
+        Err(RangeError { field, found, allowed })
     }
 }
 

@@ -50,10 +50,7 @@ impl Sweep {
             }
         };
         let mut axes = self.plan.axes().iter();
-        if !self.asks_for_tallies()
-            || self.motions.differ()
-            || !axes.all(|axis| plain(&axis.spread))
-        {
+        if !self.asks_for_tallies() || self.motions.differ() || !axes.all(|axis| plain(&axis.spread)) {
             return None;
         }
         let mut json = self.scene.clone();
@@ -106,11 +103,7 @@ impl Renumbered {
     }
 
     /// The scene with the numbers of a run, in the memory of one that has run; nothing where they are refused.
-    pub(super) fn prepared(
-        &mut self,
-        settings: &[Setting],
-        ran: Option<Box<Simulation>>,
-    ) -> Option<Box<Simulation>> {
+    pub(super) fn prepared(&mut self, settings: &[Setting], ran: Option<Box<Simulation>>) -> Option<Box<Simulation>> {
         let mut ready = ran.unwrap_or_else(|| Box::new(self.prepared.clone()));
         for (axis, slot) in &self.slots {
             let Setting::Number(number) = settings[*axis] else {
@@ -225,10 +218,7 @@ mod tests {
     /// How a field varies: within what it can be, or beyond it.
     fn spread(number: f64, how: usize) -> (&'static str, Value) {
         match how {
-            0 => (
-                "log_uniform",
-                json!({"from": 0.7 * number, "to": 1.4 * number}),
-            ),
+            0 => ("log_uniform", json!({"from": 0.7 * number, "to": 1.4 * number})),
             1 => (
                 "normal",
                 json!({
@@ -236,14 +226,8 @@ mod tests {
                     "from": -0.2 * number, "to": 2.0 * number,
                 }),
             ),
-            2 => (
-                "normal",
-                json!({"mean": number, "standard_deviation": 0.6 * number}),
-            ),
-            _ => (
-                "log_normal",
-                json!({"median": number, "log_standard_deviation": 800.0}),
-            ),
+            2 => ("normal", json!({"mean": number, "standard_deviation": 0.6 * number})),
+            _ => ("log_normal", json!({"median": number, "log_standard_deviation": 800.0})),
         }
     }
 
@@ -260,8 +244,7 @@ mod tests {
             "verdict": false,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json"), None)
-            .expect("its typical numbers are valid")
+        Sweep::of((file, b""), Path::new("sweep.json"), None).expect("its typical numbers are valid")
     }
 
     proptest! {

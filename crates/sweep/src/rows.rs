@@ -48,9 +48,7 @@ impl Rows {
 /// Whether a text is a word that neither CSV nor a spreadsheet reads as anything else: nearly all fields of a long table.
 fn is_plain(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_alphabetic())
-        && text
-            .bytes()
-            .all(|byte| byte.is_ascii_alphanumeric() || b" _.-".contains(&byte))
+        && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b" _.-".contains(&byte))
 }
 
 /// A text as a field of CSV, in quotes where it needs them.
@@ -121,11 +119,7 @@ impl Sweep {
         let shaking = &self.motions.all[motion];
         let mut fields = Rows::default();
         fields.field(&shaking.name);
-        fields.field(if shaking.is_reversed() {
-            "true"
-        } else {
-            "false"
-        });
+        fields.field(if shaking.is_reversed() { "true" } else { "false" });
         fields.0
     }
 }

@@ -59,11 +59,7 @@ impl Sampler {
                 Scrambled::LatinHypercube(axes.collect())
             }
         };
-        Self {
-            samples,
-            n_axes,
-            method,
-        }
+        Self { samples, n_axes, method }
     }
 
     /// Coordinates of the point `index`, each > 0 and < 1, put where others were.
@@ -77,9 +73,7 @@ impl Sampler {
                 *ahead = Some((index + 1, random));
             }
             Scrambled::Sobol(axes) => {
-                let coordinate = |(directions, shift): &(Vec<u64>, u64)| {
-                    inside(shift ^ sobol_bits(directions, index))
-                };
+                let coordinate = |(directions, shift): &(Vec<u64>, u64)| inside(shift ^ sobol_bits(directions, index));
                 to.extend(axes.iter().map(coordinate));
             }
             Scrambled::LatinHypercube(axes) => {
@@ -126,16 +120,11 @@ fn sobol_bits(directions: &[u64], index: u64) -> u64 {
 /// triangular matrix, and a random shift (Matoušek, J. Complexity 14 (1998) 527–556): points stay as even as they are, and
 /// none lies on an edge.
 fn scrambled_sobol(n_axes: usize, random: &mut Pcg64) -> Vec<(Vec<u64>, u64)> {
-    let directions = Sobol::<u64>::init_direction_vals(
-        n_axes,
-        BITS,
-        &JoeKuoD6::minimal() as &dyn SobolParams<u32>,
-    );
+    let directions = Sobol::<u64>::init_direction_vals(n_axes, BITS, &JoeKuoD6::minimal() as &dyn SobolParams<u32>);
     let scrambled = |mut directions: Vec<u64>| {
         let rows: Vec<u64> = (0..BITS).map(|place| row(place, random)).collect();
         for direction in &mut directions {
-            let bit =
-                |place: usize| u64::from((*direction & rows[place]).count_ones() & 1) << place;
+            let bit = |place: usize| u64::from((*direction & rows[place]).count_ones() & 1) << place;
             *direction = (0..BITS).map(bit).fold(0, |bits, bit| bits | bit);
         }
         (directions, random.next_u64())
@@ -157,14 +146,7 @@ mod tests {
     use super::*;
 
     fn sampler(method: SampleMethod, count: u64, seed: u64) -> Sampler {
-        Sampler::new(
-            Samples {
-                count,
-                seed,
-                method,
-            },
-            3,
-        )
+        Sampler::new(Samples { count, seed, method }, 3)
     }
 
     fn points(sampler: &Sampler, count: u64) -> Vec<Vec<f64>> {
@@ -178,10 +160,7 @@ mod tests {
 
     /// In which of `parts` equal parts a number lies.
     fn part(x: f64, parts: u64) -> u64 {
-        (0..parts)
-            .rev()
-            .find(|part| *part as f64 <= x * parts as f64)
-            .unwrap_or(0)
+        (0..parts).rev().find(|part| *part as f64 <= x * parts as f64).unwrap_or(0)
     }
 
     proptest! {
@@ -249,12 +228,7 @@ mod tests {
         let mut theirs: Vec<Vec<u64>> = Sobol::<u64>::new(5, &parameters).take(COUNT).collect();
         let parameters = &parameters as &dyn SobolParams<u32>;
         let directions = Sobol::<u64>::init_direction_vals(5, BITS, parameters);
-        let point = |index| {
-            directions
-                .iter()
-                .map(|axis| sobol_bits(axis, index))
-                .collect()
-        };
+        let point = |index| directions.iter().map(|axis| sobol_bits(axis, index)).collect();
         let mut ours: Vec<Vec<u64>> = (0..COUNT as u64).map(point).collect();
         theirs.sort();
         ours.sort();
@@ -275,10 +249,7 @@ mod tests {
             assert!((variance - 1.0 / 12.0).abs() < 2e-3, "{variance}");
             let beside = mean(&|index| centred(index, axis) * centred(index, (axis + 1) % 3));
             let before = mean(&|index| centred(index, axis) * centred(index - 1, axis));
-            assert!(
-                beside.abs() < 2e-3 && before.abs() < 2e-3,
-                "{beside} {before}"
-            );
+            assert!(beside.abs() < 2e-3 && before.abs() < 2e-3, "{beside} {before}");
         }
     }
 }

@@ -56,8 +56,7 @@ impl FromStr for Shard {
         let numbers = text.split_once('/');
         let number = |text: &str| text.trim().parse::<u64>().ok();
         let numbers = numbers.and_then(|(index, count)| Some((number(index)?, number(count)?)));
-        let (index, count) = numbers
-            .ok_or("allowed is the number of a shard and how many there are, such as 2/8")?;
+        let (index, count) = numbers.ok_or("allowed is the number of a shard and how many there are, such as 2/8")?;
         Self::new(index, count).map_err(|error| error.to_string())
     }
 }

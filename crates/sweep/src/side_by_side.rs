@@ -2,22 +2,14 @@
 
 use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
 use pounding_scene::Simulation;
-use pounding_solver::{
-    AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Row,
-};
+use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Row};
 
 /// The rows of scenes that all have one kind of columns; nothing where they have not.
 macro_rules! rows {
     ($scenes:expr, $kind:ident) => {
         $scenes
             .iter()
-            .map(|(_, scene)| {
-                if let AnyRow::$kind(row) = scene.row() {
-                    Some(row)
-                } else {
-                    None
-                }
-            })
+            .map(|(_, scene)| if let AnyRow::$kind(row) = scene.row() { Some(row) } else { None })
             .collect::<Option<Vec<_>>>()
     };
 }
@@ -55,23 +47,15 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
     let of_method = match scene.integrator() {
-        Integrator::CentralDifference(settings) => {
-            (settings.contact_substeps > 1).then_some("sub-steps in contact are those of one scene")
-        }
+        Integrator::CentralDifference(settings) => (settings.contact_substeps > 1).then_some("sub-steps in contact are those of one scene"),
         Integrator::Exact(settings) => match elastic(scene) {
             Some(row) if ExactSideBySide::takes(row, settings) => None,
-            Some(_) if two && !scene.pairs().is_empty() => {
-                Some("the exact method goes side by side with a tolerance of 1e-12 or more")
+            Some(_) if two && !scene.pairs().is_empty() => Some("the exact method goes side by side with a tolerance of 1e-12 or more"),
+            Some(_) | None => {
+                Some("the exact method takes two elastic structures of one storey that can touch side by side, central differences any row")
             }
-            Some(_) | None => Some(
-                "the exact method takes two elastic structures of one storey that can touch side by side, central differences any row",
-            ),
         },
-        Integrator::Newmark(_)
-        | Integrator::Verlet(_)
-        | Integrator::Hht(_)
-        | Integrator::Rk4(_)
-        | Integrator::MoreauJean(_) => {
+        Integrator::Newmark(_) | Integrator::Verlet(_) | Integrator::Hht(_) | Integrator::Rk4(_) | Integrator::MoreauJean(_) => {
             Some("central differences and the exact method go side by side, this method does not")
         }
     };
@@ -79,12 +63,8 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
     let of_row = || match (smooth, travels, scene.row().is_chain()) {
         (true, ..) => Some("Bouc–Wen columns are those of one scene"),
-        (false, true, _) => {
-            Some("a motion that arrives at one structure after the other is that of one scene")
-        }
-        (false, false, false) => Some(
-            "several pairs on one side of a floor, or points between floors, are those of one scene",
-        ),
+        (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),
+        (false, false, false) => Some("several pairs on one side of a floor, or points between floors, are those of one scene"),
         (false, false, true) => None,
     };
     of_row().or(of_method)
@@ -97,16 +77,13 @@ type Placed<'a> = (usize, &'a Simulation);
 /// that end at one sample.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
-    let with_method =
-        one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
+    let with_method = one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
     let of_kind = || match (one.row(), other.row()) {
         (AnyRow::Elastic(one), AnyRow::Elastic(other)) => SideBySide::are_alike(one, other),
         (AnyRow::Bilinear(one), AnyRow::Bilinear(other)) => SideBySide::are_alike(one, other),
         _ => false,
     };
-    let at_one_pace = || {
-        equal(|scene| scene.record().time_step()) && one.clock().n_steps == other.clock().n_steps
-    };
+    let at_one_pace = || equal(|scene| scene.record().time_step()) && one.clock().n_steps == other.clock().n_steps;
     with_method
         && match stepping(one) {
             Some(_) => of_kind(),
@@ -115,16 +92,9 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
 }
 
 /// Runs scenes that share lanes by a stepping method; nothing where they cannot.
-fn stepped(
-    (scenes, closings): (&[Placed<'_>], bool),
-    settings: CentralDifference,
-    tallies: &mut SceneSums,
-) -> Option<bool> {
+fn stepped((scenes, closings): (&[Placed<'_>], bool), settings: CentralDifference, tallies: &mut SceneSums) -> Option<bool> {
     let (_, first) = scenes.first()?;
-    let n_steps: Vec<_> = scenes
-        .iter()
-        .map(|(_, scene)| scene.clock().n_steps)
-        .collect();
+    let n_steps: Vec<_> = scenes.iter().map(|(_, scene)| scene.clock().n_steps).collect();
     let clock = Clock {
         time_step: first.clock().time_step,
         n_steps: n_steps.iter().copied().max()?,
@@ -153,17 +123,12 @@ fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> 
         let settings = settings(scene)?;
         ExactSideBySide::takes(elastic(scene)?, settings).then_some(settings)
     };
-    let flown = scenes
-        .iter()
-        .copied()
-        .filter(|scene| flies(scene).is_some());
+    let flown = scenes.iter().copied().filter(|scene| flies(scene).is_some());
     let flown: Vec<_> = flown.collect();
     let Some((first, settings)) = flown.first().and_then(|one| Some((one.1, flies(one)?))) else {
         return false;
     };
-    let rows = flown
-        .iter()
-        .filter_map(|(place, scene)| Some((*place, elastic(scene)?)));
+    let rows = flown.iter().filter_map(|(place, scene)| Some((*place, elastic(scene)?)));
     let rows: Vec<_> = rows.collect();
     let excitations = excitations(&flown);
     let together = ExactSideBySide::new(settings, Excitations::of(&excitations), first.clock());
@@ -206,9 +171,5 @@ fn settings(scene: &Simulation) -> Option<Exact> {
 
 /// The row, where none of its columns can yield.
 fn elastic(scene: &Simulation) -> Option<&Row<Elastic>> {
-    if let AnyRow::Elastic(row) = scene.row() {
-        Some(row)
-    } else {
-        None
-    }
+    if let AnyRow::Elastic(row) = scene.row() { Some(row) } else { None }
 }

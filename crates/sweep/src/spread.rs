@@ -95,30 +95,17 @@ impl TryFrom<GridFile> for Grid {
     type Error = RangeError;
 
     fn try_from(words: GridFile) -> Result<Self, RangeError> {
-        let GridFile {
-            from,
-            to,
-            count,
-            spacing,
-        } = words;
+        let GridFile { from, to, count, spacing } = words;
         let allowed = "a whole number >= 2; for one number use `values`";
         require(count >= 2, "count", count as f64, allowed)?;
         let (valid, allowed): (fn(f64) -> bool, _) = match spacing {
             Spacing::Linear => (|_| true, FINITE),
-            Spacing::Log => (
-                |end| end > 0.0,
-                "a finite number > 0 with the spacing `log`",
-            ),
+            Spacing::Log => (|end| end > 0.0, "a finite number > 0 with the spacing `log`"),
         };
         require(valid(from), "from", from, allowed)?;
         require(valid(to), "to", to, allowed)?;
         let apart = (to - from).is_finite() && to.total_cmp(&from).is_ne();
-        require(
-            apart,
-            "to",
-            to,
-            "another number than `from`, at a finite distance",
-        )?;
+        require(apart, "to", to, "another number than `from`, at a finite distance")?;
         Ok(Self {
             from,
             to,
@@ -142,12 +129,7 @@ impl TryFrom<BetweenFile> for Between {
 
     fn try_from(BetweenFile { from, to }: BetweenFile) -> Result<Self, RangeError> {
         bounds(Some(from), Some(to))?;
-        require(
-            (to - from).is_finite(),
-            "to",
-            to,
-            "a number at a finite distance from `from`",
-        )?;
+        require((to - from).is_finite(), "to", to, "a number at a finite distance from `from`")?;
         Ok(Self { from, to })
     }
 }
@@ -167,8 +149,7 @@ impl Grid {
             Spacing::Linear => {
                 let value = self.from + (self.to - self.from) * part;
                 // Of 0.1 rounding leaves 0.09999999999999999, which nobody wrote.
-                self.parts
-                    .map_or(value, |parts| (value * parts).round() / parts)
+                self.parts.map_or(value, |parts| (value * parts).round() / parts)
             }
             Spacing::Log => self.from * libm::exp(part * libm::log(self.to / self.from)),
         }
@@ -188,14 +169,8 @@ impl Spread {
     /// Refuses an interval from 0 or less where its logarithm is asked for.
     pub(super) fn check(&self) -> Result<(), RangeError> {
         match self {
-            Self::LogUniform(Between { from, .. }) => {
-                require(*from > 0.0, "log_uniform.from", *from, POSITIVE)
-            }
-            Self::Values(_)
-            | Self::Grid(_)
-            | Self::Uniform(_)
-            | Self::Normal(_)
-            | Self::LogNormal(_) => Ok(()),
+            Self::LogUniform(Between { from, .. }) => require(*from > 0.0, "log_uniform.from", *from, POSITIVE),
+            Self::Values(_) | Self::Grid(_) | Self::Uniform(_) | Self::Normal(_) | Self::LogNormal(_) => Ok(()),
         }
     }
 
@@ -208,9 +183,7 @@ impl Spread {
         };
         match self {
             Self::Values(_) | Self::Grid(_) => None,
-            Self::Uniform(Between { from, to }) => {
-                Some(within(from + part * (to - from), Some(*from), Some(*to)))
-            }
+            Self::Uniform(Between { from, to }) => Some(within(from + part * (to - from), Some(*from), Some(*to))),
             Self::LogUniform(Between { from, to }) => {
                 let value = from * libm::exp(part * libm::log(to / from));
                 Some(within(value, Some(*from), Some(*to)))
@@ -252,11 +225,7 @@ mod tests {
         assert_eq!(linear, [1e6, 499_999.999_5, -1e-3]);
         let log = numbers(json!({"grid": {"from": 1.0, "to": 1e3, "count": 4, "spacing": "log"}}));
         let near = log.iter().zip([1.0, 10.0, 100.0, 1e3]);
-        assert!(
-            near.clone()
-                .all(|(a, b): (&f64, f64)| (a / b - 1.0).abs() < 1e-14),
-            "{log:?}"
-        );
+        assert!(near.clone().all(|(a, b): (&f64, f64)| (a / b - 1.0).abs() < 1e-14), "{log:?}");
     }
 
     #[test]
@@ -272,25 +241,14 @@ mod tests {
                 .iter()
                 .filter_map(|part| spread.sample(*part))
                 .collect();
-            assert!(
-                samples.is_sorted() && samples.len() == 7,
-                "{words} {samples:?}"
-            );
-            assert!(
-                samples[0] >= -1.0 && samples[6] <= 10.0,
-                "{words} {samples:?}"
-            );
+            assert!(samples.is_sorted() && samples.len() == 7, "{words} {samples:?}");
+            assert!(samples[0] >= -1.0 && samples[6] <= 10.0, "{words} {samples:?}");
         }
     }
 
     #[test]
     fn reference_medians_and_deviations() {
-        let at = |words: &_, part| {
-            spread(words)
-                .expect("a spread")
-                .sample(part)
-                .expect("a number")
-        };
+        let at = |words: &_, part| spread(words).expect("a spread").sample(part).expect("a number");
         let normal = json!({"normal": {"mean": 2.0, "standard_deviation": 0.5}});
         assert!((at(&normal, 0.5) - 2.0).abs() < 1e-15);
         // One standard deviation above the mean.
@@ -309,23 +267,14 @@ mod tests {
                 json!({"values": [1], "uniform": {"from": 0.0, "to": 1.0}}),
                 "found both `values` and `uniform`",
             ),
-            (
-                json!({"grid": {"from": 0.0, "to": 1.0, "count": 1}}),
-                "count: found 1",
-            ),
-            (
-                json!({"grid": {"from": 1.0, "to": 1.0, "count": 3}}),
-                "to: found 1",
-            ),
+            (json!({"grid": {"from": 0.0, "to": 1.0, "count": 1}}), "count: found 1"),
+            (json!({"grid": {"from": 1.0, "to": 1.0, "count": 3}}), "to: found 1"),
             (
                 json!({"grid": {"from": 0.0, "to": 1.0, "count": 3, "spacing": "log"}}),
                 "from: found 0",
             ),
             (json!({"uniform": {"from": 2.0, "to": 1.0}}), "to: found 1"),
-            (
-                json!({"log_uniform": {"from": 0.0, "to": 1.0}}),
-                "log_uniform.from: found 0",
-            ),
+            (json!({"log_uniform": {"from": 0.0, "to": 1.0}}), "log_uniform.from: found 0"),
             (
                 json!({"normal": {"mean": 0.0, "standard_deviation": 0.0}}),
                 "standard_deviation: found 0",

@@ -52,9 +52,7 @@ impl Default for SummaryFile {
 enum WordsError {
     #[error("quantiles: found {}, allowed are shares of the runs from 0 to 1, such as 0.95", pounding_text::plain(*.0))]
     Quantile(f64),
-    #[error(
-        "exceedance: found no threshold of `{0}`, allowed is one number or more; delete the entry"
-    )]
+    #[error("exceedance: found no threshold of `{0}`, allowed is one number or more; delete the entry")]
     NoThreshold(String),
     #[error("exceedance: found {} for `{name}`, allowed are finite numbers", pounding_text::plain(*found))]
     Threshold { name: String, found: f64 },
@@ -92,9 +90,7 @@ impl TryFrom<SummaryFile> for Summary {
 #[derive(Debug, thiserror::Error)]
 pub enum SummaryError {
     /// A field that has no listed values.
-    #[error(
-        "summary.by: found `{found}`, allowed are what has listed values: {allowed}; give the field a `grid` or `values` in `vary`"
-    )]
+    #[error("summary.by: found `{found}`, allowed are what has listed values: {allowed}; give the field a `grid` or `values` in `vary`")]
     By {
         /// What is named.
         found: String,
@@ -105,9 +101,7 @@ pub enum SummaryError {
     #[error("summary.by: found `{0}` a second time, allowed is once; delete one")]
     Twice(String),
     /// More cells than are summed up.
-    #[error(
-        "summary.by: found {found} cells, allowed are up to {allowed}; leave one out of `by`, or take fewer values"
-    )]
+    #[error("summary.by: found {found} cells, allowed are up to {allowed}; leave one out of `by`, or take fewer values")]
     Cells {
         /// Their number.
         found: u64,

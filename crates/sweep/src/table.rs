@@ -52,9 +52,7 @@ impl Sweep {
             Some(made)
         });
         let batches: Vec<Batch> = made.collect::<Option<_>>()?;
-        let shaking: Vec<_> = (0..n_runs)
-            .map(|run| &self.motions.all[self.plan.motion(run).0])
-            .collect();
+        let shaking: Vec<_> = (0..n_runs).map(|run| &self.motions.all[self.plan.motion(run).0]).collect();
         let names = shaking.iter().map(|one| Some(one.name.clone()));
         let reversed = shaking.iter().map(|one| one.is_reversed());
         let mut columns = vec![
@@ -68,8 +66,7 @@ impl Sweep {
             SweepColumn::Numbers(numbers.copied().collect())
         }));
         let checked = batches.iter().flat_map(|batch| &batch.checked);
-        let checked =
-            checked.map(|one| Some(one.name().to_owned()).filter(|name| !name.is_empty()));
+        let checked = checked.map(|one| Some(one.name().to_owned()).filter(|name| !name.is_empty()));
         columns.push(SweepColumn::Texts(checked.collect()));
         let failed = batches.iter().flat_map(|batch| &batch.failed);
         columns.push(SweepColumn::Texts(failed.cloned().collect()));

@@ -52,11 +52,7 @@ pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepErro
 }
 
 /// What is wrong with the motions of the first run: with what varies, else with the scene's file or the sweep's.
-pub(super) fn blamed(
-    error: SweepError,
-    plan: &Plan,
-    [of_sweep, of_scene]: [&Path; 2],
-) -> SweepError {
+pub(super) fn blamed(error: SweepError, plan: &Plan, [of_sweep, of_scene]: [&Path; 2]) -> SweepError {
     let SweepError::Scene(error) = error else {
         return error.in_file(of_sweep);
     };
@@ -139,13 +135,7 @@ impl Sweep {
         Ok(row)
     }
 
-    fn try_one(
-        &self,
-        axis: &Axis,
-        setting: Setting,
-        settings: &[Setting],
-        row: &mut Option<Row>,
-    ) -> Result<(), SweepError> {
+    fn try_one(&self, axis: &Axis, setting: Setting, settings: &[Setting], row: &mut Option<Row>) -> Result<(), SweepError> {
         let mut scene = self.scene.clone();
         let tried = self.prepared(0, settings, &mut scene);
         let found = match tried {
@@ -169,12 +159,7 @@ impl Sweep {
 
     /// The scene of these settings under a motion, ready to run; `scene` is that of the sweep, in which any settings were put
     /// before.
-    pub(super) fn prepared(
-        &self,
-        motion: usize,
-        settings: &[Setting],
-        scene: &mut Value,
-    ) -> Result<Simulation, RefusedScene> {
+    pub(super) fn prepared(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<Simulation, RefusedScene> {
         let (scene, motion) = self.shaken(motion, settings, scene)?;
         Ok(Simulation::shaken(&scene, motion)?)
     }
@@ -193,12 +178,7 @@ impl Sweep {
     }
 
     /// The scene of these settings before it is prepared, and the motion.
-    pub(super) fn shaken(
-        &self,
-        motion: usize,
-        settings: &[Setting],
-        scene: &mut Value,
-    ) -> Result<(Scene, SharedMotion), RefusedScene> {
+    pub(super) fn shaken(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<(Scene, SharedMotion), RefusedScene> {
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
             if let Setting::Number(number) = *setting
                 && !number.is_finite()

@@ -24,22 +24,14 @@ impl Cell {
     pub fn exact(value: impl Into<Option<f64>>) -> Self {
         Self::number(value, |value| {
             let plain = value.to_string();
-            if plain.len() <= LONGEST {
-                plain
-            } else {
-                format!("{value:e}")
-            }
+            if plain.len() <= LONGEST { plain } else { format!("{value:e}") }
         })
     }
 
     /// A number that was written before it came here, in a table of texts alone: empty where it is none.
     fn written(text: &str) -> Self {
         let is_none = ["NaN", "inf", "-inf"].contains(&text);
-        if is_none {
-            Self::default()
-        } else {
-            text.into()
-        }
+        if is_none { Self::default() } else { text.into() }
     }
 }
 
@@ -86,14 +78,9 @@ impl From<usize> for Cell {
 ///
 /// # Panics
 /// If a row is not as long as the header.
-pub fn csv_text<Name: AsRef<str>>(
-    header: &[Name],
-    rows: impl IntoIterator<Item: IntoIterator<Item = Cell>>,
-) -> String {
+pub fn csv_text<Name: AsRef<str>>(header: &[Name], rows: impl IntoIterator<Item: IntoIterator<Item = Cell>>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = header
-        .iter()
-        .map(|name| harmless(name.as_ref()).into_owned());
+    let names = header.iter().map(|name| harmless(name.as_ref()).into_owned());
     writer.write_record(names).expect("memory takes all");
     for row in rows {
         let cells = row.into_iter().map(|cell| cell.0);
@@ -166,10 +153,7 @@ mod tests {
         let names = ["=1+1", "+a", "-a", "@a", "a=b", "-0.5", "+2e3", "–"];
         let cells = names.map(Cell::from);
         let table = csv_text(&["=x"; 8], [cells]);
-        assert_eq!(
-            table,
-            "'=x,'=x,'=x,'=x,'=x,'=x,'=x,'=x\n'=1+1,'+a,'-a,'@a,a=b,-0.5,+2e3,–\n"
-        );
+        assert_eq!(table, "'=x,'=x,'=x,'=x,'=x,'=x,'=x,'=x\n'=1+1,'+a,'-a,'@a,a=b,-0.5,+2e3,–\n");
     }
 
     /// A name rang the bell of a terminal that showed the table, and its NUL ended the file for some readers.
@@ -186,10 +170,7 @@ mod tests {
 
     #[test]
     fn reference_a_name_stays_a_name() {
-        let table = csv_text(
-            &["name", "number"],
-            [[Cell::from("inf"), Cell::exact(1e300)]],
-        );
+        let table = csv_text(&["name", "number"], [[Cell::from("inf"), Cell::exact(1e300)]]);
         assert_eq!(table, "name,number\ninf,1e300\n");
         assert_eq!(Cell::exact(0.1), Cell::from("0.1"));
         assert_eq!(Cell::exact(None), Cell::default());

@@ -87,9 +87,7 @@ pub fn instant(time: f64) -> String {
 pub fn short(value: f64) -> String {
     // A negative zero loses its sign.
     let scientific = format!("{:.3e}", value + 0.0);
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok());
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
     match exponent {
         _ if value == 0.0 => "0".into(),
         Some(exponent @ -4..=5_i32) => {
@@ -107,19 +105,14 @@ pub fn digits(value: f64) -> String {
         return format!("{}", value + 0.0);
     }
     let scientific = format!("{value:.6e}");
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok());
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
     match exponent {
         Some(exponent @ -6..=15) => {
             let rounded: f64 = scientific.parse().unwrap_or(value);
             let decimals = usize::try_from(6_i32 - exponent).unwrap_or(0);
             let plain = format!("{rounded:.decimals$}");
             if plain.contains('.') {
-                plain
-                    .trim_end_matches('0')
-                    .trim_end_matches('.')
-                    .to_string()
+                plain.trim_end_matches('0').trim_end_matches('.').to_string()
             } else {
                 plain
             }
@@ -142,9 +135,7 @@ pub fn percent(error: f64) -> String {
         return "∞".into();
     }
     let scientific = format!("{value:.1e}");
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok());
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
     match exponent {
         Some(exponent @ -2..=3_i32) => {
             let decimals = usize::try_from(1 - exponent).unwrap_or(0);
@@ -237,10 +228,7 @@ mod tests {
             (1e3 * 0.0413, "41.3", "41.3"),
             (0.1 + 0.2, "0.3", "0.3"),
         ] {
-            assert_eq!(
-                (&*rounded_down(value, 1), &*rounded_up(value, 1)),
-                (down, up)
-            );
+            assert_eq!((&*rounded_down(value, 1), &*rounded_up(value, 1)), (down, up));
         }
         assert_eq!(rounded_up(1e300, 1).len(), 303);
         assert_eq!(rounded_up(f64::INFINITY, 1), "inf");

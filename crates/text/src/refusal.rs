@@ -77,24 +77,14 @@ mod tests {
             [place, found, allowed, help].map(Option::unwrap_or_default)
         };
         assert_eq!(
-            parts(
-                "a.toml, line 3: contacts[0].gap_m: found -0.01, allowed is a number >= 0; widen it"
-            ),
-            [
-                "a.toml, line 3: contacts[0].gap_m",
-                "-0.01",
-                "a number >= 0",
-                "widen it"
-            ]
+            parts("a.toml, line 3: contacts[0].gap_m: found -0.01, allowed is a number >= 0; widen it"),
+            ["a.toml, line 3: contacts[0].gap_m", "-0.01", "a number >= 0", "widen it"]
         );
         assert_eq!(
             parts("found 2 of 3 parts: the runs 4 to 5 are missing"),
             ["", "2 of 3 parts", "", "the runs 4 to 5 are missing"]
         );
-        assert_eq!(
-            parts("a: found `x`, allowed are `y`, `z`"),
-            ["a", "`x`", "`y`, `z`", ""]
-        );
+        assert_eq!(parts("a: found `x`, allowed are `y`, `z`"), ["a", "`x`", "`y`, `z`", ""]);
         assert_eq!(parts("stopped"), [""; 4]);
     }
 }

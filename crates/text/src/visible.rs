@@ -44,22 +44,14 @@ pub fn message(text: &str) -> Cow<'_, str> {
 }
 
 fn excerpt(line: &str) -> Cow<'_, str> {
-    let letters = if line.len() <= LONGEST {
-        0
-    } else {
-        line.chars().count()
-    };
+    let letters = if line.len() <= LONGEST { 0 } else { line.chars().count() };
     if letters <= LONGEST {
         return line.into();
     }
     let [first, last] = SHOWN;
     let begin: String = line.chars().take(first).collect();
     let end: String = line.chars().skip(letters - last).collect();
-    format!(
-        "{begin} … ({} letters are left out) … {end}",
-        letters - first - last
-    )
-    .into()
+    format!("{begin} … ({} letters are left out) … {end}", letters - first - last).into()
 }
 
 #[cfg(test)]
@@ -80,10 +72,7 @@ mod tests {
     #[test]
     fn issue_marks_of_direction_are_spelt() {
         let marks = "\u{61c}\u{200e}\u{200f}\u{2028}\u{2029}\u{2067}\u{0}";
-        assert_eq!(
-            visible(marks),
-            "\\u061c\\u200e\\u200f\\u2028\\u2029\\u2067\\u0000"
-        );
+        assert_eq!(visible(marks), "\\u061c\\u200e\\u200f\\u2028\\u2029\\u2067\\u0000");
     }
 
     /// A path of a megabyte made a message of a megabyte.
@@ -92,16 +81,10 @@ mod tests {
         let path = "ä/\u{1b}".repeat(400_000);
         let said = message(&format!("one\n{path}: found nothing\nthree")).into_owned();
         let lines: Vec<&str> = said.split('\n').collect();
-        assert_eq!(
-            [lines[0], lines[2], lines.get(3).unwrap_or(&"end")],
-            ["one", "three", "end"]
-        );
+        assert_eq!([lines[0], lines[2], lines.get(3).unwrap_or(&"end")], ["one", "three", "end"]);
         assert!(lines[1].chars().count() < 6000, "{}", lines[1].len());
         let wanted = "(1198015 letters are left out)";
-        assert!(
-            lines[1].starts_with("ä/\\u001bä/") && lines[1].contains(wanted),
-            "{said}"
-        );
+        assert!(lines[1].starts_with("ä/\\u001bä/") && lines[1].contains(wanted), "{said}");
         assert!(lines[1].ends_with(": found nothing"), "{said}");
         let path = "p".repeat(4096);
         let whole = format!("{path}: is the file that is read ({path})");

@@ -5,9 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A circle of arrows, from a name back to itself; nothing where there is none.
 pub(super) fn circle(arrows: &BTreeMap<String, BTreeSet<String>>) -> Option<Vec<&str>> {
     let mut done = BTreeSet::new();
-    arrows
-        .keys()
-        .find_map(|name| from(name, arrows, (&mut Vec::new(), &mut done)))
+    arrows.keys().find_map(|name| from(name, arrows, (&mut Vec::new(), &mut done)))
 }
 
 /// A circle that is reached from a name, on the `way` to which no name stands twice; names that are `done` reach none.
@@ -44,9 +42,7 @@ mod tests {
     fn graph(arrows: &[(&str, &[&str])]) -> BTreeMap<String, BTreeSet<String>> {
         let owned = |names: &[&str]| names.iter().map(ToString::to_string).collect();
         let arrows = arrows.iter();
-        arrows
-            .map(|(from, to)| ((*from).into(), owned(to)))
-            .collect()
+        arrows.map(|(from, to)| ((*from).into(), owned(to))).collect()
     }
 
     #[test]

@@ -31,10 +31,8 @@ impl Source {
         let mut found = Self::default();
         let mut parsed = Vec::new();
         for path in files {
-            let text = fs::read_to_string(&path)
-                .map_err(|error| format!("{}: {error}", path.display()))?;
-            let file =
-                syn::parse_file(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+            let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+            let file = syn::parse_file(&text).map_err(|error| format!("{}: {error}", path.display()))?;
             let module = module_of(path.strip_prefix(folder).unwrap_or(&path));
             let before_tests = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
             if module.last().is_none_or(|name| name != "tests") {
@@ -83,8 +81,7 @@ impl Source {
             flatten(&one.tree, &mut Vec::new(), &mut leaves);
             let passes_on = !matches!(one.vis, Visibility::Inherited);
             for (path, name) in leaves {
-                self.n_public +=
-                    usize::from(module.is_empty() && matches!(one.vis, Visibility::Public(_)));
+                self.n_public += usize::from(module.is_empty() && matches!(one.vis, Visibility::Public(_)));
                 let Some(path) = self.rooted(module, &path) else {
                     continue;
                 };
@@ -133,9 +130,7 @@ impl Source {
 
     /// The module in which what a path names is at home.
     fn home(&self, path: &[String], depth: usize) -> Option<Module> {
-        let known = (0..=path.len())
-            .rev()
-            .find(|&n| self.named.contains_key(&path[..n]))?;
+        let known = (0..=path.len()).rev().find(|&n| self.named.contains_key(&path[..n]))?;
         let (module, rest) = path.split_at(known);
         let passed_on = self.passed_on.get(module).zip(rest.first());
         match passed_on.and_then(|(names, name)| names.get(name)) {
@@ -196,9 +191,9 @@ fn is_of_tests(item: &Item) -> bool {
         | Item::Verbatim(_)
         | _ => &[],
     };
-    attributes.iter().any(|attribute| {
-        attribute.path().is_ident("cfg") && attribute.to_token_stream().to_string().contains("test")
-    })
+    attributes
+        .iter()
+        .any(|attribute| attribute.path().is_ident("cfg") && attribute.to_token_stream().to_string().contains("test"))
 }
 
 /// The leaves of a tree of names, each with the name that it gets.

@@ -79,10 +79,7 @@ impl Bench {
     pub(super) fn command(&self, folder: &Path, arguments: &[&str]) -> Command {
         let mut command = Command::new(&self.program);
         command.args(arguments).current_dir(folder);
-        command
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped());
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
         command
     }
 
@@ -110,11 +107,7 @@ impl Bench {
         let ended = self.sweep(folder, SWEEPS[0], &[]);
         let is_done = was_there && !was_begun && said(&ended).contains("is there already");
         if !ended.status.success() && !is_done {
-            return Err(format!(
-                "{}: the same command again: {}",
-                folder.display(),
-                said(&ended)
-            ));
+            return Err(format!("{}: the same command again: {}", folder.display(), said(&ended)));
         }
         if !self.is_table_of(folder, 0)? {
             return Err(format!("{}: a wrong table in the end", folder.display()));
@@ -143,7 +136,8 @@ pub(super) fn write_sweeps(folder: &Path) -> Result<(), String> {
 
 /// Two structures under half a sine, with 400 gaps and periods.
 fn sweep(seed: usize) -> serde_json::Value {
-    let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+    let structure =
+        |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
     json!({
         "scene": {
             "name": "two",
@@ -165,8 +159,7 @@ fn sweep(seed: usize) -> serde_json::Value {
 
 /// The table of a folder.
 pub(super) fn read(folder: &Path) -> Result<Vec<u8>, String> {
-    fs::read(folder.join(TABLE))
-        .map_err(|error| format!("{}: {error}", folder.join(TABLE).display()))
+    fs::read(folder.join(TABLE)).map_err(|error| format!("{}: {error}", folder.join(TABLE).display()))
 }
 
 /// Standard error.

@@ -35,17 +35,10 @@ fn every_byte(bench: &Bench, folder: &Path, path: &Path) -> Result<usize, String
         let merge = ["merge", TABLE, "--overwrite"];
         let ended = bench.command(folder, &merge).output().map_err(fail)?;
         if ended.status.success() && !bench.is_table_of(folder, 0)? {
-            return Err(format!(
-                "{}: byte {place} changed the table",
-                path.display()
-            ));
+            return Err(format!("{}: byte {place} changed the table", path.display()));
         }
         if !ended.status.success() && !said(&ended).contains(": found ") {
-            return Err(format!(
-                "{}: byte {place}: {}",
-                path.display(),
-                said(&ended)
-            ));
+            return Err(format!("{}: byte {place}: {}", path.display(), said(&ended)));
         }
     }
     fs::write(path, &whole).map_err(fail)?;

@@ -17,19 +17,14 @@ pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
             let is_joined = folder.join(TABLE).exists();
             let there = n_parts(&folder);
             if !is_joined && there < parts {
-                return Err(format!(
-                    "{}: {there} parts of {parts} are left",
-                    folder.display()
-                ));
+                return Err(format!("{}: {there} parts of {parts} are left", folder.display()));
             }
             parts = there;
             with_table += u32::from(is_joined);
         }
         bench.ends_well(&folder)?;
     }
-    println!(
-        "{kills} kills, {with_table} of them with the table in its place: the right table in the end, and no part lost."
-    );
+    println!("{kills} kills, {with_table} of them with the table in its place: the right table in the end, and no part lost.");
     Ok(())
 }
 

@@ -21,10 +21,7 @@ const OPTIONS: &str = "loop,commit=1,noauto_da_alloc";
 /// Whether a program can be started.
 pub(super) fn is_there(program: &str) -> bool {
     let mut asked = Command::new(program);
-    asked
-        .arg("--version")
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
+    asked.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
     asked.status().is_ok()
 }
 
@@ -64,9 +61,7 @@ pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
         outcome.map_err(|broken: String| format!("power failure {round}: {broken}"))?;
         unmounted?;
     }
-    println!(
-        "{rounds} power failures, {finished} of them after exit code 0: no finished table lost, the right one in the end."
-    );
+    println!("{rounds} power failures, {finished} of them after exit code 0: no finished table lost, the right one in the end.");
     Ok(())
 }
 
@@ -75,10 +70,7 @@ fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String>
     let arguments = ["sweep", SWEEPS[0], "--out", TABLE];
     let fail = |error: std::io::Error| format!("power failure: {error}");
     let switch = disk.switch()?;
-    let mut child = bench
-        .command(&disk.place, &arguments)
-        .spawn()
-        .map_err(fail)?;
+    let mut child = bench.command(&disk.place, &arguments).spawn().map_err(fail)?;
     let wait = bench.time.mul_f64(1.2 * bench.random());
     if within {
         thread::sleep(wait);
@@ -119,19 +111,11 @@ impl Disk {
         step(Command::new("mkfs.ext4").arg("-q").arg(&self.image))?;
         self.mount()?;
         write_sweeps(&self.place)?;
-        step(
-            Command::new("sync")
-                .arg("-f")
-                .arg(self.place.join(SWEEPS[0])),
-        )
+        step(Command::new("sync").arg("-f").arg(self.place.join(SWEEPS[0])))
     }
 
     fn mount(&self) -> Result<(), String> {
-        step(
-            Command::new("mount")
-                .args(["-o", OPTIONS])
-                .args([&self.image, &self.place]),
-        )
+        step(Command::new("mount").args(["-o", OPTIONS]).args([&self.image, &self.place]))
     }
 
     fn unmount(&self) -> Result<(), String> {
@@ -147,10 +131,7 @@ impl Disk {
         let mut python = command.spawn().map_err(fail)?;
         // Its first line says that it is ready.
         let mut ready = [0];
-        let told = python
-            .stdout
-            .as_mut()
-            .map(|told| told.read_exact(&mut ready));
+        let told = python.stdout.as_mut().map(|told| told.read_exact(&mut ready));
         told.transpose().map_err(fail)?;
         Ok(Switch(python))
     }
@@ -163,9 +144,7 @@ impl Disk {
 }
 
 fn step(command: &mut Command) -> Result<(), String> {
-    let ended = command
-        .output()
-        .map_err(|error| format!("{}: {error}", name(command)))?;
+    let ended = command.output().map_err(|error| format!("{}: {error}", name(command)))?;
     if ended.status.success() {
         Ok(())
     } else {

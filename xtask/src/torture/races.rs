@@ -51,11 +51,7 @@ fn held(bench: &Bench, folder: &Path, opponent: &[&str], done: [bool; 2]) -> Res
     if !folder.join(TABLE).exists() {
         // Of shards parts are left, and of a refusal nothing.
         let lost = done[0] || done[1] && !opponent.contains(&"--shard");
-        return if lost {
-            Err("a table is lost".into())
-        } else {
-            Ok(())
-        };
+        return if lost { Err("a table is lost".into()) } else { Ok(()) };
     }
     let is_first = bench.is_table_of(folder, 0)?;
     let is_second = bench.is_table_of(folder, 1)?;
@@ -67,9 +63,5 @@ fn held(bench: &Bench, folder: &Path, opponent: &[&str], done: [bool; 2]) -> Res
     } else {
         makes_second && done[1]
     };
-    if by {
-        Ok(())
-    } else {
-        Err("the table of one that failed".into())
-    }
+    if by { Ok(()) } else { Err("the table of one that failed".into()) }
 }

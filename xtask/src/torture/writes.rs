@@ -31,16 +31,12 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
             let folder = bench.folder("writes")?;
             let inject = format!("inject={calls}:error={error}:when={at}");
             let mut refused = traced(bench, &folder, &["-e", &inject]);
-            let ended = refused
-                .output()
-                .map_err(|error| format!("strace: {error}"))?;
+            let ended = refused.output().map_err(|error| format!("strace: {error}"))?;
             let code = ended.status.code();
             if code == Some(0) && !bench.is_table_of(&folder, 0)? || !matches!(code, Some(0 | 1)) {
                 return Err(format!("{inject}: exit code {code:?}: {}", said(&ended)));
             }
-            bench
-                .ends_well(&folder)
-                .map_err(|broken| format!("{inject}: {broken}"))?;
+            bench.ends_well(&folder).map_err(|broken| format!("{inject}: {broken}"))?;
             tried += 1;
             killed_at(bench, calls, at)?;
             killed += 1;
@@ -67,13 +63,8 @@ fn killed_at(bench: &Bench, calls: &str, at: usize) -> Result<(), String> {
 
 fn traced(bench: &Bench, folder: &Path, more: &[&str]) -> Command {
     let mut command = Command::new("strace");
-    command
-        .args(["-f", "-q", "-o", "trace"])
-        .args(more)
-        .arg(&bench.program);
-    command
-        .args(["sweep", SWEEPS[0], "--out", TABLE])
-        .current_dir(folder);
+    command.args(["-f", "-q", "-o", "trace"]).args(more).arg(&bench.program);
+    command.args(["sweep", SWEEPS[0], "--out", TABLE]).current_dir(folder);
     // One thread, so that the same call has the same number.
     command.env("RAYON_NUM_THREADS", "1").stdout(Stdio::null());
     command

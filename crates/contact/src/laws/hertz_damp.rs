@@ -51,21 +51,13 @@ impl Law for HertzDamp {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&HERTZ, &mut self.impact_stiffness),
-            (&FACTOR, &mut self.impact_damping_factor),
-        ]
+        vec![(&HERTZ, &mut self.impact_stiffness), (&FACTOR, &mut self.impact_damping_factor)]
     }
 
     fn form(&self, _reduced_mass: f64, approach_speed: f64) -> Option<Form> {
         let spring = (self.impact_stiffness, Power::ThreeHalves);
         let factor = self.impact_damping_factor;
-        Some(approach_damper::form(
-            spring,
-            factor,
-            approach_speed,
-            Action::Both,
-        ))
+        Some(approach_damper::form(spring, factor, approach_speed, Action::Both))
     }
 
     fn restitution(&self) -> Option<f64> {

@@ -36,10 +36,7 @@ impl Law for KelvinVoigt {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&LINEAR, &mut self.impact_stiffness),
-            (&RATIO, &mut self.impact_damping_ratio),
-        ]
+        vec![(&LINEAR, &mut self.impact_stiffness), (&RATIO, &mut self.impact_damping_ratio)]
     }
 
     fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {

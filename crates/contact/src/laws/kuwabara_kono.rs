@@ -49,19 +49,12 @@ impl Law for KuwabaraKono {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&HERTZ, &mut self.impact_stiffness),
-            (&DAMPING, &mut self.impact_damping),
-        ]
+        vec![(&HERTZ, &mut self.impact_stiffness), (&DAMPING, &mut self.impact_damping)]
     }
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
         let spring = (self.impact_stiffness, Power::ThreeHalves);
-        Some(Form::new(
-            spring,
-            (self.impact_damping, Power::Half),
-            Action::Both,
-        ))
+        Some(Form::new(spring, (self.impact_damping, Power::Half), Action::Both))
     }
 }
 
@@ -79,8 +72,7 @@ fn damping(impact_stiffness: f64, asked: f64, pair: &FreePair) -> f64 {
             impact_damping: damping * unit,
         };
         let form = law.form(pair.reduced_mass, speed);
-        form.and_then(|form| restitution(&form, pair))
-            .unwrap_or(0.0)
+        form.and_then(|form| restitution(&form, pair)).unwrap_or(0.0)
     };
     // Against the undamped impact integrated in the same way: e = 1 then needs no damping to the last bit.
     let elastic = delivered(0.0);

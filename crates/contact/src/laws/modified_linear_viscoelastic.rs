@@ -22,9 +22,7 @@ impl Law for ModifiedLinearViscoelastic {
         names: &[Name {
             name: "modified_linear_viscoelastic",
             label: "Modified linear viscoelastic",
-            formula: Some(("ξ = (1−e²)/(e(e(π−2)+2))", |e| {
-                (1.0 - e * e) / (e * (e * (PI - 2.0) + 2.0))
-            })),
+            formula: Some(("ξ = (1−e²)/(e(e(π−2)+2))", |e| (1.0 - e * e) / (e * (e * (PI - 2.0) + 2.0)))),
             citation: "Mahmoud & Jankowski, Iran. J. Sci. Technol. 35 (2011) 51",
         }],
         force: "approach kδ + cδ̇, c = 2ξ√(km); return kδ",
@@ -34,10 +32,7 @@ impl Law for ModifiedLinearViscoelastic {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&LINEAR, &mut self.impact_stiffness),
-            (&RATIO, &mut self.impact_damping_ratio),
-        ]
+        vec![(&LINEAR, &mut self.impact_stiffness), (&RATIO, &mut self.impact_damping_ratio)]
     }
 
     fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {

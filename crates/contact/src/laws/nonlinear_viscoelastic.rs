@@ -41,10 +41,7 @@ impl Law for NonlinearViscoelastic {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&HERTZ, &mut self.impact_stiffness),
-            (&RATIO, &mut self.impact_damping_ratio),
-        ]
+        vec![(&HERTZ, &mut self.impact_stiffness), (&RATIO, &mut self.impact_damping_ratio)]
     }
 
     fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
@@ -72,9 +69,7 @@ impl NonlinearViscoelastic {
     /// Precondition: `overlap.deformation` > 0. The tangents jump at δ̇ = 0, and ∂F/∂δ grows without bound as
     /// δ → 0 on approach, like δ^(−3/4).
     pub fn respond(&self, overlap: &Overlap) -> ContactForce {
-        let Overlap {
-            deformation, rate, ..
-        } = *overlap;
+        let Overlap { deformation, rate, .. } = *overlap;
         let pair = ViscoelasticPair {
             impact_stiffness: self.impact_stiffness,
             impact_damping_ratio: self.impact_damping_ratio,
@@ -115,10 +110,7 @@ impl<N: Number> ViscoelasticPair<N> {
         let critical = (self.impact_stiffness * root * self.reduced_mass).sqrt();
         let damping = rate.like(2.0) * self.impact_damping_ratio * critical;
         let damping = N::select(approaches, damping, zero);
-        (
-            N::select(approaches, spring + damping * rate, spring),
-            damping,
-        )
+        (N::select(approaches, spring + damping * rate, spring), damping)
     }
 }
 
@@ -135,9 +127,7 @@ mod tests {
     }
 
     fn delivered(impact_damping_ratio: f64) -> f64 {
-        law(impact_damping_ratio)
-            .restitution()
-            .expect("a closed form")
+        law(impact_damping_ratio).restitution().expect("a closed form")
     }
 
     /// A free impact, integrated in small steps of the classical Runge–Kutta method: (e, momentum gained / m v₀).
@@ -158,14 +148,8 @@ mod tests {
         let acceleration = |x, v| -force(x, v) / reduced_mass;
         loop {
             let (k1, l1) = (v, acceleration(x, v));
-            let (k2, l2) = (
-                v + 0.5 * dt * l1,
-                acceleration(x + 0.5 * dt * k1, v + 0.5 * dt * l1),
-            );
-            let (k3, l3) = (
-                v + 0.5 * dt * l2,
-                acceleration(x + 0.5 * dt * k2, v + 0.5 * dt * l2),
-            );
+            let (k2, l2) = (v + 0.5 * dt * l1, acceleration(x + 0.5 * dt * k1, v + 0.5 * dt * l1));
+            let (k3, l3) = (v + 0.5 * dt * l2, acceleration(x + 0.5 * dt * k2, v + 0.5 * dt * l2));
             let (k4, l4) = (v + dt * l3, acceleration(x + dt * k3, v + dt * l3));
             x += dt * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
             v += dt * (l1 + 2.0 * l2 + 2.0 * l3 + l4) / 6.0;
@@ -192,11 +176,7 @@ mod tests {
         let at = |zeta: f64| delivered(zeta * 5.0_f64.sqrt() / 2.0);
         for offset in [1e-9, 0.999e-3, 1.001e-3] {
             let middle = 0.5 * (at(1.0 - offset) + at(1.0 + offset));
-            assert!(
-                (middle - at(1.0)).abs() < 1e-6,
-                "offset {offset}: {middle} against {}",
-                at(1.0)
-            );
+            assert!((middle - at(1.0)).abs() < 1e-6, "offset {offset}: {middle} against {}", at(1.0));
         }
         let jump = at(1.0 - 0.999_999e-3) - at(1.0 - 1.000_001e-3);
         assert!(jump.abs() < 1e-8, "series meets closed form: {jump}");
@@ -204,10 +184,7 @@ mod tests {
 
     #[test]
     fn limit_no_damping_is_elastic() {
-        assert!(
-            (delivered(0.0) - 1.0).abs() < 1e-15,
-            "no damping must return all energy"
-        );
+        assert!((delivered(0.0) - 1.0).abs() < 1e-15, "no damping must return all energy");
     }
 
     proptest! {

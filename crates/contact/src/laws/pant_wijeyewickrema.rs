@@ -30,21 +30,13 @@ impl Law for PantWijeyewickrema {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&LINEAR, &mut self.impact_stiffness),
-            (&FACTOR, &mut self.impact_damping_factor),
-        ]
+        vec![(&LINEAR, &mut self.impact_stiffness), (&FACTOR, &mut self.impact_damping_factor)]
     }
 
     fn form(&self, _reduced_mass: f64, approach_speed: f64) -> Option<Form> {
         let spring = (self.impact_stiffness, Power::One);
         let factor = self.impact_damping_factor;
-        Some(approach_damper::form(
-            spring,
-            factor,
-            approach_speed,
-            Action::Approach,
-        ))
+        Some(approach_damper::form(spring, factor, approach_speed, Action::Approach))
     }
 
     fn restitution(&self) -> Option<f64> {

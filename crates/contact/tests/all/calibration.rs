@@ -1,9 +1,7 @@
 //! From the e asked for to the damping, by the literature and exactly.
 
 use crate::{PAIR, damped, law, restitutions};
-use pounding_contact::{
-    Calibration, CalibrationError, Clamp, ContactLaw, Exact, Law, LawName, NonlinearViscoelastic,
-};
+use pounding_contact::{Calibration, CalibrationError, Clamp, ContactLaw, Exact, Law, LawName, NonlinearViscoelastic};
 
 /// The parameter that damps.
 fn damping(mut law: ContactLaw) -> f64 {
@@ -61,10 +59,7 @@ fn limit_calibrations_are_smooth_up_to_elastic() {
                 let integrated = matches!(name.about().exact, Exact::Pair(..));
                 let noise = if integrated { 1e-14 / lost } else { 1e-11 };
                 let change = (found / known - 1.0).abs();
-                assert!(
-                    change < 1e-3 + noise,
-                    "{name:?} at 1 − {lost}: {found} {known}"
-                );
+                assert!(change < 1e-3 + noise, "{name:?} at 1 − {lost}: {found} {known}");
                 last = last.min(change);
             }
             assert!(last < 1e-3, "{name:?}: the slope has a limit");
@@ -77,10 +72,7 @@ fn limit_more_restitution_needs_less_damping() {
     for name in damped() {
         let dampings = restitutions().map(|e| damping(law(name, e, Calibration::Exact).unwrap()));
         let dampings: Vec<_> = dampings.collect();
-        assert!(
-            dampings.is_sorted_by(|a, b| a > b),
-            "{name:?}: {dampings:?}"
-        );
+        assert!(dampings.is_sorted_by(|a, b| a > b), "{name:?}: {dampings:?}");
     }
 }
 
@@ -104,12 +96,7 @@ fn extreme_restitutions_are_refused_by_name() {
         "a spring has e = 1"
     );
     let formula = LawName::KuwabaraKono.calibrated(1e9, (0.5, Calibration::Literature), &PAIR);
-    assert_eq!(
-        formula,
-        Err(CalibrationError::NoFormula {
-            law: "kuwabara_kono"
-        })
-    );
+    assert_eq!(formula, Err(CalibrationError::NoFormula { law: "kuwabara_kono" }));
 }
 
 #[test]
@@ -139,17 +126,9 @@ fn limit_stiffer_laws_keep_their_restitution() {
             let other = damped.stiffened(factor);
             let delivered = [other, damped].map(|law| law.restitution());
             assert_eq!(delivered[0], delivered[1], "{name:?}");
-            let stiffness = |law: ContactLaw| {
-                law.form(PAIR.reduced_mass, PAIR.approach_speed)
-                    .map(|form| form.spring.coefficient)
-            };
-            let ratio = stiffness(other)
-                .zip(stiffness(damped))
-                .map(|(other, own)| other / own);
-            assert!(
-                ratio.is_none_or(|ratio| (ratio / factor - 1.0).abs() < 1e-12),
-                "{name:?} {ratio:?}"
-            );
+            let stiffness = |law: ContactLaw| law.form(PAIR.reduced_mass, PAIR.approach_speed).map(|form| form.spring.coefficient);
+            let ratio = stiffness(other).zip(stiffness(damped)).map(|(other, own)| other / own);
+            assert!(ratio.is_none_or(|ratio| (ratio / factor - 1.0).abs() < 1e-12), "{name:?} {ratio:?}");
             assert_eq!(ratio.is_none(), name == LawName::Stereomechanical);
         }
     }

@@ -1,9 +1,7 @@
 //! What laws deliver to a free pair, by three routes: closed forms, the crate's integration, and one of the test's own.
 
 use crate::{PAIR, damped, law, restitutions, stiffness};
-use pounding_contact::{
-    Calibration, ContactLaw, FreeImpact, FreePair, KuwabaraKono, LawName, Overlap,
-};
+use pounding_contact::{Calibration, ContactLaw, FreeImpact, FreePair, KuwabaraKono, LawName, Overlap};
 
 /// e and δmax of a free impact by classical Runge–Kutta steps on z = √δ, with dt = z dσ, and the clamped force.
 fn integrated(law: &ContactLaw, pair: &FreePair) -> (f64, f64) {
@@ -41,10 +39,7 @@ fn integrated(law: &ContactLaw, pair: &FreePair) -> (f64, f64) {
 }
 
 fn close(found: f64, known: f64, tolerance: f64, what: &str) {
-    assert!(
-        (found - known).abs() <= tolerance * known.abs(),
-        "{what}: {found} against {known}"
-    );
+    assert!((found - known).abs() <= tolerance * known.abs(), "{what}: {found} against {known}");
 }
 
 #[test]
@@ -81,12 +76,7 @@ fn reference_runge_kutta_steps_give_the_same() {
             let (given, largest) = integrated(&law, &PAIR);
             close(given, e, 1e-9, &format!("{law:?} for {e}"));
             let impact = FreeImpact::of(&law, &PAIR).unwrap();
-            close(
-                impact.max_deformation,
-                largest,
-                1e-8,
-                &format!("{law:?} for {e}"),
-            );
+            close(impact.max_deformation, largest, 1e-8, &format!("{law:?} for {e}"));
         }
     }
 }
@@ -111,12 +101,7 @@ fn reference_duration_of_linear_contact() {
             };
             let frequency = (stiffness(name) / PAIR.reduced_mass).sqrt();
             let impact = FreeImpact::of(&law, &PAIR).unwrap();
-            close(
-                impact.duration,
-                2.0 * (swing + ratio) / frequency,
-                1e-9,
-                law.name(),
-            );
+            close(impact.duration, 2.0 * (swing + ratio) / frequency, 1e-9, law.name());
             let forced = 2.0 * swing / frequency;
             close(impact.force_duration, forced, 1e-9, law.name());
         }
@@ -147,10 +132,7 @@ fn reference_kuwabara_kono_slightly_damped() {
         });
         let impact = FreeImpact::of(&law, &PAIR).unwrap();
         let first_order = (1.0 - impact.restitution) / damping;
-        assert!(
-            (first_order - lost).abs() < 2.0 * damping,
-            "{first_order} against {lost}"
-        );
+        assert!((first_order - lost).abs() < 2.0 * damping, "{first_order} against {lost}");
     }
 }
 
@@ -158,10 +140,7 @@ fn reference_kuwabara_kono_slightly_damped() {
 fn limit_energy_and_impulse_of_a_free_impact() {
     let impulse = PAIR.impulse(1.0);
     close(impulse, 2.0 * 73_170.0 * 0.3, 1e-15, "elastic impulse");
-    assert!(
-        PAIR.energy_lost(1.0).abs() < 1e-300,
-        "elastic loses nothing"
-    );
+    assert!(PAIR.energy_lost(1.0).abs() < 1e-300, "elastic loses nothing");
     let energy = 0.5 * 73_170.0 * 0.09;
     close(PAIR.energy_lost(0.0), energy, 1e-15, "plastic loses all");
 }

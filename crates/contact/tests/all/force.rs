@@ -1,22 +1,14 @@
 //! Forces and tangents of all laws.
 
 use crate::{PAIR, damped, law};
-use pounding_contact::{
-    Action, Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap,
-    SLOWEST_APPROACH,
-};
+use pounding_contact::{Action, Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap, SLOWEST_APPROACH};
 use proptest::prelude::*;
 
 fn any_law() -> impl Strategy<Value = ContactLaw> {
     let names: Vec<_> = damped().collect();
-    let damped = (prop::sample::select(names), 0.05..1.0_f64)
-        .prop_map(|(name, e)| law(name, e, Calibration::Exact).expect("within range"));
-    let linear = ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 9.35e7,
-    });
-    let hertz = ContactLaw::Hertz(Hertz {
-        impact_stiffness: 2.75e9,
-    });
+    let damped = (prop::sample::select(names), 0.05..1.0_f64).prop_map(|(name, e)| law(name, e, Calibration::Exact).expect("within range"));
+    let linear = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 9.35e7 });
+    let hertz = ContactLaw::Hertz(Hertz { impact_stiffness: 2.75e9 });
     prop_oneof![8 => damped, 1 => Just(linear), 1 => Just(hertz)]
 }
 
@@ -39,10 +31,7 @@ fn limit_laws_that_would_pull_have_powers_that_differ_by_0_or_1() {
         let form = form.expect("compliant");
         let apart = form.spring.power.value() - form.damper.power.value();
         let known = [0.0, 1.0].iter().any(|one| apart.total_cmp(one).is_eq());
-        assert!(
-            form.action == Action::Approach || known,
-            "{name:?}: {apart}"
-        );
+        assert!(form.action == Action::Approach || known, "{name:?}: {apart}");
     }
 }
 

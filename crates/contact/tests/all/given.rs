@@ -30,10 +30,7 @@ fn limit_a_law_given_by_its_restitution_is_the_calibrated_one() {
         let read = |words: &str| read(name, words).expect("a law");
         let exact = known(Calibration::Exact);
         assert_eq!(read(r#""restitution": 0.65"#), exact);
-        assert_eq!(
-            read(r#""restitution": 0.65, "calibration": "exact""#),
-            exact
-        );
+        assert_eq!(read(r#""restitution": 0.65, "calibration": "exact""#), exact);
         // The names that share a force differ in the literature's formula; files mean that of the force's own name.
         if name_of_law(name) == name.name() {
             let literature = r#""restitution": 0.65, "calibration": "literature""#;
@@ -57,23 +54,11 @@ fn extreme_a_law_given_in_too_few_or_too_many_words_is_refused() {
         };
         let both = format!(r#""{damping}": 0.3, "restitution": 0.65"#);
         refused(&both, &format!("found both `{damping}` and `restitution`"));
-        refused(
-            r#""calibration": "exact""#,
-            &format!("found neither `{damping}` nor `restitution`"),
-        );
+        refused(r#""calibration": "exact""#, &format!("found neither `{damping}` nor `restitution`"));
         let alone = format!(r#""{damping}": 0.3, "calibration": "exact""#);
         refused(&alone, "found `calibration` without `restitution`");
-        refused(
-            r#""restitution": 1.2"#,
-            "restitution: found 1.2, allowed more than 0, up to 1",
-        );
-        refused(
-            r#""restitution": 0.65, "speed": 1"#,
-            "unknown field `speed`",
-        );
-        refused(
-            r#""restitution": 0.65, "calibration": "best""#,
-            "unknown variant `best`",
-        );
+        refused(r#""restitution": 1.2"#, "restitution: found 1.2, allowed more than 0, up to 1");
+        refused(r#""restitution": 0.65, "speed": 1"#, "unknown field `speed`");
+        refused(r#""restitution": 0.65, "calibration": "best""#, "unknown variant `best`");
     }
 }

@@ -9,8 +9,7 @@ mod marhefka_orin;
 
 // The law of CONTRIBUTING.md finds them where it finds them in the crate.
 use pounding_contact::{
-    About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name,
-    Power, approach_damper, parameter,
+    About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name, Power, approach_damper, parameter,
 };
 
 /// The reduced mass of the paper's left and middle structures, nearly, at a usual speed.
@@ -29,8 +28,7 @@ fn stiffness(name: LawName) -> f64 {
 
 /// A law calibrated to an e, where it can be.
 fn law(name: LawName, restitution: f64, calibration: Calibration) -> Option<ContactLaw> {
-    name.calibrated(stiffness(name), (restitution, calibration), &PAIR)
-        .ok()
+    name.calibrated(stiffness(name), (restitution, calibration), &PAIR).ok()
 }
 
 /// The compliant laws whose damping follows from e.
@@ -50,10 +48,7 @@ fn restitutions() -> impl Iterator<Item = f64> {
 #[test]
 fn limit_the_law_of_the_worked_example() {
     let page = include_str!("../../../../CONTRIBUTING.md");
-    let block = page
-        .split("```rust\n")
-        .nth(1)
-        .and_then(|rest| rest.split("```").next());
+    let block = page.split("```rust\n").nth(1).and_then(|rest| rest.split("```").next());
     assert_eq!(block, Some(include_str!("marhefka_orin.rs")));
     let Exact::Pair(damping, _) = marhefka_orin::MarhefkaOrin::ABOUT.exact else {
         panic!("its e depends on the speed");
@@ -62,9 +57,7 @@ fn limit_the_law_of_the_worked_example() {
         impact_stiffness: 2.75e9,
         impact_damping: damping(2.75e9, 0.65, &PAIR),
     };
-    let form = law
-        .form(PAIR.reduced_mass, PAIR.approach_speed)
-        .expect("compliant");
+    let form = law.form(PAIR.reduced_mass, PAIR.approach_speed).expect("compliant");
     let impact = FreeImpact::of_form(&form, &PAIR).expect("it parts");
     assert!((impact.restitution - 0.65).abs() < 1e-9, "{impact:?}");
 }

@@ -39,19 +39,12 @@ impl Law for MarhefkaOrin {
     };
 
     fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
-        vec![
-            (&HERTZ, &mut self.impact_stiffness),
-            (&DAMPING, &mut self.impact_damping),
-        ]
+        vec![(&HERTZ, &mut self.impact_stiffness), (&DAMPING, &mut self.impact_damping)]
     }
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
         let damper = 1.5 * self.impact_damping * self.impact_stiffness;
         let spring = (self.impact_stiffness, Power::ThreeHalves);
-        Some(Form::new(
-            spring,
-            (damper, Power::ThreeHalves),
-            Action::Both,
-        ))
+        Some(Form::new(spring, (damper, Power::ThreeHalves), Action::Both))
     }
 }

@@ -8,27 +8,9 @@ use super::pressed::{Point, Pressed, State, fourth_power, larger};
 const SECOND: [f64; 1] = [1.0 / 5.0];
 const THIRD: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
 const FOURTH: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
-const FIFTH: [f64; 4] = [
-    19_372.0 / 6561.0,
-    -25_360.0 / 2187.0,
-    64_448.0 / 6561.0,
-    -212.0 / 729.0,
-];
-const SIXTH: [f64; 5] = [
-    9017.0 / 3168.0,
-    -355.0 / 33.0,
-    46_732.0 / 5247.0,
-    49.0 / 176.0,
-    -5103.0 / 18_656.0,
-];
-const LAST: [f64; 6] = [
-    35.0 / 384.0,
-    0.0,
-    500.0 / 1113.0,
-    125.0 / 192.0,
-    -2187.0 / 6784.0,
-    11.0 / 84.0,
-];
+const FIFTH: [f64; 4] = [19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0];
+const SIXTH: [f64; 5] = [9017.0 / 3168.0, -355.0 / 33.0, 46_732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18_656.0];
+const LAST: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
 /// Difference of the solutions of orders 5 and 4.
 const ERROR: [f64; 7] = [
     71.0 / 57_600.0,
@@ -88,11 +70,7 @@ impl<N: Number> Pressed<N> {
         // A deformation is an approach speed times the time since the touch.
         let deformation = (error[0] - error[2]).abs() / fourth_power(next.s);
         let error = step * larger(larger(velocity, impulse), deformation) / self.speed;
-        Stepped {
-            next,
-            error,
-            slopes,
-        }
+        Stepped { next, error, slopes }
     }
 }
 
@@ -134,12 +112,7 @@ impl<N: Number> Way<N> {
 
 /// The motions within a step, with these weights of slopes; the impulse, on which nothing depends, is left behind.
 #[inline(always)]
-fn on_the_way<N: Number, const STAGES: usize>(
-    from: &Point<N>,
-    step: N,
-    slopes: &[State<N>; 7],
-    weights: [f64; STAGES],
-) -> State<N> {
+fn on_the_way<N: Number, const STAGES: usize>(from: &Point<N>, step: N, slopes: &[State<N>; 7], weights: [f64; STAGES]) -> State<N> {
     let mut state = from.state;
     for index in 0..state.len() - 1 {
         state[index] = state[index] + step * weighted(slopes, weights, index);
@@ -149,11 +122,7 @@ fn on_the_way<N: Number, const STAGES: usize>(
 
 /// Sum of the slopes of one number with weights; those that are zero ask for nothing.
 #[inline(always)]
-fn weighted<N: Number, const STAGES: usize>(
-    slopes: &[State<N>; 7],
-    weights: [f64; STAGES],
-    index: usize,
-) -> N {
+fn weighted<N: Number, const STAGES: usize>(slopes: &[State<N>; 7], weights: [f64; STAGES], index: usize) -> N {
     let first = slopes[0][index];
     let mut sum = first.like(weights[0]) * first;
     for stage in 1..STAGES {

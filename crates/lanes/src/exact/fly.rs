@@ -56,9 +56,7 @@ impl<S: Simd> Flyer<S> {
             Lanes::new(simd, &values)
         };
         let weights = sides.map(|side| weights(&side, step));
-        let weight = |place: usize, part: usize| {
-            Lanes::new(simd, &weights.map(|weights| weights[place][part]))
-        };
+        let weight = |place: usize, part: usize| Lanes::new(simd, &weights.map(|weights| weights[place][part]));
         let over_mass = |side: &Side| {
             let [damping, stiffness] = [side.damping, side.stiffness];
             [damping * side.inverse_mass, stiffness * side.inverse_mass]
@@ -77,10 +75,7 @@ impl<S: Simd> Flyer<S> {
             growth: gather(&growth),
             displacement: gather(&|side| side.displacement),
             velocity: gather(&|side| side.velocity),
-            extremes: [
-                gather(&|side| side.extremes[0]),
-                gather(&|side| side.extremes[1]),
-            ],
+            extremes: [gather(&|side| side.extremes[0]), gather(&|side| side.extremes[1])],
         }
     }
 
@@ -93,9 +88,7 @@ impl<S: Simd> Flyer<S> {
         let [ground, slope] = ground.map(|number| self.mobile * number);
         let last = ground + slope * u.like(length);
         let load = ground + self.stiffness * u;
-        let by = |[velocity, constant, growing]: [Lanes<S>; 3]| {
-            velocity * v + constant * load + growing * slope
-        };
+        let by = |[velocity, constant, growing]: [Lanes<S>; 3]| velocity * v + constant * load + growing * slope;
         let (displacement, velocity) = (u + by(self.change), by(self.end));
         let before = zero - (self.damping * v + load);
         let after = zero - (self.damping * velocity + self.stiffness * displacement + last);
@@ -141,12 +134,7 @@ impl<S: Simd> Flyer<S> {
     /// Displacement where the velocity, which has these values and slopes at the ends of an interval, goes through zero once, and
     /// where it has been found to rounding.
     #[inline(always)]
-    fn turn(
-        &self,
-        slope: Lanes<S>,
-        length: f64,
-        [v, a, velocity, acceleration]: [Lanes<S>; 4],
-    ) -> (Lanes<S>, Mask<S>) {
+    fn turn(&self, slope: Lanes<S>, length: f64, [v, a, velocity, acceleration]: [Lanes<S>; 4]) -> (Lanes<S>, Mask<S>) {
         let like = |number: f64| v.like(number);
         // The cubic through the ends; its zero from the secant by Newton's method.
         let (rise, first, last) = (velocity - v, like(length) * a, like(length) * acceleration);

@@ -16,21 +16,11 @@ const BATCH: usize = 256;
 
 /// Runs rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in them.
 #[inline(always)]
-pub(super) fn run<S: Simd>(
-    simd: S,
-    method: &ExactSideBySide<'_>,
-    rows: &[(usize, &Row<Elastic>)],
-    tallies: &mut SceneSums,
-) {
+pub(super) fn run<S: Simd>(simd: S, method: &ExactSideBySide<'_>, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
     for (batch, rows) in rows.chunks(BATCH).enumerate() {
-        let mut scenes: Vec<Scene> = rows
-            .iter()
-            .map(|(_, row)| Scene::new(row, method))
-            .collect();
+        let mut scenes: Vec<Scene> = rows.iter().map(|(_, row)| Scene::new(row, method)).collect();
         let scenes_of_groups = scenes.chunks(Lanes::<S>::N);
-        let mut groups: Vec<Group<S>> = scenes_of_groups
-            .map(|scenes| Group::new(simd, scenes, method.step))
-            .collect();
+        let mut groups: Vec<Group<S>> = scenes_of_groups.map(|scenes| Group::new(simd, scenes, method.step)).collect();
         let (mut alone, mut waiting) = (Vec::new(), Vec::new());
         for index in 0..method.n_intervals() {
             if method.budget.is_stopped() {
@@ -78,13 +68,7 @@ pub(super) fn run<S: Simd>(
 
 /// Brings scenes to the next sample, each from event to event: flights one by one, contacts in lanes.
 #[inline(always)]
-fn go_alone<S: Simd>(
-    simd: S,
-    interval: &impl Fn(usize) -> Interval,
-    scenes: &mut [Scene],
-    alone: &[usize],
-    waiting: &mut Vec<usize>,
-) {
+fn go_alone<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, scenes: &mut [Scene], alone: &[usize], waiting: &mut Vec<usize>) {
     for scene in alone {
         scenes[*scene].set_out();
     }
@@ -149,18 +133,13 @@ impl<S: Simd> Group<S> {
     fn new(simd: S, scenes: &[Scene], step: f64) -> Self {
         // Lanes without a scene repeat the last one, and go nowhere alone.
         let of = |lane: usize| &scenes[lane.min(scenes.len() - 1)];
-        let side = |index: usize| -> [Side; MOST_LANES] {
-            std::array::from_fn(|lane| of(lane).sides[index])
-        };
+        let side = |index: usize| -> [Side; MOST_LANES] { std::array::from_fn(|lane| of(lane).sides[index]) };
         let bits = |is_so: fn(&Scene) -> bool| {
             let lanes = scenes.iter().enumerate().filter(|of| is_so(of.1));
             lanes.fold(0, |bits, (lane, _)| bits | 1 << lane)
         };
         Self {
-            flyers: [
-                Flyer::new(simd, &side(0), step),
-                Flyer::new(simd, &side(1), step),
-            ],
+            flyers: [Flyer::new(simd, &side(0), step), Flyer::new(simd, &side(1), step)],
             gap: Lanes::new(simd, &std::array::from_fn(|lane| of(lane).gap)),
             closing: of(0).tally.closing.map(|_| {
                 let closing = |lane: usize| of(lane).tally.closing.unwrap_or(f64::NAN);

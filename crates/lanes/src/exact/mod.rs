@@ -67,11 +67,7 @@ impl<'a> ExactSideBySide<'a> {
     ///
     /// # Errors
     /// [`RunError::Setting`] for a tolerance out of range, and for records whose samples are not equally far apart.
-    pub fn new(
-        settings: Exact,
-        excitations: impl Into<Excitations<'a>>,
-        clock: Clock,
-    ) -> Result<Self, RunError> {
+    pub fn new(settings: Exact, excitations: impl Into<Excitations<'a>>, clock: Clock) -> Result<Self, RunError> {
         settings.check()?;
         let (excitations, end) = (excitations.into(), clock.time(clock.n_steps));
         let step = excitations.time_step()?;
@@ -116,8 +112,7 @@ impl<'a> ExactSideBySide<'a> {
     /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, whose floors can touch; the ground
     /// motion arrives at both at once; and a tolerance of 1e-12 or more, or an impulsive contact, which has none.
     pub fn takes(row: &Row<Elastic>, settings: Exact) -> bool {
-        let on_ground =
-            |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
+        let on_ground = |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
         let two = row.nodes().len() == 2 && row.pairs().len() == 1 && row.is_chain();
         let is_flown = |pair: &Pair| settings.tolerance >= FINEST || !pair.law.is_compliant();
         two && (0..2).all(on_ground) && row.pairs().iter().all(is_flown)

@@ -12,12 +12,7 @@ use crate::number::{Lanes, MOST_LANES, Mask};
 
 /// Brings the scenes that wait, all in contact by laws of the same powers, to the end of the interval or to their partings.
 #[inline(always)]
-pub(super) fn press<S: Simd>(
-    simd: S,
-    interval: &impl Fn(usize) -> Interval,
-    scenes: &mut [Scene],
-    waiting: &[usize],
-) {
+pub(super) fn press<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, scenes: &mut [Scene], waiting: &[usize]) {
     let Some(scene) = waiting.first().map(|scene| &scenes[*scene]) else {
         return;
     };

@@ -172,10 +172,7 @@ impl<N: Number> Pressed<N> {
         let change = (point.slope[1] - point.slope[3]) / time;
         let climb = response.stiffness * rate + response.damping * change;
         let touch = deformation.exceeds(zero);
-        [
-            N::select(touch, response.force, zero),
-            N::select(touch, climb, rate.like(-1.0)),
-        ]
+        [N::select(touch, response.force, zero), N::select(touch, climb, rate.like(-1.0))]
     }
 }
 

@@ -63,10 +63,7 @@ impl<S: Simd> Pressing<S> {
             stiffness: zero,
             mobile: zero,
         };
-        let term = |power| Term {
-            coefficient: zero,
-            power,
-        };
+        let term = |power| Term { coefficient: zero, power };
         Self {
             pressed: Pressed {
                 left: half,
@@ -101,13 +98,7 @@ impl<S: Simd> Pressing<S> {
 
     /// Takes a scene in contact into a lane.
     #[inline(always)]
-    pub(super) fn take(
-        &mut self,
-        lane: usize,
-        scene: &Scene,
-        contact: &Contact,
-        interval: &Interval,
-    ) {
+    pub(super) fn take(&mut self, lane: usize, scene: &Scene, contact: &Contact, interval: &Interval) {
         let since = fourth_power(contact.s);
         let ahead = interval.after(scene.at);
         let pressed = &mut self.pressed;
@@ -123,11 +114,7 @@ impl<S: Simd> Pressing<S> {
                 extreme.set(lane, of_side);
             }
         }
-        let climb = if interval.jumps {
-            f64::NAN
-        } else {
-            contact.climb
-        };
+        let climb = if interval.jumps { f64::NAN } else { contact.climb };
         let [left, right] = &scene.sides;
         let largest = left.inverse_mass.max(right.inverse_mass);
         let Form { spring, damper, .. } = contact.form;

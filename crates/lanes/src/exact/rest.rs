@@ -29,8 +29,7 @@ impl Scene {
         let closing = left.acceleration(left.velocity - left.inverse_mass * bounced, ground)
             - right.acceleration(right.velocity + right.inverse_mass * bounced, ground);
         let at_once = self.at - self.bounces.last < CHATTER;
-        let over = bounces_are_over(-restitution * rate, closing, restitution)
-            || at_once && self.bounces.burst >= BURST;
+        let over = bounces_are_over(-restitution * rate, closing, restitution) || at_once && self.bounces.burst >= BURST;
         let (impulse, rate) = if over || restitution == 0.0 {
             (momentum, 0.0)
         } else {
@@ -75,9 +74,7 @@ impl Scene {
     fn rest(&mut self, zero_orders: usize) {
         let (base, apart) = self.base();
         let Side {
-            displacement,
-            velocity,
-            ..
+            displacement, velocity, ..
         } = self.sides[base];
         let lighter = &mut self.sides[1 - base];
         (lighter.displacement, lighter.velocity) = (displacement + apart, velocity);
@@ -218,9 +215,7 @@ impl Scene {
 /// ∫ from 0 to x.
 fn integral(coefficients: &[f64], x: f64) -> f64 {
     let terms = coefficients.iter().enumerate().rev();
-    x * terms.fold(0.0, |sum, (order, coefficient)| {
-        sum * x + coefficient / (order + 1) as f64
-    })
+    x * terms.fold(0.0, |sum, (order, coefficient)| sum * x + coefficient / (order + 1) as f64)
 }
 
 impl Side {

@@ -68,10 +68,7 @@ mod tests {
             (0.9, 0.4, 0.4),
         ] {
             let found = highest(&cubic, x, known);
-            assert!(
-                (found - wanted).abs() < 1e-15,
-                "{x} {known}: {found} {wanted}"
-            );
+            assert!((found - wanted).abs() < 1e-15, "{x} {known}: {found} {wanted}");
         }
         // Upside down it falls first, and its top is behind that.
         let turned = cubic.map(|coefficient| -coefficient);

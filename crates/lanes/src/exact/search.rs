@@ -10,12 +10,7 @@ const MOST_SEARCH: usize = 60;
 /// The secant, with the value at an end that stays halved (Illinois); the middle where that leaves the bracket, or is no number.
 /// What is found in a lane does not depend on others.
 #[inline(always)]
-pub(super) fn rise<N: Number>(
-    wanted: N::Mask,
-    [start, end]: [N; 2],
-    part: f64,
-    number: impl Fn(N) -> N,
-) -> N {
+pub(super) fn rise<N: Number>(wanted: N::Mask, [start, end]: [N; 2], part: f64, number: impl Fn(N) -> N) -> N {
     let like = |number: f64| start.like(number);
     let (zero, half) = (like(0.0), like(0.5));
     let (mut low, mut below) = (zero, start);

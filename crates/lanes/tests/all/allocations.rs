@@ -17,10 +17,7 @@ thread_local! {
     pub(crate) static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-#[expect(
-    unsafe_code,
-    reason = "an allocator is unsafe by nature; this one only counts"
-)]
+#[expect(unsafe_code, reason = "an allocator is unsafe by nature; this one only counts")]
 // SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
@@ -50,10 +47,7 @@ fn limit_a_step_side_by_side_allocates_nothing() {
     // Storeys of every structure, and structures.
     let shapes = [(1, 5), (1, 2), (1, 3), (3, 2)];
     let laws = [STEREOMECHANICAL, VISCOELASTIC];
-    for ((storeys, n), law) in shapes
-        .into_iter()
-        .flat_map(|one| laws.map(|law| (one, law)))
-    {
+    for ((storeys, n), law) in shapes.into_iter().flat_map(|one| laws.map(|law| (one, law))) {
         let row = |scene: usize| {
             let node = |index: usize| {
                 let stiffness = 2e6 * (1.0 + 2.0 * (index % 2) as f64 + 0.05 * scene as f64);
@@ -84,9 +78,6 @@ fn limit_a_step_side_by_side_allocates_nothing() {
         let ((none, apart), (many, touching)) = (count(2), count(2000));
         assert_eq!(apart, 0, "nothing touches yet");
         assert!(touching > 100, "the rows must collide: {touching}");
-        assert!(
-            many <= none,
-            "{many} allocations with contact, {none} without"
-        );
+        assert!(many <= none, "{many} allocations with contact, {none} without");
     }
 }

@@ -21,9 +21,8 @@ fn rows() -> impl Strategy<Value = Row<Elastic>> {
         let column = (0.13..1.0_f64, 0.01..0.2_f64);
         let start = (-0.001..0.001_f64, -0.2..0.2_f64);
         let start = prop_oneof![2 => start, 1 => Just((0.0, 0.0))];
-        let structure = (4.0..7.0_f64, column, start).prop_map(|(log_mass, column, start)| {
-            moving(libm::pow(10.0, log_mass), column.into(), start.into())
-        });
+        let structure = (4.0..7.0_f64, column, start)
+            .prop_map(|(log_mass, column, start)| moving(libm::pow(10.0, log_mass), column.into(), start.into()));
         prop_oneof![
             4 => structure,
             1 => Just(Node::wall(Elastic { stiffness: 1.0 })),
@@ -36,13 +35,10 @@ fn rows() -> impl Strategy<Value = Row<Elastic>> {
     let restitution = prop_oneof![1 => Just(0.0), 4 => 0.0..0.99_f64, 1 => 0.99..=1.0_f64];
     let gap = prop_oneof![1 => Just(0.0), 2 => 0.002..0.02_f64];
     let is_clear = |(left, right): &(Node<Elastic>, Node<Elastic>), gap: f64| {
-        left.inverse_mass + right.inverse_mass > 0.0
-            && left.initial_displacement - right.initial_displacement <= gap
+        left.inverse_mass + right.inverse_mass > 0.0 && left.initial_displacement - right.initial_displacement <= gap
     };
     let rows = (neighbours, gap, restitution);
-    let rows = rows.prop_filter("two walls, or an overlap", move |row| {
-        is_clear(&row.0, row.1)
-    });
+    let rows = rows.prop_filter("two walls, or an overlap", move |row| is_clear(&row.0, row.1));
     rows.prop_map(|((left, right), gap, restitution)| {
         let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
         row_of([left, right], gap, law)
@@ -54,9 +50,7 @@ fn slow_ground() -> impl Strategy<Value = Vec<f64>> {
     let wave = (1.0..4.0_f64, 0.0..6.3_f64, 1.0..6.0_f64);
     let waves = (wave, 100..190_usize).prop_map(|((period, phase, amplitude), n)| {
         let omega = 2.0 * PI * 0.02 / period;
-        (0..n)
-            .map(|sample| amplitude * libm::sin(phase + omega * sample as f64))
-            .collect()
+        (0..n).map(|sample| amplitude * libm::sin(phase + omega * sample as f64)).collect()
     });
     let steps = prop::collection::vec((-3..=3_i32, 5..40_usize), 2..6);
     let steps = steps.prop_map(|steps| {
@@ -124,12 +118,7 @@ fn limit_rows_that_rest_are_told() {
 /// force from the first swing stayed when the motion died away: alone the exact method counted 44 impacts of 80.
 #[test]
 fn issue_a_motion_that_dies_away_keeps_its_impacts() {
-    for (period, ratio, restitution) in [
-        (0.15, 0.1, 0.1),
-        (0.2, 0.1, 0.3),
-        (0.13, 0.02, 0.6),
-        (0.3, 0.05, 0.01),
-    ] {
+    for (period, ratio, restitution) in [(0.15, 0.1, 0.1), (0.2, 0.1, 0.3), (0.13, 0.02, 0.6), (0.3, 0.05, 0.01)] {
         let wall = Node::wall(Elastic { stiffness: 1.0 });
         let structure = moving(1e5, [period, ratio], [-0.03, 0.0]);
         let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
@@ -141,10 +130,7 @@ fn issue_a_motion_that_dies_away_keeps_its_impacts() {
         let (exact, _) = alone(&row, &ground).expect("it runs");
         let told = beside(std::slice::from_ref(&row), &ground, 1e-9)[0].expect("told");
         for counted in [exact.1[1], told.1[1]] {
-            assert!(
-                (counted - wanted).abs() < 0.5,
-                "{period} {restitution}: {counted} of {wanted}"
-            );
+            assert!((counted - wanted).abs() < 0.5, "{period} {restitution}: {counted} of {wanted}");
         }
     }
 }

@@ -3,8 +3,7 @@
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, LinearSpring};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Elastic, Excitation, Hysteretic, Integrator, Ledger,
-    LedgerError, Node, Pair, Row,
+    Bilinear, CentralDifference, Clock, Elastic, Excitation, Hysteretic, Integrator, Ledger, LedgerError, Node, Pair, Row,
 };
 
 use crate::towers::{self, Rayleigh, uniform};
@@ -35,14 +34,8 @@ fn tower_row(scene: usize, law: ContactLaw) -> Row<Bilinear> {
         hardening: 0.1,
     };
     let shift = 1.0 + 0.01 * scene as f64;
-    let towers = [
-        uniform(3, 1e5, column(3e7 * shift)),
-        uniform(2, 1e5, column(5e7)),
-    ];
-    let damping = Rayleigh {
-        alpha: 0.3,
-        beta: 1e-3,
-    };
+    let towers = [uniform(3, 1e5, column(3e7 * shift)), uniform(2, 1e5, column(5e7))];
+    let damping = Rayleigh { alpha: 0.3, beta: 1e-3 };
     let (row, levels) = towers::row(&towers, damping, |_, _, [left, right]| {
         Some(Pair::of_floors(left, right, 0.01 * shift, law))
     });
@@ -54,9 +47,7 @@ fn tower_row(scene: usize, law: ContactLaw) -> Row<Bilinear> {
     Row::new(nodes.collect(), row.pairs().to_vec()).expect("valid")
 }
 
-const CENTRAL: CentralDifference = CentralDifference {
-    contact_substeps: 1,
-};
+const CENTRAL: CentralDifference = CentralDifference { contact_substeps: 1 };
 const SCENES: usize = 40;
 const END: f64 = 3.0;
 
@@ -77,9 +68,7 @@ fn refused_and_doubted<Column: Hysteretic>(
     (row, kind): (impl Fn(usize) -> Row<Column>, Kind<Column>),
     n_steps: u32,
 ) -> (usize, usize) {
-    let ground: Vec<f64> = (0..300)
-        .map(|n| 4.0 * libm::sin(0.11 * f64::from(n)))
-        .collect();
+    let ground: Vec<f64> = (0..300).map(|n| 4.0 * libm::sin(0.11 * f64::from(n))).collect();
     let excitation = Excitation::new(0.01, &ground).expect("valid");
     let (time_step, n_steps) = (END / f64::from(n_steps), n_steps as usize);
     let clock = Clock { time_step, n_steps };
@@ -92,8 +81,7 @@ fn refused_and_doubted<Column: Hysteretic>(
     let (mut refused, mut doubted) = (0, 0);
     for (scene, row) in rows.iter().enumerate() {
         let mut ledger = Ledger::new(row, excitation);
-        let ran =
-            Integrator::CentralDifference(settings).watch(row, excitation, clock, &mut ledger);
+        let ran = Integrator::CentralDifference(settings).watch(row, excitation, clock, &mut ledger);
         assert!(ran.is_ok() && found.is_told(scene), "{scene}");
         match ledger.verdict() {
             Err(LedgerError::GainInContact { .. }) => {
@@ -110,9 +98,7 @@ fn refused_and_doubted<Column: Hysteretic>(
 /// Steps that resolve a contact badly let it give back more than it took.
 #[test]
 fn limit_what_a_ledger_refuses_is_doubted() {
-    let spring = ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 5e9,
-    });
+    let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 5e9 });
     let rows = (|scene| row(scene, spring), elastic as Kind<_>);
     let (refused, _) = refused_and_doubted(CENTRAL, rows, 500);
     assert!(refused > 0, "the test sees nothing");
@@ -127,9 +113,7 @@ fn limit_ordinary_scenes_are_not_doubted() {
     let asked = (0.65, Calibration::Exact);
     let damped = LawName::KelvinVoigt.calibrated(5e7, asked, &FreePair::UNIT);
     let damped = damped.expect("valid");
-    let spring = ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 5e7,
-    });
+    let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 5e7 });
     for law in [damped, spring] {
         let rows = (|scene| row(scene, law), elastic as Kind<_>);
         let found = refused_and_doubted(CENTRAL, rows, 3000);

@@ -38,13 +38,8 @@ fn issue_whoever_stops_ends_runs_side_by_side() {
         let together = SideBySide::new(SETTINGS, excitation, LONG).expect("valid");
         let rows = [&row; 3];
         let steps = [LONG.n_steps; 3];
-        let ran = together
-            .within(budget)
-            .run(RowsOf::Elastic(&rows), &steps, &mut tallies);
-        assert!(
-            ran && (0..3).all(|scene| tallies.is_told(scene) == told),
-            "told: {told}"
-        );
+        let ran = together.within(budget).run(RowsOf::Elastic(&rows), &steps, &mut tallies);
+        assert!(ran && (0..3).all(|scene| tallies.is_told(scene) == told), "told: {told}");
         let settings = Exact {
             tolerance: 1e-8,
             ..Exact::default()
@@ -63,28 +58,19 @@ fn limit_long_runs_side_by_side_have_the_bits_of_each_alone() {
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     let row = two(VISCOELASTIC);
     let lengths = [1, 65_535, 65_536, 65_537, 100_000, 131_072];
-    let clock = |n_steps| Clock {
-        time_step: 5e-5,
-        n_steps,
-    };
+    let clock = |n_steps| Clock { time_step: 5e-5, n_steps };
     {
         let together = SideBySide::new(SETTINGS, excitation, clock(131_072)).expect("valid");
         let mut tallies = SceneSums::default();
         assert!(together.run(RowsOf::Elastic(&[&row; 6]), &lengths, &mut tallies));
         for (scene, length) in lengths.into_iter().enumerate() {
             let mut peaks = Peaks::new(2);
-            let alone = Integrator::CentralDifference(SETTINGS).run(
-                &row,
-                excitation,
-                clock(length),
-                &mut peaks,
-            );
+            let alone = Integrator::CentralDifference(SETTINGS).run(&row, excitation, clock(length), &mut peaks);
             alone.expect("the run ends");
             for node in 0..2 {
                 let peak = peaks.of(node).displacement.value;
                 assert!(
-                    !tallies.is_told(scene)
-                        || tallies.displacement(scene, node).to_bits() == peak.to_bits(),
+                    !tallies.is_told(scene) || tallies.displacement(scene, node).to_bits() == peak.to_bits(),
                     "{length} steps, structure {node}"
                 );
             }

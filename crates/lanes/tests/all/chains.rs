@@ -2,9 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
-use pounding_solver::{
-    Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Point, Relation, Row,
-};
+use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Point, Relation, Row};
 
 use crate::steps::{CLOCK, SCENES, SETTINGS, all, compare};
 use crate::watch::Watch;
@@ -16,21 +14,15 @@ fn hit_together(row: &Row<Elastic>, excitation: Excitation<'_>) -> usize {
     let ran = method.watch(row, excitation, CLOCK, &mut recorder);
     assert!(ran.is_ok(), "the row runs alone");
     let all = recorder.all();
-    let beside = |one: &Collision, other: &Collision| {
-        one.pair + 1 == other.pair && one.start.total_cmp(&other.start).is_eq()
-    };
-    let joined = all
-        .iter()
-        .filter(|one| all.iter().any(|other| beside(one, other)));
+    let beside = |one: &Collision, other: &Collision| one.pair + 1 == other.pair && one.start.total_cmp(&other.start).is_eq();
+    let joined = all.iter().filter(|one| all.iter().any(|other| beside(one, other)));
     joined.count()
 }
 
 /// Chains of pairs hit at one instant, with walls at the left, in the middle and at the right.
 #[test]
 fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
-    let ground: Vec<f64> = (0..200)
-        .map(|n| 5.0 * libm::sin(0.37 * f64::from(n)))
-        .collect();
+    let ground: Vec<f64> = (0..200).map(|n| 5.0 * libm::sin(0.37 * f64::from(n))).collect();
     let excitation = Excitation::new(0.01, &ground).expect("valid");
     for (structures, restitution, wall) in [
         (3, 0.0, None),
@@ -62,11 +54,7 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
                 Pair::of_floors(
                     left,
                     left + 1,
-                    if (left + scene).is_multiple_of(4) {
-                        1e-3
-                    } else {
-                        0.0
-                    },
+                    if (left + scene).is_multiple_of(4) { 1e-3 } else { 0.0 },
                     ContactLaw::Stereomechanical(law),
                 )
             };
@@ -75,15 +63,9 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
         };
         let rows: Vec<_> = (0..SCENES[0]).map(row).collect();
         let together: usize = rows.iter().map(|row| hit_together(row, excitation)).sum();
-        assert!(
-            together >= structures,
-            "{structures}: {together} neighbours hit at once"
-        );
+        assert!(together >= structures, "{structures}: {together} neighbours hit at once");
         let found = compare((&all(&rows), RowsOf::Elastic), &ground);
-        assert!(
-            found.is_ok(),
-            "{structures}, {restitution}, {wall:?}: {found:?}"
-        );
+        assert!(found.is_ok(), "{structures}, {restitution}, {wall:?}: {found:?}");
     }
 }
 
@@ -103,11 +85,7 @@ fn extreme_pairs_that_are_no_chain_are_left_alone() {
     };
     let row = |pairs| Row::new(vec![structure(), structure()], pairs).expect("valid");
     let excitation = Excitation::new(0.01, &[0.0]).expect("valid");
-    for (pairs, is_chain) in [
-        (vec![floors], true),
-        (vec![floors, floors], false),
-        (vec![above_the_ground], false),
-    ] {
+    for (pairs, is_chain) in [(vec![floors], true), (vec![floors, floors], false), (vec![above_the_ground], false)] {
         let row = row(pairs);
         let together = SideBySide::new(SETTINGS, excitation, CLOCK).expect("valid");
         let mut found = SceneSums::default();

@@ -2,10 +2,7 @@
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 use pounding_lanes::{ExactSideBySide, Excitations, PairSums, SceneSums};
-use pounding_solver::{
-    Clock, Closings, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Peaks, Row,
-    SimultaneousImpacts,
-};
+use pounding_solver::{Clock, Closings, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Peaks, Row, SimultaneousImpacts};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -57,9 +54,7 @@ fn cases() -> impl Strategy<Value = Case> {
         let velocity = prop_oneof![3 => Just(0.0), 1 => -0.3..0.3_f64];
         let log_mass = 4.0..7.0_f64;
         let structure = (log_mass, 0.13..2.0_f64, 0.0..0.3_f64, velocity);
-        structure.prop_map(|(log_mass, period, ratio, velocity)| {
-            [libm::pow(10.0, log_mass), period, ratio, velocity]
-        })
+        structure.prop_map(|(log_mass, period, ratio, velocity)| [libm::pow(10.0, log_mass), period, ratio, velocity])
     };
     let right = prop_oneof![4 => side(), 1 => Just([1.0, f64::NAN, 0.0, 0.0])];
     let impulsive = prop_oneof![1 => Just(0.0), 6 => 0.0..1.0_f64]
@@ -79,15 +74,9 @@ fn condition(exact: &(Found, f64), case: &Case, ground: &[f64], part: f64) -> f6
     for [_, period, ..] in &mut slower.sides {
         *period *= 1.0 + part;
     }
-    let moved = [
-        alone(&case.row(), &scaled(ground, 1.0 + part)),
-        alone(&slower.row(), ground),
-    ];
+    let moved = [alone(&case.row(), &scaled(ground, 1.0 + part)), alone(&slower.row(), ground)];
     let moved = moved.map(|moved| moved.expect("it ran before").0);
-    moved
-        .iter()
-        .map(|moved| distance(exact, moved))
-        .fold(0.0, f64::max)
+    moved.iter().map(|moved| distance(exact, moved)).fold(0.0, f64::max)
 }
 
 fn settings(tolerance: f64) -> Exact {
@@ -104,11 +93,7 @@ pub(crate) type Found = ([f64; 5], [f64; 2]);
 pub(crate) fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<(Found, f64)> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     let walls = row.nodes().iter().map(Node::is_wall).collect();
-    let mut recorder = (
-        Peaks::new(2),
-        Collisions::new(2, row.pairs()),
-        Closings::new(walls, LOOK),
-    );
+    let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()), Closings::new(walls, LOOK));
     Integrator::Exact(settings(1e-14))
         .watch(row, excitation, CLOCK, &mut recorder)
         .ok()?;
@@ -143,11 +128,7 @@ pub(crate) fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> V
     beside_under(rows, excitation.into(), tolerance)
 }
 
-fn beside_under(
-    rows: &[Row<Elastic>],
-    excitations: Excitations<'_>,
-    tolerance: f64,
-) -> Vec<Option<Found>> {
+fn beside_under(rows: &[Row<Elastic>], excitations: Excitations<'_>, tolerance: f64) -> Vec<Option<Found>> {
     let together = ExactSideBySide::new(settings(tolerance), excitations, CLOCK).expect("valid");
     let together = together.with_closings(true);
     let mut tallies = SceneSums::default();
@@ -166,15 +147,12 @@ fn beside_under(
 /// is further is decided by less than the error where both are nearly as far. Closings are differences of displacements. Impulses that are less than the momentum of approach are
 /// relative to that, as the tolerance is: a soft touch of long duration passes on a hundredth of it.
 pub(crate) fn distance((one, momentum): &(Found, f64), other: &Found) -> f64 {
-    let relative =
-        |a: f64, b: f64, least: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(least);
+    let relative = |a: f64, b: f64, least: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(least);
     let displacement = one.0[0].abs().max(one.0[1].abs()).max(1e-12);
     let momentum = momentum.max(1e-12);
     let least = [1e-12, 1e-12, displacement, momentum, momentum];
     let peaks = one.0.iter().zip(&other.0).zip(least);
-    let peaks = peaks
-        .map(|((a, b), least)| relative(*a, *b, least))
-        .fold(0.0, f64::max);
+    let peaks = peaks.map(|((a, b), least)| relative(*a, *b, least)).fold(0.0, f64::max);
     peaks.max(relative(one.1[0], other.1[0], 1e-12))
 }
 
@@ -292,10 +270,7 @@ fn issue_a_parting_that_the_polynomial_missed_is_tried_again() {
         reduced_mass: 1e5,
         approach_speed: 0.3,
     };
-    for (law, stiffness, e) in [
-        (LawName::ModifiedLinearViscoelastic, 1e10, 0.1),
-        (LawName::KelvinVoigt, 1e9, 0.4),
-    ] {
+    for (law, stiffness, e) in [(LawName::ModifiedLinearViscoelastic, 1e10, 0.1), (LawName::KelvinVoigt, 1e9, 0.4)] {
         let calibrated = law.calibrated(stiffness, (e, Calibration::Exact), &pair);
         let calibrated = calibrated.expect("valid");
         let row = |speed: u32| {

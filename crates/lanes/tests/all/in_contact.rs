@@ -1,8 +1,6 @@
 //! Faults of compliant contact in lanes that random rows found, each by a row that showed it.
 
-use pounding_contact::{
-    ContactLaw, HertzDamp, KelvinVoigt, KuwabaraKono, ModifiedKelvin, NonlinearViscoelastic,
-};
+use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt, KuwabaraKono, ModifiedKelvin, NonlinearViscoelastic};
 use pounding_solver::{Elastic, Node, Row};
 
 use crate::common::moving;
@@ -17,10 +15,7 @@ fn held_to_the_exact_method(row: &Row<Elastic>, ground: &[f64], tolerances: &[f6
         let moved = alone(row, &scaled(ground, 1.0 + tolerance)).expect("it ran before");
         let allowed = times * (tolerance + distance(&exact, &moved.0));
         let error = distance(&exact, &told);
-        assert!(
-            error < allowed,
-            "{tolerance:e}: {error:e} {exact:?} {told:?}"
-        );
+        assert!(error < allowed, "{tolerance:e}: {error:e} {exact:?} {told:?}");
         assert!((exact.0.1[1] - told.1[1]).abs() < 0.5, "{exact:?} {told:?}");
     }
 }
@@ -88,10 +83,7 @@ fn issue_a_bend_and_back_within_a_step_is_seen() {
     ];
     for law in laws {
         for seed in [9, 238, 246, 282, 331, 397] {
-            let nodes = [
-                moving(9.54e6, [1.96, 0.098], [0.0, 0.27]),
-                Node::wall(Elastic { stiffness: 1.0 }),
-            ];
+            let nodes = [moving(9.54e6, [1.96, 0.098], [0.0, 0.27]), Node::wall(Elastic { stiffness: 1.0 })];
             let row = row_of(nodes, 0.0064, law);
             let tolerances = [1e-6, 1e-7, 1e-8, 1e-9];
             held_to_the_exact_method(&row, &noise(seed, 60), &tolerances, 100.0);
@@ -110,10 +102,7 @@ fn issue_a_force_that_is_clamped_in_the_step_that_parts() {
             impact_stiffness: 2e7,
             impact_damping,
         });
-        let nodes = [
-            moving(3.7e6, [1.508, 0.0095], [0.0, 0.0]),
-            Node::wall(Elastic { stiffness: 1.0 }),
-        ];
+        let nodes = [moving(3.7e6, [1.508, 0.0095], [0.0, 0.0]), Node::wall(Elastic { stiffness: 1.0 })];
         let row = row_of(nodes, 0.002, law);
         held_to_the_exact_method(&row, &noise(seed, 190), &[1e-7, 1e-8], 4.0);
     }

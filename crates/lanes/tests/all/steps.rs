@@ -3,8 +3,8 @@
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{Excitations, PairSums, RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, Excitation, Hysteretic,
-    Integrator, Ledger, Node, Pair, Peaks, Row, RunError,
+    Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, Excitation, Hysteretic, Integrator, Ledger, Node, Pair, Peaks, Row,
+    RunError,
 };
 use proptest::prelude::*;
 
@@ -19,9 +19,7 @@ pub(crate) const CLOCK: Clock = Clock {
     n_steps: 300,
 };
 
-pub(crate) const SETTINGS: CentralDifference = CentralDifference {
-    contact_substeps: 1,
-};
+pub(crate) const SETTINGS: CentralDifference = CentralDifference { contact_substeps: 1 };
 
 /// One scene that no step of the clock can follow must not disturb the others. It may go as far to both sides, which is left to runs alone.
 pub(crate) const BEYOND_THE_CLOCK: usize = 5;
@@ -66,11 +64,7 @@ fn steps(scene: usize) -> usize {
 /// Displacements and drifts, pairs of a scene alone, and whether its ledger refuses it.
 type Alone = Result<(Vec<[f64; 2]>, Vec<PairSums>, bool), RunError>;
 
-fn alone<Column: Hysteretic>(
-    n_steps: usize,
-    row: &Row<Column>,
-    excitation: Excitation<'_>,
-) -> Alone {
+fn alone<Column: Hysteretic>(n_steps: usize, row: &Row<Column>, excitation: Excitation<'_>) -> Alone {
     let (n, pairs) = (row.nodes().len(), row.pairs());
     let walls = row.nodes().iter().map(Node::is_wall).collect();
     let mut recorder = (
@@ -78,12 +72,7 @@ fn alone<Column: Hysteretic>(
         Closings::new(walls, 1.0),
         Ledger::new(row, excitation),
     );
-    Integrator::CentralDifference(SETTINGS).watch(
-        row,
-        excitation,
-        Clock { n_steps, ..CLOCK },
-        &mut recorder,
-    )?;
+    Integrator::CentralDifference(SETTINGS).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
     let ((peaks, collisions), closings, ledger) = recorder;
     let mut tallies = vec![PairSums::default(); pairs.len()];
     for one in collisions.all() {
@@ -150,9 +139,8 @@ fn bits_of_pair(sums: &PairSums) -> ([u64; 4], Option<u64>) {
 
 /// Whether sums are those of runs that nobody asked for closings.
 fn are_the_same<Column: Hysteretic>(full: &SceneSums, lean: &SceneSums, row: &Row<Column>) -> bool {
-    let floor = |sums: &SceneSums, scene: usize, floor: usize| {
-        [sums.displacement(scene, floor), sums.drift(scene, floor)].map(f64::to_bits)
-    };
+    let floor =
+        |sums: &SceneSums, scene: usize, floor: usize| [sums.displacement(scene, floor), sums.drift(scene, floor)].map(f64::to_bits);
     let pair = |sums: &SceneSums, scene: usize, pair: usize| {
         bits_of_pair(&PairSums {
             closing: None,
@@ -273,10 +261,7 @@ fn displaced(row: &Row<Bilinear>, scene: usize) -> Row<Bilinear> {
 }
 
 /// The same row with other columns. Its last structure is a wall if it is at rest and not alone, else the first one on that condition.
-fn with_columns<Column: Hysteretic>(
-    row: &Row<Bilinear>,
-    column: impl Fn(&Node<Bilinear>) -> Column,
-) -> Row<Column> {
+fn with_columns<Column: Hysteretic>(row: &Row<Bilinear>, column: impl Fn(&Node<Bilinear>) -> Column) -> Row<Column> {
     let last = row.nodes().len() - 1;
     let rests = |index: &usize| {
         let node = &row.nodes()[*index];
@@ -299,10 +284,7 @@ fn with_columns<Column: Hysteretic>(
 }
 
 /// On ground at rest.
-fn side_by_side(
-    settings: CentralDifference,
-    clock: Clock,
-) -> Result<SideBySide<'static>, RunError> {
+fn side_by_side(settings: CentralDifference, clock: Clock) -> Result<SideBySide<'static>, RunError> {
     let excitation = Excitation::new(1.0, &[0.0]).expect("valid");
     SideBySide::new(settings, excitation, clock)
 }
@@ -325,32 +307,18 @@ fn limit_rows_of_other_shapes_are_not_taken() {
         "another number of pairs"
     );
     let late = one.clone().delayed(vec![0.0, 0.1]).expect("valid");
-    assert!(
-        !together.run(RowsOf::Elastic(&[&late]), &[9], &mut found),
-        "a motion that travels"
-    );
-    assert!(
-        !together.run(RowsOf::Elastic(&[]), &[], &mut found),
-        "no row"
-    );
+    assert!(!together.run(RowsOf::Elastic(&[&late]), &[9], &mut found), "a motion that travels");
+    assert!(!together.run(RowsOf::Elastic(&[]), &[], &mut found), "no row");
     let too_long = CLOCK.n_steps + 1;
     assert!(
         !together.run(RowsOf::Elastic(&[&one]), &[too_long], &mut found),
         "more steps than the clock has"
     );
     assert!(found.is_empty(), "nothing has run");
-    assert!(
-        together.run(RowsOf::Elastic(&[&one]), &[9], &mut found),
-        "a row of one shape"
-    );
+    assert!(together.run(RowsOf::Elastic(&[&one]), &[9], &mut found), "a row of one shape");
     let empty = Row::new(vec![], vec![]).expect("valid");
-    assert!(
-        together.run(RowsOf::Elastic(&[&empty]), &[9], &mut found),
-        "nothing moves"
-    );
-    let settings = CentralDifference {
-        contact_substeps: 2,
-    };
+    assert!(together.run(RowsOf::Elastic(&[&empty]), &[9], &mut found), "nothing moves");
+    let settings = CentralDifference { contact_substeps: 2 };
     let refused = side_by_side(settings, CLOCK);
     insta::assert_snapshot!(refused.expect_err("sub-steps run alone"), @"contact_substeps: found 2, allowed 1 side by side; scenes with more run alone");
 }
@@ -373,16 +341,9 @@ fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
     };
     let together = side_by_side(SETTINGS, clock).expect("valid");
     let mut found = SceneSums::default();
-    assert!(
-        together.run(RowsOf::Elastic(&[&row, &row]), &[1, 2], &mut found),
-        "one shape"
-    );
+    assert!(together.run(RowsOf::Elastic(&[&row, &row]), &[1, 2], &mut found), "one shape");
     assert!(found.is_told(0), "it has not come back yet");
-    assert!(
-        !found.is_told(1),
-        "both sides: {}",
-        found.displacement(1, 0)
-    );
+    assert!(!found.is_told(1), "both sides: {}", found.displacement(1, 0));
 }
 
 #[test]

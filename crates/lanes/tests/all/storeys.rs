@@ -2,9 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
-use pounding_solver::{
-    Bilinear, Elastic, Excitation, Floor, Hysteretic, Levels, Node, Pair, Row, Storey,
-};
+use pounding_solver::{Bilinear, Elastic, Excitation, Floor, Hysteretic, Levels, Node, Pair, Row, Storey};
 use proptest::prelude::*;
 
 use crate::random_rows::{any_law, config, stereomechanical};
@@ -45,10 +43,7 @@ fn building() -> impl Strategy<Value = Building> {
         power_of_ten(-1.1..0.0),
         prop_oneof![Just(f64::INFINITY), power_of_ten(-4.0..-2.0)],
     );
-    let damping = (
-        prop_oneof![Just(0.0), 0.0..2.0_f64],
-        prop_oneof![Just(0.0), 0.0..0.01_f64],
-    );
+    let damping = (prop_oneof![Just(0.0), 0.0..2.0_f64], prop_oneof![Just(0.0), 0.0..0.01_f64]);
     let moves = prop_oneof![3 => Just([0.0; 2]), 1 => prop::array::uniform2(-0.3..0.3_f64)];
     let shape = (
         1..=8_usize,
@@ -56,15 +51,13 @@ fn building() -> impl Strategy<Value = Building> {
         prop_oneof![5 => Just(0_usize), 1 => Just(1)],
     );
     let all = (shape, storey, damping, moves, 0..6_u32);
-    all.prop_map(
-        |((storeys, rise, base), storey, damping, [velocity, lean], kind)| Building {
-            floors: (0..storeys).map(|floor| base + floor * rise).collect(),
-            storey: storey.into(),
-            damping: damping.into(),
-            moves: [velocity, -0.001 * lean.abs()],
-            is_wall: kind == 0,
-        },
-    )
+    all.prop_map(|((storeys, rise, base), storey, damping, [velocity, lean], kind)| Building {
+        floors: (0..storeys).map(|floor| base + floor * rise).collect(),
+        storey: storey.into(),
+        damping: damping.into(),
+        moves: [velocity, -0.001 * lean.abs()],
+        is_wall: kind == 0,
+    })
 }
 
 fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> {
@@ -97,17 +90,9 @@ fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> 
 }
 
 /// The same row with other numbers; one scene that no step of the clock can follow must not disturb the others.
-fn row<Column: Hysteretic>(
-    case: &Case,
-    scene: usize,
-    column: impl Fn(f64, f64) -> Column,
-) -> Row<Column> {
+fn row<Column: Hysteretic>(case: &Case, scene: usize, column: impl Fn(f64, f64) -> Column) -> Row<Column> {
     let factor = 1.0 + 0.03 * scene as f64;
-    let floors: Vec<_> = case
-        .buildings
-        .iter()
-        .map(|one| one.floors.clone())
-        .collect();
+    let floors: Vec<_> = case.buildings.iter().map(|one| one.floors.clone()).collect();
     let levels = Levels::at(&floors);
     let node = |index: usize| -> Node<Column> {
         let (place, _) = levels.place(index);

@@ -39,16 +39,8 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         && let Some(points) = header::points(titles)
         && points.count == numbers.values.len()
     {
-        let found = format!(
-            "{:?}, which the values have, and not {:?}",
-            points.line.excerpt(),
-            line.excerpt()
-        );
-        remarks.push(reading(
-            "count",
-            Some(Place::Line(points.line.number)),
-            &found,
-        ));
+        let found = format!("{:?}, which the values have, and not {:?}", points.line.excerpt(), line.excerpt());
+        remarks.push(reading("count", Some(Place::Line(points.line.number)), &found));
         stated = points;
     }
     let of_line = Place::Line(stated.line.number);

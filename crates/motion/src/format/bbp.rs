@@ -90,9 +90,7 @@ fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
 }
 
 fn components(file: &File<'_>) -> Vec<Component> {
-    let component = |column: Column<'_>| {
-        Component::new(column.name.to_owned(), Place::Line(column.line.number))
-    };
+    let component = |column: Column<'_>| Component::new(column.name.to_owned(), Place::Line(column.line.number));
     let columns = columns(file).unwrap_or_default();
     columns.into_iter().map(component).collect()
 }
@@ -101,12 +99,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let comments = comments(file);
     let columns = columns(file).unwrap_or_default();
     let column = needed(columns.get(index), None, "names of its columns")?;
-    let table = Table::new(
-        column.line,
-        &file.lines[comments.len()..],
-        COLUMNS,
-        Line::fields,
-    )?;
+    let table = Table::new(column.line, &file.lines[comments.len()..], COLUMNS, Line::fields)?;
     let numbers = table.column(index + 1)?;
     let mut values = numbers.values;
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;

@@ -53,9 +53,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let split = channel.split_at_checked(HEADER);
     let (header, data) = needed(split, channel.last().copied(), "the values")?;
     let titles = &header[..TITLES];
-    let line = title::line_with(titles, "NO. OF POINTS").ok_or(ReadError::NoKey {
-        key: "NO. OF POINTS",
-    })?;
+    let line = title::line_with(titles, "NO. OF POINTS").ok_or(ReadError::NoKey { key: "NO. OF POINTS" })?;
     let text = line.text();
     let behind = |word| title::after(&text, word).and_then(title::first_number);
     let count = title::count(line, behind("NO. OF POINTS").unwrap_or_default())?;
@@ -63,8 +61,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let rate = header[RATE].pieces().next().and_then(number);
     let step = title::time_step(header[RATE], rate.map(|rate| 1.0 / rate))?;
     // The last step may be counted or not.
-    let is_near =
-        |duration: f64| (duration - count.value as f64 * step.value).abs() < 1.5 * step.value;
+    let is_near = |duration: f64| (duration - count.value as f64 * step.value).abs() < 1.5 * step.value;
     if !duration.is_none_or(is_near) {
         return Err(ReadError::Header {
             place: Place::Line(line.number),

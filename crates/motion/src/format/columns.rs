@@ -24,11 +24,7 @@ pub(super) struct Columns {
 
 impl fmt::Display for Columns {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            out,
-            "{} to a line, {} bytes each",
-            self.per_line, self.width
-        )
+        write!(out, "{} to a line, {} bytes each", self.per_line, self.width)
     }
 }
 
@@ -69,10 +65,7 @@ impl Columns {
         };
         let letter = format.find(['F', 'E', 'D', 'G', 'I'])?;
         let (per_line, field) = format.split_at(letter);
-        let width: String = field[1..]
-            .chars()
-            .take_while(char::is_ascii_digit)
-            .collect();
+        let width: String = field[1..].chars().take_while(char::is_ascii_digit).collect();
         let per_line = if per_line.is_empty() { "1" } else { per_line };
         let columns = Self {
             lead: 0,
@@ -92,19 +85,11 @@ impl Columns {
     /// The fields of a line up to its last that is not blank.
     pub(super) fn fields(self, line: Line<'_>) -> impl Iterator<Item = &[u8]> {
         let numbers = line.bytes.trim_ascii_end().get(self.lead..);
-        numbers
-            .unwrap_or_default()
-            .chunks(self.width)
-            .take(self.per_line)
+        numbers.unwrap_or_default().chunks(self.width).take(self.per_line)
     }
 
     /// The numbers of these lines. Values in `missing` are marks and refused.
-    pub(super) fn numbers(
-        self,
-        header: Line<'_>,
-        lines: &[Line<'_>],
-        missing: &[f64],
-    ) -> Result<Numbers, ReadError> {
+    pub(super) fn numbers(self, header: Line<'_>, lines: &[Line<'_>], missing: &[f64]) -> Result<Numbers, ReadError> {
         let mut values = Values::default();
         for line in lines {
             for (index, field) in self.fields(*line).enumerate() {
@@ -143,12 +128,7 @@ pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64,
 }
 
 /// Refuses a mark that stands for a value that is missing.
-fn check_present(
-    line: Line<'_>,
-    field: usize,
-    bytes: &[u8],
-    missing: &[f64],
-) -> Result<(), ReadError> {
+fn check_present(line: Line<'_>, field: usize, bytes: &[u8], missing: &[f64]) -> Result<(), ReadError> {
     let value = number(bytes);
     if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
         return Err(RowError::Missing {
@@ -174,9 +154,6 @@ fn is_data(line: Line<'_>) -> bool {
             || b"EeDdNnAaIiFf".contains(byte)
     };
     !line.is_blank()
-        && line
-            .bytes
-            .iter()
-            .any(|byte| matches!(byte, b'.' | b'*') || byte.is_ascii_digit())
+        && line.bytes.iter().any(|byte| matches!(byte, b'.' | b'*') || byte.is_ascii_digit())
         && line.bytes.iter().all(of_numbers)
 }

@@ -21,9 +21,7 @@ enum Parted {
 pub(super) fn with_points(bytes: &[u8]) -> (Cow<'_, [u8]>, Option<usize>) {
     let head = &bytes[..bytes.len().min(SEARCHED)];
     let first = lines(head).ok().and_then(|lines| {
-        let mut rows = lines
-            .iter()
-            .filter(|line| !line.is_blank() && !line.is_comment());
+        let mut rows = lines.iter().filter(|line| !line.is_blank() && !line.is_comment());
         rows.find_map(|line| {
             let parted = parted(line.bytes);
             let is_row = parted.is_some() || line.fields().all(|field| number(field).is_some());
@@ -54,20 +52,13 @@ fn parted(line: &[u8]) -> Option<Parted> {
     };
     if has(b';') {
         let line = line.trim_ascii();
-        let mut fields = line
-            .strip_suffix(b";")
-            .unwrap_or(line)
-            .split(|byte| *byte == b';');
+        let mut fields = line.strip_suffix(b";").unwrap_or(line).split(|byte| *byte == b';');
         return (line.len() < SEARCHED && fields.all(is_number)).then_some(Parted::BySemicolons);
     }
     if !has(b',') || has(b'.') {
         return None;
     }
-    let pieces = Line {
-        number: 0,
-        bytes: line,
-    }
-    .pieces();
+    let pieces = Line { number: 0, bytes: line }.pieces();
     let is_several = pieces.clone().nth(1).is_some();
     (is_several && pieces.into_iter().all(is_number)).then_some(Parted::ByBlanks)
 }

@@ -41,9 +41,7 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
     let names = || components.iter().map(|component| component.name.clone());
     let Some(declared) = declared else {
         return if components.len() > 1 {
-            Err(ReadError::ComponentNeeded {
-                names: names().collect(),
-            })
+            Err(ReadError::ComponentNeeded { names: names().collect() })
         } else {
             Ok(0)
         };
@@ -74,10 +72,7 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
         }),
         _ => Err(ReadError::AmbiguousComponent {
             found: declared.trim().to_owned(),
-            fitting: found
-                .iter()
-                .map(|index| (index + 1, components[*index].name.clone()))
-                .collect(),
+            fitting: found.iter().map(|index| (index + 1, components[*index].name.clone())).collect(),
         }),
     }
 }
@@ -120,12 +115,7 @@ mod tests {
         names.iter().map(component).collect()
     }
 
-    const CHANNELS: [&str; 4] = [
-        "CHAN 1: 90 DEG",
-        "CHAN 2: UP",
-        "CHAN 3: 0 DEG",
-        "CHAN 12: N08W",
-    ];
+    const CHANNELS: [&str; 4] = ["CHAN 1: 90 DEG", "CHAN 2: UP", "CHAN 3: 0 DEG", "CHAN 12: N08W"];
 
     /// Names had to be given in full, number of the channel included.
     #[test]
@@ -148,10 +138,7 @@ mod tests {
         ] {
             assert_eq!(chosen(&channels, Some(declared)), Ok(index), "{declared}");
         }
-        assert_eq!(
-            chosen(&components(&["HNE", "HNN", "HNZ"]), Some("nz")),
-            Ok(2)
-        );
+        assert_eq!(chosen(&components(&["HNE", "HNN", "HNZ"]), Some("nz")), Ok(2));
         assert_eq!(chosen(&components(&["3", "1", "2"]), Some("1")), Ok(1));
         assert_eq!(chosen(&components(&["UP", "UP 2"]), Some("Up")), Ok(0));
         assert_eq!(chosen(&[], Some("1")), Ok(0));
@@ -161,9 +148,7 @@ mod tests {
     fn extreme_parts_of_several_names_and_of_none() {
         let channels = components(&CHANNELS);
         let ambiguous = |declared: &str| match chosen(&channels, Some(declared)) {
-            Err(ReadError::AmbiguousComponent { fitting, .. }) => {
-                fitting.iter().map(|(number, _)| *number).collect()
-            }
+            Err(ReadError::AmbiguousComponent { fitting, .. }) => fitting.iter().map(|(number, _)| *number).collect(),
             _ => Vec::new(),
         };
         assert_eq!(ambiguous("deg"), [1, 3]);

@@ -9,9 +9,7 @@
 use super::columns::{Columns, leading_data};
 use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
-use super::{
-    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
-};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Direction, Identity, Place, ReadError, Site};
 
@@ -52,9 +50,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
 fn component(channel: &[Line<'_>]) -> Component {
     let titles = &channel[..channel.len().min(13)];
     let line = title::line_with(titles, "STA CHA");
-    let line = line
-        .or_else(|| title::line_with(titles, "CHAN"))
-        .unwrap_or(channel[0]);
+    let line = line.or_else(|| title::line_with(titles, "CHAN")).unwrap_or(channel[0]);
     let text = line.text();
     let name = title::words(text.split(['(', ',']).next().unwrap_or_default());
     let location = title::after(&text, "LOCATION:").unwrap_or_default();
@@ -127,23 +123,14 @@ fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, Rea
         allowed: "the number of lines of the block below",
     })?;
     let split = rest.split_at_checked(n_lines);
-    let (lines, rest) = needed(
-        split,
-        rest.last().copied().or(Some(*line)),
-        "the end of its header",
-    )?;
-    Ok(Block {
-        line: *line,
-        lines,
-        rest,
-    })
+    let (lines, rest) = needed(split, rest.last().copied().or(Some(*line)), "the end of its header")?;
+    Ok(Block { line: *line, lines, rest })
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let channels = channels(file)?;
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
-    let n_titles = title::after(&channel[0].text(), "WITH")
-        .and_then(|text| title::first_number(text)?.parse().ok());
+    let n_titles = title::after(&channel[0].text(), "WITH").and_then(|text| title::first_number(text)?.parse().ok());
     let titles = channel.get(..n_titles.unwrap_or(13));
     let titles = needed(titles, channel.last().copied(), "its titles")?;
     let whole = block(&channel[titles.len()..], "FOLLOW ON")?;
@@ -155,11 +142,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let unknown = unknown(titles);
     let marks = [unknown];
     // In counts the mark is as good a value as any.
-    let marks = if matches!(scale, Scale::Counts(_)) {
-        &[][..]
-    } else {
-        &marks[..]
-    };
+    let marks = if matches!(scale, Scale::Counts(_)) { &[][..] } else { &marks[..] };
     let columns = Columns::named_in(*line);
     let columns = columns.ok_or_else(|| ReadError::Header {
         place: Place::Line(line.number),
@@ -178,10 +161,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         values: numbers.values,
         end: numbers.end,
         digit: numbers.digit,
-        count: Some(title::count(
-            *line,
-            title::first_number(&text).unwrap_or_default(),
-        )?),
+        count: Some(title::count(*line, title::first_number(&text).unwrap_or_default())?),
         time_step: time_step.map(Spacing::Even),
         scale,
         peak: header.stated(64).map(|stated| Peak {
@@ -190,11 +170,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
             unit: None,
         }),
         provenance: title::provenance(titles),
-        remarks: vec![reading(
-            "columns",
-            Some(Place::Line(line.number)),
-            &columns.to_string(),
-        )],
+        remarks: vec![reading("columns", Some(Place::Line(line.number)), &columns.to_string())],
     })
 }
 
@@ -255,9 +231,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
     }
     let whole = line.text();
     let units = title::after(&whole, "UNITS").unwrap_or_default();
-    let code = units
-        .split_once('(')
-        .and_then(|(_, rest)| rest.split_once(')'));
+    let code = units.split_once('(').and_then(|(_, rest)| rest.split_once(')'));
     // `cm/sec2(04)`, without the sign before and the format behind.
     let spelt = title::before(units, ",FORMAT").trim_start_matches(['=', ' ']);
     let unit = match code.map_or("", |(code, _)| code.trim()) {
@@ -265,11 +239,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
         "04" | "4" | "10" => AccelerationUnit::CentimetrePerSecondSquared,
         "11" => AccelerationUnit::MilliG,
         "50" => {
-            return Ok(Scale::Counts(Stated {
-                value: (),
-                place,
-                text,
-            }));
+            return Ok(Scale::Counts(Stated { value: (), place, text }));
         }
         _ => return Err(ReadError::UnknownUnit { place, found: text }),
     };
@@ -281,11 +251,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
 }
 
 /// Holds number and time step against `approx   70 secs`. Files count the last step or do not.
-fn check_duration(
-    line: Line<'_>,
-    n_samples: usize,
-    time_step: Option<&Stated<f64>>,
-) -> Result<(), ReadError> {
+fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f64>>) -> Result<(), ReadError> {
     let text = line.text();
     let stated = title::after(&text, "APPROX").and_then(title::first_number);
     let stated = stated.and_then(|stated| number(stated.as_bytes()));

@@ -67,11 +67,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     }
 }
 
-fn evenly_spaced(
-    header: &[Line<'_>],
-    line: Line<'_>,
-    data: &[Line<'_>],
-) -> Result<Draft, ReadError> {
+fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Result<Draft, ReadError> {
     let titles = &header[..TITLES];
     let text = line.text();
     let n_samples = title::first_number(&text).unwrap_or_default();
@@ -188,20 +184,14 @@ fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, ReadError> {
     let line = header[TITLES + 1];
     let whole = Columns::new(16, 5).header(&header[TITLES..TITLES + 7]);
     let count = whole.get(27).copied().flatten();
-    title::count(
-        line,
-        &count.map(|count| count.to_string()).unwrap_or_default(),
-    )
+    title::count(line, &count.map(|count| count.to_string()).unwrap_or_default())
 }
 
 /// The peak of a title such as `UNCOR MAX  =  -.275 G`.
 fn peak(titles: &[Line<'_>]) -> Option<Peak> {
     titles.iter().find_map(|line| {
         let text = line.text();
-        let value = title::after(&text, "MAX")?
-            .trim_start()
-            .strip_prefix('=')?
-            .to_owned();
+        let value = title::after(&text, "MAX")?.trim_start().strip_prefix('=')?.to_owned();
         title::peak(*line, &value)
     })
 }

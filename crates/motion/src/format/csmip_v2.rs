@@ -6,9 +6,7 @@
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
-use super::{
-    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
-};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::{Direction, Identity, Place, ReadError, Site};
 
@@ -61,20 +59,15 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     let titles = &lines[..lines.len().min(TITLES)];
     let named = titles.iter().find(|line| {
         let words = line.bytes.trim_ascii();
-        ["CHAN", "COMP"].iter().any(|word| {
-            words
-                .get(..4)
-                .is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes()))
-        })
+        ["CHAN", "COMP"]
+            .iter()
+            .any(|word| words.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes())))
     });
     let line = named.unwrap_or(&lines[0]);
     let text = line.text();
     let name = title::before(title::before(&text, "("), "LOCATION");
     let mut words: Vec<&str> = name.split_whitespace().collect();
-    if words
-        .first()
-        .is_some_and(|word| word.eq_ignore_ascii_case("COMP"))
-    {
+    if words.first().is_some_and(|word| word.eq_ignore_ascii_case("COMP")) {
         // The length of the title may follow; or the direction does, behind the number of the channel.
         let is_length = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
         let kept = if words
@@ -107,15 +100,8 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let titles = &channel[..channel.len().min(TITLES)];
-    let header = channel
-        .iter()
-        .take(SEARCHED)
-        .position(|line| is_block(*line));
-    let header = needed(
-        header,
-        channel.last().copied(),
-        "a line such as `3251 POINTS OF ACCEL DATA`",
-    )?;
+    let header = channel.iter().take(SEARCHED).position(|line| is_block(*line));
+    let header = needed(header, channel.last().copied(), "a line such as `3251 POINTS OF ACCEL DATA`")?;
     let (line, data) = (channel[header], &channel[header + 1..]);
     let text = line.text();
     let n_samples = title::first_number(&text).unwrap_or_default();
@@ -126,8 +112,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let columns = named.unwrap_or(Columns::new(8, 10));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     let peak = title::line_with(titles, "PEAK ACCELERATION");
-    let peak =
-        peak.and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?));
+    let peak = peak.and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?));
     let cut = match named {
         Some(columns) => columns.to_string(),
         None => format!("{columns}, as usual: the line does not say"),
@@ -147,9 +132,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
 
 /// The unit behind the step of a block's line, or else of the peak in the titles; unknown where neither has one.
 fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, ReadError> {
-    let format = behind
-        .rfind('(')
-        .filter(|_| Columns::named_in(line).is_some());
+    let format = behind.rfind('(').filter(|_| Columns::named_in(line).is_some());
     let unit = &behind[..format.unwrap_or(behind.len())];
     if unit.bytes().any(|byte| byte.is_ascii_alphabetic()) {
         return Ok(Scale::Unit(title::stated_unit(line, unit)?));
@@ -165,7 +148,5 @@ fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, Rea
 }
 
 fn is_block(line: Line<'_>) -> bool {
-    title::holds(line, "POINTS OF ACC")
-        && title::holds(line, "SPACED AT")
-        && !title::holds(line, "POINTS OF ACCEL, VELOC")
+    title::holds(line, "POINTS OF ACC") && title::holds(line, "SPACED AT") && !title::holds(line, "POINTS OF ACCEL, VELOC")
 }

@@ -7,9 +7,7 @@ pub(super) const READER: Reader = Reader {
     format: Format::CsmipV2,
     recognises: |file| {
         let first = file.lines.first();
-        first.is_some_and(|line| {
-            title::holds(*line, "AMPLITUDE SPECTRA") && title::holds(*line, "RESPONSE")
-        })
+        first.is_some_and(|line| title::holds(*line, "AMPLITUDE SPECTRA") && title::holds(*line, "RESPONSE"))
     },
     components: refused,
     read: |file, _| refused(file),

@@ -25,9 +25,7 @@ pub(super) const READER: Reader = Reader {
 /// The titles, up to the line of the network below that of number and step.
 fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     let searched = &file.lines[..file.lines.len().min(TITLES)];
-    let is_title = |line: &Line<'_>| {
-        line.bytes.iter().any(u8::is_ascii_uppercase) && number_first(*line).is_none()
-    };
+    let is_title = |line: &Line<'_>| line.bytes.iter().any(u8::is_ascii_uppercase) && number_first(*line).is_none();
     let last = searched.iter().rposition(is_title);
     &searched[..last.map_or(0, |last| last + 1)]
 }
@@ -52,9 +50,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     let titles = titles(file);
     let station = identity::behind(titles, "STATION:");
     let event = title::line_with(titles, "EARTHQUAKE").map(Line::text);
-    let time = titles
-        .iter()
-        .find_map(|line| identity::first_time(&line.text()));
+    let time = titles.iter().find_map(|line| identity::first_time(&line.text()));
     Identity {
         station: station.and_then(|text| identity::text(text.split_whitespace().next()?)),
         event: event.as_deref().and_then(identity::text),
@@ -85,15 +81,9 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         values: numbers.values,
         end: numbers.end,
         digit: numbers.digit,
-        count: Some(title::count(
-            line,
-            behind("NO. OF POINTS:").unwrap_or_default(),
-        )?),
+        count: Some(title::count(line, behind("NO. OF POINTS:").unwrap_or_default())?),
         time_step: Some(Spacing::Even(title::time_step(line, step)?)),
-        scale: Scale::Unit(title::stated_unit(
-            unit,
-            title::after(&unit.text(), "UNIT:").unwrap_or_default(),
-        )?),
+        scale: Scale::Unit(title::stated_unit(unit, title::after(&unit.text(), "UNIT:").unwrap_or_default())?),
         peak: peak.and_then(|(line, text)| title::peak(line, &text)),
         provenance: title::provenance(titles),
         remarks: Vec::new(),

@@ -19,10 +19,7 @@ pub(super) const READER: Reader = Reader {
 /// Names of the second column, and the units that they tell.
 const OURS: [(&str, AccelerationUnit); 2] = [
     ("acceleration_g", AccelerationUnit::StandardGravity),
-    (
-        "acceleration_m_per_s2",
-        AccelerationUnit::MetrePerSecondSquared,
-    ),
+    ("acceleration_m_per_s2", AccelerationUnit::MetrePerSecondSquared),
 ];
 
 /// Two words and a comma, the first of which begins like the header: what is wrong with the rest
@@ -30,9 +27,7 @@ const OURS: [(&str, AccelerationUnit); 2] = [
 fn recognises(file: &File<'_>) -> bool {
     file.first().is_some_and(|line| {
         let mut fields = fields(line);
-        let is_time = fields
-            .next()
-            .is_some_and(|word| word.starts_with(b"time_s"));
+        let is_time = fields.next().is_some_and(|word| word.starts_with(b"time_s"));
         let value = fields.next().map(String::from_utf8_lossy);
         // The header of another program, whose name tells the unit, or another quantity.
         let is_other = value
@@ -71,11 +66,7 @@ fn fields(line: Line<'_>) -> impl Iterator<Item = &[u8]> {
 /// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
 /// times that do not keep to the rules above.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
-    let mut rows = file
-        .lines
-        .iter()
-        .copied()
-        .filter(|line| !line.is_blank() && !line.is_comment());
+    let mut rows = file.lines.iter().copied().filter(|line| !line.is_blank() && !line.is_comment());
     let header = rows.next().ok_or(ReadError::Empty)?;
     let unit = unit(header)?;
     let mut times = TimeColumn::default();
@@ -119,14 +110,11 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
 
 fn unit(line: Line<'_>) -> Result<AccelerationUnit, ReadError> {
     let name = fields(line).nth(1).map(String::from_utf8_lossy);
-    let ours = OURS
-        .iter()
-        .find(|(known, _)| name.as_deref() == Some(known));
-    ours.map(|(_, unit)| *unit)
-        .ok_or_else(|| ReadError::Columns {
-            line: line.number,
-            found: line.excerpt(),
-        })
+    let ours = OURS.iter().find(|(known, _)| name.as_deref() == Some(known));
+    ours.map(|(_, unit)| *unit).ok_or_else(|| ReadError::Columns {
+        line: line.number,
+        found: line.excerpt(),
+    })
 }
 
 fn comment(line: Line<'_>) -> String {

@@ -13,22 +13,14 @@ use crate::{AccelerationUnit, Identity, Place, ReadError};
 const COLUMNS: Columns = Columns::new(4, 10);
 
 /// Keys of which a header has two, in capitals.
-const KEYS: [&str; 4] = [
-    "STATIONCODE:",
-    "AMPLITUDEUNIT:",
-    "DATASEQUENCE:",
-    "SAMPLERATE(HZ):",
-];
+const KEYS: [&str; 4] = ["STATIONCODE:", "AMPLITUDEUNIT:", "DATASEQUENCE:", "SAMPLERATE(HZ):"];
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cwb,
     recognises: |file| {
         let header = header(file);
         let n_keys = KEYS.iter().filter(|key| said(header, key).is_some());
-        header
-            .first()
-            .is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION"))
-            || n_keys.count() > 1
+        header.first().is_some_and(|line| title::holds(*line, "#EARTHQUAKE INFORMATION")) || n_keys.count() > 1
     },
     components,
     read,
@@ -50,8 +42,7 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     // Some files have blank lines between the parts of the header.
     let of_header = |line: &&Line<'_>| {
         let text = line.bytes.trim_ascii_start();
-        text.first()
-            .is_none_or(|byte| *byte == b'#' || byte.is_ascii_alphabetic())
+        text.first().is_none_or(|byte| *byte == b'#' || byte.is_ascii_alphabetic())
     };
     let lines = &file.lines[..file.lines.len().min(HEADER)];
     &lines[..lines.iter().take_while(of_header).count()]
@@ -81,14 +72,8 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let names: Vec<&str> = names
         .filter(|name| !name.is_empty() && !name.eq_ignore_ascii_case("time"))
         .collect();
-    let names = if stated.is_empty() {
-        vec!["U", "N", "E"]
-    } else {
-        names
-    };
-    let are_known = names
-        .iter()
-        .all(|name| crate::Direction::of_component(name).is_some());
+    let names = if stated.is_empty() { vec!["U", "N", "E"] } else { names };
+    let are_known = names.iter().all(|name| crate::Direction::of_component(name).is_some());
     if names.len() != COLUMNS.per_line - 1 || !are_known {
         return Err(ReadError::Header {
             place,

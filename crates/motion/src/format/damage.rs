@@ -15,10 +15,7 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     else {
         return error;
     };
-    let mut behind = file
-        .lines
-        .iter()
-        .filter(|line| line.number > last && !line.is_blank());
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
     let Some(line) = behind.next().filter(|_| found < allowed) else {
         return error;
     };
@@ -44,10 +41,7 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
 /// Whether a line of numbers, sound or damaged, stands behind the last value.
 pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
     let last = end.line().unwrap_or(usize::MAX);
-    let mut behind = file
-        .lines
-        .iter()
-        .filter(|line| line.number > last && !line.is_blank());
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
     let next = behind.next();
     next.is_some_and(|line| line.pieces().all(is_like_a_number))
 }
@@ -55,9 +49,7 @@ pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
 /// A number, or what is left of one: digits with commas, the asterisks of Fortran, the words of programs for what is no number.
 fn is_like_a_number(piece: &[u8]) -> bool {
     let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);
-    let has_digit = piece
-        .iter()
-        .any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));
+    let has_digit = piece.iter().any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));
     let words = [
         &b"NA"[..],
         b"N/A",
@@ -69,7 +61,5 @@ fn is_like_a_number(piece: &[u8]) -> bool {
         b"#REF!",
         b"#DIV/0!",
     ];
-    number(piece).is_some()
-        || (has_digit && piece.iter().all(of_digits))
-        || words.iter().any(|word| word.eq_ignore_ascii_case(piece))
+    number(piece).is_some() || (has_digit && piece.iter().all(of_digits)) || words.iter().any(|word| word.eq_ignore_ascii_case(piece))
 }

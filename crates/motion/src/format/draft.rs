@@ -114,9 +114,7 @@ impl Draft {
         let in_g = unit.worth_in(AccelerationUnit::StandardGravity);
         let peak = largest * per_count.map_or(1.0, f64::abs) * in_g;
         let of_list = self.time_step.is_none().then_some(time_step);
-        let is_declared = declared
-            .unit
-            .filter(|_| !matches!(self.scale, Scale::Unit(_)));
+        let is_declared = declared.unit.filter(|_| !matches!(self.scale, Scale::Unit(_)));
         let unusual = Unusual::of_record(time_step, peak)
             .chain(is_declared.and_then(|unit| Unusual::of_unit(unit, peak)))
             .chain(one_signed)
@@ -139,11 +137,7 @@ impl Draft {
     }
 
     /// Refuses velocities that are not declared to be accelerations, and displacements.
-    fn check_quantity(
-        &self,
-        velocity: Option<&Stated<()>>,
-        declared: &Declared,
-    ) -> Result<(), ReadError> {
+    fn check_quantity(&self, velocity: Option<&Stated<()>>, declared: &Declared) -> Result<(), ReadError> {
         if let Some(stated) = velocity.filter(|_| !declared.acceleration) {
             return Err(ReadError::Velocity {
                 place: stated.place,
@@ -161,23 +155,13 @@ impl Draft {
     }
 
     /// Refuses values of one sign in a plain text that does not say that they are accelerations; elsewhere they are unusual.
-    fn one_signed(
-        &self,
-        values: &[f64],
-        format: Format,
-        declared: &Declared,
-    ) -> Result<Option<Unusual>, ReadError> {
+    fn one_signed(&self, values: &[f64], format: Format, declared: &Declared) -> Result<Option<Unusual>, ReadError> {
         let is_called = match &self.scale {
             Scale::Unknown => false,
             Scale::Unit(stated) => calls_acceleration(&stated.text),
-            Scale::Several(_)
-            | Scale::Acceleration
-            | Scale::Velocity(_)
-            | Scale::Displacement(_)
-            | Scale::Counts(_) => true,
+            Scale::Several(_) | Scale::Acceleration | Scale::Velocity(_) | Scale::Displacement(_) | Scale::Counts(_) => true,
         };
-        let is_told =
-            is_called || !matches!(format, Format::Plain | Format::Eqsig) || declared.acceleration;
+        let is_told = is_called || !matches!(format, Format::Plain | Format::Eqsig) || declared.acceleration;
         let one_signed = shape::one_signed(values);
         if let Some(Unusual::OneSigned { found, rises }) = one_signed
             && !is_told
@@ -195,9 +179,7 @@ impl Draft {
     /// its channel.
     fn velocity(&self, component: Option<&Component>) -> Option<Stated<()>> {
         match &self.scale {
-            Scale::Unit(_) | Scale::Several(_) | Scale::Acceleration | Scale::Displacement(_) => {
-                None
-            }
+            Scale::Unit(_) | Scale::Several(_) | Scale::Acceleration | Scale::Displacement(_) => None,
             Scale::Velocity(stated) => Some(stated.clone()),
             Scale::Counts(_) | Scale::Unknown => {
                 let component = component?;
@@ -240,13 +222,11 @@ impl Draft {
 
     fn unit(&self, declared: &Declared) -> Result<(AccelerationUnit, Reading), ReadError> {
         match (&self.scale, declared.unit) {
-            (Scale::Unit(stated), Some(unit)) if unit != stated.value => {
-                Err(ReadError::UnitContradiction {
-                    place: stated.place,
-                    found: stated.value,
-                    declared: unit,
-                })
-            }
+            (Scale::Unit(stated), Some(unit)) if unit != stated.value => Err(ReadError::UnitContradiction {
+                place: stated.place,
+                found: stated.value,
+                declared: unit,
+            }),
             (Scale::Unit(stated), _) => {
                 let found = format!("{} ({})", stated.value.symbol(), stated.text);
                 let place = Some(stated.place);
@@ -257,10 +237,7 @@ impl Draft {
                 let meant = meant.ok_or_else(|| ReadError::Several {
                     what: "unit",
                     field: "unit",
-                    said: several
-                        .iter()
-                        .map(|one| (one.place, one.value.name().to_owned()))
-                        .collect(),
+                    said: several.iter().map(|one| (one.place, one.value.name().to_owned())).collect(),
                 })?;
                 let found = format!("{} ({})", meant.value.symbol(), meant.text);
                 Ok((meant.value, reading("unit", Some(meant.place), &found)))
@@ -295,10 +272,7 @@ impl Draft {
             }),
             (_, Some(per_count)) => {
                 let found = format!("{per_count} (declared)");
-                Ok((
-                    Some(per_count),
-                    Some(reading("worth of a count", None, &found)),
-                ))
+                Ok((Some(per_count), Some(reading("worth of a count", None, &found))))
             }
             (_, None) => Ok((None, None)),
         }
@@ -308,11 +282,7 @@ impl Draft {
     /// of the columns that costs nothing.
     ///
     /// Some agencies state the peak before their last correction, so a difference is told. A large one is refused.
-    fn peak(
-        &self,
-        found: f64,
-        unit: AccelerationUnit,
-    ) -> Result<(Option<Reading>, Option<Unusual>), ReadError> {
+    fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<(Option<Reading>, Option<Unusual>), ReadError> {
         let Some(peak) = &self.peak else {
             return Ok((None, None));
         };
@@ -327,11 +297,7 @@ impl Draft {
         }
         let off = (found - allowed).abs();
         // Where the units differ, one of them may be wrong: 1 mg is 0.98 cm/s².
-        let most = if of_header == unit {
-            MOST_DIFFERENT * allowed
-        } else {
-            slack
-        };
+        let most = if of_header == unit { MOST_DIFFERENT * allowed } else { slack };
         if off > slack.max(most) {
             return Err(ReadError::Peak {
                 place: stated.place,

@@ -11,8 +11,7 @@ pub(super) const READER: Reader = Reader {
     format: Format::Dyna,
     recognises: |file| {
         let header = &file.lines[..file.lines.len().min(HEADER)];
-        title::value_of(header, "TIME INCREMENT (S)").is_some()
-            && title::value_of(header, "NUMBER OF DATA").is_some()
+        title::value_of(header, "TIME INCREMENT (S)").is_some() && title::value_of(header, "NUMBER OF DATA").is_some()
     },
     components: |file| Ok(component(file).into_iter().collect()),
     read: |file, _| read(file),
@@ -26,9 +25,7 @@ pub(super) const READER: Reader = Reader {
 /// The lines up to the one above the values.
 fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     let searched = &file.lines[..file.lines.len().min(HEADER)];
-    let above = searched
-        .iter()
-        .position(|line| title::holds(*line, "TIME SERIES IN"));
+    let above = searched.iter().position(|line| title::holds(*line, "TIME SERIES IN"));
     &searched[..above.map_or(searched.len(), |above| above + 1)]
 }
 
@@ -70,10 +67,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(count_line, &count)?),
-        time_step: Some(Spacing::Even(title::time_step(
-            step_line,
-            number(step.as_bytes()),
-        )?)),
+        time_step: Some(Spacing::Even(title::time_step(step_line, number(step.as_bytes()))?)),
         scale: Scale::Unit(title::stated_unit(last, &unit.unwrap_or_default())?),
         peak: peak.ok().and_then(|(line, text)| title::peak(line, &text)),
         provenance: title::provenance(&header[..header.len() - 1]),

@@ -29,9 +29,7 @@ fn header<'t>(file: &File<'t>) -> Option<[Line<'t>; 2]> {
         return None;
     };
     let pieces: Vec<&[u8]> = numbers.pieces().take(NUMBERS + 1).collect();
-    let is_count = pieces
-        .first()
-        .is_some_and(|count| count.iter().all(u8::is_ascii_digit));
+    let is_count = pieces.first().is_some_and(|count| count.iter().all(u8::is_ascii_digit));
     let of_numbers = |line: Line<'_>| line.pieces().all(|piece| number(piece).is_some());
     let is_header = pieces.len() == NUMBERS
         && is_count

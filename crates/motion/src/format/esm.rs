@@ -14,9 +14,7 @@ const DEEP: f64 = 3.0;
 
 pub(super) const READER: Reader = Reader {
     format: Format::Esm,
-    recognises: |file| {
-        title::value_of(&file.lines[..file.lines.len().min(1)], "EVENT_NAME:").is_some()
-    },
+    recognises: |file| title::value_of(&file.lines[..file.lines.len().min(1)], "EVENT_NAME:").is_some(),
     components,
     read: |file, _| read(file),
     identity: identity_of,
@@ -43,19 +41,13 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     } else {
         Site::Ground
     };
-    Ok(vec![
-        Component::new(name, Place::Line(line.number)).at(site),
-    ])
+    Ok(vec![Component::new(name, Place::Line(line.number)).at(site)])
 }
 
 fn identity_of(file: &File<'_>) -> Identity {
     let value = |key| value(file, key).map(|(_, value)| value).unwrap_or_default();
     let station = format!("{}.{}", value("NETWORK:"), value("STATION_CODE:"));
-    let time = format!(
-        "{}_{}",
-        value("EVENT_DATE_YYYYMMDD:"),
-        value("EVENT_TIME_HHMMSS:")
-    );
+    let time = format!("{}_{}", value("EVENT_DATE_YYYYMMDD:"), value("EVENT_TIME_HHMMSS:"));
     Identity {
         station: identity::text(station.trim_matches('.')),
         event: identity::text(&value("EVENT_ID:")),
@@ -89,10 +81,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(count_line, &count)?),
-        time_step: Some(Spacing::Even(title::time_step(
-            step_line,
-            number(step.as_bytes()),
-        )?)),
+        time_step: Some(Spacing::Even(title::time_step(step_line, number(step.as_bytes()))?)),
         scale: Scale::Unit(title::stated_unit(unit_line, &unit)?),
         peak: peak.and_then(|line| title::peak(*line, line.text().split_once(':')?.1)),
         provenance: title::provenance(header),

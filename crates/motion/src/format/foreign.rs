@@ -9,38 +9,18 @@ const SIGNATURES: [(&[u8], &str, &str); 11] = {
     const UNPACK: &str = "unpack it and give the file in it";
     const SAVE: &str = "save its numbers as text (CSV)";
     [
-        (
-            b"\x1f\x8b",
-            "packed by gzip",
-            "unpack it first (`gunzip FILE.gz`)",
-        ),
+        (b"\x1f\x8b", "packed by gzip", "unpack it first (`gunzip FILE.gz`)"),
         (
             b"PK\x03\x04",
             "a ZIP archive, or a sheet of a program such as Excel",
             "unpack it and give a file in it, or save the sheet as CSV",
         ),
-        (
-            b"BZh",
-            "packed by bzip2",
-            "unpack it first (`bunzip2 FILE.bz2`)",
-        ),
-        (
-            b"\xfd7zXZ",
-            "packed by xz",
-            "unpack it first (`unxz FILE.xz`)",
-        ),
+        (b"BZh", "packed by bzip2", "unpack it first (`bunzip2 FILE.bz2`)"),
+        (b"\xfd7zXZ", "packed by xz", "unpack it first (`unxz FILE.xz`)"),
         (b"7z\xbc\xaf", "a 7z archive", UNPACK),
-        (
-            b"\x1f\x9d",
-            "packed by compress",
-            "unpack it first (`uncompress FILE.Z`)",
-        ),
+        (b"\x1f\x9d", "packed by compress", "unpack it first (`uncompress FILE.Z`)"),
         (b"%PDF", "a PDF", "fetch the record as a text file"),
-        (
-            b"\xd0\xcf\x11\xe0",
-            "a document of an old office program such as .xls",
-            SAVE,
-        ),
+        (b"\xd0\xcf\x11\xe0", "a document of an old office program such as .xls", SAVE),
         (b"\x89HDF", "an HDF5 file", SAVE),
         (b"MATLAB 5.0", "a MAT-file of MATLAB", SAVE),
         (b"\x89PNG", "a picture", "fetch the record as a text file"),
@@ -53,9 +33,7 @@ const SEARCHED: usize = 4096;
 /// What a file is, where that keeps it from being read.
 pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
     let bytes = file.bytes;
-    let known = SIGNATURES
-        .iter()
-        .find(|(start, ..)| bytes.starts_with(start));
+    let known = SIGNATURES.iter().find(|(start, ..)| bytes.starts_with(start));
     if let Some(&(_, what, advice)) = known {
         return Some(ReadError::Foreign { what, advice });
     }
@@ -78,9 +56,7 @@ pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
         });
     }
     let begin = file.first()?.head().trim_ascii().to_ascii_lowercase();
-    let is_page = [&b"<!doctype html"[..], b"<html"]
-        .iter()
-        .any(|tag| begin.starts_with(tag));
+    let is_page = [&b"<!doctype html"[..], b"<html"].iter().any(|tag| begin.starts_with(tag));
     is_page.then_some(ReadError::Foreign {
         what: "a web page",
         advice: "fetch the record again; a site that wants a log-in sends such pages instead",
@@ -89,8 +65,7 @@ pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
 
 /// The first byte that no text has, as an error; of a file that no reader knows.
 pub(super) fn binary(bytes: &[u8]) -> Option<ReadError> {
-    let is_control =
-        |byte: &u8| *byte < b' ' && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
+    let is_control = |byte: &u8| *byte < b' ' && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
     let at = bytes.iter().take(SEARCHED).position(is_control)?;
     Some(ReadError::Binary {
         byte: at + 1,
@@ -111,9 +86,7 @@ const HEADINGS: usize = 200;
 fn is_table_of_records(file: &File<'_>) -> bool {
     let lines = file.lines.iter().take(HEADINGS);
     let is_heading = |line: &Line<'_>| {
-        title::holds(*line, "-- SUMMARY OF")
-            && (title::holds(*line, "SEARCH CRITERIA")
-                || title::holds(*line, "OF SELECTED RECORDS"))
+        title::holds(*line, "-- SUMMARY OF") && (title::holds(*line, "SEARCH CRITERIA") || title::holds(*line, "OF SELECTED RECORDS"))
     };
     lines.filter(|line| !line.is_comment()).any(is_heading)
 }

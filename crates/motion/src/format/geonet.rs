@@ -55,12 +55,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
 /// The accelerogram's name, which has time and station, and the site.
 fn identity_of(file: &File<'_>) -> Identity {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
-    let word = |key: &str| {
-        identity::behind(titles, key)?
-            .split_whitespace()
-            .next()
-            .and_then(identity::text)
-    };
+    let word = |key: &str| identity::behind(titles, key)?.split_whitespace().next().and_then(identity::text);
     Identity {
         station: word("Site"),
         event: word("Accelerogram"),
@@ -71,21 +66,14 @@ fn identity_of(file: &File<'_>) -> Identity {
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
-    let header = needed(
-        channel.get(..HEADER),
-        channel.last().copied(),
-        "the numbers of its header",
-    )?;
+    let header = needed(channel.get(..HEADER), channel.last().copied(), "the numbers of its header")?;
     let (titles, numbers) = header.split_at(TITLES);
     let (whole_lines, real_lines) = numbers.split_at(WHOLE);
     let whole = COLUMNS.header(whole_lines);
     let real = COLUMNS.header(real_lines);
     let uncorrected = title::holds(titles[0], "UNCORRECTED");
     // The first six of the last line: raw numbers of samples of each quantity, then corrected ones.
-    let count = whole
-        .get(if uncorrected { 30 } else { 33 })
-        .copied()
-        .flatten();
+    let count = whole.get(if uncorrected { 30 } else { 33 }).copied().flatten();
     let count = count.map(|count| count.to_string()).unwrap_or_default();
     let count = title::count(whole_lines[WHOLE - 1], &count)?;
     let data = &channel[HEADER..];
@@ -125,9 +113,7 @@ fn time_step(titles: &[Line<'_>], real: &[Option<f64>], n_samples: usize) -> Opt
     let steps = [25, 24].map(|index| real.get(index).copied().flatten());
     let line = title::line_with(titles, "DURATION")?;
     let text = line.text();
-    let duration: f64 = title::first_number(title::after(&text, "DURATION")?)?
-        .parse()
-        .ok()?;
+    let duration: f64 = title::first_number(title::after(&text, "DURATION")?)?.parse().ok()?;
     // Printed to hundredths; the last step may be counted or not.
     let fits = |step: &f64| {
         let near = |n_steps: usize| (n_steps as f64 * step - duration).abs() <= 0.0051;

@@ -8,9 +8,7 @@
 //! description and programs that read it.
 
 use super::numbers::Values;
-use super::{
-    Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title,
-};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
 
@@ -21,8 +19,7 @@ pub(super) const READER: Reader = Reader {
     format: Format::KNet,
     recognises: |file| {
         let header = &file.lines[..file.lines.len().min(HEADER)];
-        title::value_of(&header[..header.len().min(1)], "Origin Time").is_some()
-            && title::value_of(header, "Scale Factor").is_some()
+        title::value_of(&header[..header.len().min(1)], "Origin Time").is_some() && title::value_of(header, "Scale Factor").is_some()
     },
     components,
     read: |file, _| read(file),
@@ -81,17 +78,12 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     }
     let numbers = values.finish(memo);
     let mut values = numbers.values;
-    let n_samples = duration
-        .zip(rate)
-        .map(|(duration, rate)| (duration * rate).round().to_string());
+    let n_samples = duration.zip(rate).map(|(duration, rate)| (duration * rate).round().to_string());
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     for value in &mut values {
         *value = (*value - mean) * gal / counts;
     }
-    let remark = format!(
-        "{:.6} gal, the mean of the record, taken off",
-        mean * gal / counts
-    );
+    let remark = format!("{:.6} gal, the mean of the record, taken off", mean * gal / counts);
     Ok(Draft {
         values,
         end: numbers.end,

@@ -46,10 +46,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     let Ok(record) = Record::new(file.bytes, 0) else {
         return Identity::default();
     };
-    let station = record
-        .stream
-        .rsplit_once('.')
-        .map_or("", |(station, _)| station);
+    let station = record.stream.rsplit_once('.').map_or("", |(station, _)| station);
     Identity {
         station: identity::text(station.trim_matches('.')),
         // What programs write that know none.
@@ -63,8 +60,7 @@ fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
     let mut seen = BTreeMap::new();
     for record in records {
         let number = seen.len();
-        seen.entry(record.stream.clone())
-            .or_insert((number, record.at));
+        seen.entry(record.stream.clone()).or_insert((number, record.at));
     }
     let mut streams: Vec<(String, (usize, usize))> = seen.into_iter().collect();
     streams.sort_by_key(|(_, (number, _))| *number);
@@ -97,10 +93,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let mut last = first;
     for record in records {
         if (record.time_step - step).abs() > 1e-6 * step.abs() {
-            return Err(record.refused(
-                record.time_step.to_string(),
-                "the time step of the records before",
-            ));
+            return Err(record.refused(record.time_step.to_string(), "the time step of the records before"));
         }
         if (record.start - due).abs() > 0.5 * step {
             let gap = format!("a start {:.4} s late", record.start - due);

@@ -19,9 +19,7 @@ pub(super) fn at_most(n_values: usize) -> Result<(), ReadError> {
     if n_values <= MAX_SAMPLES {
         return Ok(());
     }
-    Err(ReadError::TooManySamples {
-        allowed: MAX_SAMPLES,
-    })
+    Err(ReadError::TooManySamples { allowed: MAX_SAMPLES })
 }
 
 /// Values that are read one after the other.
@@ -34,12 +32,7 @@ pub(super) struct Values<'t> {
 
 impl<'t> Values<'t> {
     /// Puts a value behind the others; the field is how it is printed.
-    pub(super) fn push(
-        &mut self,
-        line: Line<'_>,
-        value: f64,
-        field: &'t [u8],
-    ) -> Result<(), ReadError> {
+    pub(super) fn push(&mut self, line: Line<'_>, value: f64, field: &'t [u8]) -> Result<(), ReadError> {
         at_most(self.found.len() + 1)?;
         self.largest.see(value, field);
         self.found.push(value);
@@ -86,13 +79,9 @@ impl<'t> Largest<'t> {
 pub(super) fn last_digit(field: &[u8]) -> f64 {
     let text = String::from_utf8_lossy(field.trim_ascii()).to_ascii_uppercase();
     let (mantissa, exponent) = text.split_once(['E', 'D']).unwrap_or((&text, "0"));
-    let decimals = mantissa
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len());
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let exponent: i64 = exponent.parse().unwrap_or(0);
     let decimals = i64::try_from(decimals).unwrap_or(i64::MAX);
     let exponent = exponent.saturating_sub(decimals).clamp(-400, 400);
-    format!("1e{exponent}")
-        .parse()
-        .expect("a number in exponent notation")
+    format!("1e{exponent}").parse().expect("a number in exponent notation")
 }

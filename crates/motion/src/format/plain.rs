@@ -61,9 +61,7 @@ fn components(layout: Layout<'_, '_>) -> Vec<Component> {
         None => Component::new(format!("column {}", column + 1), Place::Line(first)),
     };
     if let [only] = columns[..] {
-        let tells = names
-            .as_ref()
-            .is_some_and(|names| names[only].tells_direction());
+        let tells = names.as_ref().is_some_and(|names| names[only].tells_direction());
         return if tells {
             vec![component(&only)]
         } else {
@@ -88,11 +86,7 @@ struct Held {
 fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, ReadError> {
     let held = match &layout.kind {
         Kind::Values(name) => one_after_the_other(layout, name.as_ref())?,
-        Kind::Table {
-            clock,
-            columns,
-            names,
-        } => {
+        Kind::Table { clock, columns, names } => {
             let column = columns[index.min(columns.len() - 1)];
             let name = names.as_ref().and_then(|names| names.get(column));
             table(layout, clock.as_ref(), column, name)?
@@ -140,14 +134,12 @@ fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
 fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> ReadError {
     let rows = &layout.rows;
     match rows.other {
-        Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => {
-            RowError::PlainColumns {
-                line: other.number,
-                found: other.fields().count(),
-                allowed: Some(rows.n_columns),
-            }
-            .into()
+        Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => RowError::PlainColumns {
+            line: other.number,
+            found: other.fields().count(),
+            allowed: Some(rows.n_columns),
         }
+        .into(),
         _ => RowError::Rows {
             line: rows.first().number,
             found: rows.n_columns,
@@ -157,10 +149,7 @@ fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> ReadError {
     }
 }
 
-fn one_after_the_other(
-    layout: &Layout<'_, '_>,
-    name: Option<&Name<'_>>,
-) -> Result<Held, ReadError> {
+fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Result<Held, ReadError> {
     let rows = &layout.rows;
     let first = rows.first();
     let numbers = if rows.iter().any(|row| row.bytes.contains(&b',')) {
@@ -193,12 +182,7 @@ fn one_after_the_other(
     })
 }
 
-fn table(
-    layout: &Layout<'_, '_>,
-    clock: Option<&Clock>,
-    column: usize,
-    name: Option<&Name<'_>>,
-) -> Result<Held, ReadError> {
+fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Option<&Name<'_>>) -> Result<Held, ReadError> {
     let rows = &layout.rows;
     let mut values = Values::default();
     for row in rows.iter() {
@@ -225,11 +209,7 @@ fn table(
         let found = clock.read(rows)?.into_step_from_anywhere(&mut held.values);
         let (spacing, rest) = found.map_err(|error| header_above(layout).unwrap_or(error))?;
         held.remarks.extend(rest);
-        held.spacing = Some(if clock.labelled {
-            spacing
-        } else {
-            spacing.unlabelled()
-        });
+        held.spacing = Some(if clock.labelled { spacing } else { spacing.unlabelled() });
     }
     Ok(held)
 }
@@ -237,10 +217,7 @@ fn table(
 /// The numbers of a header that stand above rows of times and values like one of them.
 fn header_above(layout: &Layout<'_, '_>) -> Option<ReadError> {
     let rows = &layout.rows;
-    let n_rows = (1..=2).find(|n_rows| {
-        rows.behind(*n_rows)
-            .is_some_and(|rows| rows.len > 2 && rows.is_time())
-    })?;
+    let n_rows = (1..=2).find(|n_rows| rows.behind(*n_rows).is_some_and(|rows| rows.len > 2 && rows.is_time()))?;
     let head: Vec<Line<'_>> = rows.iter().take(n_rows).collect();
     let found: Vec<String> = head.iter().map(|line| line.excerpt()).collect();
     Some(

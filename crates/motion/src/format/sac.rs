@@ -6,9 +6,7 @@
 
 use super::numbers::{at_most, is_mark};
 use super::stamp::Stamp;
-use super::{
-    Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading,
-};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::{Direction, Identity, Place, ReadError, Site};
 
 /// Bytes of the header, and of what version 7 adds behind the values.
@@ -54,14 +52,11 @@ struct Sac<'t> {
 impl<'t> Sac<'t> {
     fn new(bytes: &'t [u8]) -> Option<Self> {
         let header = bytes.get(..HEADER)?;
-        [true, false]
-            .map(|big_endian| Self { bytes, big_endian })
-            .into_iter()
-            .find(|sac| {
-                matches!(sac.whole(VERSION), 6 | 7)
+        [true, false].map(|big_endian| Self { bytes, big_endian }).into_iter().find(|sac| {
+            matches!(sac.whole(VERSION), 6 | 7)
                     // Text has no such bytes.
                     && header.contains(&0)
-            })
+        })
     }
 
     fn word(&self, at: usize) -> [u8; 4] {
@@ -89,9 +84,7 @@ impl<'t> Sac<'t> {
     }
 
     fn name_of(&self, at: usize, length: usize) -> Option<String> {
-        let name = self.bytes[at..at + length]
-            .split(|byte| *byte == 0)
-            .next()?;
+        let name = self.bytes[at..at + length].split(|byte| *byte == 0).next()?;
         let name = String::from_utf8_lossy(name.trim_ascii()).into_owned();
         (!name.is_empty() && name != "-12345").then_some(name)
     }
@@ -117,10 +110,7 @@ fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, ReadError> {
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let sac = sac(file)?;
     let channel = sac.name(CHANNEL);
-    let tells = channel
-        .as_deref()
-        .and_then(Direction::of_component)
-        .is_some();
+    let tells = channel.as_deref().and_then(Direction::of_component).is_some();
     let from_upright = f64::from(sac.single(INCLINATION));
     let upright = [0.0, 180.0].iter().any(|up| is_mark(from_upright, *up));
     let name = if upright && !tells {
@@ -180,9 +170,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
             });
         }
     };
-    let count = usize::try_from(sac.whole(COUNT))
-        .ok()
-        .filter(|count| *count > 0);
+    let count = usize::try_from(sac.whole(COUNT)).ok().filter(|count| *count > 0);
     let count = count.ok_or_else(|| sac.refused(COUNT, "a number of samples above 0"))?;
     let (values, end) = values(&sac)?;
     let step = sac.single(STEP);

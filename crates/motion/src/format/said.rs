@@ -42,14 +42,7 @@ const COMPONENT: [&str; 8] = [
 ];
 
 /// Keys of a station, an event and a time.
-const STATION: [&str; 6] = [
-    "station code",
-    "station name",
-    "station",
-    "estacion",
-    "stat",
-    "code",
-];
+const STATION: [&str; 6] = ["station code", "station name", "station", "estacion", "stat", "code"];
 const EVENT: [&str; 4] = ["event id", "event name", "earthquake", "event"];
 const TIME: [&str; 7] = [
     "origin time",
@@ -90,8 +83,7 @@ impl Other {
     /// The quantity of a unit that is none of an acceleration.
     pub(super) fn of_unit(unit: &str) -> Option<Self> {
         match unit.trim() {
-            "cm/s" | "m/s" | "mm/s" | "cm/sec" | "m/sec" | "mm/sec" | "in/s" | "in/sec"
-            | "cm/seg" | "m/seg" => Some(Self::Velocity),
+            "cm/s" | "m/s" | "mm/s" | "cm/sec" | "m/sec" | "mm/sec" | "in/s" | "in/sec" | "cm/seg" | "m/seg" => Some(Self::Velocity),
             "cm" | "m" | "mm" | "in" => Some(Self::Displacement),
             "count" | "counts" | "cuentas" => Some(Self::Counts),
             _ => None,
@@ -120,11 +112,7 @@ impl Said {
         units.extend(self.units.iter().cloned());
         if let Some(first) = units.first().cloned() {
             let is_one = units.iter().all(|unit| unit.value == first.value);
-            return if is_one {
-                Scale::Unit(first)
-            } else {
-                Scale::Several(units)
-            };
+            return if is_one { Scale::Unit(first) } else { Scale::Several(units) };
         }
         let Some(other) = &self.other else {
             return Scale::Unknown;
@@ -193,8 +181,7 @@ impl Said {
             return;
         }
         // Other quantities than that of the values have units, too, and then a word before.
-        let is_of_values =
-            |before: &str| matches!(before.trim(), "" | "field" | "data" | "amplitude");
+        let is_of_values = |before: &str| matches!(before.trim(), "" | "field" | "data" | "amplitude");
         let other = named
             .filter(|(before, _)| is_of_values(before))
             .and_then(|(_, behind)| behind.split([',', ';', ' ']).find_map(Other::of_unit))
@@ -239,8 +226,7 @@ impl Said {
         if self.component.is_none() {
             let word = stream.and_then(|mut names| names.pop());
             let word = word.or_else(|| word_of(&COMPONENT));
-            let word = word
-                .filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
+            let word = word.filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
             self.component = word
                 .filter(|word| Direction::of_component(word).is_some())
                 .map(|name| Component::new(name, Place::Line(line.number)));
@@ -264,10 +250,7 @@ impl Said {
     /// SLIST, FLOAT, M/S**2`.
     fn read_time_series(&mut self, line: Line<'_>) {
         let text = line.text();
-        let Some(behind) = text
-            .trim_start_matches(['#', ' '])
-            .strip_prefix("TIMESERIES ")
-        else {
+        let Some(behind) = text.trim_start_matches(['#', ' ']).strip_prefix("TIMESERIES ") else {
             return;
         };
         let fields: Vec<&str> = behind.split(',').map(str::trim).collect();
@@ -301,6 +284,5 @@ fn spelt(text: &str) -> String {
         other => other.to_ascii_lowercase(),
     };
     let text: String = text.chars().map(letter).collect();
-    text.trim_start_matches(['#', '%', '!', '/', ' '])
-        .to_owned()
+    text.trim_start_matches(['#', '%', '!', '/', ' ']).to_owned()
 }

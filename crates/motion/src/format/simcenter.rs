@@ -13,9 +13,7 @@ pub(super) const READER: Reader = Reader {
     format: Format::SimCenter,
     recognises: |file| {
         let begins = file.bytes.trim_ascii_start().first();
-        matches!(begins, Some(b'{' | b'['))
-            && memchr::memmem::find(file.bytes, STEP).is_some()
-            && !lists(file).is_empty()
+        matches!(begins, Some(b'{' | b'[')) && memchr::memmem::find(file.bytes, STEP).is_some() && !lists(file).is_empty()
     },
     components: |file| Ok(lists(file).into_iter().map(|list| list.component).collect()),
     read,
@@ -84,14 +82,8 @@ fn step(file: &File<'_>) -> Result<Stated<f64>, ReadError> {
     let behind = file.bytes[at..].get(STEP.len()..).unwrap_or_default();
     let of_number = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);
     let behind = behind.trim_ascii_start();
-    let behind = behind
-        .strip_prefix(b":")
-        .unwrap_or(behind)
-        .trim_ascii_start();
-    let end = behind
-        .iter()
-        .position(|byte| !of_number(byte))
-        .unwrap_or(behind.len());
+    let behind = behind.strip_prefix(b":").unwrap_or(behind).trim_ascii_start();
+    let end = behind.iter().position(|byte| !of_number(byte)).unwrap_or(behind.len());
     let line = Line {
         number: line_of(file.bytes, at),
         bytes: &behind[..end],

@@ -45,8 +45,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     // The place of the sensor stands behind the last comma of the station: `Del Valle Dam, crest`.
     let station = station(titles).unwrap_or_default();
     let site = Site::of_location(station.rsplit_once(',').map_or("", |(_, place)| place));
-    let component =
-        |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
+    let component = |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
     // A number would be the azimuth of an upright sensor.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
     let line = line.or(titles.last().copied());
@@ -88,11 +87,7 @@ fn recognises(file: &File<'_>) -> bool {
     let stage = words
         .next()
         .is_some_and(|word| word.len() == 1 && word.as_bytes()[0].is_ascii_digit());
-    stage
-        && words
-            .next()
-            .is_some_and(|word| word.bytes().all(|byte| byte.is_ascii_alphabetic()))
-        && second.bytes.trim_ascii() == b"*"
+    stage && words.next().is_some_and(|word| word.bytes().all(|byte| byte.is_ascii_alphabetic())) && second.bytes.trim_ascii() == b"*"
 }
 
 /// The header: titles, whole numbers and numbers with a point.
@@ -116,9 +111,7 @@ impl<'l, 't> Header<'l, 't> {
         let whole = Columns::new(8, 10).header(whole_lines);
         let real = Columns::new(5, 15).header(real_lines);
         let missing = [whole[..].first(), real[..].first()];
-        let missing = missing
-            .into_iter()
-            .filter_map(|mark| mark.copied().flatten());
+        let missing = missing.into_iter().filter_map(|mark| mark.copied().flatten());
         let missing = missing.chain([-32768.0, 1.7e38]).collect();
         let header = Self {
             titles,
@@ -132,10 +125,7 @@ impl<'l, 't> Header<'l, 't> {
     }
 
     /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
-    fn comments(
-        &self,
-        rest: &'l [Line<'t>],
-    ) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), ReadError> {
+    fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), ReadError> {
         let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
         let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");
         let found = rest.iter().take_while(is_comment).count();
@@ -158,8 +148,7 @@ impl<'l, 't> Header<'l, 't> {
     /// The second number with a point: samples in a second; none where it is marked as missing.
     fn time_step(&self) -> Result<Option<Stated<f64>>, ReadError> {
         let rate = number_of(&self.real, 2);
-        let is_missing =
-            rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
+        let is_missing = rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
         if is_missing {
             return Ok(None);
         }
@@ -227,10 +216,7 @@ fn data_columns(data: &[Line<'_>]) -> Columns {
     let wide = Columns::new(5, 14);
     let is_wide = data.first().is_some_and(|line| {
         let fields: Vec<&[u8]> = wide.fields(*line).collect();
-        fields.len() > 1
-            && fields
-                .iter()
-                .all(|field| field.len() == 14 && number(field).is_some())
+        fields.len() > 1 && fields.iter().all(|field| field.len() == 14 && number(field).is_some())
     });
     if is_wide { wide } else { Columns::new(8, 10) }
 }
@@ -255,14 +241,8 @@ fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
 
 /// Pairs of time and value, which stand where the header gives no rate; it counts the numbers, or the pairs. Some files go on
 /// behind them.
-fn pairs(
-    data: &[Line<'_>],
-    columns: Columns,
-    count: &Stated<usize>,
-) -> Result<(TimeColumn, Vec<f64>), ReadError> {
-    let fields = data
-        .iter()
-        .flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
+fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), ReadError> {
+    let fields = data.iter().flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
     let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
     let n_numbers = if fields.len() == 2 * count.value {
         fields.len()
@@ -271,9 +251,7 @@ fn pairs(
     };
     let Some(fields) = fields.get(..n_numbers) else {
         return Err(ReadError::SampleCount {
-            place: data
-                .last()
-                .map_or(count.place, |line| Place::Line(line.number)),
+            place: data.last().map_or(count.place, |line| Place::Line(line.number)),
             found: fields.len(),
             allowed: count.value,
             next: None,

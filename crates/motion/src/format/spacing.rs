@@ -44,9 +44,7 @@ impl Spacing {
     /// What the times of a column give, or else what comments say; where both do, or comments say several things, they must
     /// agree.
     pub(super) fn of(column: Option<Self>, mut said: Vec<Stated<f64>>) -> Option<Self> {
-        let differ = |one: &Stated<f64>, other: &Stated<f64>| {
-            (one.value - other.value).abs() > ALIKE * one.value
-        };
+        let differ = |one: &Stated<f64>, other: &Stated<f64>| (one.value - other.value).abs() > ALIKE * one.value;
         match column {
             Some(Self::Even(step)) => {
                 said.retain(|one| differ(&step, one));
@@ -122,11 +120,7 @@ impl From<(f64, Reading)> for Settled {
 }
 
 /// The time step of some values, which are resampled where their times are uneven.
-pub(super) fn settled(
-    spacing: Option<&Spacing>,
-    declared: &Declared,
-    values: &mut Vec<f64>,
-) -> Result<Settled, ReadError> {
+pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &mut Vec<f64>) -> Result<Settled, ReadError> {
     if let Some(found) = declared.time_step
         && !(found.is_finite() && found > 0.0)
     {
@@ -137,9 +131,7 @@ pub(super) fn settled(
         (Some(Spacing::Unlabelled(stated)), declared) => {
             let in_milliseconds = milliseconds(stated);
             match declared {
-                Some(step) if is_repeated(step, in_milliseconds.value) => {
-                    even(&in_milliseconds, declared)
-                }
+                Some(step) if is_repeated(step, in_milliseconds.value) => even(&in_milliseconds, declared),
                 None if stated.value >= LARGE => Err(ReadError::TimeUnit {
                     place: stated.place,
                     found: stated.value,
@@ -149,13 +141,10 @@ pub(super) fn settled(
             .map(Settled::from)
         }
         (Some(Spacing::Several(several)), declared) => {
-            let meant =
-                declared.and_then(|step| several.iter().find(|one| is_repeated(step, one.value)));
+            let meant = declared.and_then(|step| several.iter().find(|one| is_repeated(step, one.value)));
             meant.map_or_else(
                 || {
-                    let said = several
-                        .iter()
-                        .map(|one| (one.place, format!("{} s", one.value)));
+                    let said = several.iter().map(|one| (one.place, format!("{} s", one.value)));
                     Err(ReadError::Several {
                         what: "time step",
                         field: "time_step",
@@ -169,10 +158,7 @@ pub(super) fn settled(
         (Some(Spacing::Uneven(uneven)), None) => Err(uneven.refusal.clone()),
         (None, Some(declared)) => {
             let found = format!("{declared} s (declared)");
-            Ok(Settled::from((
-                declared,
-                reading("time step", None, &found),
-            )))
+            Ok(Settled::from((declared, reading("time step", None, &found))))
         }
         (None, None) => Err(ReadError::TimeStepNotStated),
     }
@@ -188,11 +174,7 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
             return Err(ReadError::ImpossibleStep { place, found });
         }
         Some(declared) if !is_repeated(declared, found) => {
-            return Err(ReadError::TimeStepContradiction {
-                place,
-                found,
-                declared,
-            });
+            return Err(ReadError::TimeStepContradiction { place, found, declared });
         }
         _ => {}
     }
@@ -212,21 +194,14 @@ impl Uneven {
         *values = self.resampled(values, step)?;
         let after = peak(values);
         let (from, to) = (self.times.len(), values.len());
-        let found =
-            format!("{step} s (declared; {from} uneven pairs resampled to {to}, linear between)");
+        let found = format!("{step} s (declared; {from} uneven pairs resampled to {to}, linear between)");
         let mut settled = Settled::from((step, reading("time step", Some(self.place), &found)));
-        settled.lost = if before > 0.0 {
-            1.0 - after / before
-        } else {
-            0.0
-        };
+        settled.lost = if before > 0.0 { 1.0 - after / before } else { 0.0 };
         if settled.lost > 1e-6 {
             let percent = 100.0 * settled.lost;
             let [before, after] = [before, after].map(short);
             let found = format!("{percent:.2} % lower than before, {before} became {after}");
-            settled
-                .readings
-                .push(reading("resampled peak", None, &found));
+            settled.readings.push(reading("resampled peak", None, &found));
         }
         Ok(settled)
     }
@@ -254,11 +229,7 @@ impl Uneven {
             }
             let (from, to) = (self.times[left], self.times[left + 1]);
             // Where two pairs have one time, as printed, the later one counts.
-            let share = if to > from {
-                (time - from) / (to - from)
-            } else {
-                1.0
-            };
+            let share = if to > from { (time - from) / (to - from) } else { 1.0 };
             samples.push(values[left] * (1.0 - share) + values[left + 1] * share);
         }
         Ok(samples)
@@ -267,9 +238,7 @@ impl Uneven {
 
 /// The largest magnitude.
 pub(super) fn peak(values: &[f64]) -> f64 {
-    values
-        .iter()
-        .fold(0.0, |peak: f64, value| peak.max(value.abs()))
+    values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()))
 }
 
 #[cfg(test)]
@@ -292,10 +261,7 @@ mod tests {
         let found = pairs.resampled(&values, 0.5).expect("samples");
         assert_eq!(found, [0.0, 1.0, 2.0, 1.0, 0.0, -1.0, -2.0, 2.0, 6.0]);
         // What remains behind the last whole step is dropped.
-        assert_eq!(
-            pairs.resampled(&values, 1.5).expect("samples"),
-            [0.0, 1.0, -2.0]
-        );
+        assert_eq!(pairs.resampled(&values, 1.5).expect("samples"), [0.0, 1.0, -2.0]);
     }
 
     #[test]

@@ -65,11 +65,7 @@ impl Stamp {
         }
         let small = |number: i32| u16::try_from(number).unwrap_or(0);
         Self {
-            date: [
-                small(year),
-                u16::try_from(month + 1).unwrap_or(0),
-                small(rest),
-            ],
+            date: [small(year), u16::try_from(month + 1).unwrap_or(0), small(rest)],
             clock: [hour, minute, second].map(small),
             decimals: String::new(),
         }
@@ -95,11 +91,7 @@ impl Stamp {
         let [year, month, day] = self.date.map(i64::from);
         let [hour, minute, second] = self.clock.map(i64::from);
         // Years begin in March, so that a leap day is the last.
-        let (year, month) = if month > 2 {
-            (year, month - 3)
-        } else {
-            (year - 1, month + 9)
-        };
+        let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
         let days = 365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day;
         (days * 24 + hour) * 3600 + minute * 60 + second
     }
@@ -108,19 +100,13 @@ impl Stamp {
 impl std::fmt::Display for Stamp {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let ([year, month, day], [hour, minute, second]) = (self.date, self.clock);
-        write!(
-            out,
-            "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}"
-        )
+        write!(out, "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}")
     }
 }
 
 /// A date and a time of day in one spelling; other texts in capitals with one blank between words.
 pub(super) fn normal(text: &str) -> String {
-    Stamp::new(text).map_or_else(
-        || super::title::words(text).to_ascii_uppercase(),
-        |stamp| stamp.to_string(),
-    )
+    Stamp::new(text).map_or_else(|| super::title::words(text).to_ascii_uppercase(), |stamp| stamp.to_string())
 }
 
 /// Takes a number of up to so many digits off a text.
@@ -162,20 +148,12 @@ mod tests {
             second.since(&first)
         };
         for (first, second, expected) in [
-            (
-                "2020-01-01T00:00:00.000",
-                "2020-01-01T00:00:00.005",
-                "0.005",
-            ),
+            ("2020-01-01T00:00:00.000", "2020-01-01T00:00:00.005", "0.005"),
             ("2020-02-28T23:59:59", "2020-03-01T00:00:00.5", "86401.5"),
             ("2019-12-31T23:59:59", "2020-01-01T00:00:00", "1"),
             ("1900-02-28T00:00:00", "1900-03-01T00:00:00", "86400"),
         ] {
-            assert_eq!(
-                since(first, second).to_string(),
-                expected,
-                "{first} to {second}"
-            );
+            assert_eq!(since(first, second).to_string(), expected, "{first} to {second}");
         }
     }
 

@@ -19,12 +19,7 @@ where
     F: Fn(Line<'t>) -> I,
 {
     /// Every line that is not blank, cut by `fields`.
-    pub(super) fn new(
-        header: Line<'t>,
-        lines: &'l [Line<'t>],
-        n_columns: usize,
-        fields: F,
-    ) -> Result<Self, ReadError> {
+    pub(super) fn new(header: Line<'t>, lines: &'l [Line<'t>], n_columns: usize, fields: F) -> Result<Self, ReadError> {
         for line in lines.iter().filter(|line| !line.is_blank()) {
             let found = fields(*line).count();
             if found != n_columns {
@@ -36,11 +31,7 @@ where
                 .into());
             }
         }
-        Ok(Self {
-            header,
-            lines,
-            fields,
-        })
+        Ok(Self { header, lines, fields })
     }
 
     /// The rows and the field of each in a column, counted from 0.

@@ -68,10 +68,7 @@ impl TimeColumn {
     }
 
     /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
-    pub(super) fn into_step(
-        self,
-        values: &mut Vec<f64>,
-    ) -> Result<(Spacing, Option<Reading>), ReadError> {
+    pub(super) fn into_step(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), ReadError> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
             (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
@@ -88,10 +85,7 @@ impl TimeColumn {
     }
 
     /// The same, of times that may begin anywhere: the first is taken as t = 0 there.
-    pub(super) fn into_step_from_anywhere(
-        self,
-        values: &mut Vec<f64>,
-    ) -> Result<(Spacing, Option<Reading>), ReadError> {
+    pub(super) fn into_step_from_anywhere(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), ReadError> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
             (_, Start::Zero) => None,
@@ -144,11 +138,7 @@ impl TimeColumn {
                 place,
                 refusal: self.unevenness(),
             };
-            let start = if first.abs() > 0.0 {
-                Start::Elsewhere
-            } else {
-                Start::Zero
-            };
+            let start = if first.abs() > 0.0 { Start::Elsewhere } else { Start::Zero };
             return Ok((Spacing::Uneven(uneven), start));
         };
         let start = if first.abs() <= slack {
@@ -216,11 +206,7 @@ impl TimeColumn {
         // As many decimals as the times have: the difference of two times has noise beyond them.
         let decimals = self.decimals.min(MOST_DECIMALS);
         let printed = |step: f64| format!("{step:.decimals$}").parse().unwrap_or(step);
-        let steps: Vec<f64> = self
-            .times
-            .windows(2)
-            .map(|pair| printed(pair[1] - pair[0]))
-            .collect();
+        let steps: Vec<f64> = self.times.windows(2).map(|pair| printed(pair[1] - pair[0])).collect();
         let mut sorted = steps.clone();
         sorted.sort_by(f64::total_cmp);
         let allowed = sorted[sorted.len() / 2];
@@ -242,19 +228,13 @@ impl TimeColumn {
 /// Decimals of a printed number: 2 for `0.02`, 4 for `1.23e-2`.
 pub(super) fn decimals(field: &[u8]) -> usize {
     let text = String::from_utf8_lossy(field.trim_ascii());
-    let (mantissa, exponent) = text
-        .split_once(['e', 'E', 'd', 'D'])
-        .unwrap_or((&text, "0"));
-    let written = mantissa
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len());
+    let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((&text, "0"));
+    let written = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let shift: isize = exponent.parse().unwrap_or(0);
     written.saturating_add_signed(shift.saturating_neg())
 }
 
 /// 10⁻ⁿ to the last digit; 0 where that is below every number.
 fn power_of_ten(decimals: usize) -> f64 {
-    format!("1e-{decimals}")
-        .parse()
-        .expect("a number in exponent notation")
+    format!("1e-{decimals}").parse().expect("a number in exponent notation")
 }

@@ -7,9 +7,7 @@ use crate::{AccelerationUnit, Place, ReadError};
 
 /// Units of an acceleration without a length over a time, in capitals.
 const UNITS: [(&str, AccelerationUnit); 8] = {
-    use AccelerationUnit::{
-        CentimetrePerSecondSquared as Cm, MilliG, StandardGravity as G, TenthG,
-    };
+    use AccelerationUnit::{CentimetrePerSecondSquared as Cm, MilliG, StandardGravity as G, TenthG};
     [
         ("G", G),
         ("G'S", G),
@@ -39,10 +37,7 @@ pub(super) fn unit_of(word: &str) -> Option<AccelerationUnit> {
     };
     of(&UNITS, &word).or_else(|| {
         let (length, time) = word.split_once('/')?;
-        let time = time
-            .replace("SECS", "S")
-            .replace("SEC", "S")
-            .replace("SEG", "S");
+        let time = time.replace("SECS", "S").replace("SEC", "S").replace("SEG", "S");
         let is_square = matches!(time.as_str(), "S/S" | "S2" | "S^2" | "S**2" | "S²");
         of(&LENGTHS, length).filter(|_| is_square)
     })
@@ -50,18 +45,12 @@ pub(super) fn unit_of(word: &str) -> Option<AccelerationUnit> {
 
 /// The first unit of an acceleration that stands in a text as a word of its own, and that word.
 pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
-    let separates = |letter: char| {
-        !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*' | '²'))
-    };
-    text.split(separates)
-        .find_map(|word| Some((unit_of(word)?, word)))
+    let separates = |letter: char| !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*' | '²'));
+    text.split(separates).find_map(|word| Some((unit_of(word)?, word)))
 }
 
 /// The unit that a line states in a part of it, or a refusal.
-pub(super) fn stated_unit(
-    line: Line<'_>,
-    text: &str,
-) -> Result<Stated<AccelerationUnit>, ReadError> {
+pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<AccelerationUnit>, ReadError> {
     let place = Place::Line(line.number);
     let (unit, word) = unit_in(text).ok_or_else(|| ReadError::UnknownUnit {
         place,
@@ -76,13 +65,10 @@ pub(super) fn stated_unit(
 
 /// The first number of a text that stands by itself, as it is printed.
 pub(super) fn first_number(text: &str) -> Option<&str> {
-    let separates =
-        |letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':' | '/');
+    let separates = |letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':' | '/');
     text.split(separates)
         .map(|word| word.trim_end_matches(|letter: char| !letter.is_ascii_digit() && letter != '.'))
-        .find(|word| {
-            word.bytes().any(|byte| byte.is_ascii_digit()) && number(word.as_bytes()).is_some()
-        })
+        .find(|word| word.bytes().any(|byte| byte.is_ascii_digit()) && number(word.as_bytes()).is_some())
 }
 
 /// What follows a word in a text, whatever its capitals.
@@ -121,11 +107,7 @@ pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, S
 }
 
 /// A line or a refusal that says what should stand in its place.
-pub(super) fn needed<T>(
-    found: Option<T>,
-    last: Option<Line<'_>>,
-    allowed: &'static str,
-) -> Result<T, ReadError> {
+pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, ReadError> {
     found.ok_or_else(|| ReadError::Truncated {
         place: Place::Line(last.map_or(1, |line| line.number)),
         allowed,
@@ -157,10 +139,7 @@ pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64
         allowed: "a time step",
     })?;
     if !(value.is_finite() && value > 0.0) {
-        return Err(ReadError::TimeStep {
-            place,
-            found: value,
-        });
+        return Err(ReadError::TimeStep { place, found: value });
     }
     Ok(Stated {
         value,

@@ -37,10 +37,7 @@ impl<'t> Slots<'t> {
         let line = title::line_with(header, key).ok_or(ReadError::NoKey { key })?;
         let text = line.text();
         let values = text.split_once(':').map_or("", |(_, values)| values);
-        let values = values
-            .split('/')
-            .map(title::words)
-            .filter(|value| !value.is_empty());
+        let values = values.split('/').map(title::words).filter(|value| !value.is_empty());
         Ok(Self {
             line,
             values: values.collect(),
@@ -55,10 +52,7 @@ impl<'t> Slots<'t> {
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let slots = Slots::new(file, "ORIENTACION C1-C6")?;
     let place = Place::Line(slots.line.number);
-    let components = slots
-        .values
-        .into_iter()
-        .map(|name| Component::new(name, place));
+    let components = slots.values.into_iter().map(|name| Component::new(name, place));
     Ok(components.collect())
 }
 
@@ -71,9 +65,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     };
     let time = [said("FECHA DEL SISMO"), said("HORA EPICENTRO")].map(Option::unwrap_or_default);
     Identity {
-        station: said("CLAVE DE LA ESTACION")
-            .as_deref()
-            .and_then(identity::text),
+        station: said("CLAVE DE LA ESTACION").as_deref().and_then(identity::text),
         time: identity::time(&time.join(" ")),
         ..Identity::default()
     }
@@ -84,9 +76,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let steps = Slots::new(file, "INTERVALO DE MUESTREO")?;
     let peaks = Slots::new(file, "ACEL. MAX.")?;
     let n_columns = counts.values.len();
-    let is_row = |line: &Line<'_>| {
-        line.pieces().count() == n_columns && line.pieces().all(|piece| number(piece).is_some())
-    };
+    let is_row = |line: &Line<'_>| line.pieces().count() == n_columns && line.pieces().all(|piece| number(piece).is_some());
     let behind = file.behind(counts.line);
     let first = behind.iter().position(is_row);
     let first = needed(first, file.lines.last().copied(), "the values")?;
@@ -107,10 +97,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(count),
-        time_step: Some(Spacing::Even(title::time_step(
-            steps.line,
-            number(steps.get(index).as_bytes()),
-        )?)),
+        time_step: Some(Spacing::Even(title::time_step(steps.line, number(steps.get(index).as_bytes()))?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
             place: Place::Line(peaks.line.number),

@@ -42,12 +42,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
             title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
             Place::Line(line.number),
         )
-        .at(Site::of_location(
-            block[0]
-                .text()
-                .rsplit_once(',')
-                .map_or("", |(_, place)| place),
-        ))
+        .at(Site::of_location(block[0].text().rsplit_once(',').map_or("", |(_, place)| place)))
     };
     channels(file).into_iter().map(component).collect()
 }
@@ -86,10 +81,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(last, count.unwrap_or_default())?),
-        time_step: Some(Spacing::Even(title::time_step(
-            titles[RATE],
-            rate.map(|rate| 1.0 / rate),
-        )?)),
+        time_step: Some(Spacing::Even(title::time_step(titles[RATE], rate.map(|rate| 1.0 / rate))?)),
         // Of accelerations, velocities and displacements: the first.
         scale: Scale::Unit(title::stated_unit(last, unit)?),
         peak: None,

@@ -9,34 +9,23 @@ pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, Read
     let is_value = |line: &Line<'_>| line.is_blank() || begins_with_number(*line);
     let n_lines = lines.iter().position(|line| !is_value(line));
     let lines = &lines[..n_lines.unwrap_or(lines.len())];
-    of_lines(header, || {
-        lines.iter().copied().filter(|line| !line.is_blank())
-    })
+    of_lines(header, || lines.iter().copied().filter(|line| !line.is_blank()))
 }
 
 /// The values of these lines.
-pub(super) fn of_lines<'t, I>(
-    header: Line<'_>,
-    filled: impl Fn() -> I,
-) -> Result<Numbers, ReadError>
+pub(super) fn of_lines<'t, I>(header: Line<'_>, filled: impl Fn() -> I) -> Result<Numbers, ReadError>
 where
     I: Iterator<Item = Line<'t>>,
 {
     // Blanks lose data where numbers touch, but nothing is lost unseen: the pieces then have two
     // points.
     let touching = filled().flat_map(Line::pieces).any(touches);
-    let tail = if touching {
-        common_tail(filled().map(tail))
-    } else {
-        None
-    };
+    let tail = if touching { common_tail(filled().map(tail)) } else { None };
     let mut values = Values::default();
     for line in filled() {
         let mut push = |(index, field)| values.push(line, line.finite(index + 1, field)?, field);
         match tail {
-            Some(tail) => columns(line.bytes, tail)
-                .enumerate()
-                .try_for_each(&mut push)?,
+            Some(tail) => columns(line.bytes, tail).enumerate().try_for_each(&mut push)?,
             None => line.pieces().enumerate().try_for_each(&mut push)?,
         }
     }
@@ -58,11 +47,7 @@ fn begins_with_number(line: Line<'_>) -> bool {
 }
 
 fn points(bytes: &[u8]) -> impl Iterator<Item = usize> {
-    bytes
-        .iter()
-        .enumerate()
-        .filter(|(_, byte)| **byte == b'.')
-        .map(|(index, _)| index)
+    bytes.iter().enumerate().filter(|(_, byte)| **byte == b'.').map(|(index, _)| index)
 }
 
 /// Bytes from the decimal point to the end of a field, if all lines end alike.

@@ -16,11 +16,7 @@ pub(super) fn pieces(name: &str) -> impl Iterator<Item = (usize, &str)> {
 pub(super) fn without_marks(name: &str) -> Cow<'_, str> {
     let (base, ending) = name.split_at(name.rfind('.').unwrap_or(name.len()));
     let kept = [unmarked(base), unmarked(ending)].concat();
-    if kept == name {
-        Cow::Borrowed(name)
-    } else {
-        Cow::Owned(kept)
-    }
+    if kept == name { Cow::Borrowed(name) } else { Cow::Owned(kept) }
 }
 
 fn unmarked(part: &str) -> &str {

@@ -56,15 +56,13 @@ impl Place {
             return others.any(|other| other.word.ends_with('3'));
         }
         (self.word.len() == 1 || is_digit(&self.word))
-            && others
-                .any(|other| other.way.is_none() && is_digit(&other.word) == is_digit(&self.word))
+            && others.any(|other| other.way.is_none() && is_digit(&other.word) == is_digit(&self.word))
     }
 
     /// Whether another name of its stem has a word for another direction, and none says that these are other places.
     pub(super) fn is_paired(&self, group: &[&Self]) -> bool {
-        let both = |one: &Self, other: &Self, are: fn(Way, Way) -> bool| {
-            (one.way.zip(other.way)).is_some_and(|(one, other)| are(one, other))
-        };
+        let both =
+            |one: &Self, other: &Self, are: fn(Way, Way) -> bool| (one.way.zip(other.way)).is_some_and(|(one, other)| are(one, other));
         let clashes = |one: &Self| group.iter().any(|other| both(one, other, Way::clashes));
         let pairs = |other: &&Self| {
             other.word != self.word
@@ -82,10 +80,7 @@ impl Place {
             is_word && code[4..].iter().all(u8::is_ascii_digit)
         });
         let is_upper = |other: &&Self| is_of_kiknet(&other.word) && other.word.ends_with('2');
-        is_of_kiknet(&self.word)
-            && self.word.ends_with('1')
-            && (has_code || group.iter().any(is_upper))
-            && !self.is_listed(group)
+        is_of_kiknet(&self.word) && self.word.ends_with('1') && (has_code || group.iter().any(is_upper)) && !self.is_listed(group)
     }
 }
 
@@ -151,11 +146,7 @@ impl<'n> Name<'n> {
         let (at, piece) = self.pieces[index];
         let mut place = self.made(at + start, at + end, None);
         let inner = &piece[..start];
-        let before = if start == 0 {
-            self.piece(index.wrapping_sub(1))
-        } else {
-            inner
-        };
+        let before = if start == 0 { self.piece(index.wrapping_sub(1)) } else { inner };
         if let Some(digits) = number_of(inner, &place.word) {
             (place.way, place.azimuth) = of_number(digits, &before.to_ascii_uppercase(), inner);
             return Some(place);
@@ -174,10 +165,8 @@ impl<'n> Name<'n> {
         };
         place.tells = is_apart && self.tells(index, start, end, &before.to_ascii_uppercase());
         let mut next = self.piece(index + 1).chars();
-        let is_name = next.next().is_some_and(char::is_uppercase)
-            && next.next().is_some_and(char::is_lowercase);
-        place.may_be_town =
-            index == 0 && is_name && ["NORTH", "EAST", "SOUTH", "WEST"].contains(&&*place.word);
+        let is_name = next.next().is_some_and(char::is_uppercase) && next.next().is_some_and(char::is_lowercase);
+        place.may_be_town = index == 0 && is_name && ["NORTH", "EAST", "SOUTH", "WEST"].contains(&&*place.word);
         is_known.then_some(place)
     }
 
@@ -195,9 +184,7 @@ impl<'n> Name<'n> {
         match (Way::of(&word), word.as_str()) {
             (None, _) => false,
             // `T045.00N`.
-            (_, "E" | "N" | "U" | "Z") if start > 0 => {
-                self.is_ending(index) && start == 2 && is_number(&piece[..2])
-            }
+            (_, "E" | "N" | "U" | "Z") if start > 0 => self.is_ending(index) && start == 2 && is_number(&piece[..2]),
             (_, "U") => false,
             (_, "L" | "T") if end < piece.len() => is_last && at > 0,
             // Versions are `v2`, `v 2` and `ver 2`.
@@ -213,8 +200,7 @@ impl<'n> Name<'n> {
     /// Whether it is the letter of a channel of the USGS or of the University of Southern California: `1895a.smc`, `.s0a`.
     fn is_channel(&self, index: usize, inner: &str, word: &str) -> bool {
         let digits = inner.strip_prefix(['s', 'S']).unwrap_or(inner);
-        let is_smc =
-            index + 2 == self.pieces.len() && self.piece(index + 1).eq_ignore_ascii_case("smc");
+        let is_smc = index + 2 == self.pieces.len() && self.piece(index + 1).eq_ignore_ascii_case("smc");
         let is_place = match (inner.len(), digits.len()) {
             (2, 1) => self.is_ending(index),
             (n, n_digits) => is_smc && n > 2 && n == n_digits,
@@ -228,8 +214,7 @@ impl<'n> Name<'n> {
 
     /// Whether only words for a quantity and the ending stand behind a piece.
     fn is_last(&self, index: usize) -> bool {
-        (index + 1..self.pieces.len())
-            .all(|index| self.is_ending(index) || Quantity::of_word(self.piece(index)).is_some())
+        (index + 1..self.pieces.len()).all(|index| self.is_ending(index) || Quantity::of_word(self.piece(index)).is_some())
     }
 }
 
@@ -255,8 +240,7 @@ fn of_number(digits: &str, before: &str, inner: &str) -> (Option<Way>, Option<u1
     }
     let is_long = digits.len() == 3 || (digits.len() == 2 && inner.is_empty());
     let is_round = |number: u16| digits.len() <= 3 && number.is_multiple_of(90);
-    let azimuth = number
-        .filter(|number| is_round(*number) || (is_long && !before.is_empty() && !is_in(COUNTED)));
+    let azimuth = number.filter(|number| is_round(*number) || (is_long && !before.is_empty() && !is_in(COUNTED)));
     let way = azimuth.map(|degrees| Way::Level(COMPASS, degrees % 360));
     (way, azimuth)
 }

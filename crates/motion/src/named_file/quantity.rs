@@ -17,22 +17,13 @@ pub enum Quantity {
 
 /// Words of quantities, in capitals; a star stands for any end. The last in a name holds.
 const WORDS: [(Quantity, &str); 4] = [
-    (
-        Quantity::Acceleration,
-        "ACC ACCEL* ACELER* BESCHLEUN* AT2 V1A V2A",
-    ),
-    (
-        Quantity::Velocity,
-        "VEL VELO VELOC* VITESS* GESCHWIND* VT2 V2V",
-    ),
+    (Quantity::Acceleration, "ACC ACCEL* ACELER* BESCHLEUN* AT2 V1A V2A"),
+    (Quantity::Velocity, "VEL VELO VELOC* VITESS* GESCHWIND* VT2 V2V"),
     (
         Quantity::Displacement,
         "DIS DSP DISP DISPL DISPLAC* DESPLAZ* SPOSTAM* VERSCHIEB* DT2 V2D",
     ),
-    (
-        Quantity::Spectrum,
-        "PSA PSV SPEC SPECTR* SPEKTR* ESPECTRO SPETTRO",
-    ),
+    (Quantity::Spectrum, "PSA PSV SPEC SPECTR* SPEKTR* ESPECTRO SPETTRO"),
 ];
 
 /// Ends of names, in capitals: of ESM, where SA and SD are no places, and `.d` beside `.a` and `.v`.
@@ -43,9 +34,7 @@ const ENDS: [(&str, Quantity); 3] = [
 ];
 
 /// Begins of words beside which a spectrum is what a record was made for: `matched_to_spectrum`.
-const MADE_FOR: [&str; 8] = [
-    "MATCH", "COMPAT", "CONSIST", "HISTOR", "SITE", "SCALE", "FIT", "ADJUST",
-];
+const MADE_FOR: [&str; 8] = ["MATCH", "COMPAT", "CONSIST", "HISTOR", "SITE", "SCALE", "FIT", "ADJUST"];
 
 impl Quantity {
     /// The quantity of the last word for one.
@@ -58,9 +47,7 @@ impl Quantity {
         if let Some((_, quantity)) = ends.next() {
             return Some(*quantity);
         }
-        let is_made_for = |(_, piece): (usize, &str)| {
-            piece == "TO" || MADE_FOR.iter().any(|word| piece.starts_with(word))
-        };
+        let is_made_for = |(_, piece): (usize, &str)| piece == "TO" || MADE_FOR.iter().any(|word| piece.starts_with(word));
         let pieces: Vec<&str> = pieces(&name).map(|(_, piece)| piece).collect();
         let n_words = pieces.len() - usize::from(name.contains('.'));
         (0..pieces.len()).rev().find_map(|index| {
@@ -69,9 +56,7 @@ impl Quantity {
             let is_told = match quantity {
                 Self::Spectrum => index + 1 >= n_words && !self::pieces(&capitals).any(is_made_for),
                 // Codes of stations, too.
-                Self::Displacement => {
-                    index > 0 || n_words == 1 || !["DIS", "DSP"].contains(&&*piece)
-                }
+                Self::Displacement => index > 0 || n_words == 1 || !["DIS", "DSP"].contains(&&*piece),
                 Self::Acceleration | Self::Velocity => true,
             };
             is_told.then_some(quantity)

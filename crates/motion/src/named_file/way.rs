@@ -35,10 +35,7 @@ const WORDS: [(&str, Way); 14] = {
         ("H H1", Level('H', 0)),
         ("H2", Level('H', 90)),
         ("L LN LON LONG LONGITUDINAL R RAD RADIAL", Level('L', 0)),
-        (
-            "T TR TRA TRAN TRANS TRANSVERSE TRANSVERSAL TANGENTIAL",
-            Level('L', 90),
-        ),
+        ("T TR TRA TRAN TRANS TRANSVERSE TRANSVERSAL TANGENTIAL", Level('L', 90)),
         ("FN SN NORMAL", Level('F', 0)),
         ("FP SP PARALLEL", Level('F', 90)),
     ]
@@ -56,26 +53,19 @@ impl Way {
         };
         let of_code = || {
             let is_code = word.starts_with(|band| "BCDEFGHLMS".contains(band));
-            let end = word
-                .get(2..3)
-                .filter(|_| is_code && is_channel_end(word, "ZNE12"));
+            let end = word.get(2..3).filter(|_| is_code && is_channel_end(word, "ZNE12"));
             end.and_then(|end| known(end).or_else(|| known(&format!("H{end}"))))
         };
         let counted = is_of_kiknet(word).then(|| &word[..2]);
-        known(counted.unwrap_or(word))
-            .or_else(|| bearing(word))
-            .or_else(of_code)
+        known(counted.unwrap_or(word)).or_else(|| bearing(word)).or_else(of_code)
     }
 
     /// Whether two words are of two components of one record.
     pub(super) fn pairs(self, other: Self) -> bool {
         match (self, other) {
             (Self::Channel, Self::Channel) => true,
-            (Self::Level(kind, one), Self::Level(of_other, other)) => {
-                kind == of_other && is_right(one, other)
-            }
-            (Self::Upright(beside), Self::Level(kind, _))
-            | (Self::Level(kind, _), Self::Upright(beside)) => {
+            (Self::Level(kind, one), Self::Level(of_other, other)) => kind == of_other && is_right(one, other),
+            (Self::Upright(beside), Self::Level(kind, _)) | (Self::Level(kind, _), Self::Upright(beside)) => {
                 beside.is_none_or(|beside| beside == kind)
             }
             _ => false,

@@ -20,10 +20,7 @@ pub enum RowError {
         found: usize,
     },
     /// A field is not a number.
-    #[error(
-        "line {line}, field {field}: {found:?} is not a number; {}",
-        of_number(found)
-    )]
+    #[error("line {line}, field {field}: {found:?} is not a number; {}", of_number(found))]
     NotANumber {
         /// Line of the field.
         line: usize,
@@ -70,9 +67,7 @@ pub enum RowError {
         reason: &'static str,
     },
     /// Values are declared to follow one another in rows, where the file has columns.
-    #[error(
-        "{place} reads {found:?}: the numbers stand in columns, but `in_rows` is declared; leave the declaration away"
-    )]
+    #[error("{place} reads {found:?}: the numbers stand in columns, but `in_rows` is declared; leave the declaration away")]
     NotInRows {
         /// Where the file says so.
         place: Place,
@@ -125,9 +120,7 @@ pub enum RowError {
         found: String,
     },
     /// A value is the mark that the format keeps for one that is missing.
-    #[error(
-        "line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another"
-    )]
+    #[error("line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another")]
     Missing {
         /// Line of the field.
         line: usize,

@@ -10,10 +10,7 @@ pub(super) fn choice(names: &[String]) -> String {
     if names.is_empty() {
         return "one, which has no name; leave the declaration away".to_owned();
     }
-    format!(
-        "{}; choose one of them by its name, a part of it, or its number",
-        listed(names)
-    )
+    format!("{}; choose one of them by its name, a part of it, or its number", listed(names))
 }
 
 /// Components with their numbers.
@@ -26,9 +23,7 @@ pub(super) fn listed(names: &[String]) -> String {
 /// Components with their numbers.
 pub(super) fn numbered(components: &[(usize, String)]) -> String {
     let first = components.iter().take(MOST_LISTED);
-    let mut listed: Vec<String> = first
-        .map(|(number, name)| format!("{number} = {name:?}"))
-        .collect();
+    let mut listed: Vec<String> = first.map(|(number, name)| format!("{number} = {name:?}")).collect();
     if components.len() > MOST_LISTED {
         listed.push("…".to_owned());
     }
@@ -64,9 +59,7 @@ pub(super) fn several(said: &[(Place, String)]) -> String {
 
 /// What may be done about several numbers to a line.
 pub(super) fn rows(found: usize) -> String {
-    let names = ["NS", "EW", "UD"]
-        .get(..found)
-        .unwrap_or(&["NS", "EW", "UD", "…"]);
+    let names = ["NS", "EW", "UD"].get(..found).unwrap_or(&["NS", "EW", "UD", "…"]);
     format!(
         "if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `{}` or `time {}`",
         names.join(" "),
@@ -76,17 +69,15 @@ pub(super) fn rows(found: usize) -> String {
 
 /// The line before which values end.
 pub(super) fn before(next: Option<&(usize, String)>) -> String {
-    next.map_or_else(String::new, |(line, found)| {
-        format!(" (line {line} reads {found:?})")
-    })
+    next.map_or_else(String::new, |(line, found)| format!(" (line {line} reads {found:?})"))
 }
 
 /// Which numbers of columns a plain text may have, and how to get there.
 pub(super) fn columns(allowed: Option<usize>) -> String {
     match allowed {
-        Some(allowed) => format!(
-            "{allowed} as in the first line of numbers; write time and acceleration alone, or one acceleration to a line"
-        ),
+        Some(allowed) => {
+            format!("{allowed} as in the first line of numbers; write time and acceleration alone, or one acceleration to a line")
+        }
         None => "1 or 2, or more with a time or with names; write a line such as `time NS EW UD` above them, or one \
                  acceleration to a line"
             .to_owned(),

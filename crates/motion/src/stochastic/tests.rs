@@ -50,12 +50,8 @@ fn energy(samples: &[f64], time_step: f64, angular_frequency: f64) -> f64 {
 fn density(ground: &GroundFilter, w: f64) -> f64 {
     let square = |x: f64| x * x;
     let (wg, zg) = (ground.angular_frequency, ground.damping_ratio);
-    let (wf, zf) = (
-        ground.high_pass_angular_frequency,
-        ground.high_pass_damping_ratio,
-    );
-    let kanai_tajimi = (square(square(wg)) + square(2.0 * zg * wg * w))
-        / (square(wg * wg - w * w) + square(2.0 * zg * wg * w));
+    let (wf, zf) = (ground.high_pass_angular_frequency, ground.high_pass_damping_ratio);
+    let kanai_tajimi = (square(square(wg)) + square(2.0 * zg * wg * w)) / (square(wg * wg - w * w) + square(2.0 * zg * wg * w));
     let clough_penzien = square(w * w) / (square(wf * wf - w * w) + square(2.0 * zf * wf * w));
     NOISE * kanai_tajimi * clough_penzien
 }
@@ -69,21 +65,14 @@ fn reference_the_stationary_motion_has_the_target_density_at_every_frequency() {
         for term in [1, 2, 5, 17, 95, 300, 799, 800, 801, 900] {
             let w = f64::from(term) * spacing;
             let found = energy(&samples, 0.02, w) / (TAU * 40.0);
-            let wanted = if term <= 800 {
-                density(&ground, w)
-            } else {
-                0.0
-            };
+            let wanted = if term <= 800 { density(&ground, w) } else { 0.0 };
             assert!((found - wanted).abs() < 1e-12, "{term}: {found} {wanted}");
         }
         let square: f64 = samples[1..].iter().map(|sample| sample * sample).sum();
         let wanted: f64 = (1..=800)
             .map(|term| 2.0 * density(&ground, f64::from(term) * spacing) * spacing)
             .sum();
-        assert!(
-            (square / 2000.0 / wanted - 1.0).abs() < 1e-12,
-            "{square} {wanted}"
-        );
+        assert!((square / 2000.0 / wanted - 1.0).abs() < 1e-12, "{square} {wanted}");
     }
 }
 
@@ -95,21 +84,14 @@ fn reference_the_mean_spectrum_under_the_envelope_is_the_target_spread_by_the_en
     for ground in GROUNDS {
         let spacing = TAU / 40.0;
         let envelope: Vec<f64> = (0..=2000)
-            .map(|step| {
-                motion(ground.clone(), 0)
-                    .envelope
-                    .at(0.02 * f64::from(step))
-            })
+            .map(|step| motion(ground.clone(), 0).envelope.at(0.02 * f64::from(step)))
             .collect();
         let records: Vec<Record> = (0..n_seeds)
             .map(|seed| shaped(&motion(ground.clone(), seed.into()), NOISE))
             .collect();
         for index in 0..16 {
             let w = spacing * (3.0 + 1.37 * f64::from(index * index));
-            let sum: f64 = records
-                .iter()
-                .map(|record| energy(record.samples(), 0.02, w))
-                .sum();
+            let sum: f64 = records.iter().map(|record| energy(record.samples(), 0.02, w)).sum();
             let found = sum / f64::from(n_seeds);
             // Every term is spread by the spectrum of the envelope, to either side of zero.
             let wanted: f64 = (-800..=800)
@@ -120,10 +102,7 @@ fn reference_the_mean_spectrum_under_the_envelope_is_the_target_spread_by_the_en
                 })
                 .sum();
             let apart = (found / wanted - 1.0).abs() * f64::from(n_seeds).sqrt();
-            assert!(
-                apart < 4.5,
-                "{ground:?} at {w} rad/s: {found} against {wanted}"
-            );
+            assert!(apart < 4.5, "{ground:?} at {w} rad/s: {found} against {wanted}");
         }
     }
 }
@@ -148,18 +127,10 @@ fn reference_values_at_one_instant_are_normal_over_the_seeds() {
         .sum();
     let moment = |power: i32| {
         let scaled = values.iter().map(|value| value / variance.sqrt());
-        scaled
-            .map(|value| libm::pow(value, f64::from(power)))
-            .sum::<f64>()
-            / n
+        scaled.map(|value| libm::pow(value, f64::from(power))).sum::<f64>() / n
     };
     // Deviations of the moments of a standard normal variable: 1, √2, √15, √96 over √n.
-    for (power, wanted, deviation) in [
-        (1, 0.0, 1.0_f64),
-        (2, 1.0, 2.0),
-        (3, 0.0, 15.0),
-        (4, 3.0, 96.0),
-    ] {
+    for (power, wanted, deviation) in [(1, 0.0, 1.0_f64), (2, 1.0, 2.0), (3, 0.0, 15.0), (4, 3.0, 96.0)] {
         let apart = (moment(power) - wanted).abs() * (n / deviation).sqrt();
         assert!(apart < 4.0, "moment {power}: {}", moment(power));
     }

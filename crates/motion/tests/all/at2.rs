@@ -14,9 +14,7 @@ fn accelerogram(text: &str) -> Accelerogram {
 }
 
 fn refusal(text: &str) -> String {
-    read(text.as_bytes())
-        .expect_err("a file that is refused")
-        .to_string()
+    read(text.as_bytes()).expect_err("a file that is refused").to_string()
 }
 
 /// A file of so many values of 0.01 s step, with the values as given.
@@ -113,11 +111,7 @@ fn reference_numbers_that_touch_are_cut_at_fixed_columns() {
         // leading blanks lost
         "-1.50000-12.25000100.12500\n-0.50000  3.00000",
     ] {
-        assert_eq!(
-            accelerogram(&with_values(5, values)).values(),
-            expected,
-            "{values}"
-        );
+        assert_eq!(accelerogram(&with_values(5, values)).values(), expected, "{values}");
     }
 }
 
@@ -219,10 +213,7 @@ fn names(line: &str) -> Vec<String> {
 #[test]
 fn reference_the_direction_behind_the_last_comma_is_the_component() {
     for (line, name) in [
-        (
-            "SOMEWHERE 01/02/03 0405, A STATION #9, 180 (AGENCY STATION 117)",
-            "180",
-        ),
+        ("SOMEWHERE 01/02/03 0405, A STATION #9, 180 (AGENCY STATION 117)", "180"),
         ("Somewhere-02, 2/3/1940, A Station #9, 000", "000"),
         ("Somewhere_ Japan, 6/13/2008, IWTH25, UD", "UD"),
         ("SOMEWHERE, 1/2/03, STATION, UP", "UP"),

@@ -18,10 +18,7 @@ fn reference_el_centro_of_pacific_engineering() {
     assert_eq!(record.time_step().to_string(), "0.01");
     let (time, acceleration) = record.peak();
     assert!((time - 2.15).abs() < 0.02, "peak at {time} s");
-    assert!(
-        (acceleration + 0.3129).abs() < 1e-4,
-        "peak of {acceleration} g"
-    );
+    assert!((acceleration + 0.3129).abs() < 1e-4, "peak of {acceleration} g");
     assert_eq!(record.source().lines().count(), 4);
 }
 
@@ -34,8 +31,5 @@ fn reference_el_centro_of_chopra() {
     assert_eq!(record.samples().len(), 1560);
     assert_eq!(record.time_step().to_string(), "0.02");
     let (_, acceleration) = record.peak();
-    assert!(
-        (acceleration.abs() - 0.3188).abs() < 1e-4,
-        "peak of {acceleration} g"
-    );
+    assert!((acceleration.abs() - 0.3188).abs() < 1e-4, "peak of {acceleration} g");
 }

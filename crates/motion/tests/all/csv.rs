@@ -8,9 +8,7 @@ fn accelerogram(text: &str) -> Accelerogram {
 }
 
 fn refusal(text: &str) -> String {
-    read(text.as_bytes())
-        .expect_err("a CSV that is refused")
-        .to_string()
+    read(text.as_bytes()).expect_err("a CSV that is refused").to_string()
 }
 
 /// A file in g with these times and zeros for accelerations.
@@ -25,8 +23,7 @@ fn time_step(times: &[&str]) -> f64 {
 
 #[test]
 fn reference_values_unit_and_comments() {
-    let found =
-        accelerogram("# El Somewhere\n#second line\ntime_s,acceleration_g\n0.00,0.1\n0.02,-0.25\n");
+    let found = accelerogram("# El Somewhere\n#second line\ntime_s,acceleration_g\n0.00,0.1\n0.02,-0.25\n");
     assert_eq!(found.values(), [0.1, -0.25]);
     assert_eq!(found.time_step().to_string(), "0.02");
     assert_eq!(found.unit(), AccelerationUnit::StandardGravity);
@@ -52,40 +49,21 @@ fn reference_a_file_that_begins_after_one_step_gets_the_state_of_rest() {
 
 #[test]
 fn reference_time_step_is_the_decimal_that_was_printed() {
-    assert_eq!(
-        time_step(&["0.00", "0.01", "0.02", "0.03"]).to_string(),
-        "0.01"
-    );
+    assert_eq!(time_step(&["0.00", "0.01", "0.02", "0.03"]).to_string(), "0.01");
     assert_eq!(time_step(&["0", "0.005", "0.01"]).to_string(), "0.005");
-    assert_eq!(
-        time_step(&["0.0", "0.1", "0.2", "0.30000000000000004"]).to_string(),
-        "0.1"
-    );
-    assert_eq!(
-        time_step(&["0.0e+00", "1.00e-02", "2.00e-02"]).to_string(),
-        "0.01"
-    );
-    assert_eq!(
-        time_step(&["0", "0.00390625", "0.0078125"]).to_string(),
-        "0.00390625"
-    );
+    assert_eq!(time_step(&["0.0", "0.1", "0.2", "0.30000000000000004"]).to_string(), "0.1");
+    assert_eq!(time_step(&["0.0e+00", "1.00e-02", "2.00e-02"]).to_string(), "0.01");
+    assert_eq!(time_step(&["0", "0.00390625", "0.0078125"]).to_string(), "0.00390625");
     // Not a decimal step: the single precision of some writers is kept as it is.
-    assert_eq!(
-        time_step(&["0", "0.01999999955", "0.0399999991"]).to_string(),
-        "0.01999999955"
-    );
-    let long: Vec<String> = (0..4000)
-        .map(|step| format!("{:.2}", f64::from(step) / 100.0))
-        .collect();
+    assert_eq!(time_step(&["0", "0.01999999955", "0.0399999991"]).to_string(), "0.01999999955");
+    let long: Vec<String> = (0..4000).map(|step| format!("{:.2}", f64::from(step) / 100.0)).collect();
     let long: Vec<&str> = long.iter().map(String::as_str).collect();
     assert_eq!(time_step(&long).to_string(), "0.01");
 }
 
 #[test]
 fn reference_rounded_times_give_their_mean_step() {
-    let times: Vec<String> = (0..=1000)
-        .map(|step| format!("{:.4}", f64::from(step) / 256.0))
-        .collect();
+    let times: Vec<String> = (0..=1000).map(|step| format!("{:.4}", f64::from(step) / 256.0)).collect();
     let times: Vec<&str> = times.iter().map(String::as_str).collect();
     let error = time_step(&times) - 1.0 / 256.0;
     assert!(error.abs() <= 1e-4 / 1000.0, "off by {error} s");
@@ -162,12 +140,7 @@ fn issue_comments_with_the_header_of_another_format() {
         let text = format!("{header}time_s,acceleration_g\n0,0.25\n0.01,0.5\n");
         let read = read(text.as_bytes());
         let read = read.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        assert_eq!(
-            read.format(),
-            pounding_motion::Format::Csv,
-            "{}",
-            path.display()
-        );
+        assert_eq!(read.format(), pounding_motion::Format::Csv, "{}", path.display());
         assert_eq!(read.values(), [0.25, 0.5]);
     }
 }

@@ -44,8 +44,7 @@ fn damaged(name: &str, number: &str, by: &str) -> String {
 /// The same in formats that are cut by columns, which took a comma for the end of the numbers.
 #[test]
 fn issue_damaged_numbers_of_other_formats_are_named() {
-    let refused =
-        |name: &str, number: &str, by: &str| refusal(damaged(name, number, by).as_bytes());
+    let refused = |name: &str, number: &str, by: &str| refusal(damaged(name, number, by).as_bytes());
     assert_snapshot!(refused("esm.asc", "-3.634899", "0,25"), @r#"line 16, field 1: "0,25" is not a number; write a decimal point for the comma, as in -0.00640"#);
     assert_snapshot!(refused("esm.asc", "-3.634899", "*****"), @r#"line 16, field 1: "*****" is not a number; a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"#);
     assert_snapshot!(refused("esm.asc", "-3.634899", "NULL"), @r#"line 16, field 1: "NULL" is not a number; write it like -0.00640 or -.6403182E-02"#);
@@ -61,8 +60,7 @@ fn issue_files_of_other_kinds_are_named() {
     assert_snapshot!(refused(b"\n<!DOCTYPE HTML>\n<html>1.0\n2.0\n"), @"the file is a web page, allowed is a record as text, SAC or miniSEED; fetch the record again; a site that wants a log-in sends such pages instead");
     assert_snapshot!(refused(b"\x7fELF\x02\x01\x01\x00"), @"the file is binary (byte 5 is 0x02) and neither SAC nor miniSEED, the binary formats that are read; fetch the record as text or in one of them");
     let text = at2(".4");
-    let pairs =
-        |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<u8>>();
+    let pairs = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<u8>>();
     let little = pairs(u16::to_le_bytes);
     let said = refused(&little);
     assert_snapshot!(said, @r#"the file is text in UTF-16, allowed is a record as text, SAC or miniSEED; save it again as UTF-8 (an editor's "Save as", or `iconv -f UTF-16 -t UTF-8`)"#);

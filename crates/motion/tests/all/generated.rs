@@ -34,10 +34,7 @@ fn reference_a_harmonic_at_quarters_of_its_period() {
 
 #[test]
 fn limit_ramps_change_nothing_between_them_and_begin_and_end_at_zero() {
-    let steady = Harmonic {
-        phase: 1.0,
-        ..HARMONIC
-    };
+    let steady = Harmonic { phase: 1.0, ..HARMONIC };
     let ramped = Harmonic {
         ramp_periods: 2.0,
         ..steady.clone()
@@ -81,10 +78,7 @@ fn reference_a_ricker_pulse_leaves_the_ground_where_it_was() {
     assert_eq!(record.samples(), mirrored);
     // Its troughs of 2·exp(−3/2) are where x² = 3/2.
     let trough = record.samples().iter().copied().fold(0.0, f64::max);
-    assert!(
-        (trough / (6.0 * libm::exp(-1.5)) - 1.0).abs() < 1e-4,
-        "{trough}"
-    );
+    assert!((trough / (6.0 * libm::exp(-1.5)) - 1.0).abs() < 1e-4, "{trough}");
     let moved = record.integrated();
     let (velocity, displacement) = (moved.velocity[1500], moved.displacement[1500]);
     // What is cut off at x = 1.5π leaves 2A·1.5/f·exp(−x²), and that over half of the duration.
@@ -159,18 +153,12 @@ fn extreme_motions_that_cannot_be() {
         ]
         .join("\n")
     );
-    let still = Harmonic {
-        duration: 0.0,
-        ..HARMONIC
-    };
+    let still = Harmonic { duration: 0.0, ..HARMONIC };
     assert_eq!(still.record().unwrap().samples(), [0.0]);
     let tiny = RickerPulse {
         amplitude: 1.0,
         frequency: 1e-300,
         time_step: f64::MAX,
     };
-    assert!(
-        matches!(tiny.record(), Err(RecordError::TimeStep { .. })),
-        "{tiny:?}"
-    );
+    assert!(matches!(tiny.record(), Err(RecordError::TimeStep { .. })), "{tiny:?}");
 }

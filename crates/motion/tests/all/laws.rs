@@ -7,9 +7,7 @@ use proptest::prelude::*;
 fn exponential(value: f64, width: usize) -> String {
     let text = format!("{value:.6e}");
     let (mantissa, exponent) = text.split_once('e').expect("a number in exponent notation");
-    let (sign, digits) = mantissa
-        .strip_prefix('-')
-        .map_or(("", mantissa), |digits| ("-", digits));
+    let (sign, digits) = mantissa.strip_prefix('-').map_or(("", mantissa), |digits| ("-", digits));
     let exponent: i32 = exponent.parse().expect("an exponent");
     let exponent = if value == 0.0 { 0 } else { exponent + 1 };
     let digits = digits.replace('.', "");
@@ -18,10 +16,7 @@ fn exponential(value: f64, width: usize) -> String {
 }
 
 fn at2(fields: &[String], columns: usize) -> String {
-    let lines: Vec<String> = fields
-        .chunks(columns)
-        .map(|line| line.concat() + "\n")
-        .collect();
+    let lines: Vec<String> = fields.chunks(columns).map(|line| line.concat() + "\n").collect();
     let n_samples = fields.len();
     format!(
         "A\nB\nACCELERATION IN UNITS OF G\nNPTS= {n_samples}, DT= .0050 SEC\n{}",

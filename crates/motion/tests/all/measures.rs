@@ -12,19 +12,14 @@ fn record(time_step: f64, samples: &[f64]) -> Record {
 }
 
 fn close(found: f64, wanted: f64) {
-    assert!(
-        (found - wanted).abs() <= 1e-13 * wanted.abs().max(1e-3),
-        "{found} against {wanted}"
-    );
+    assert!((found - wanted).abs() <= 1e-13 * wanted.abs().max(1e-3), "{found} against {wanted}");
 }
 
 #[test]
 fn reference_velocity_and_displacement_of_a_constant_and_of_a_ramp() {
     let (time_step, a) = (0.1, 2.0);
     let constant = record(time_step, &[a; 11]).integrated();
-    let ramp: Vec<f64> = (0..11)
-        .map(|step| a * time_step * f64::from(step))
-        .collect();
+    let ramp: Vec<f64> = (0..11).map(|step| a * time_step * f64::from(step)).collect();
     let ramp = record(time_step, &ramp).integrated();
     for step in 0..11_u8 {
         let t = f64::from(step) * time_step;
@@ -45,10 +40,7 @@ fn reference_measures_of_two_triangles() {
     close(found.pgv, a * dt);
     close(found.pgd, 2.0 * a * dt * dt);
     close(found.cav, 2.0 * a * dt);
-    close(
-        found.arias,
-        FRAC_PI_2 / STANDARD_GRAVITY * 4.0 * a * a * dt / 3.0,
-    );
+    close(found.arias, FRAC_PI_2 / STANDARD_GRAVITY * 4.0 * a * a * dt / 3.0);
     // Symmetrical about its middle: so is the interval from 5 % to 95 %.
     let interval = found.d5_95.expect("it shakes");
     close(interval.start + interval.end, 4.0 * dt);
@@ -124,11 +116,7 @@ fn reference_peaks_of_chopra_el_centro() {
 
 #[test]
 fn extreme_records_without_motion() {
-    for still in [
-        record(0.01, &[0.0]),
-        record(0.01, &[0.0; 5]),
-        record(0.01, &[3.0]),
-    ] {
+    for still in [record(0.01, &[0.0]), record(0.01, &[0.0; 5]), record(0.01, &[3.0])] {
         let found = still.measures();
         let wanted = Measures {
             pga: found.pga,

@@ -11,9 +11,7 @@ fn records(names: &[&str]) -> Vec<usize> {
 pub(crate) fn numbered(files: &[&NamedFile]) -> Vec<usize> {
     let mut numbers: Vec<usize> = Vec::new();
     for (index, file) in files.iter().enumerate() {
-        let known = files[..index]
-            .iter()
-            .position(|other| other.same_record(file));
+        let known = files[..index].iter().position(|other| other.same_record(file));
         let next = numbers.iter().max().map_or(0, |most| most + 1);
         numbers.push(known.map_or(next, |known| numbers[known]));
     }
@@ -47,10 +45,7 @@ fn issue_components_of_one_record() {
             "HI.ARS1..HNN.D.20190728.160908.C.ACC.ASC",
         ],
         ["CI.CLC..HNE.--.V1c", "CI.CLC..HNN.--.V1c"],
-        [
-            "AKBMR--n.1000hyfh.BNE.--.acc.V2c",
-            "AKBMR--n.1000hyfh.BNZ.--.acc.V2c",
-        ],
+        ["AKBMR--n.1000hyfh.BNE.--.acc.V2c", "AKBMR--n.1000hyfh.BNZ.--.acc.V2c"],
         ["20190706.CJ.T001230.HNE.sac", "20190706.CJ.T001230.HNN.sac"],
         ["20200101_4614_E.asc", "20200101_4614_N.asc"],
         ["20200101_4614_E.asc", "20200101_4614_U.asc"],
@@ -68,12 +63,7 @@ fn issue_components_of_one_record() {
         ["RSN6_IMPVALL.I_I-ELC180.AT2", "RSN6_IMPVALL.I_I-ELC-UP.AT2"],
         ["NGA_no_169_H-DLT262.AT2", "NGA_no_169_H-DLT352.AT2"],
     ] {
-        assert_eq!(
-            records(&pair),
-            [0, 0],
-            "{pair:?}: {:?}",
-            NamedFile::of_all(&pair)
-        );
+        assert_eq!(records(&pair), [0, 0], "{pair:?}: {:?}", NamedFile::of_all(&pair));
     }
 }
 
@@ -162,22 +152,14 @@ fn reference_directions() {
 
 #[test]
 fn reference_directions_that_names_tell_together() {
-    let files = NamedFile::of_all(&[
-        "CHY080E.AT2",
-        "CHY080N.AT2",
-        "CHY080V.AT2",
-        "a_U.asc",
-        "b_U.asc",
-        "b_N.asc",
-    ]);
+    let files = NamedFile::of_all(&["CHY080E.AT2", "CHY080N.AT2", "CHY080V.AT2", "a_U.asc", "b_U.asc", "b_N.asc"]);
     let told: Vec<Option<Direction>> = files.iter().map(|file| file.direction).collect();
     let (level, upright) = (Some(Direction::Horizontal), Some(Direction::Vertical));
     assert_eq!(told, [level, level, upright, None, upright, level]);
-    let azimuths: Vec<Option<u16>> =
-        NamedFile::of_all(&["A-ELC180.AT2", "A-ELC270.AT2", "r001.txt"])
-            .iter()
-            .map(|file| file.azimuth)
-            .collect();
+    let azimuths: Vec<Option<u16>> = NamedFile::of_all(&["A-ELC180.AT2", "A-ELC270.AT2", "r001.txt"])
+        .iter()
+        .map(|file| file.azimuth)
+        .collect();
     assert_eq!(azimuths, [Some(180), Some(270), None]);
 }
 
@@ -222,11 +204,7 @@ fn issue_quantities() {
         ),
         (
             Spectrum,
-            &[
-                "HI.ARS1..HNE.D.20190728.160908.C.SA.ASC",
-                "target_spectrum.csv",
-                "x_psa.txt",
-            ],
+            &["HI.ARS1..HNE.D.20190728.160908.C.SA.ASC", "target_spectrum.csv", "x_psa.txt"],
         ),
     ] {
         for name in names {

@@ -7,8 +7,7 @@ use crate::named_files::numbered;
 /// What the names of a folder tell, a word each: `V` is vertical, `B` in a borehole; others have the number of their record.
 fn told(names: &[&str]) -> String {
     let files = NamedFile::of_all(names);
-    let is_left_out =
-        |file: &&NamedFile| file.direction == Some(Direction::Vertical) || file.in_borehole;
+    let is_left_out = |file: &&NamedFile| file.direction == Some(Direction::Vertical) || file.in_borehole;
     let shaking: Vec<&NamedFile> = files.iter().filter(|file| !is_left_out(file)).collect();
     let mut numbers = numbered(&shaking).into_iter();
     let word = |file: &NamedFile| match file.direction {
@@ -24,12 +23,7 @@ fn check(cases: &str) {
     for case in cases.lines().filter(|case| !case.is_empty()) {
         let (names, expected) = case.split_once(" => ").expect("names and what they tell");
         let names: Vec<&str> = names.split(" | ").collect();
-        assert_eq!(
-            told(&names),
-            expected,
-            "{names:?}: {:#?}",
-            NamedFile::of_all(&names)
-        );
+        assert_eq!(told(&names), expected, "{names:?}: {:#?}", NamedFile::of_all(&names));
     }
 }
 

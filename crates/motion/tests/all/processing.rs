@@ -20,8 +20,7 @@ fn band(order: u32, low_corner: f64, high_corner: f64, passes: Passes) -> BandPa
 
 /// A record that looks like noise on a ramp, the same in any language.
 fn rough() -> Vec<f64> {
-    let sample =
-        |index: u32| f64::from((index * 7919) % 101) / 50.0 - 1.0 + 0.01 * f64::from(index);
+    let sample = |index: u32| f64::from((index * 7919) % 101) / 50.0 - 1.0 + 0.01 * f64::from(index);
     (0..120).map(sample).collect()
 }
 
@@ -37,17 +36,11 @@ const SCIPY: &str = "\
 #[test]
 fn reference_the_samples_that_scipy_gives() {
     for line in SCIPY.lines() {
-        let numbers: Vec<f64> = line
-            .split_whitespace()
-            .map(|number| number.parse().expect("a number"))
-            .collect();
+        let numbers: Vec<f64> = line.split_whitespace().map(|number| number.parse().expect("a number")).collect();
         let order = line.split(' ').next().map(str::parse);
         let order = order.expect("a number").expect("an order");
         let record = record(numbers[3], rough());
-        for (passes, wanted) in [
-            (Passes::ForwardAndBackward, &numbers[4..8]),
-            (Passes::Forward, &numbers[8..12]),
-        ] {
+        for (passes, wanted) in [(Passes::ForwardAndBackward, &numbers[4..8]), (Passes::Forward, &numbers[8..12])] {
             let filter = band(order, numbers[1], numbers[2], passes);
             let found = record.band_passed(&filter).unwrap();
             for (index, wanted) in [0, 1, 60, 119].into_iter().zip(wanted) {
@@ -79,10 +72,7 @@ fn reference_gain_is_one_over_root_two_at_the_corners_in_every_pass() {
         for corner in [1.0, 10.0] {
             let forward = gain(&band(order, 1.0, 10.0, Passes::Forward), corner);
             let both = gain(&band(order, 1.0, 10.0, Passes::ForwardAndBackward), corner);
-            assert!(
-                (forward - 0.5_f64.sqrt()).abs() < 1e-9,
-                "{order}: {forward}"
-            );
+            assert!((forward - 0.5_f64.sqrt()).abs() < 1e-9, "{order}: {forward}");
             assert!((both - 0.5).abs() < 1e-9, "{order}: {both}");
         }
         let centre = gain(&band(order, 1.0, 10.0, Passes::Forward), 3.2);
@@ -120,10 +110,7 @@ fn extreme_filters_that_cannot_be() {
     let record = record(0.01, rough());
     let error = |order, low, high| {
         let filter = band(order, low, high, Passes::ForwardAndBackward);
-        record
-            .band_passed(&filter)
-            .expect_err("refused")
-            .to_string()
+        record.band_passed(&filter).expect_err("refused").to_string()
     };
     insta::assert_snapshot!(
         [
@@ -143,10 +130,7 @@ fn extreme_filters_that_cannot_be() {
     let filter = band(4, 0.1, 25.0, Passes::ForwardAndBackward);
     insta::assert_snapshot!(short.band_passed(&filter).expect_err("refused"));
     let enough = Record::new(0.01, vec![1.0; 28], "").unwrap();
-    assert!(
-        enough.band_passed(&filter).is_ok(),
-        "one more than the padding"
-    );
+    assert!(enough.band_passed(&filter).is_ok(), "one more than the padding");
     let forward = band(4, 0.1, 25.0, Passes::Forward);
     assert!(short.band_passed(&forward).is_ok(), "no padding forward");
 }
@@ -156,21 +140,12 @@ fn extreme_narrow_low_and_wide_bands_stay_bounded() {
     let mut samples = vec![0.0; 50_000];
     samples[10] = 1.0;
     let record = record(0.005, samples);
-    for (low, high) in [
-        (2.1e-4, 2.2e-4),
-        (1e-3, 1.1e-3),
-        (1e-3, 99.9),
-        (99.0, 99.9),
-        (5.0, 5.001),
-    ] {
+    for (low, high) in [(2.1e-4, 2.2e-4), (1e-3, 1.1e-3), (1e-3, 99.9), (99.0, 99.9), (5.0, 5.001)] {
         for order in [1, 2, 5, 10] {
             for passes in [Passes::Forward, Passes::ForwardAndBackward] {
                 let filtered = record.band_passed(&band(order, low, high, passes)).unwrap();
                 let peak = filtered.peak().1.abs();
-                assert!(
-                    peak <= 1.0 + 1e-9,
-                    "{low} {high} {order} {passes:?}: {peak}"
-                );
+                assert!(peak <= 1.0 + 1e-9, "{low} {high} {order} {passes:?}: {peak}");
             }
         }
     }
@@ -184,9 +159,7 @@ fn reference_trends_are_found_and_removed() {
     let constant = record(0.01, ramp).detrended(Trend::Constant).unwrap();
     assert_eq!(constant.samples()[0].to_string(), "250");
     // scipy.signal.detrend([0, 1, 0, 5]): the line through it is 0.1·(−6 … ) = −0.6 + 1.4 i.
-    let found = record(0.5, vec![0.0, 1.0, 0.0, 5.0])
-        .detrended(Trend::Linear)
-        .unwrap();
+    let found = record(0.5, vec![0.0, 1.0, 0.0, 5.0]).detrended(Trend::Linear).unwrap();
     for (found, wanted) in found.samples().iter().zip([0.6, 0.2, -2.2, 1.4]) {
         assert!((found - wanted).abs() < 1e-15, "{found} against {wanted}");
     }
@@ -198,9 +171,7 @@ fn extreme_trends_of_one_and_two_samples_and_of_too_much() {
         let one = record(0.5, vec![3.0]).detrended(trend).unwrap();
         assert_eq!(one.samples(), [0.0]);
     }
-    let two = record(0.5, vec![3.0, 5.0])
-        .detrended(Trend::Linear)
-        .unwrap();
+    let two = record(0.5, vec![3.0, 5.0]).detrended(Trend::Linear).unwrap();
     assert_eq!(two.samples(), [0.0, 0.0]);
     let strongest = record(0.5, vec![Record::STRONGEST; 3]).detrended(Trend::Constant);
     assert!(strongest.is_ok(), "{strongest:?}");
@@ -208,18 +179,13 @@ fn extreme_trends_of_one_and_two_samples_and_of_too_much() {
 
 #[test]
 fn reference_scaled_to_a_peak() {
-    let scaled = record(0.5, vec![1.0, -4.0, 2.0])
-        .scaled_to_peak(3.0)
-        .unwrap();
+    let scaled = record(0.5, vec![1.0, -4.0, 2.0]).scaled_to_peak(3.0).unwrap();
     assert_eq!(scaled.samples(), [0.75, -3.0, 1.5]);
     let none = record(0.5, vec![0.0; 3]).scaled_to_peak(3.0);
     insta::assert_snapshot!(none.expect_err("refused"));
     for target in [-1.0, f64::NAN, f64::INFINITY] {
         let refused = record(0.5, vec![1.0]).scaled_to_peak(target);
-        assert!(
-            matches!(refused, Err(RecordError::Setting { .. })),
-            "{target}"
-        );
+        assert!(matches!(refused, Err(RecordError::Setting { .. })), "{target}");
     }
 }
 

@@ -23,11 +23,7 @@ fn reference_linear_between_samples_and_zero_outside() {
         (1.01, 0.0),
     ];
     for (time, acceleration) in cases {
-        assert!(
-            same(record.at(time), acceleration),
-            "at {time} s: {}",
-            record.at(time)
-        );
+        assert!(same(record.at(time), acceleration), "at {time} s: {}", record.at(time));
     }
     assert!(same(record.duration(), 1.0), "two steps of 0.5 s");
 }
@@ -41,10 +37,7 @@ fn reference_peak_keeps_its_sign_and_is_the_first_of_equals() {
 #[test]
 fn reference_resampling_halves_and_doubles_the_step() {
     let coarse = record(0.5, &[0.0, 2.0, -2.0]);
-    assert_eq!(
-        coarse.resampled(0.25).unwrap().samples(),
-        [0.0, 1.0, 2.0, 0.0, -2.0]
-    );
+    assert_eq!(coarse.resampled(0.25).unwrap().samples(), [0.0, 1.0, 2.0, 0.0, -2.0]);
     assert_eq!(coarse.resampled(1.0).unwrap().samples(), [0.0, -2.0]);
     // 0.75 s leaves 0.25 s after its last grid point: less than one step, dropped.
     assert_eq!(coarse.resampled(0.75).unwrap().samples(), [0.0, 0.0]);
@@ -65,35 +58,24 @@ fn limit_a_record_resampled_at_its_own_step_is_itself() {
         let record = record(time_step, &samples);
         assert_eq!(record.resampled(time_step).unwrap(), record);
         for (index, &sample) in samples.iter().enumerate() {
-            assert!(
-                same(record.at(index as f64 * time_step), sample),
-                "{index} × {time_step} s"
-            );
+            assert!(same(record.at(index as f64 * time_step), sample), "{index} × {time_step} s");
         }
     }
 }
 
 #[test]
 fn extreme_times_that_are_no_time() {
-    for record in [
-        record(0.5, &[4.0]),
-        record(0.5, &[4.0, 5.0]),
-        record(1e-320, &[4.0, 5.0]),
-    ] {
+    for record in [record(0.5, &[4.0]), record(0.5, &[4.0, 5.0]), record(1e-320, &[4.0, 5.0])] {
         assert!(record.at(f64::NAN).is_nan(), "NaN in, NaN out");
         assert!(same(record.at(f64::INFINITY), 0.0), "after the last sample");
-        assert!(
-            same(record.at(f64::NEG_INFINITY), 0.0),
-            "before the first sample"
-        );
+        assert!(same(record.at(f64::NEG_INFINITY), 0.0), "before the first sample");
         assert!(same(record.at(0.0), 4.0), "the first sample");
     }
 }
 
 #[test]
 fn extreme_numbers_that_make_no_record() {
-    let refused =
-        |time_step, samples: &[f64]| Record::new(time_step, samples.to_vec(), "").unwrap_err();
+    let refused = |time_step, samples: &[f64]| Record::new(time_step, samples.to_vec(), "").unwrap_err();
     assert_eq!(refused(0.01, &[]), RecordError::Empty);
     assert_eq!(refused(0.0, &[1.0]), RecordError::TimeStep { found: 0.0 });
     insta::assert_snapshot!(refused(-0.01, &[1.0]), @"the time step is -0.01 s, allowed are more than 0 s and up to 1e6 s; correct it");

@@ -38,12 +38,7 @@ fn reference_the_same_bits_on_every_machine() {
 fn limit_a_seed_is_a_motion_and_another_seed_another() {
     let [one, again, other] = [1, 1, 2].map(|seed| record(&motion(GroundFilter::SOFT, seed)));
     assert_eq!(one, again);
-    let product: f64 = one
-        .samples()
-        .iter()
-        .zip(other.samples())
-        .map(|(a, b)| a * b)
-        .sum();
+    let product: f64 = one.samples().iter().zip(other.samples()).map(|(a, b)| a * b).sum();
     let square: f64 = one.samples().iter().map(|a| a * a).sum();
     assert!((product / square).abs() < 0.5, "{product} {square}");
 }
@@ -56,10 +51,7 @@ fn limit_the_ground_is_left_at_rest_where_it_was() {
             let (moved, peaks) = (record.integrated(), record.measures());
             let (velocity, displacement) = (moved.velocity[2000], moved.displacement[2000]);
             assert!(velocity.abs() < 1e-12 * peaks.pgv, "{seed}: {velocity}");
-            assert!(
-                displacement.abs() < 1e-12 * peaks.pgd,
-                "{seed}: {displacement}"
-            );
+            assert!(displacement.abs() < 1e-12 * peaks.pgd, "{seed}: {displacement}");
         }
     }
 }

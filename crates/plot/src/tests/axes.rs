@@ -59,16 +59,9 @@ fn limit_decades_stand_where_their_exponents_do() {
             .collect::<Vec<_>>()
     };
     let (found, expected) = (marks(&decades), marks(&linear));
-    assert_eq!(
-        (found.len(), expected.len()),
-        (5, 5),
-        "those from 1e-3 to 1e-11"
-    );
+    assert_eq!((found.len(), expected.len()), (5, 5), "those from 1e-3 to 1e-11");
     for (a, b) in found.iter().zip(&expected) {
-        assert!(
-            (a.0 - b.0).abs() < 1e-12 && (a.1 - b.1).abs() < 1e-12,
-            "{a:?} {b:?}"
-        );
+        assert!((a.0 - b.0).abs() < 1e-12 && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
     }
 }
 
@@ -134,10 +127,7 @@ fn limit_a_shared_legend_explains_a_label_once() {
 #[test]
 fn limit_an_axis_equal_to_that_at_its_left_is_numbered_once() {
     let numbers = |second: Axis| {
-        let panel = |y| Panel {
-            y,
-            ..Panel::default()
-        };
+        let panel = |y| Panel { y, ..Panel::default() };
         let figure = Figure {
             columns: 2,
             panels: vec![panel(Axis::over("Error", 1e-6, 1.0).log()), panel(second)],
@@ -180,10 +170,7 @@ fn reference_bars_stand_beside_their_names() {
     for (middle, height) in middles.iter().zip(&heights) {
         assert!((middle - height).abs() < 1e-9, "{middles:?} {heights:?}");
     }
-    assert!(
-        heights[0] > heights[1] && heights[1] > heights[2],
-        "from the top"
-    );
+    assert!(heights[0] > heights[1] && heights[1] > heights[2], "from the top");
 }
 
 #[test]

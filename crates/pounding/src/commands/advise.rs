@@ -6,8 +6,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use pounding::scene::{
-    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene,
-    Simulation, Trial, advise, is_json,
+    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene, Simulation, Trial, advise, is_json,
 };
 use pounding::text::{digits, json_text};
 
@@ -110,15 +109,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 fn of(prepared: &Simulation, advice: &Advice, json: bool) -> String {
     let best = advice.best();
     let goal = percent(advice.goal.error);
-    let step = best.method.time_step().map_or(String::new(), |step| {
-        format!(", time step {} s", digits(step))
-    });
+    let step = best
+        .method
+        .time_step()
+        .map_or(String::new(), |step| format!(", time step {} s", digits(step)));
     let quantity = words(advice.goal.quantity);
     let why = if best.method == advice.exact.method {
-        format!(
-            "nothing cheaper keeps {quantity} within {goal};\ncost {}",
-            best.cost
-        )
+        format!("nothing cheaper keeps {quantity} within {goal};\ncost {}", best.cost)
     } else {
         let (error, ratio) = (of_trial(best), best.cost as f64 / advice.exact.cost as f64);
         format!(

@@ -7,10 +7,7 @@ mod text;
 use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
-use pounding::scene::{
-    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g,
-    in_scene,
-};
+use pounding::scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g, in_scene};
 use pounding::text::{digits, json_text};
 
 use super::declared::Declared;
@@ -123,9 +120,7 @@ fn scaling(text: &str) -> Result<Scaling, String> {
 
 /// Two factors around 1.
 fn factors(text: &str) -> Result<[f64; 2], String> {
-    let ends = text
-        .split_once("..")
-        .map(|(from, to)| (super::positive(from), super::positive(to)));
+    let ends = text.split_once("..").map(|(from, to)| (super::positive(from), super::positive(to)));
     match ends {
         Some((Ok(from), Ok(to))) if from <= 1.0 && to >= 1.0 => Ok([from, to]),
         _ => Err("allowed are two factors with 1 between them, such as 0.1..10".into()),
@@ -137,14 +132,10 @@ impl Arguments {
     fn scaling_words(&self) -> Option<String> {
         match (&self.target, &self.scale) {
             (Some(target), _) => Some(format!("--target \"{target}\"")),
-            (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => {
-                Some(format!("--scale \"pga={}g\"", digits(*pga)))
+            (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => Some(format!("--scale \"pga={}g\"", digits(*pga))),
+            (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => {
+                Some(format!("--scale \"sa({}s)={}g\"", digits(*period_s), digits(*sa_g)))
             }
-            (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => Some(format!(
-                "--scale \"sa({}s)={}g\"",
-                digits(*period_s),
-                digits(*sa_g)
-            )),
             (None, Some(Scaling::Unscaled)) => Some("--scale none".into()),
             (None, Some(Scaling::AsScene | Scaling::Target(_)) | None) => None,
         }
@@ -228,18 +219,12 @@ impl Arguments {
     }
 
     /// The runs that were finished, summed up; `None` if there are none.
-    fn report(
-        &self,
-        asked: &Asked<'_>,
-        lines: &[suite::Line<Found>],
-    ) -> Result<Option<AssessmentReport>, String> {
+    fn report(&self, asked: &Asked<'_>, lines: &[suite::Line<Found>]) -> Result<Option<AssessmentReport>, String> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let bumpers = match self.bumper {
             BumperAsked::None => Vec::new(),
             BumperAsked::Proposed => asked.bumpers(lines, None).map_err(message)?,
-            BumperAsked::Stiffness(stiffness) => {
-                asked.bumpers(lines, Some(stiffness)).map_err(message)?
-            }
+            BumperAsked::Stiffness(stiffness) => asked.bumpers(lines, Some(stiffness)).map_err(message)?,
         };
         let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));

@@ -4,10 +4,7 @@ mod printed;
 
 use clap::ValueEnum;
 use pounding::contact::{Calibration, LawName};
-use pounding::scene::{
-    Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod, certificate_json,
-    usual_stiffness,
-};
+use pounding::scene::{Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod, certificate_json, usual_stiffness};
 use pounding::text::json_text;
 
 use super::positive;
@@ -128,9 +125,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     };
     let message = |error: CertificateError| error.to_string();
     let certificate = Certificate::new(&wanted, &collision).map_err(message)?;
-    let methods = args.time_step.map_or_else(Vec::new, |step| {
-        certificate.lines(&collision, step, args.method)
-    });
+    let methods = args
+        .time_step
+        .map_or_else(Vec::new, |step| certificate.lines(&collision, step, args.method));
     let facts = certificate.facts(&wanted, &collision);
     Ok(match args.format() {
         Format::Text => printed::text(wanted.calibration, &facts, &methods),

@@ -5,9 +5,7 @@ mod json;
 use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
-use pounding::scene::{
-    Columns, ContactLimit, Excess, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
-};
+use pounding::scene::{Columns, ContactLimit, Excess, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure};
 use pounding::solver::Opening;
 use pounding::text::digits;
 
@@ -89,11 +87,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let prepared = super::prepare(path, true).map_err(|error| error.in_file(path).to_string())?;
     let _waiting = Waiting::new("running the exact method");
     let plan = Plan::of(&prepared);
-    Ok(if args.json {
-        json::of(&plan)
-    } else {
-        text(&plan)
-    })
+    Ok(if args.json { json::of(&plan) } else { text(&plan) })
 }
 
 impl<'a> Plan<'a> {
@@ -108,9 +102,7 @@ impl<'a> Plan<'a> {
                 Some(expected)
             }
             Err(error) => {
-                warnings.push(format!(
-                    "the exact run fails, so that no collision can be expected: {error}"
-                ));
+                warnings.push(format!("the exact run fails, so that no collision can be expected: {error}"));
                 None
             }
         };
@@ -126,11 +118,7 @@ impl<'a> Plan<'a> {
 fn text(plan: &Plan<'_>) -> String {
     let prepared = plan.prepared;
     let unusual = crate::summary::unusual(prepared);
-    let besides = if unusual.is_some() {
-        " besides what is unusual"
-    } else {
-        ""
-    };
+    let besides = if unusual.is_some() { " besides what is unusual" } else { "" };
     let mut parts: Vec<String> = unusual.into_iter().collect();
     parts.extend([
         paragraph("Scene", &prepared.scene().name),
@@ -147,9 +135,7 @@ fn text(plan: &Plan<'_>) -> String {
     parts.push(paragraph(
         "Warnings",
         &if plan.warnings.is_empty() {
-            format!(
-                "none of stability and e{besides}; the errors of the numbers are those of a run"
-            )
+            format!("none of stability and e{besides}; the errors of the numbers are those of a run")
         } else {
             plan.warnings.join("\n")
         },
@@ -183,10 +169,7 @@ fn model_lines(plan: &Plan<'_>) -> String {
     };
     let contact = match floors.facing().len() {
         0 => "none: every structure moves alone".to_string(),
-        n => format!(
-            "{n} pair{}, each a law only while it touches",
-            if n == 1 { "" } else { "s" }
-        ),
+        n => format!("{n} pair{}, each a law only while it touches", if n == 1 { "" } else { "s" }),
     };
     let walls = prepared.walls().iter().filter(|wall| **wall).count();
     let structures = floors.all().len() - walls;
@@ -195,11 +178,7 @@ fn model_lines(plan: &Plan<'_>) -> String {
     } else {
         "moving"
     };
-    let walls = if walls == 0 {
-        String::new()
-    } else {
-        format!(" and {walls} fixed")
-    };
+    let walls = if walls == 0 { String::new() } else { format!(" and {walls} fixed") };
     let mut lines = vec![
         format!("{structures} {moving}{walls}; columns: {columns};"),
         format!("contact: {contact};"),
@@ -208,11 +187,7 @@ fn model_lines(plan: &Plan<'_>) -> String {
     // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
     let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
     let both = plan.expected.iter().any(|one| one.reversed.is_some());
-    let directions = if both {
-        "in neither direction"
-    } else {
-        "in this direction"
-    };
+    let directions = if both { "in neither direction" } else { "in this direction" };
     lines.extend(unneeded.map(|what| format!("needed {directions}: {what}")));
     lines.extend(travel_line(prepared));
     lines.join("\n")
@@ -221,16 +196,10 @@ fn model_lines(plan: &Plan<'_>) -> String {
 /// How far bases of neighbours move apart, or closer, where the ground motion travels along the row.
 fn travel_line(prepared: &Simulation) -> Option<String> {
     let openings = prepared.openings();
-    let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| {
-        one.1.distance.abs().total_cmp(&other.1.distance.abs())
-    };
+    let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| one.1.distance.abs().total_cmp(&other.1.distance.abs());
     let (left, largest) = openings.iter().enumerate().max_by(by_size)?;
     let structures = &prepared.scene().structures;
-    let way = if largest.distance < 0.0 {
-        "apart"
-    } else {
-        "towards each other"
-    };
+    let way = if largest.distance < 0.0 { "apart" } else { "towards each other" };
     let reversed = if prepared.scene().record.reversed {
         "; record.reversed turns its shaking, not the way it travels"
     } else {
@@ -248,10 +217,7 @@ fn travel_line(prepared: &Simulation) -> Option<String> {
 /// What the run will cost, and the exact one.
 fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     let exact = expected.work.segments;
-    let exact_lines = format!(
-        "the exact run: {exact} pieces of motion, {} events",
-        expected.work.events
-    );
+    let exact_lines = format!("the exact run: {exact} pieces of motion, {} events", expected.work.events);
     match prepared.scene().method.time_step() {
         None => exact_lines,
         Some(step) => {
@@ -297,11 +263,7 @@ fn yields_at(structure: &Structure) -> String {
     let most = known.iter().copied().fold(0.0, f64::max);
     let kilonewtons = |force: f64| short(force / 1e3);
     let (least, most) = (kilonewtons(least), kilonewtons(most));
-    let text = if least == most {
-        least
-    } else {
-        format!("{least} to {most}")
-    };
+    let text = if least == most { least } else { format!("{least} to {most}") };
     if known.len() < forces.len() {
         format!("{text}, {} of {}", known.len(), forces.len())
     } else {
@@ -341,18 +303,10 @@ fn pairs(prepared: &Simulation, expected: &Expected) -> String {
 }
 
 fn contact_numbers(limit: &ContactLimit) -> [String; 6] {
-    let number =
-        |value: Option<f64>, scale: f64| value.map_or(NONE.into(), |value| short(scale * value));
+    let number = |value: Option<f64>, scale: f64| value.map_or(NONE.into(), |value| short(scale * value));
     let critical = number(limit.critical_time_step, 1e3);
     let Some(free) = limit.free else {
-        return [
-            "pressed".into(),
-            NONE.into(),
-            NONE.into(),
-            critical,
-            NONE.into(),
-            NONE.into(),
-        ];
+        return ["pressed".into(), NONE.into(), NONE.into(), critical, NONE.into(), NONE.into()];
     };
     let steps = free.steps.map_or(NONE.into(), |steps| {
         if steps < STEPS_PER_CONTACT {

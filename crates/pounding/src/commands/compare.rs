@@ -7,9 +7,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pounding::report::Summary;
-use pounding::scene::{
-    Error, Errors, Floor, FloorQuantity, PairQuantity, Quantity, QuantityGroup, Review, Simulation,
-};
+use pounding::scene::{Error, Errors, Floor, FloorQuantity, PairQuantity, Quantity, QuantityGroup, Review, Simulation};
 use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
@@ -60,17 +58,13 @@ struct Run {
 
 /// Runs the scenes; returns a column for each.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
-    let run = |path: &PathBuf| {
-        run_scene(path, !args.no_error).map_err(|error| error.in_file(path).to_string())
-    };
+    let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path).to_string());
     let runs: Vec<Run> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
     if args.json {
         return Ok(json_of(&runs));
     }
     let mut names = names(&runs).into_iter();
-    let mut rows = vec![row::<String>("Scene", &runs, |_| {
-        names.next().unwrap_or_default()
-    })];
+    let mut rows = vec![row::<String>("Scene", &runs, |_| names.next().unwrap_or_default())];
     rows.extend(of_runs(&runs));
     let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
     let words = |what: &str, place: &At, all: &[At]| {
@@ -80,11 +74,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         format!("{what} {}{floor}", place.0 + 1)
     };
     for place in &structures {
-        rows.extend(of_structure(
-            &runs,
-            *place,
-            &words("Structure", place, &structures),
-        ));
+        rows.extend(of_structure(&runs, *place, &words("Structure", place, &structures)));
     }
     for place in &pairs {
         rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
@@ -169,10 +159,7 @@ fn json_of(runs: &[Run]) -> String {
     let summary = |run: &Run| Summary::of(&run.prepared, &run.review);
     // Not a `Value`, which would sort the fields of a summary.
     let all = Compared {
-        files: runs
-            .iter()
-            .map(|run| run.file.display().to_string())
-            .collect(),
+        files: runs.iter().map(|run| run.file.display().to_string()).collect(),
         runs: runs.iter().map(summary).collect(),
     };
     json_text(&all)
@@ -198,9 +185,7 @@ fn of_runs(runs: &[Run]) -> Vec<Row> {
             name.map_or(source.clone(), |name| name.to_string_lossy().into_owned())
         }),
         row("  peak [g]", runs, peak),
-        row("Method", runs, |run| {
-            run.prepared.scene().method.name().replace('_', " ")
-        }),
+        row("Method", runs, |run| run.prepared.scene().method.name().replace('_', " ")),
         row("  time step [s]", runs, |run| {
             let step = run.prepared.scene().method.time_step();
             step.map_or(String::from(NONE), digits)
@@ -211,36 +196,20 @@ fn of_runs(runs: &[Run]) -> Vec<Row> {
             Errors::Doubtful | Errors::Unknown(_) => "not known".into(),
             Errors::Measured(errors, _) => percent(errors.largest(QuantityGroup::All).0),
         }),
-        row("  warnings", runs, |run| {
-            run.review.warnings.len().to_string()
-        }),
+        row("  warnings", runs, |run| run.review.warnings.len().to_string()),
     ]
 }
 
 /// A number of a place, if the run has that place, in the unit of the table.
-fn number(
-    run: &Run,
-    quantity: impl Into<Quantity>,
-    index: Option<usize>,
-    unit: f64,
-) -> Option<f64> {
-    let value = run
-        .review
-        .outcome
-        .values(&run.prepared)
-        .of(quantity, index?);
+fn number(run: &Run, quantity: impl Into<Quantity>, index: Option<usize>, unit: f64) -> Option<f64> {
+    let value = run.review.outcome.values(&run.prepared).of(quantity, index?);
     Some(value? / unit)
 }
 
 fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let of = |name: &str, quantity: FloorQuantity, unit: fn(&Run) -> f64| {
         row(name, runs, |run| {
-            number(
-                run,
-                quantity,
-                floor_at(run, place).map(|there| there.0),
-                unit(run),
-            )
+            number(run, quantity, floor_at(run, place).map(|there| there.0), unit(run))
         })
     };
     let mut rows = vec![
@@ -252,30 +221,15 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
             let oscillation = floor.and_then(|floor| floor.oscillation(run.prepared.scene()));
             oscillation.map(|(period, _)| period)
         }),
-        of(
-            "  peak displacement [mm]",
-            FloorQuantity::PeakDisplacementM,
-            |_| 1e-3,
-        ),
-        of(
-            "  residual at end [mm]",
-            FloorQuantity::ResidualDisplacementAtEndM,
-            |_| 1e-3,
-        ),
-        of(
-            "  peak acceleration [g]",
-            FloorQuantity::PeakAccelerationMPerS2,
-            |run| run.prepared.scene().record.gravity_m_per_s2,
-        ),
+        of("  peak displacement [mm]", FloorQuantity::PeakDisplacementM, |_| 1e-3),
+        of("  residual at end [mm]", FloorQuantity::ResidualDisplacementAtEndM, |_| 1e-3),
+        of("  peak acceleration [g]", FloorQuantity::PeakAccelerationMPerS2, |run| {
+            run.prepared.scene().record.gravity_m_per_s2
+        }),
         of("  peak shear [kN]", FloorQuantity::PeakShearForceN, |_| 1e3),
-        of(
-            "  transferred momentum [kN·s]",
-            FloorQuantity::TransferredMomentumNS,
-            |_| 1e3,
-        ),
+        of("  transferred momentum [kN·s]", FloorQuantity::TransferredMomentumNS, |_| 1e3),
     ];
-    let is_storey =
-        |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
+    let is_storey = |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
     if runs.iter().any(is_storey) {
         let drifts = row("  peak storey drift [mm]", runs, |run| {
             let there = floor_at(run, place).filter(|(_, floor)| floor.storey.is_some());
@@ -294,15 +248,11 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
 
 fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let index = |run: &Run| pair_at(run, place);
-    let of = |name: &str, quantity: PairQuantity, unit: f64| {
-        row(name, runs, |run| number(run, quantity, index(run), unit))
-    };
+    let of = |name: &str, quantity: PairQuantity, unit: f64| row(name, runs, |run| number(run, quantity, index(run), unit));
     vec![
         row(heading, runs, |run| {
             let names = index(run).map(|index| run.prepared.floors().names(index));
-            names.map_or(String::from(NONE), |[left, right]| {
-                format!("{left} – {right}")
-            })
+            names.map_or(String::from(NONE), |[left, right]| format!("{left} – {right}"))
         }),
         row("  gap [mm]", runs, |run| {
             index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap())
@@ -313,11 +263,7 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
         row("  first [s]", runs, |run| {
             instant(number(run, PairQuantity::FirstStartS, index(run), 1.0))
         }),
-        of(
-            "  largest impulse [kN·s]",
-            PairQuantity::LargestImpulseNS,
-            1e3,
-        ),
+        of("  largest impulse [kN·s]", PairQuantity::LargestImpulseNS, 1e3),
         of("  peak force [kN]", PairQuantity::PeakForceN, 1e3),
         row("    at [s]", runs, |run| {
             let force = index(run).and_then(|index| run.review.outcome.of_pair(index).peak_force);

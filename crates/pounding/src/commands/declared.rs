@@ -43,16 +43,13 @@ const OPTIONS: [(&str, &str); 5] = [
 /// A message with options in place of the fields of a scene.
 pub(super) fn by_options(text: &str) -> String {
     let all = OPTIONS.iter();
-    all.fold(text.into(), |text: String, (field, option)| {
-        text.replace(field, option)
-    })
+    all.fold(text.into(), |text: String, (field, option)| text.replace(field, option))
 }
 
 /// The units by the names that scenes give them.
 fn unit() -> impl TypedValueParser<Value = Unit> {
     let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
-    PossibleValuesParser::new(names)
-        .map(|name| serde_json::from_value(json!(name)).expect("scenes know every unit"))
+    PossibleValuesParser::new(names).map(|name| serde_json::from_value(json!(name)).expect("scenes know every unit"))
 }
 
 impl Declared {

@@ -21,10 +21,7 @@ with the table of the run; open pounding-demo/results/report.html.";
 /// What the folder holds besides the results.
 const FILES: [(&str, &str); 2] = [
     (SCENE, include_str!("demo/scene.toml")),
-    (
-        "el-centro.csv",
-        include_str!("../../assets/el-centro-1940-ns-chopra.csv"),
-    ),
+    ("el-centro.csv", include_str!("../../assets/el-centro-1940-ns-chopra.csv")),
 ];
 const SCENE: &str = "scene.toml";
 
@@ -58,10 +55,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         "{}\n{}\n{}\n{}",
         answer.unwrap_or_default(),
         summary::brief(&prepared, report.review(), &report.notices()),
-        paragraph(
-            "Results",
-            &results.join("report.html").display().to_string()
-        ),
+        paragraph("Results", &results.join("report.html").display().to_string()),
         paragraph(
             "Next",
             &format!(
@@ -81,9 +75,7 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
             "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
             path.display()
         )),
-        Err(error) if error.kind() == ErrorKind::NotFound => {
-            new_file::write(path, text.as_bytes(), false)
-        }
+        Err(error) if error.kind() == ErrorKind::NotFound => new_file::write(path, text.as_bytes(), false),
         Err(error) => Err(format!("{}: cannot be read: {error}", path.display())),
     }
 }

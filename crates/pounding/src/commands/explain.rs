@@ -40,8 +40,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     // Words stand there in the singular.
     let singular = wanted.strip_suffix('s').unwrap_or(&wanted);
     // `pdelta` is P-Δ's other spelling.
-    let bare =
-        |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
+    let bare = |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
     let bare_word = bare(singular);
     let names = |entry: &&Entry| {
         let word = entry.word.to_lowercase();
@@ -50,44 +49,29 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
     // The last word is the noun: a `base isolator` is an isolator.
     let noun = wanted.rsplit(' ').next().filter(|noun| noun.len() > 3);
-    let is_kind =
-        |entry: &&Entry| noun.is_some_and(|noun| entry.word.to_lowercase().contains(noun));
+    let is_kind = |entry: &&Entry| noun.is_some_and(|noun| entry.word.to_lowercase().contains(noun));
     let ways: [&dyn Fn(&&Entry) -> bool; 3] = [&names, &mentions, &is_kind];
-    let found = ways
-        .iter()
-        .map(|way| entries.iter().filter(*way).collect::<Vec<_>>());
-    let found = found
-        .into_iter()
-        .find(|found| !found.is_empty())
-        .unwrap_or_default();
+    let found = ways.iter().map(|way| entries.iter().filter(*way).collect::<Vec<_>>());
+    let found = found.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
     if found.is_empty() {
         return Err(not_known(&asked, &entries));
     }
-    let text = found
-        .iter()
-        .map(|one| format!("{}\n{}", one.word, paragraph("", &one.meaning)));
+    let text = found.iter().map(|one| format!("{}\n{}", one.word, paragraph("", &one.meaning)));
     Ok(text.collect::<Vec<_>>().join("\n"))
 }
 
 fn not_known(asked: &str, entries: &[Entry]) -> String {
     let likeness = |entry: &Entry| strsim::jaro_winkler(&entry.word, asked);
-    let nearest = entries
-        .iter()
-        .max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
+    let nearest = entries.iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
     let nearest = nearest.map_or("", |entry| entry.word.as_str());
-    format!(
-        "found no word \"{asked}\", allowed are those that `pounding explain` lists; the nearest is \"{nearest}\""
-    )
+    format!("found no word \"{asked}\", allowed are those that `pounding explain` lists; the nearest is \"{nearest}\"")
 }
 
 /// The words of the page, whose meanings go on over lines that are set in, and the contact laws.
 fn entries() -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for line in GLOSSARY.lines() {
-        if let Some((word, meaning)) = line
-            .strip_prefix("- **")
-            .and_then(|line| line.split_once("**"))
-        {
+        if let Some((word, meaning)) = line.strip_prefix("- **").and_then(|line| line.split_once("**")) {
             // The symbol and unit stand between the word and the colon.
             let (unit, meaning) = meaning.split_once(':').unwrap_or(("", meaning));
             entries.push(Entry {

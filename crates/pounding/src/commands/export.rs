@@ -72,7 +72,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     new_file::check(out, &super::inputs(path, &prepared), args.overwrite)?;
     new_file::write(out, script.as_bytes(), args.overwrite)?;
     let out = out.display();
-    Ok(format!(
-        "wrote {out}\n\nnext:\n  pip install openseespy\n  python3 {out}\n"
-    ))
+    Ok(format!("wrote {out}\n\nnext:\n  pip install openseespy\n  python3 {out}\n"))
 }

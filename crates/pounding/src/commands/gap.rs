@@ -3,10 +3,7 @@
 use std::path::PathBuf;
 
 use pounding::scene::lines::failed;
-use pounding::scene::{
-    Error, Excess, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation,
-    Structure, Suite,
-};
+use pounding::scene::{Error, Excess, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation, Structure, Suite};
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
@@ -91,9 +88,7 @@ fn widths_of(line: &Line) -> Option<&Vec<Separation>> {
 
 /// What looks wrong in the scene and in its records, a line for each kind.
 fn unusual(lines: &[Line]) -> Vec<Implausible> {
-    let found = lines
-        .iter()
-        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
     let all = found.flat_map(|(line, (.., doubts))| {
         let doubts = doubts.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
@@ -163,20 +158,14 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
     }
     let [one, other] = names(scene, left);
     let found = RequiredGap::of(&all);
-    let own = scene
-        .contacts
-        .as_ref()
-        .and_then(|contacts| contacts.get(left));
+    let own = scene.contacts.as_ref().and_then(|contacts| contacts.get(left));
     format!(
         "{}{}\n{}",
         paragraph(
             "Gap",
             &format!(
                 "{one} – {other}{}",
-                own.map_or(String::new(), |own| format!(
-                    ", {} mm in the scene",
-                    digits(own.gap_m * 1e3)
-                ))
+                own.map_or(String::new(), |own| format!(", {} mm in the scene", digits(own.gap_m * 1e3)))
             )
         ),
         widths(&rows, has_storeys(scene)),
@@ -222,11 +211,7 @@ fn widths(rows: &[(String, Separation)], levels: bool) -> String {
 /// A width, marked where it is too narrow.
 fn marked(width: f64, separation: &Separation) -> String {
     // A blank where there is no mark, so that the digits stand in line.
-    let mark = if separation.asks_for_more(width) {
-        "*"
-    } else {
-        " "
-    };
+    let mark = if separation.asks_for_more(width) { "*" } else { " " };
     format!("{}{mark}", millimetres(width))
 }
 
@@ -263,12 +248,7 @@ fn result(all: &RequiredGap, own: Option<f64>) -> String {
         enough(widths.p84())
     )];
     let beside = all.beside_columns;
-    lines.extend(beside.map(|width| {
-        format!(
-            "floors beside columns may need {} mm, the sum of both peaks",
-            enough(width)
-        )
-    }));
+    lines.extend(beside.map(|width| format!("floors beside columns may need {} mm, the sum of both peaks", enough(width))));
     lines.extend(own.map(|own| {
         format!(
             "with the {} mm of the scene the structures touch under {} of them",
@@ -276,10 +256,7 @@ fn result(all: &RequiredGap, own: Option<f64>) -> String {
             widths.count_above(own)
         )
     }));
-    let common = all
-        .rules
-        .iter()
-        .filter(|one| Rule::COMMON.contains(&one.rule));
+    let common = all.rules.iter().filter(|one| Rule::COMMON.contains(&one.rule));
     let rule = |one: &RuleAssessment| {
         let by = if one.too_narrow == 0 {
             String::new()
@@ -302,10 +279,7 @@ fn width(rule: Rule, one: &Separation) -> f64 {
 /// One row per motion, direction and gap, in SI units.
 fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     let found = lines.iter().find_map(|line| widths_of(line)?.first());
-    let names_of_numbers = found
-        .into_iter()
-        .flat_map(Separation::numbers)
-        .map(|(name, _)| name);
+    let names_of_numbers = found.into_iter().flat_map(Separation::numbers).map(|(name, _)| name);
     let header = ["record", "event", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
     let header: Vec<&str> = header.collect();
@@ -352,8 +326,7 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         gap
     };
     let line = |line: &Line| {
-        let mut motion =
-            json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
+        let mut motion = json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
         match &line.found {
             Ok((found, ..)) => motion["gaps"] = found.iter().map(separation).collect(),
             Err(reason) => motion["refused"] = json!(reason),

@@ -63,15 +63,9 @@ pub(crate) struct Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     buildings::check(args.storeys.len())?;
     let waiting = Waiting::new("reading the record");
-    let named = args
-        .record
-        .as_ref()
-        .map(|record| Named::of(record, &args.scene))
-        .transpose()?;
+    let named = args.record.as_ref().map(|record| Named::of(record, &args.scene)).transpose()?;
     drop(waiting);
-    let motion = named
-        .as_ref()
-        .map_or_else(|| GENERATED.into(), Named::lines);
+    let motion = named.as_ref().map_or_else(|| GENERATED.into(), Named::lines);
     let structures = if args.storeys.is_empty() {
         ONE_STOREY.into()
     } else {
@@ -92,9 +86,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     if let Some(named) = &named {
         parts.push(paragraph("Record", &named.said(&path.to_string(), is_json)));
     }
-    parts.push(format!(
-        "next:\n  pounding check {path}\n  pounding run {path} --out results\n"
-    ));
+    parts.push(format!("next:\n  pounding check {path}\n  pounding run {path} --out results\n"));
     Ok(parts.join("\n"))
 }
 

@@ -37,9 +37,7 @@ fn text() -> String {
             ("Fields", Some(&fields(*name).join(", "))),
             ("Source", Some(named.citation)),
         ];
-        let lines = lines
-            .into_iter()
-            .filter_map(|(label, text)| Some(paragraph(label, text?)));
+        let lines = lines.into_iter().filter_map(|(label, text)| Some(paragraph(label, text?)));
         lines.collect::<String>()
     };
     let laws: Vec<_> = LawName::ALL.iter().map(law).collect();

@@ -187,27 +187,20 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         report = report.with_other_direction(other);
     }
     out.write(&report.files())?;
-    let text = answer(
-        args,
-        (&prepared, effects),
-        report.review(),
-        report.directions(),
-    );
+    let text = answer(args, (&prepared, effects), report.review(), report.directions());
     let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text
     } else {
-        format!(
-            "{text}\n{}",
-            paragraph("Results", &page.display().to_string())
-        )
+        format!("{text}\n{}", paragraph("Results", &page.display().to_string()))
     })
 }
 
 const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration, --in-rows), allowed is it with --records; of the \
                          scene's own record declare it in the scene, such as `record.unit`";
 
-const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
+const EFFECTS_ARE_EXACT: &str =
+    "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
 fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
@@ -227,12 +220,7 @@ fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> Stri
 }
 
 /// What is printed of a run: what is unusual, what both directions do, and the run itself; JSON has them inside.
-fn answer(
-    args: &Arguments,
-    (prepared, effects): (&Simulation, Option<Effects>),
-    review: &Review,
-    both: Option<&BothDirections>,
-) -> String {
+fn answer(args: &Arguments, (prepared, effects): (&Simulation, Option<Effects>), review: &Review, both: Option<&BothDirections>) -> String {
     let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
     if args.shown.json {
         let summary = Summary::of(prepared, review);
@@ -249,10 +237,7 @@ fn answer(
         summary::brief(prepared, review, &notices)
     };
     let effects = effects.map(|effects| effects::text(prepared, &effects));
-    let first = [
-        summary::unusual(prepared),
-        both.map(summary::direction::text),
-    ];
+    let first = [summary::unusual(prepared), both.map(summary::direction::text)];
     let parts = first.into_iter().flatten().chain([run]).chain(effects);
     parts.collect::<Vec<_>>().join("\n")
 }
@@ -278,9 +263,7 @@ fn hint(error: Error, path: &Path) -> String {
     if is_exact {
         format!("{message}; --force prints its numbers with this as a warning")
     } else if refused {
-        format!(
-            "{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"
-        )
+        format!("{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite")
     } else {
         message
     }

@@ -23,9 +23,5 @@ pub(crate) struct Arguments {
 
 /// The JSON Schema.
 pub(crate) fn run(args: &Arguments) -> String {
-    if args.sweep {
-        sweep_schema()
-    } else {
-        scene_schema()
-    }
+    if args.sweep { sweep_schema() } else { scene_schema() }
 }

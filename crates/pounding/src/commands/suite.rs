@@ -17,8 +17,7 @@ use crate::text::paragraph;
 /// # Errors
 /// Says that the folder cannot be read, or why nothing in it shakes a row.
 pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, String> {
-    Suite::in_folder(folder, &declared.of_files(scene))
-        .map_err(|error| by_options(&error.to_string()))
+    Suite::in_folder(folder, &declared.of_files(scene)).map_err(|error| by_options(&error.to_string()))
 }
 
 /// Says how many files became how many events, what is left out, and what failed.
@@ -45,9 +44,7 @@ impl<T> Ran<T> {
         }
         crate::print(&text)?;
         let of = self.n_cases;
-        Err(format!(
-            "stopped: of {of} runs the {finished} are printed that were finished"
-        ))
+        Err(format!("stopped: of {of} runs the {finished} are printed that were finished"))
     }
 }
 

@@ -7,9 +7,7 @@ mod task;
 use std::path::{Path, PathBuf};
 
 use pounding::scene::{Method, Suite};
-use pounding::sweep::{
-    ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside,
-};
+use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside};
 use pounding::text::digits;
 
 pub(super) use joined::{answer, result};
@@ -72,9 +70,7 @@ pub(crate) struct Arguments {
 fn shard_of_task(shards: Option<u64>) -> Result<Shard, String> {
     let task = task::shard(shards, |name| std::env::var(name).ok())?;
     if let Some((variable, shard)) = &task {
-        say(&format!(
-            "{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"
-        ));
+        say(&format!("{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"));
     }
     Ok(task.map_or(Shard::WHOLE, |(_, shard)| shard))
 }
@@ -149,11 +145,7 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     if !contact.is_empty() {
         lines.push(paragraph("Contact", &contact.join("\n")));
     }
-    lines.extend(
-        sweep
-            .suite()
-            .map(|suite| paragraph("Records", &said_of(suite))),
-    );
+    lines.extend(sweep.suite().map(|suite| paragraph("Records", &said_of(suite))));
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
     }
@@ -190,10 +182,7 @@ fn beside(sweep: &Path) -> PathBuf {
 
 /// Of a table that an earlier process had put in its place before it was ended.
 fn finished(out: &Path) -> String {
-    let text = format!(
-        "{}: was finished already; what was left of its parts is gone",
-        out.display()
-    );
+    let text = format!("{}: was finished already; what was left of its parts is gone", out.display());
     paragraph("Results", &text)
 }
 
@@ -237,10 +226,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let path = errors_beside(out);
     new_file::write(&path, accuracy.csv().as_bytes(), true)?;
     let ColumnErrors {
-        runs,
-        quantiles,
-        largest,
-        ..
+        runs, quantiles, largest, ..
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
@@ -278,10 +264,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
 fn chosen(accuracy: &SweepAccuracy) -> String {
     let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
     match accuracy.method.time_step() {
-        Some(step) => format!(
-            "{asked} asked: {name} with steps of {} ms",
-            digits(1e3 * step)
-        ),
+        Some(step) => format!("{asked} asked: {name} with steps of {} ms", digits(1e3 * step)),
         None => format!("{asked} asked: {name}"),
     }
 }

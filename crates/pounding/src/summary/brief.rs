@@ -17,20 +17,17 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> String {
         name if name == "exact" => "the exact method".into(),
         name => name,
     };
-    let steps = scene.method.time_step().map_or(String::new(), |step| {
-        format!(", steps of {} s", digits(step))
-    });
+    let steps = scene
+        .method
+        .time_step()
+        .map_or(String::new(), |step| format!(", steps of {} s", digits(step)));
     let lines = [
         scene.name.clone(),
         record::brief(prepared),
         format!(
             "{} s by {method}{steps}, {}: {}",
             digits(prepared.duration()),
-            if scene.record.reversed {
-                "reversed"
-            } else {
-                "as recorded"
-            },
+            if scene.record.reversed { "reversed" } else { "as recorded" },
             errors(&review.errors)
         ),
     ];
@@ -79,8 +76,7 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> String {
             outcome.of_pair(blow.pair).collisions.to_string(),
             blow.speed.map_or(NONE.into(), short),
             short(1e-3 * blow.impulse),
-            blow.force
-                .map_or("impulsive".into(), |force| short(1e-3 * force)),
+            blow.force.map_or("impulsive".into(), |force| short(1e-3 * force)),
         ]
     });
     let more = blows.len().saturating_sub(SHOWN);
@@ -91,9 +87,7 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> String {
     };
     let rest = [(more, "less hard"), (apart, "never")];
     let rest = rest.into_iter().filter(|(number, _)| *number > 0);
-    let rest: Vec<String> = rest
-        .map(|(number, what)| format!("{} {what}", pairs(number)))
-        .collect();
+    let rest: Vec<String> = rest.map(|(number, what)| format!("{} {what}", pairs(number))).collect();
     let rest = if rest.is_empty() {
         String::new()
     } else {

@@ -1,20 +1,13 @@
 //! The tables of a run: structures, what is left of their motion, storeys, pairs.
 
-use pounding::scene::{
-    Contact, Floor, FloorQuantity, Floors, PairOutcome, PairQuantity, RunErrors, RunResult, Scene,
-    Simulation,
-};
+use pounding::scene::{Contact, Floor, FloorQuantity, Floors, PairOutcome, PairQuantity, RunErrors, RunResult, Scene, Simulation};
 use pounding::solver::Collision;
 use pounding::text::{digits, instant};
 
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
 
 /// Peaks of every floor and wall.
-pub(super) fn structures(
-    prepared: &Simulation,
-    outcome: &RunResult,
-    errors: Option<&RunErrors>,
-) -> String {
+pub(super) fn structures(prepared: &Simulation, outcome: &RunResult, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Structure", "", ""],
         ["Period", "[s]", ""],
@@ -36,11 +29,7 @@ pub(super) fn structures(
 }
 
 /// What is left of the motion at the end, and what stands on the floors felt of it; nothing of walls.
-pub(super) fn motions(
-    prepared: &Simulation,
-    outcome: &RunResult,
-    errors: Option<&RunErrors>,
-) -> String {
+pub(super) fn motions(prepared: &Simulation, outcome: &RunResult, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Structure", "", ""],
         ["Residual", "at end", "[mm]"],
@@ -61,8 +50,7 @@ pub(super) fn motions(
             instant(peak.time),
         ];
         let error = |errors: &RunErrors| {
-            let error =
-                |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
+            let error = |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
             vec![
                 ERROR.into(),
                 error(FloorQuantity::ResidualDisplacementAtEndM),
@@ -95,9 +83,7 @@ pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunE
         floor.storey?;
         let peaks = outcome.peaks.of(index);
         let drift = peaks.drift();
-        let below = floors
-            .below(index)
-            .map_or(0.0, |below| outcome.last.of(below).displacement);
+        let below = floors.below(index).map_or(0.0, |below| outcome.last.of(below).displacement);
         let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
         let row = vec![
             floor.name.clone(),
@@ -123,15 +109,9 @@ fn drift_errors(errors: &RunErrors, index: usize, floor: &Floor) -> Vec<String> 
     let error = |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
     // On the ground the drift is the displacement.
     let (peak, last) = if floor.is_upper() {
-        (
-            FloorQuantity::PeakDriftM,
-            FloorQuantity::ResidualDriftAtEndM,
-        )
+        (FloorQuantity::PeakDriftM, FloorQuantity::ResidualDriftAtEndM)
     } else {
-        (
-            FloorQuantity::PeakDisplacementM,
-            FloorQuantity::ResidualDisplacementAtEndM,
-        )
+        (FloorQuantity::PeakDisplacementM, FloorQuantity::ResidualDisplacementAtEndM)
     };
     let drift = |printed: bool| if printed { error(peak) } else { String::new() };
     vec![
@@ -161,9 +141,7 @@ fn structure_row(scene: &Scene, floor: &Floor, index: usize, outcome: &RunResult
         short(peaks.displacement.value * 1e3),
         instant(peaks.displacement.time),
         short(peaks.restoring_force.value / 1e3),
-        floor
-            .ductility(peaks.drift().value)
-            .map_or_else(|| NONE.into(), short),
+        floor.ductility(peaks.drift().value).map_or_else(|| NONE.into(), short),
         momentum,
     ]
 }
@@ -194,11 +172,7 @@ fn structure_errors(errors: &RunErrors, index: usize, floor: &Floor) -> Vec<Stri
 const ERROR: &str = "  error";
 
 /// Collisions of every pair.
-pub(super) fn pairs(
-    prepared: &Simulation,
-    outcome: &RunResult,
-    errors: Option<&RunErrors>,
-) -> String {
+pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult, errors: Option<&RunErrors>) -> String {
     let (floors, scene) = (prepared.floors(), prepared.scene());
     if floors.facing().is_empty() {
         return paragraph("Pairs", "none: no contact is modelled");
@@ -268,8 +242,7 @@ fn pair_numbers(pair: &PairOutcome) -> [String; 6] {
             None => "impulsive".into(),
             Some(force) => short(force.value / 1e3),
         },
-        pair.peak_force
-            .map_or(NONE.into(), |force| instant(force.time)),
+        pair.peak_force.map_or(NONE.into(), |force| instant(force.time)),
     ]
 }
 

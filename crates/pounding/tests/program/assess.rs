@@ -37,10 +37,7 @@ pub(crate) fn workplace(test: &str, scene: &str) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
     fs::create_dir(work.join("records")).expect("it can be made");
-    for name in [
-        "el-centro-1940-ns-chopra.csv",
-        "el-centro-1940-ns-peer-pacific-engineering.csv",
-    ] {
+    for name in ["el-centro-1940-ns-chopra.csv", "el-centro-1940-ns-peer-pacific-engineering.csv"] {
         let from = Path::new(RECORDS).join(name);
         fs::copy(&from, work.join("records").join(name)).expect("it can be copied");
     }
@@ -117,10 +114,7 @@ fn issue_impossible_responses_are_warned_of() {
     let answer = assess(&work, &[]).stdout;
     let answer = answer.split("Motions").next().expect("an answer");
     let answer = answer.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(
-        answer.contains("Caution: ") && answer.contains("above 2.5 %"),
-        "{answer}"
-    );
+    assert!(answer.contains("Caution: ") && answer.contains("above 2.5 %"), "{answer}");
 }
 
 /// A scale of 1144 was accepted without a word.
@@ -132,19 +126,12 @@ fn issue_a_far_scale_is_warned_of() {
     );
     let work = workplace("assess_far", &far);
     let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
-    assert!(
-        run.stdout.contains("a scale factor of 12"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("a scale factor of 12"), "{}", run.stdout);
     let all = assess(&work, &["--scale", "pga=3g"]);
     assert!(
-        all.stdout
-            .starts_with("Unusual   2 motions, the farthest off")
+        all.stdout.starts_with("Unusual   2 motions, the farthest off")
             && all.stdout.contains("a scale factor")
-            && all
-                .stdout
-                .contains("scaled by less than 0.25 or more than 4"),
+            && all.stdout.contains("scaled by less than 0.25 or more than 4"),
         "{}",
         all.stdout
     );
@@ -158,10 +145,7 @@ fn issue_forces_are_ranges() {
         let ended = assess(&work, &[more, &["--scale", "pga=0.6g", "--json"]].concat());
         let found: Value = serde_json::from_str(&ended.stdout).expect("JSON");
         let pairs = found["pairs"].as_array().expect("pairs").clone();
-        pairs
-            .into_iter()
-            .filter(|pair| pair["touching_runs"] != 0)
-            .collect()
+        pairs.into_iter().filter(|pair| pair["touching_runs"] != 0).collect()
     };
     let ratio = |pair: &Value| {
         let force = &pair["peak_force_n"];
@@ -171,10 +155,7 @@ fn issue_forces_are_ranges() {
     let (wide, none) = (of(&[]), of(&["--stiffness", "1..1"]));
     assert!(!wide.is_empty() && wide.len() == none.len());
     assert!(wide.iter().all(|pair| ratio(pair) > 2.0), "{wide:?}");
-    assert!(
-        none.iter().all(|pair| (ratio(pair) - 1.0).abs() <= 0.0),
-        "{none:?}"
-    );
+    assert!(none.iter().all(|pair| (ratio(pair) - 1.0).abs() <= 0.0), "{none:?}");
 }
 
 /// "1078 mm are enough for all 22 motions", without a median.
@@ -192,34 +173,17 @@ fn issue_gaps_have_statistics() {
 /// Floors of 3.5 and 3.8 m were refused with the advice to leave out their heights.
 #[test]
 fn issue_floors_beside_columns_are_not_called_level() {
-    let uneven = TOWERS.replacen(
-        "height_m = 3.5, repeat = 3",
-        "height_m = 3.8, repeat = 3",
-        1,
-    );
+    let uneven = TOWERS.replacen("height_m = 3.5, repeat = 3", "height_m = 3.8, repeat = 3", 1);
     let work = workplace("assess_uneven", &uneven);
     let said = assess(&work, &[]).stderr;
-    assert!(
-        said.contains("can bring a building down, and is not modelled"),
-        "{said}"
-    );
+    assert!(said.contains("can bring a building down, and is not modelled"), "{said}");
     assert!(!said.contains("leave out"), "{said}");
 }
 
 #[test]
 fn reference_the_folder_holds_what_is_printed() {
     let work = workplace("assess_out", TOWERS);
-    let ended = assess(
-        &work,
-        &[
-            "--out",
-            "out",
-            "--author",
-            "A. Engineer",
-            "--date",
-            "2026-11-25",
-        ],
-    );
+    let ended = assess(&work, &["--out", "out", "--author", "A. Engineer", "--date", "2026-11-25"]);
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
     let read = |name: &str| fs::read_to_string(work.join("out").join(name)).expect("it is there");
     let (page, table) = (read("report.html"), read("assess.csv"));
@@ -232,20 +196,11 @@ fn reference_the_folder_holds_what_is_printed() {
     )
     .expect("it is well-formed");
     let mut rows = csv::Reader::from_reader(table.as_bytes());
-    let header: Vec<String> = rows
-        .headers()
-        .expect("a header")
-        .iter()
-        .map(String::from)
-        .collect();
-    let quantity = header
-        .iter()
-        .position(|name| name == "quantity")
-        .expect("a column");
-    let required = rows.records().filter(|row| {
-        row.as_ref()
-            .is_ok_and(|row| &row[quantity] == "required_gap_m")
-    });
+    let header: Vec<String> = rows.headers().expect("a header").iter().map(String::from).collect();
+    let quantity = header.iter().position(|name| name == "quantity").expect("a column");
+    let required = rows
+        .records()
+        .filter(|row| row.as_ref().is_ok_and(|row| &row[quantity] == "required_gap_m"));
     // Two gaps, two records, two directions.
     assert_eq!(required.count(), 8);
     assert_eq!(table, assess(&work, &["--csv"]).stdout);
@@ -276,11 +231,7 @@ fn extreme_what_cannot_be_assessed_says_why() {
 fn issue_what_is_unusual_in_the_scene_is_said() {
     let scene = TOWERS.replace("gap_m = 0.04", "gap_m = 40");
     let ended = assess(&workplace("assess_unusual", &scene), &[]);
-    assert!(
-        ended.stdout.contains("contacts[0].gap_m"),
-        "{}",
-        ended.stdout
-    );
+    assert!(ended.stdout.contains("contacts[0].gap_m"), "{}", ended.stdout);
 }
 
 /// The report named no scaling, and who repeated it got another answer.
@@ -291,9 +242,7 @@ fn issue_the_report_repeats_the_scaling() {
     let ended = assess(&work, &["--target", target, "--out", "out"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
-    let command = page
-        .lines()
-        .find(|line| line.contains("pounding assess scene.json"));
+    let command = page.lines().find(|line| line.contains("pounding assess scene.json"));
     let command = command.expect("the command that repeats it");
     assert!(command.contains(target), "{command}");
 }
@@ -308,14 +257,9 @@ pub(crate) fn found(work: &Path, more: &[&str]) -> Value {
 #[test]
 fn issue_a_mean_spectrum_below_its_target_is_warned_of() {
     let work = workplace("assess_mean_spectrum", TOWERS);
-    fs::write(work.join("peak.csv"), "0.1,0.1\n0.9,0.1\n1.0,3\n1.1,0.1\n")
-        .expect("it can be written");
+    fs::write(work.join("peak.csv"), "0.1,0.1\n0.9,0.1\n1.0,3\n1.1,0.1\n").expect("it can be written");
     let ended = assess(&work, &["--target", "peak.csv"]);
-    let said = ended
-        .stdout
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let said = ended.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         said.contains("EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, 16.2.3.2, want 90 %"),
         "{said}"
@@ -342,8 +286,7 @@ fn issue_a_number_without_a_unit_is_asked_for_one() {
 fn issue_components_of_one_event_are_one_event() {
     let work = workplace("assess_events", TOWERS);
     let records = work.join("records");
-    let names =
-        ["chopra", "peer-pacific-engineering"].map(|end| format!("el-centro-1940-ns-{end}.csv"));
+    let names = ["chopra", "peer-pacific-engineering"].map(|end| format!("el-centro-1940-ns-{end}.csv"));
     for (name, other) in names.iter().zip(["quake-H1.csv", "quake-H2.csv"]) {
         fs::rename(records.join(name), records.join(other)).expect("it can be renamed");
     }
@@ -357,22 +300,13 @@ fn issue_components_of_one_event_are_one_event() {
 /// Floors without heights were taken to be level, and nothing said so.
 #[test]
 fn issue_floors_without_heights_are_said_to_be_taken_as_level() {
-    let scene = TOWERS.replace(
-        ", height_m = 3.5, repeat = 3",
-        ", stiffness_n_per_m = 2e8, repeat = 3",
-    );
+    let scene = TOWERS.replace(", height_m = 3.5, repeat = 3", ", stiffness_n_per_m = 2e8, repeat = 3");
     let scene = scene.replace("period_s = 0.6, ", "");
     let work = workplace("assess_counted", &scene);
-    for command in [
-        &["check", "scene.toml"][..],
-        &["run", "scene.toml", "--no-error"],
-    ] {
+    for command in [&["check", "scene.toml"][..], &["run", "scene.toml", "--no-error"]] {
         let said = pounding(&work, command).stdout;
         let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(
-            said.contains("structures[1].building.storeys[0].height_m"),
-            "{said}"
-        );
+        assert!(said.contains("structures[1].building.storeys[0].height_m"), "{said}");
         assert!(said.contains("taken to be level"), "{said}");
     }
     let all = assess(&work, &[]).stdout;
@@ -401,9 +335,6 @@ fn issue_what_is_left_out_is_said_first() {
     let work = workplace("assess_left_out", TOWERS);
     fs::write(work.join("records/bad.csv"), "time_s,acceleration_g\n0,x\n").expect("a file");
     let said = assess(&work, &[]).stdout;
-    assert!(
-        said.starts_with("Answer    1 record of the folder is missing here"),
-        "{said}"
-    );
+    assert!(said.starts_with("Answer    1 record of the folder is missing here"), "{said}");
     assert!(said.contains("bad.csv:"), "{said}");
 }

@@ -48,10 +48,7 @@ fn reference_an_unknown_neighbour_is_each_that_it_may_be() {
     fs::write(work.join("scene.toml"), known).expect("it can be written");
     let known = found(&work, &["--scale", "pga=0.4g"]);
     let needed = |of: &Value| of["largest"].as_f64().expect("a width");
-    let (known, unknown) = (
-        needed(&known["gaps"][0]["required_m"]),
-        needed(&one["required_m"]),
-    );
+    let (known, unknown) = (needed(&known["gaps"][0]["required_m"]), needed(&one["required_m"]));
     assert!((known / unknown - 1.0).abs() < 1e-9, "{known} {unknown}");
 }
 
@@ -77,13 +74,7 @@ fn limit_an_unknown_neighbour_gives_the_same_bytes() {
             .output()
             .expect("it runs");
         assert!(ended.status.success(), "{ended:?}");
-        let names = [
-            "assess.csv",
-            "assess.json",
-            "report.html",
-            "animation.svg",
-            "neighbour.svg",
-        ];
+        let names = ["assess.csv", "assess.json", "report.html", "animation.svg", "neighbour.svg"];
         names.map(|name| fs::read(work.join(threads).join(name)).expect(name))
     };
     assert!(with("1") == with("3"));
@@ -96,12 +87,8 @@ fn limit_an_unknown_neighbour_gives_the_same_bytes() {
     ] {
         assert!(said.contains(wanted), "{wanted}: {said}");
     }
-    let table =
-        String::from_utf8(fs::read(work.join("1/assess.csv")).expect("a table")).expect("text");
-    assert!(
-        table.contains("bumper_compression_m")
-            && table.starts_with("record,reversed,scale_factor,neighbour_period_s,")
-    );
+    let table = String::from_utf8(fs::read(work.join("1/assess.csv")).expect("a table")).expect("text");
+    assert!(table.contains("bumper_compression_m") && table.starts_with("record,reversed,scale_factor,neighbour_period_s,"));
 }
 
 #[test]
@@ -146,10 +133,7 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
         let all = found(&narrow, &["--scale", "pga=1.2g", "--bumper", bumper]);
         assert!(!proposals(&all).contains("help"), "{}", proposals(&all));
     }
-    assert!(
-        found(&work, &[])["bumper"].is_null(),
-        "none unless asked for"
-    );
+    assert!(found(&work, &[])["bumper"].is_null(), "none unless asked for");
     let refused = assess(&work, &["--bumper", "k=20"]).stderr;
     assert!(refused.contains("has no unit"), "{refused}");
 }
@@ -163,11 +147,7 @@ fn reference_the_report_moves_without_a_script() {
     let read = |name: &str| fs::read_to_string(work.join("out").join(name)).expect(name);
     let (svg, page) = (read("animation.svg"), read("report.html"));
     roxmltree::Document::parse(&svg).expect("it is well formed");
-    for wanted in [
-        "@keyframes film-0",
-        "prefers-reduced-motion:reduce",
-        "prefers-color-scheme:dark",
-    ] {
+    for wanted in ["@keyframes film-0", "prefers-reduced-motion:reduce", "prefers-color-scheme:dark"] {
         assert!(svg.contains(wanted), "{wanted}");
     }
     assert!(page.contains("class=\"film\"") && !page.contains("<script"));

@@ -48,15 +48,11 @@ fn issue_the_factor_of_every_record_is_shown() {
 fn issue_the_forces_of_laws_that_have_one_are_shown() {
     let third = "  { sdof = { name = \"third\", mass_kg = 2e5, period_s = 0.6, damping.ratio = 0.05 } },\n]";
     let two = TOWERS.replace("\n]", &format!("\n{third}"));
-    let two = format!(
-        "{two}\n[[contacts]]\ngap_m = 0.001\nlaw.linear_spring = {{ impact_stiffness_n_per_m = 1e8 }}\n"
-    );
+    let two = format!("{two}\n[[contacts]]\ngap_m = 0.001\nlaw.linear_spring = {{ impact_stiffness_n_per_m = 1e8 }}\n");
     let folder = suite("batch_forces");
     fs::write(folder.join("changed.toml"), two).expect("a file");
     let text = pounding(&folder, &RECORDS);
-    let line = printed(&text)
-        .lines()
-        .find(|line| line.starts_with("pulse.csv"));
+    let line = printed(&text).lines().find(|line| line.starts_with("pulse.csv"));
     let words: Vec<&str> = line.expect("a line").split_whitespace().collect();
     let json = pounding(&folder, &[&RECORDS[..], &["--json"]].concat());
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
@@ -73,9 +69,7 @@ fn issue_a_folder_of_records_is_written_to_a_folder() {
     let folder = changed("batch_out", "towers", "two towers");
     let out = [&RECORDS[..], &["--out", "out"]].concat();
     let text = pounding(&folder, &out);
-    let (table, results) = printed(&text)
-        .split_once("\nResults ")
-        .expect("where it is");
+    let (table, results) = printed(&text).split_once("\nResults ").expect("where it is");
     assert_eq!(results.trim(), "out");
     let file = |name: &str| fs::read_to_string(folder.join("out").join(name)).expect("it is there");
     assert_eq!(file("runs.txt"), table);
@@ -93,17 +87,13 @@ fn issue_a_folder_of_records_is_written_to_a_folder() {
 /// "They do not touch" stood over a run whose steps missed what exact motion has.
 #[test]
 fn issue_touches_that_the_steps_miss_are_not_denied() {
-    let newmark =
-        "method.newmark = { time_step_s = 3.0, beta = 0.25, gamma = 0.5 }\nduration_s = 3.0";
+    let newmark = "method.newmark = { time_step_s = 3.0, beta = 0.25, gamma = 0.5 }\nduration_s = 3.0";
     let folder = changed("batch_missed", "duration_s = 3.0", newmark);
     let alone = pounding(&folder, &["run", "changed.toml", "--json", "--out", "out"]);
     let summary: Value = serde_json::from_str(&alone.stdout).expect("JSON");
     let pair = &summary["pairs"][0];
     assert_eq!(pair["collisions"], 0, "the steps see none");
-    assert!(
-        pair["errors"]["exact_collisions"].as_u64() > Some(0),
-        "{pair}"
-    );
+    assert!(pair["errors"]["exact_collisions"].as_u64() > Some(0), "{pair}");
     let page = fs::read_to_string(folder.join("out/report.html")).expect("a report");
     assert!(!page.contains("They do not touch"), "the exact run does");
     assert!(
@@ -131,12 +121,7 @@ fn issue_what_is_unusual_is_said_by_runs() {
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let all = json["unusual"].as_array().expect("a list");
     let places: Vec<_> = all.iter().map(|one| &one["place"]).collect();
-    assert!(
-        places
-            .iter()
-            .any(|place| **place == "structures[1].sdof.mass_kg"),
-        "{places:?}"
-    );
+    assert!(places.iter().any(|place| **place == "structures[1].sdof.mass_kg"), "{places:?}");
     let page = fs::read_to_string(folder.join("out/report.html")).expect("a report");
     let full = "structures[1].sdof.mass_kg: found 200 kg, usual is 1e4 to 1e9 kg for a building";
     assert!(page.contains(full), "{full}");

@@ -11,7 +11,8 @@ use crate::{folder, good_scene, pounding, quiet, refusal};
 
 /// Two structures under a pulse that drives them together, in contact by this law.
 fn scene(law: &Value) -> Value {
-    let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+    let structure =
+        |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
     json!({
         "name": "two",
         "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
@@ -31,12 +32,7 @@ fn write(folder: &Path, name: &str, json: &Value) {
 
 /// Starts the program, sends a signal such as Ctrl-C after a while, and returns what it said, if it ended within a second.
 #[cfg(unix)]
-pub(crate) fn interrupted(
-    folder: &Path,
-    signal: &str,
-    arguments: &[&str],
-    ready: impl Fn() -> bool,
-) -> Output {
+pub(crate) fn interrupted(folder: &Path, signal: &str, arguments: &[&str], ready: impl Fn() -> bool) -> Output {
     let child = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
         .args(arguments)
         .current_dir(folder)
@@ -54,11 +50,7 @@ pub(crate) fn interrupted(
     let since = Instant::now();
     let output = child.wait_with_output().expect("it ends");
     // A second, on a machine that does ten things at once.
-    assert!(
-        since.elapsed() < Duration::from_secs(10),
-        "{:?}",
-        since.elapsed()
-    );
+    assert!(since.elapsed() < Duration::from_secs(10), "{:?}", since.elapsed());
     output
 }
 
@@ -81,10 +73,7 @@ fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
     let said = String::from_utf8_lossy(&ended.stderr);
     assert_eq!(ended.status.code(), Some(1), "{said}");
     assert!(said.starts_with("error: stopped: "), "{said}");
-    assert!(
-        !parts.join("part-000000000.csv").exists(),
-        "it was not finished"
-    );
+    assert!(!parts.join("part-000000000.csv").exists(), "it was not finished");
 }
 
 /// So did the runs of a folder of records; one run alone ends with its process.
@@ -99,11 +88,7 @@ fn issue_runs_end_though_one_of_them_does_not() {
     fs::create_dir_all(&records).expect("a disk");
     let line = |index: i32| format!("{},{}\n", f64::from(index) / 100.0, 4 * (index % 20));
     let pulse = (0..40).map(line).collect::<Vec<_>>().concat();
-    fs::write(
-        records.join("one.csv"),
-        format!("time_s,acceleration_m_per_s2\n{pulse}"),
-    )
-    .expect("a disk");
+    fs::write(records.join("one.csv"), format!("time_s,acceleration_m_per_s2\n{pulse}")).expect("a disk");
     // Who runs alone has no handler of Ctrl-C, and ignores it where a script in the background started the tests.
     for (signal, arguments) in [
         ("-INT", &["run", "scene.json", "--records", "records"][..]),
@@ -132,10 +117,7 @@ fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let table = fs::read_to_string(folder.join("sweep.json.csv")).expect("a table");
-    let failed = table
-        .lines()
-        .skip(1)
-        .map(|row| row.rsplit(',').next().unwrap_or_default());
+    let failed = table.lines().skip(1).map(|row| row.rsplit(',').next().unwrap_or_default());
     let failed: Vec<_> = failed.map(|reason| !reason.is_empty()).collect();
     assert_eq!(failed, [false, true, true, false], "{table}");
     assert!(table.contains("`budget.pieces`"), "{table}");
@@ -151,14 +133,8 @@ fn issue_sub_steps_count_among_the_steps() {
     }});
     write(&folder, "scene.json", &scene);
     let refused = refusal(&pounding(&folder, &["run", "scene.json"]));
-    let wanted = [
-        "with 1000 sub-steps in contact",
-        "allowed 1e8 (`budget.steps`)",
-    ];
-    assert!(
-        wanted.iter().all(|words| refused.contains(words)),
-        "{refused}"
-    );
+    let wanted = ["with 1000 sub-steps in contact", "allowed 1e8 (`budget.steps`)"];
+    assert!(wanted.iter().all(|words| refused.contains(words)), "{refused}");
     scene["method"]["central_difference"]["time_step_s"] = json!(1e-3);
     scene["budget"] = json!({"steps": 1e8});
     write(&folder, "scene.json", &scene);
@@ -208,9 +184,7 @@ fn extreme_budgets_of_nothing_are_refused() {
 #[test]
 fn issue_what_is_no_file_is_refused_at_once() {
     let folder = folder("budgets_files");
-    let made = Command::new("mkfifo")
-        .arg(folder.join("pipe.json"))
-        .status();
+    let made = Command::new("mkfifo").arg(folder.join("pipe.json")).status();
     assert!(made.expect("mkfifo is there").success());
     let mut messages = Vec::new();
     for file in ["pipe.json", "/dev/zero"] {
@@ -219,9 +193,7 @@ fn issue_what_is_no_file_is_refused_at_once() {
         }
     }
     assert!(
-        messages
-            .iter()
-            .all(|message| message.contains("it is a pipe or a device")),
+        messages.iter().all(|message| message.contains("it is a pipe or a device")),
         "{messages:?}"
     );
 }

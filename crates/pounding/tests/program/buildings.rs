@@ -62,11 +62,7 @@ fn issue_residuals_accelerations_and_drifts_are_those_of_the_histories() {
     );
     let drift = five.peak_drift_m.expect("a number").abs();
     assert!((largest(&drifts) / drift - 1.0).abs() < 1e-3, "{drift}");
-    for words in [
-        "Residual, at the end [mm]",
-        "Peak acceleration [g]",
-        "Peak drift [mm]",
-    ] {
+    for words in ["Residual, at the end [mm]", "Peak acceleration [g]", "Peak drift [mm]"] {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -158,9 +154,7 @@ storeys = [
     fs::write(folder.join("scene.toml"), scene).expect("a file");
     let checked = pounding(&folder, &["check", "scene.toml"]);
     let yields = |name: &str| {
-        let line = printed(&checked)
-            .lines()
-            .find(|line| line.starts_with(name));
+        let line = printed(&checked).lines().find(|line| line.starts_with(name));
         let line = line.expect("a line").trim_start_matches(name);
         let words: Vec<&str> = line.split_whitespace().skip(2).collect();
         words.join(" ")

@@ -26,8 +26,7 @@ fn reference_a_certificate_with_every_method() {
 
 #[test]
 fn reference_a_certificate_for_machines() {
-    let asked =
-        "kelvin_voigt --restitution 0.5 --masses 1e5 1e5 --speed 1 --time-step 0.001 --method hht";
+    let asked = "kelvin_voigt --restitution 0.5 --masses 1e5 1e5 --speed 1 --time-step 0.001 --method hht";
     assert_snapshot!("json", certify(&format!("{asked} --format json")).stdout);
     assert_snapshot!("csv", certify(&format!("{asked} --format csv")).stdout);
 }
@@ -49,11 +48,7 @@ fn issue_a_certificate_of_a_soft_contact_ends() {
     }
     let fine = "hertz --restitution 1 --masses 1e5 1e5 --speed 1 --time-step 1e-9 --format json";
     let ended = certify(fine);
-    assert!(
-        ended.stdout.contains("at most 1e6 steps"),
-        "{}",
-        ended.stdout
-    );
+    assert!(ended.stdout.contains("at most 1e6 steps"), "{}", ended.stdout);
 }
 
 #[test]
@@ -99,10 +94,7 @@ fn extreme_numbers_that_are_none_are_refused_by_every_option() {
                 _ => none.to_string(),
             };
             let ended = asked(Some((option, &numbers)));
-            assert!(
-                ended.code != 0 && ended.stdout.is_empty(),
-                "{option} {none}"
-            );
+            assert!(ended.code != 0 && ended.stdout.is_empty(), "{option} {none}");
             // A number that begins with a minus is taken for an option.
             let named = ended.stderr.contains(option) || none.starts_with('-');
             assert!(named, "{option} {none}: {}", ended.stderr);
@@ -115,14 +107,7 @@ fn extreme_numbers_that_are_none_are_refused_by_every_option() {
 fn issue_a_negative_mass_is_refused_as_a_number() {
     for masses in [["-75e3", "3e6"], ["75e3", "-3e6"]] {
         let masses = [&["--masses"], &masses[..]].concat();
-        let rest = [
-            "certify",
-            "hertz_damp",
-            "--restitution",
-            "0.65",
-            "--speed",
-            "0.3",
-        ];
+        let rest = ["certify", "hertz_damp", "--restitution", "0.65", "--speed", "0.3"];
         let ended = pounding(Path::new("."), &[&rest[..], &masses].concat());
         assert_eq!(ended.code, 2);
         let said = "for '--masses <LEFT> <RIGHT>': allowed is a finite number > 0";

@@ -14,14 +14,8 @@ fn issue_a_run_tells_of_both_directions() {
     let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
     let first: Vec<&str> = run.stdout.lines().take(6).collect();
     let first = first.join("\n");
-    assert!(
-        first.contains("as recorded (") && first.contains("reversed, worse"),
-        "{first}"
-    );
-    let one = pounding(
-        &work,
-        &["run", "scene.toml", "--no-error", "--one-direction"],
-    );
+    assert!(first.contains("as recorded (") && first.contains("reversed, worse"), "{first}");
+    let one = pounding(&work, &["run", "scene.toml", "--no-error", "--one-direction"]);
     assert!(!one.stdout.contains("reversed"), "{}", one.stdout);
 }
 
@@ -30,19 +24,11 @@ fn issue_a_run_tells_of_both_directions() {
 fn issue_check_looks_in_both_directions() {
     let work = workplace("check_both", TOWERS);
     let said = pounding(&work, &["check", "scene.toml"]).stdout;
-    assert!(
-        !said.contains("never") && !said.contains("not needed"),
-        "{said}"
-    );
+    assert!(!said.contains("never") && !said.contains("not needed"), "{said}");
     let json = pounding(&work, &["check", "scene.toml", "--json"]).stdout;
     let plan: Value = serde_json::from_str(&json).expect("JSON");
     let pairs = plan["pairs"].as_array().expect("pairs");
-    assert!(
-        pairs
-            .iter()
-            .all(|pair| pair["touches_reversed"].is_boolean()),
-        "{json}"
-    );
+    assert!(pairs.iter().all(|pair| pair["touches_reversed"].is_boolean()), "{json}");
 }
 
 /// The headline of a report told of one direction, whichever the record had.

@@ -116,10 +116,7 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
     let path = path.expect("folders");
     let (mut faults, mut ran) = (Vec::new(), 0);
     for block in blocks(&text) {
-        if let Some(file) = block
-            .file
-            .filter(|_| block.kind == "toml" || block.kind == "json")
-        {
+        if let Some(file) = block.file.filter(|_| block.kind == "toml" || block.kind == "json") {
             let target = work.join(file);
             fs::create_dir_all(target.parent().expect("a folder")).expect("it can be made");
             fs::write(target, block.body.join("\n") + "\n").expect("it can be written");
@@ -147,9 +144,7 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
                 .filter(|line| !line.is_empty())
                 .find(|line| !lines.any(|printed| printed == *line));
             if let Some(line) = missing {
-                faults.push(format!(
-                    "{name}: {command}: does not print, or not there:\n{line}"
-                ));
+                faults.push(format!("{name}: {command}: does not print, or not there:\n{line}"));
             }
         }
     }

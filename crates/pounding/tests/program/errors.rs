@@ -36,15 +36,8 @@ fn paragraph<'a>(stdout: &'a str, label: &str) -> Vec<&'a str> {
 #[test]
 fn limit_without_errors_the_numbers_are_the_same() {
     let with = pounding(Path::new(HERE), &["run", EXAMPLE, "--details"]).stdout;
-    let without = pounding(
-        Path::new(HERE),
-        &["run", EXAMPLE, "--no-error", "--details"],
-    )
-    .stdout;
-    assert_eq!(
-        paragraph(&without, "Errors"),
-        ["Errors    not measured (--no-error)"]
-    );
+    let without = pounding(Path::new(HERE), &["run", EXAMPLE, "--no-error", "--details"]).stdout;
+    assert_eq!(paragraph(&without, "Errors"), ["Errors    not measured (--no-error)"]);
     let numbers = |text: &str, begin: &str| {
         let line = text.lines().find(|line| line.starts_with(begin));
         let words = line.expect("the line is there").split_whitespace();
@@ -71,9 +64,7 @@ fn limit_the_exact_method_has_no_error() {
 #[test]
 fn order_errors_fall_with_the_time_step() {
     let largest = |time_step: f64| -> f64 {
-        let scene = small_scene(
-            &json!({"newmark": {"time_step_s": time_step, "beta": 0.25, "gamma": 0.5}}),
-        );
+        let scene = small_scene(&json!({"newmark": {"time_step_s": time_step, "beta": 0.25, "gamma": 0.5}}));
         let ended = run("order", &scene.to_string(), Some(&quiet(10)));
         let errors = paragraph(printed(&ended), "Errors").join(" ");
         let number = errors.split("the largest is ").nth(1).expect("a number");
@@ -103,21 +94,14 @@ fn limit_an_accuracy_chooses_what_is_advised() {
     let snippet = paragraph(printed(&advice), "  \"method\"").join("");
     let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
     let chosen = pounding(&folder, &["run", "scene.json", "--details"]);
-    let named = pasted["method"]
-        .as_object()
-        .expect("a method")
-        .keys()
-        .next();
+    let named = pasted["method"].as_object().expect("a method").keys().next();
     let name = named.expect("its name").replace('_', " ");
     let method = paragraph(printed(&chosen), "Method").join("\n");
     assert!(method.starts_with(&format!("Method    {name}")), "{method}");
     assert!(method.contains("chosen: "), "{method}");
     let scene = small_scene(&pasted["method"]);
     let same = run("pasted", &scene.to_string(), Some(&quiet(10)));
-    assert_eq!(
-        paragraph(printed(&same), "Work"),
-        paragraph(printed(&chosen), "Work")
-    );
+    assert_eq!(paragraph(printed(&same), "Work"), paragraph(printed(&chosen), "Work"));
 }
 
 /// The example with another method.
@@ -141,23 +125,13 @@ fn folder_of(test: &str, mut scene: Value) -> PathBuf {
 
 /// Runs the example with another method.
 fn run_example(test: &str, method: &Value) -> Ended {
-    pounding(
-        &folder_of(test, example_with(method)),
-        &["run", "scene.json", "--details"],
-    )
+    pounding(&folder_of(test, example_with(method)), &["run", "scene.json", "--details"])
 }
 
 /// A stepping method wins where the accuracy is low: what is advised, and what a run with it says of itself.
 #[test]
 fn reference_a_stepping_method_wins() {
-    let arguments = [
-        "advise",
-        EXAMPLE,
-        "--error",
-        "10%",
-        "--quantity",
-        "momentum",
-    ];
+    let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", "momentum"];
     let advice = pounding(Path::new(HERE), &arguments);
     let advice = printed(&advice);
     assert_snapshot!(advice);
@@ -165,31 +139,18 @@ fn reference_a_stepping_method_wins() {
     let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
     assert!(pasted["method"].get("exact").is_none(), "{pasted}");
     let ended = run_example("wins", &pasted["method"]);
-    let error = ended
-        .stdout
-        .lines()
-        .find(|line| line.starts_with("  error"));
+    let error = ended.stdout.lines().find(|line| line.starts_with("  error"));
     let words: Vec<_> = error.expect("errors").split_whitespace().collect();
     let momentum: f64 = words[words.len() - 2].parse().expect("a number");
     assert!(momentum <= 10.0, "{words:?}");
     let stated = paragraph(advice, "Use").join(" ");
-    assert!(
-        stated.contains(&format!("{} % (momentum)", words[words.len() - 2])),
-        "{stated}"
-    );
+    assert!(stated.contains(&format!("{} % (momentum)", words[words.len() - 2])), "{stated}");
 }
 
 #[test]
 fn reference_advice_on_each_quantity() {
     let mut uses = String::new();
-    for quantity in [
-        "momentum",
-        "displacement",
-        "force",
-        "impulse",
-        "time",
-        "all",
-    ] {
+    for quantity in ["momentum", "displacement", "force", "impulse", "time", "all"] {
         let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", quantity];
         let advice = pounding(Path::new(HERE), &arguments);
         let lines = paragraph(printed(&advice), "Use").join("\n");

@@ -23,18 +23,11 @@ fn limit_every_example_prints_what_it_says() {
     for source in fs::read_dir(sources).unwrap() {
         let source = source.unwrap().path();
         let example = built.join(source.file_stem().unwrap());
-        let ran = Command::new(&example).output().unwrap_or_else(|error| {
-            panic!(
-                "{}: {error}; cargo build --package pounding --examples",
-                example.display()
-            )
-        });
+        let ran = Command::new(&example)
+            .output()
+            .unwrap_or_else(|error| panic!("{}: {error}; cargo build --package pounding --examples", example.display()));
         let printed = String::from_utf8(ran.stdout).unwrap();
-        assert!(
-            ran.status.success(),
-            "{}",
-            String::from_utf8_lossy(&ran.stderr)
-        );
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
         let text = fs::read_to_string(&source).unwrap();
         assert_eq!(printed, said(&text), "{}", source.display());
         count += 1;

@@ -17,10 +17,7 @@ fn linear() -> Value {
 /// A wall and two structures, one of which yields, under a jerk of the ground.
 fn scene() -> Value {
     let mut scene = good_scene();
-    let (weak, stiff) = (
-        scene["structures"][0].clone(),
-        scene["structures"][1].clone(),
-    );
+    let (weak, stiff) = (scene["structures"][0].clone(), scene["structures"][1].clone());
     scene["structures"] = json!(["wall", weak, stiff]);
     scene["contacts"] = json!([{"gap_m": 0.02, "law": linear()}, {"gap_m": 0.03, "law": linear()}]);
     scene["record"]["scale"] = json!(-2);
@@ -37,10 +34,7 @@ fn written(test: &str, scene: &Value) -> PathBuf {
 }
 
 fn export(folder: &Path, options: &[&str]) -> Ended {
-    pounding(
-        folder,
-        &[&["export", "--opensees", "scene.json"], options].concat(),
-    )
+    pounding(folder, &[&["export", "--opensees", "scene.json"], options].concat())
 }
 
 /// The numbers of a script; what follows them is the same in all.
@@ -118,9 +112,7 @@ fn reference_materials_of_the_laws() {
         scene["contacts"][1]["law"] = law;
         let folder = written("export_materials", &scene);
         let script = export(&folder, &["--approximate"]).stdout;
-        let contact = script
-            .lines()
-            .skip_while(|line| !line.contains("weak - stiff"));
+        let contact = script.lines().skip_while(|line| !line.contains("weak - stiff"));
         contact.take(3).collect::<Vec<_>>().join("\n")
     });
     assert_snapshot!(materials.join("\n"));
@@ -148,11 +140,7 @@ fn extreme_exports_that_are_refused() {
     let ended = export(&folder, &["--out", "check.py"]);
     assert_snapshot!(printed(&ended));
     let script = fs::read_to_string(folder.join("check.py")).expect("written");
-    assert_eq!(
-        script,
-        export(&folder, &[]).stdout,
-        "the same file or printed"
-    );
+    assert_eq!(script, export(&folder, &[]).stdout, "the same file or printed");
     assert_snapshot!(refusal(&export(&folder, &["--out", "check.py"])), @"error: check.py: is there already, allowed is a new file; name another one or add --overwrite");
     printed(&export(&folder, &["--out", "check.py", "--overwrite"]));
     assert_eq!(pounding(&folder, &["export", "scene.json"]).code, 2);

@@ -33,22 +33,13 @@ fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     let csv = pounding(&folder, &[&run[..], &["--csv"]].concat());
     assert_eq!(csv.code, 0, "{}", csv.stderr);
     assert_eq!(infinite(&csv.stdout), Vec::<&str>::new());
-    let errors = csv
-        .stdout
-        .lines()
-        .filter(|line| line.contains(",largest_error,"));
+    let errors = csv.stdout.lines().filter(|line| line.contains(",largest_error,"));
     let errors: Vec<&str> = errors.collect();
-    assert!(
-        errors.iter().any(|line| line.ends_with(",largest_error,,")),
-        "{errors:?}"
-    );
+    assert!(errors.iter().any(|line| line.ends_with(",largest_error,,")), "{errors:?}");
     let json = pounding(&folder, &[&run[..], &["--json"]].concat());
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let motions = json["motions"].as_array().expect("a list");
-    assert!(
-        motions.iter().any(|one| one["largest_error"].is_null()),
-        "{json:#}"
-    );
+    assert!(motions.iter().any(|one| one["largest_error"].is_null()), "{json:#}");
 }
 
 /// What is refused, whose message has all of these words and no number of more than a few digits.
@@ -56,10 +47,7 @@ fn says(message: &str, words: &[&str]) {
     let missing = words.iter().find(|word| !message.contains(**word));
     assert_eq!(missing, None, "{message}");
     let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
-    assert!(
-        message.split([' ', ',']).all(|word| digits(word) < 20),
-        "{message}"
-    );
+    assert!(message.split([' ', ',']).all(|word| digits(word) < 20), "{message}");
 }
 
 fn with_record(test: &str, samples: &str) -> std::path::PathBuf {
@@ -82,23 +70,14 @@ fn issue_a_record_beyond_all_grounds_is_refused() {
     let folder = with_record("finite_record", "0,0\n0.01,1e300\n0.02,0\n");
     let too_strong = ["sample 1 ", "1e300 m/s²", "1e9 m/s²"];
     says(
-        &refusal(&pounding(
-            &folder,
-            &["motion", "info", "record.csv", "--csv"],
-        )),
+        &refusal(&pounding(&folder, &["motion", "info", "record.csv", "--csv"])),
         &too_strong,
     );
     says(
-        &refusal(&pounding(
-            &folder,
-            &["motion", "spectrum", "record.csv", "--csv"],
-        )),
+        &refusal(&pounding(&folder, &["motion", "spectrum", "record.csv", "--csv"])),
         &too_strong,
     );
-    says(
-        &refusal(&pounding(&folder, &["run", "scene.json"])),
-        &too_strong,
-    );
+    says(&refusal(&pounding(&folder, &["run", "scene.json"])), &too_strong);
     let folder = with_record("finite_record_of_inf", "0,0\n0.01,inf\n0.02,0\n");
     says(
         &refusal(&pounding(&folder, &["run", "scene.json"])),
@@ -106,10 +85,7 @@ fn issue_a_record_beyond_all_grounds_is_refused() {
     );
     let folder = with_record("finite_step", "0,0\n1e300,1\n2e300,0\n");
     says(
-        &refusal(&pounding(
-            &folder,
-            &["motion", "info", "record.csv", "--csv"],
-        )),
+        &refusal(&pounding(&folder, &["motion", "info", "record.csv", "--csv"])),
         &["1e300 s", "allowed"],
     );
 }
@@ -126,10 +102,7 @@ fn issue_a_sampled_number_beyond_all_numbers_is_an_empty_cell_with_its_reason() 
     assert_eq!(infinite(&table), Vec::<&str>::new());
     let refused = table.lines().find(|line| line.contains("found inf"));
     let refused = refused.expect("one is beyond all numbers");
-    says(
-        refused,
-        &["structures[0].sdof.mass_kg", "found inf", "allowed"],
-    );
+    says(refused, &["structures[0].sdof.mass_kg", "found inf", "allowed"]);
 }
 
 /// A period of `inf`, from a mass and a stiffness that are numbers; and masses whose runs did not end.
@@ -154,29 +127,19 @@ fn issue_numbers_of_a_scene_beyond_all_buildings_are_refused_in_its_words() {
         &refused("mass_kg", json!(1.7e308)),
         &["structures[0].sdof.mass_kg", "1.7e308", "1e100"],
     );
-    says(
-        &refused("mass_kg", json!(5e-324)),
-        &["structures[0].sdof", "e-324"],
-    );
+    says(&refused("mass_kg", json!(5e-324)), &["structures[0].sdof", "e-324"]);
     says(
         &refused("stiffness_n_per_m", json!(1e-310)),
         &["structures[0].sdof.stiffness_n_per_m", "1e-310", "1e-100"],
     );
-    says(
-        &refused("period_s", json!(1e300)),
-        &["structures[0].sdof", "period_s", "1e300"],
-    );
+    says(&refused("period_s", json!(1e300)), &["structures[0].sdof", "period_s", "1e300"]);
     says(
         &refused("damping", json!({"ratio": 1e300})),
         &["structures[0].sdof.damping.ratio", "1e300", "1e100"],
     );
     says(
         &refused("initial_velocity_m_per_s", json!(-1e307)),
-        &[
-            "structures[0].sdof.initial_velocity_m_per_s",
-            "-1e307",
-            "1e100",
-        ],
+        &["structures[0].sdof.initial_velocity_m_per_s", "-1e307", "1e100"],
     );
     let bent = |exponent: Value| json!({"exponent": exponent, "beta": 0.5});
     says(

@@ -65,11 +65,7 @@ fn extreme_places_that_are_no_folder() {
     let message = refusal(&refused).replace(&missing.to_string(), "[what the system says]");
     assert_snapshot!(message, @"error: --out: taken/deeper: [what the system says]");
     let deeper = run_in(&folder, &meeting(), &["--out", "new/and/deeper"]);
-    assert_eq!(
-        deeper.code, 0,
-        "folders on the way are made: {}",
-        deeper.stderr
-    );
+    assert_eq!(deeper.code, 0, "folders on the way are made: {}", deeper.stderr);
     let here = run_in(&folder, &meeting(), &["--out", ".."]);
     assert_snapshot!(refusal(&here), @"error: --out: .. has no name to write a folder under; name a folder in it");
 }
@@ -79,21 +75,10 @@ fn extreme_places_that_are_no_folder() {
 fn issue_results_do_not_go_among_the_records() {
     let work = workplace("among_records", TOWERS);
     for command in ["assess", "run"] {
-        let asked = [
-            command,
-            "scene.toml",
-            "--records",
-            "records",
-            "--out",
-            "records",
-            "--overwrite",
-        ];
+        let asked = [command, "scene.toml", "--records", "records", "--out", "records", "--overwrite"];
         let refused = pounding(&work, &asked);
         assert_eq!(files(&work.join("records")).len(), 2, "{command}");
-        assert!(
-            refusal(&refused).contains("is the folder of the records"),
-            "{command}"
-        );
+        assert!(refusal(&refused).contains("is the folder of the records"), "{command}");
     }
 }
 
@@ -104,9 +89,6 @@ fn issue_an_earlier_assessment_is_replaced() {
     for scale in ["pga=0.6g", "pga=0.2g"] {
         let ended = assess(&work, &["--scale", scale, "--out", "out"]);
         assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
-        assert!(
-            text(work.join("out/report.html")).contains(scale),
-            "{scale}"
-        );
+        assert!(text(work.join("out/report.html")).contains(scale), "{scale}");
     }
 }

@@ -9,22 +9,16 @@ use crate::runs::printed;
 
 /// The commands that a help lists.
 fn commands(help: &str) -> Vec<String> {
-    let lines = help
-        .lines()
-        .skip_while(|line| !line.starts_with("Commands:"));
+    let lines = help.lines().skip_while(|line| !line.starts_with("Commands:"));
     let listed = lines.skip(1).take_while(|line| !line.is_empty());
     let named = listed.filter(|line| !line.starts_with("   "));
     let words = named.filter_map(|line| line.split_whitespace().next());
-    words
-        .filter(|word| *word != "help")
-        .map(String::from)
-        .collect()
+    words.filter(|word| *word != "help").map(String::from).collect()
 }
 
 /// Words of every command, and of those inside one, with its help.
 fn every_help(here: &Path) -> Vec<(Vec<String>, String)> {
-    let help_of =
-        |words: &[&str]| printed(&pounding(here, &[words, &["--help"]].concat())).to_string();
+    let help_of = |words: &[&str]| printed(&pounding(here, &[words, &["--help"]].concat())).to_string();
     let mut all = Vec::new();
     for command in commands(&help_of(&[])) {
         let help = help_of(&[&command]);
@@ -45,19 +39,13 @@ fn issue_no_example_is_broken_at_80_columns() {
     for (command, help) in every_help(here) {
         let lines = help.lines();
         let examples = lines.skip_while(|line| !line.starts_with("Example"));
-        let examples: Vec<&str> = examples
-            .skip(1)
-            .take_while(|line| !line.is_empty())
-            .collect();
+        let examples: Vec<&str> = examples.skip(1).take_while(|line| !line.is_empty()).collect();
         assert!(!examples.is_empty(), "{command:?} shows how");
         for line in examples {
             let whole = line.starts_with("  pounding ") || line.starts_with("    --");
             let other = line.starts_with("  pip ") || line.starts_with("  python3 ");
             assert!(whole || other, "{command:?}: {line}");
-            assert!(
-                line.chars().count() < 80,
-                "{command:?}: {line} touches the edge"
-            );
+            assert!(line.chars().count() < 80, "{command:?}: {line} touches the edge");
         }
     }
 }

@@ -33,14 +33,8 @@ fn reference_a_scene_to_begin_with() {
     assert_snapshot!(printed(&checked));
     assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one or add --overwrite");
     assert_snapshot!(refusal(&pounding(&folder, &["init", "x.toml", "--record", "records"])), @"error: --record records: found a folder, allowed is a file; `pounding run SCENE --records` takes a folder");
-    let missing = refusal(&pounding(
-        &folder,
-        &["init", "x.toml", "--record", "none.AT2"],
-    ));
-    assert!(
-        missing.starts_with("error: --record none.AT2: cannot be read: "),
-        "{missing}"
-    );
+    let missing = refusal(&pounding(&folder, &["init", "x.toml", "--record", "none.AT2"]));
+    assert!(missing.starts_with("error: --record none.AT2: cannot be read: "), "{missing}");
     assert!(!folder.join("x.toml").exists(), "nothing was written");
 }
 
@@ -52,16 +46,8 @@ fn reference_a_record_is_named_from_the_folder_of_the_scene() {
     for (scene, record, path) in [
         ("own.toml", "records/pulse.csv", "records/pulse.csv"),
         ("records/own.toml", "records/pulse.csv", "pulse.csv"),
-        (
-            "scenes/own.toml",
-            "records/pulse.csv",
-            "../records/pulse.csv",
-        ),
-        (
-            "scenes/old/own.toml",
-            "./scenes/../records/pulse.csv",
-            "../../records/pulse.csv",
-        ),
+        ("scenes/own.toml", "records/pulse.csv", "../records/pulse.csv"),
+        ("scenes/old/own.toml", "./scenes/../records/pulse.csv", "../../records/pulse.csv"),
     ] {
         let file = format!("file = '{path}'    # seen from the folder of this file");
         assert_eq!(named(&folder, scene, record), file, "{scene}");
@@ -73,8 +59,7 @@ fn reference_a_record_is_named_from_the_folder_of_the_scene() {
     fs::create_dir_all(folder.join("a/b/c/d")).expect("a folder");
     let far = named(&folder, "a/b/c/d/own.toml", "records/pulse.csv");
     assert!(
-        far.starts_with("file = '")
-            && far.ends_with("'    # absolute: other machines do not have it there"),
+        far.starts_with("file = '") && far.ends_with("'    # absolute: other machines do not have it there"),
         "{far}"
     );
     assert_eq!(pounding(&folder, &["run", "a/b/c/d/own.toml"]).code, 0);
@@ -85,10 +70,7 @@ fn reference_a_record_is_named_from_the_folder_of_the_scene() {
 fn reference_what_a_record_does_not_say_is_to_be_filled_in() {
     let folder = suite("init_missing");
     assert_snapshot!(named(&folder, "own.toml", "records/column.txt"));
-    let wrote = pounding(
-        &folder,
-        &["init", "again.toml", "--record", "records/column.txt"],
-    );
+    let wrote = pounding(&folder, &["init", "again.toml", "--record", "records/column.txt"]);
     assert_snapshot!(printed(&wrote));
     assert_eq!(pounding(&folder, &["run", "again.toml"]).code, 1, "it asks");
     let filled = text(folder.join("again.toml"))
@@ -139,18 +121,10 @@ fn reference_a_wall_as_the_comments_show_it() {
         .map(|line| {
             let is_shown = begins.iter().any(|begin| line.starts_with(begin));
             shown += usize::from(is_shown);
-            if is_shown {
-                line[2..].into()
-            } else {
-                line.into()
-            }
+            if is_shown { line[2..].into() } else { line.into() }
         })
         .collect();
-    assert_eq!(
-        shown,
-        begins.len() - 1,
-        "each once, but for the duration above"
-    );
+    assert_eq!(shown, begins.len() - 1, "each once, but for the duration above");
     let (above, _) = template.split_once("[[structures]]\n").expect("structures");
     // The law of the wall is the last line.
     let below = with_wall.join("\n").replace(
@@ -160,10 +134,7 @@ fn reference_a_wall_as_the_comments_show_it() {
     fs::write(folder.join("wall.toml"), format!("{above}{below}\n")).expect("a file");
     let checked = pounding(&folder, &["check", "wall.toml"]);
     for words in ["2 moving and 1 fixed;", "of which 1 can", "right – wall"] {
-        let text = printed(&checked)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ");
+        let text = printed(&checked).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(words), "{words}: {text}");
     }
 }
@@ -183,25 +154,13 @@ fn extreme_a_record_with_an_apostrophe_in_its_name() {
 #[test]
 fn issue_a_scene_in_json_is_json() {
     let folder = suite("init_json");
-    printed(&pounding(
-        &folder,
-        &["init", "own.json", "--record", "records/pulse.csv"],
-    ));
-    printed(&pounding(
-        &folder,
-        &["init", "own.toml", "--record", "records/pulse.csv"],
-    ));
+    printed(&pounding(&folder, &["init", "own.json", "--record", "records/pulse.csv"]));
+    printed(&pounding(&folder, &["init", "own.toml", "--record", "records/pulse.csv"]));
     let json: Value = serde_json::from_str(&text(folder.join("own.json"))).expect("JSON");
-    assert_eq!(
-        json["structures"][0]["sdof"]["period_s"], 1.0,
-        "in the words of a file"
-    );
+    assert_eq!(json["structures"][0]["sdof"]["period_s"], 1.0, "in the words of a file");
     let run = |scene: &str| printed(&pounding(&folder, &["run", scene])).to_string();
     assert_eq!(run("own.json"), run("own.toml"));
-    let asked = pounding(
-        &folder,
-        &["init", "asks.json", "--record", "records/column.txt"],
-    );
+    let asked = pounding(&folder, &["init", "asks.json", "--record", "records/column.txt"]);
     assert_snapshot!(printed(&asked), @r#"
     wrote asks.json
 

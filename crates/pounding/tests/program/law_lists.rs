@@ -62,19 +62,11 @@ fn limit_the_reference_of_scenes_lists_the_laws() {
     renew("docs/reference/scene.md", |page| {
         let laws = words_of_scenes().map(|law| {
             let fields: Vec<_> = law.parameters().iter().map(|row| code(row.name)).collect();
-            vec![
-                code(law.name()),
-                law.about().force.into(),
-                fields.join(", "),
-            ]
+            vec![code(law.name()), law.about().force.into(), fields.join(", ")]
         });
         let page = with_table(page, &["Law", "Force", "Fields"], laws);
         let fields = parameters().into_iter().map(|(row, by_restitution)| {
-            let default = if by_restitution {
-                "this or `restitution`"
-            } else {
-                "required"
-            };
+            let default = if by_restitution { "this or `restitution`" } else { "required" };
             let Parameter {
                 name,
                 unit,
@@ -82,9 +74,7 @@ fn limit_the_reference_of_scenes_lists_the_laws() {
                 allowed,
                 ..
             } = row;
-            [&code(name), *unit, allowed.words, default, *meaning]
-                .map(String::from)
-                .into()
+            [&code(name), *unit, allowed.words, default, *meaning].map(String::from).into()
         });
         let head = ["Field of laws", "Unit", "Allowed", "Default", "Meaning"];
         with_table(&page, &head, fields)
@@ -107,17 +97,10 @@ fn limit_the_theory_lists_the_laws() {
         });
         let formulas = damped.map(|law| {
             let formula = law.named().formula.map_or("none", |(text, _)| text);
-            let relation = law
-                .about()
-                .relation
-                .unwrap_or("none; e depends on the speed");
+            let relation = law.about().relation.unwrap_or("none; e depends on the speed");
             cells(law, [formula, relation])
         });
-        with_table(
-            &page,
-            &["Law", "Formula of the literature", "Exact relation"],
-            formulas,
-        )
+        with_table(&page, &["Law", "Formula of the literature", "Exact relation"], formulas)
     });
 }
 

@@ -13,11 +13,7 @@ use crate::{EXAMPLE, folder, pounding};
 /// What a command prints, as JSON.
 fn json(folder: &Path, arguments: &[&str]) -> Value {
     let ended = pounding(folder, arguments);
-    assert_eq!(
-        (ended.code, ended.stderr.as_str()),
-        (0, ""),
-        "{arguments:?}"
-    );
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{arguments:?}");
     assert!(ended.stdout.ends_with("}\n"), "{arguments:?}");
     serde_json::from_str(&ended.stdout).expect("JSON")
 }
@@ -69,10 +65,7 @@ fn limit_fields_have_one_name() {
     let run = json(&folder, &run);
     let under = ["run", "towers.toml", "--records", "records", "--json"];
     let suite = json(&folder, &under);
-    let compared = json(
-        &folder,
-        &["compare", "towers.toml", "towers.toml", "--json"],
-    );
+    let compared = json(&folder, &["compare", "towers.toml", "towers.toml", "--json"]);
     let plan = json(&folder, &["check", "towers.toml", "--json"]);
     for part in ["structures", "pairs"] {
         // The scene's own record is the first of the folder.
@@ -104,9 +97,7 @@ fn limit_fields_have_one_name() {
         }
         let pair = &run["pairs"][0];
         let (quantity, value) = (&row[7], row[8].parse::<f64>().ok());
-        let nested = quantity
-            .split_once('_')
-            .filter(|(of, _)| pair[of].is_object());
+        let nested = quantity.split_once('_').filter(|(of, _)| pair[of].is_object());
         let field = nested.map_or(&pair[quantity], |(of, name)| &pair[of][name]);
         assert_eq!(field.as_f64(), value, "{quantity}");
         compared += 1;
@@ -125,10 +116,7 @@ fn reference_advice_as_json() {
         "file = \"record.csv\"",
     );
     fs::write(folder.join("towers.toml"), scene).expect("a file");
-    let advice = json(
-        &folder,
-        &["advise", "towers.toml", "--error", "1%", "--json"],
-    );
+    let advice = json(&folder, &["advise", "towers.toml", "--error", "1%", "--json"]);
     let text = pounding(&folder, &["advise", "towers.toml", "--error", "1%"]).stdout;
     let name = advice["use"]["name"].as_str().expect("a name");
     assert!(text.starts_with(&format!("Use       {name}")), "{text}");
@@ -142,10 +130,7 @@ fn reference_advice_as_json() {
 fn reference_laws_as_json() {
     let laws = json(Path::new("."), &["laws", "--json"]);
     let text = pounding(Path::new("."), &["laws"]).stdout;
-    let listed: Vec<&str> = text
-        .lines()
-        .filter_map(|line| line.strip_prefix("Law       "))
-        .collect();
+    let listed: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("Law       ")).collect();
     let all = laws["laws"].as_array().expect("a list");
     let found: Vec<&str> = all.iter().filter_map(|law| law["name"].as_str()).collect();
     assert_eq!(found, listed);

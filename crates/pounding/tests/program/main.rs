@@ -69,10 +69,7 @@ fn pounding(folder: &Path, arguments: &[&str]) -> Ended {
 
 /// Standard error without the lines that tell how far a sweep is: a machine that is slow enough prints some in any test.
 fn without_progress(stderr: &str) -> String {
-    let is_count = |word: &str| {
-        word.chars()
-            .all(|sign| sign.is_ascii_digit() || sign == ',')
-    };
+    let is_count = |word: &str| word.chars().all(|sign| sign.is_ascii_digit() || sign == ',');
     let is_progress = |line: &&str| {
         let mut words = line.split(' ');
         let [done, of, all, runs] = [(); 4].map(|()| words.next().unwrap_or_default());
@@ -90,9 +87,7 @@ fn reference_lines_of_progress() {
 
 /// An empty folder for one test. The program runs in it, so that no message holds a path of this machine.
 fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("program")
-        .join(test);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program").join(test);
     if folder.exists() {
         fs::remove_dir_all(&folder).expect("the folder of the last run can go");
     }
@@ -129,11 +124,7 @@ fn quiet(n_samples: usize) -> String {
 /// The message of a run that is refused: exit code 1, nothing on stdout, one line on stderr.
 fn refusal(ended: &Ended) -> String {
     assert_eq!(
-        (
-            ended.code,
-            ended.stdout.as_str(),
-            ended.stderr.lines().count()
-        ),
+        (ended.code, ended.stdout.as_str(), ended.stderr.lines().count()),
         (1, "", 1),
         "a refusal is one line on stderr and exit code 1: {}",
         ended.stderr

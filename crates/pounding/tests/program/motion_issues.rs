@@ -14,20 +14,11 @@ use crate::{folder, good_scene, pounding, refusal};
 fn issue_a_figure_is_drawn_through_many_periods() {
     let folder = folder("motion_smooth");
     fs::write(folder.join("record.csv"), waves("g")).expect("written");
-    let arguments = [
-        "spectrum",
-        "record.csv",
-        "--periods",
-        "0.3,0.1",
-        "--figure",
-        "a.svg",
-    ];
+    let arguments = ["spectrum", "record.csv", "--periods", "0.3,0.1", "--figure", "a.svg"];
     printed(&motion(&folder, &arguments));
     let svg = fs::read_to_string(folder.join("a.svg")).expect("written");
     let points = |line: &str| line.matches([' ', 'L']).count();
-    let most = svg
-        .split("d=\"")
-        .map(|path| points(path.split('"').next().unwrap_or_default()));
+    let most = svg.split("d=\"").map(|path| points(path.split('"').next().unwrap_or_default()));
     assert!(most.max() > Some(300), "a smooth curve");
 }
 
@@ -37,14 +28,7 @@ fn issue_more_values_than_anybody_waits_for_are_refused() {
     let folder = folder("motion_issues_many");
     fs::write(folder.join("record.csv"), crate::quiet(40)).expect("a disk");
     let ratios = ["0.05"; 11].join(",");
-    let many = [
-        "spectrum",
-        "record.csv",
-        "--count",
-        "100000",
-        "--damping",
-        &ratios,
-    ];
+    let many = ["spectrum", "record.csv", "--count", "100000", "--damping", &ratios];
     let said = motion(&folder, &many).stderr;
     assert!(
         said.contains("found 100000 periods times 11 damping ratios, allowed are up to 1000000"),
@@ -92,34 +76,16 @@ fn issue_a_component_that_is_not_there_is_refused_by_all() {
 #[test]
 fn issue_a_part_of_a_component_name_suffices() {
     let folder = folder_with("motion_part", &["csmip.v2"]);
-    let whole = json_of(&motion(
-        &folder,
-        &[
-            "info",
-            "csmip.v2",
-            "--component",
-            "Chan 1: 90 Deg",
-            "--json",
-        ],
-    ));
-    let part = json_of(&motion(
-        &folder,
-        &["info", "csmip.v2", "--component", "90 DEG", "--json"],
-    ));
+    let whole = json_of(&motion(&folder, &["info", "csmip.v2", "--component", "Chan 1: 90 Deg", "--json"]));
+    let part = json_of(&motion(&folder, &["info", "csmip.v2", "--component", "90 DEG", "--json"]));
     assert_eq!(whole, part);
     assert_eq!(part["motions"][0]["component"], "Chan 1: 90 Deg");
     let mut scene = good_scene();
     scene["record"] = json!({"file": "csmip.v2", "component": "90 deg"});
     fs::write(folder.join("scene.json"), scene.to_string()).expect("written");
     printed(&motion(&folder, &["convert", "scene.json", "out.csv"]));
-    assert_eq!(
-        provenance(&folder, "out")["from"]["component"],
-        "Chan 1: 90 Deg"
-    );
-    assert_eq!(
-        json!(record("out.csv", &folder).peak().1),
-        part["motions"][0]["peak_m_per_s2"]
-    );
+    assert_eq!(provenance(&folder, "out")["from"]["component"], "Chan 1: 90 Deg");
+    assert_eq!(json!(record("out.csv", &folder).peak().1), part["motions"][0]["peak_m_per_s2"]);
 }
 
 /// The exit code was 0 though a file that was named is refused.
@@ -187,10 +153,7 @@ fn issue_a_converted_csv_is_a_header_and_numbers() {
     assert_snapshot!(format!("{:#}", provenance(&folder, "out")));
     // What tells where a record comes from is none.
     let info = printed(&motion(&folder, &["info", "."])).to_string();
-    assert!(
-        info.contains("out.csv") && !info.contains("provenance"),
-        "{info}"
-    );
+    assert!(info.contains("out.csv") && !info.contains("provenance"), "{info}");
     assert_snapshot!(refusal(&motion(&folder, &["convert", "usgs.smc", "out.csv"])), @"error: out.csv: is there already, allowed is a new file; name another one or add --overwrite");
 }
 
@@ -206,14 +169,9 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
     let offset: String = (0..=1000).map(sample).collect();
     fs::write(folder.join("offset.txt"), offset).expect("written");
     let declared = ["--unit", "m_per_s2", "--time-step", "0.02"];
-    let info = |file: &str, options: &[&str]| {
-        printed(&motion(&folder, &[&["info", file], options].concat())).to_string()
-    };
+    let info = |file: &str, options: &[&str]| printed(&motion(&folder, &[&["info", file], options].concat())).to_string();
     let text = info("offset.txt", &declared);
-    let drift: Vec<&str> = text
-        .lines()
-        .skip_while(|line| !line.starts_with("Drift"))
-        .collect();
+    let drift: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("Drift")).collect();
     assert_snapshot!(drift.join("\n"), @r"
     Drift     0.3811 m/s on average over the last tenth, 95 % of PGV; the ground
               does not come to rest: an offset of the baseline, or a record cut
@@ -225,11 +183,7 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
               = 9.80665 m/s²; CAV without threshold; D: while the Arias intensity
               grows from 5 % to 75 % and to 95 %.
     ");
-    let arguments = [
-        &["convert", "offset.txt", "line.csv", "--detrend", "linear"],
-        &declared[..],
-    ]
-    .concat();
+    let arguments = [&["convert", "offset.txt", "line.csv", "--detrend", "linear"], &declared[..]].concat();
     printed(&motion(&folder, &arguments));
     assert!(!info("line.csv", &[]).contains("Drift"), "detrended");
     let mut scene = good_scene();
@@ -281,11 +235,7 @@ fn issue_a_folder_is_read_as_others_read_it() {
     for (index, name) in ["q_E.csv", "q_N.csv", "q_U.csv"].into_iter().enumerate() {
         let line = |step: usize| {
             let rate = 0.2 + 0.05 * index as f64;
-            format!(
-                "{},{}\n",
-                0.02 * step as f64,
-                0.1 * libm::sin(rate * step as f64)
-            )
+            format!("{},{}\n", 0.02 * step as f64, 0.1 * libm::sin(rate * step as f64))
         };
         let lines: String = (0..200).map(line).collect();
         write(name, &format!("time_s,acceleration_g\n{lines}"));

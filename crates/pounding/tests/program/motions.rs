@@ -151,27 +151,12 @@ fn limit_what_is_written_is_read_again_to_the_last_bit() {
             json_of(&motion(&folder, &arguments))["motions"][0].clone()
         };
         let component = options.contains(&"--component");
-        let (before, after) = (
-            info(file, if component { options } else { &[] }),
-            info("out.csv", &[]),
-        );
-        for name in [
-            "n_samples",
-            "time_step_s",
-            "peak_m_per_s2",
-            "cav_m_per_s",
-            "pgd_m",
-        ] {
+        let (before, after) = (info(file, if component { options } else { &[] }), info("out.csv", &[]));
+        for name in ["n_samples", "time_step_s", "peak_m_per_s2", "cav_m_per_s", "pgd_m"] {
             assert_eq!(before[name], after[name], "{file} {options:?}: {name}");
         }
-        if Path::new(file)
-            .extension()
-            .is_some_and(|ending| ending == "csv")
-        {
-            assert_eq!(
-                bits(&record(file, &folder)),
-                bits(&record("out.csv", &folder))
-            );
+        if Path::new(file).extension().is_some_and(|ending| ending == "csv") {
+            assert_eq!(bits(&record(file, &folder)), bits(&record("out.csv", &folder)));
         }
     }
 }
@@ -181,10 +166,7 @@ fn limit_what_is_written_is_read_again_to_the_last_bit() {
 fn limit_written_in_g_is_as_near_as_numbers_are() {
     let folder = folder("motion_in_g");
     fs::write(folder.join("si.csv"), waves("m_per_s2")).expect("written");
-    printed(&motion(
-        &folder,
-        &["convert", "si.csv", "g.csv", "--to", "g"],
-    ));
+    printed(&motion(&folder, &["convert", "si.csv", "g.csv", "--to", "g"]));
     let text = fs::read(folder.join("g.csv")).expect("written");
     let file = read(&text).expect("it is read");
     assert_eq!(file.unit(), AccelerationUnit::StandardGravity);
@@ -216,10 +198,7 @@ fn limit_processing_is_that_of_a_scene() {
     assert_eq!(bits(&of_scene), bits(&of_file));
     let said = provenance(&folder, "file");
     assert_snapshot!(format!("{said:#}"));
-    assert_eq!(
-        said["processing"],
-        provenance(&folder, "scene")["processing"]
-    );
+    assert_eq!(said["processing"], provenance(&folder, "scene")["processing"]);
     // Sa of the scaled one times 1.5.
     let spectrum = ["spectrum", "file.csv", "--periods", "0.5,0", "--json"];
     let values = json_of(&motion(&folder, &spectrum))["spectra"][0]["values"].clone();
@@ -227,10 +206,7 @@ fn limit_processing_is_that_of_a_scene() {
     let wanted = 1.5 * 0.3 * GRAVITY;
     assert!((sa - wanted).abs() < 1e-12 * wanted, "{sa} is {wanted}");
     // A structure of period 0 moves with the ground.
-    assert_eq!(
-        values[1]["sa_m_per_s2"].as_f64(),
-        Some(of_file.peak().1.abs())
-    );
+    assert_eq!(values[1]["sa_m_per_s2"].as_f64(), Some(of_file.peak().1.abs()));
 }
 
 #[test]
@@ -248,25 +224,10 @@ fn extreme_conversions_that_are_refused() {
         refused(&["record.csv", "record.csv"]),
         refused(&["record.csv", "out.csv", "--band-pass", "5", "1"]),
         refused(&["record.csv", "out.csv", "--band-pass", "1", "80"]),
-        refused(&[
-            "record.csv",
-            "out.csv",
-            "--band-pass",
-            "1",
-            "8",
-            "--order",
-            "11",
-        ]),
+        refused(&["record.csv", "out.csv", "--band-pass", "1", "8", "--order", "11"]),
         refused(&["record.csv", "out.csv", "--resample", "1e-12"]),
         refused(&["record.csv", "out.csv", "--scale-to-sa", "1", "2", "0.3"]),
-        refused(&[
-            "record.csv",
-            "out.csv",
-            "--scale-to-sa",
-            "100%",
-            "5%",
-            "0.3",
-        ]),
+        refused(&["record.csv", "out.csv", "--scale-to-sa", "100%", "5%", "0.3"]),
         refused(&["record.csv", "out.csv", "--scale-to-sa", "1", "5%", "30%"]),
         refused(&["record.csv", "out.csv", "--scale-to-sa", "1", "much", "0.3"]),
         refused(&["record.csv", "out.csv", "--scale-to-sa", "1", "5%", "0"]),
@@ -284,14 +245,7 @@ fn extreme_conversions_that_are_refused() {
 fn reference_spectrum() {
     let folder = folder("motion_spectrum");
     fs::write(folder.join("record.csv"), waves("g")).expect("written");
-    let arguments = [
-        "spectrum",
-        "record.csv",
-        "--count",
-        "4",
-        "--damping",
-        "2%,0.05",
-    ];
+    let arguments = ["spectrum", "record.csv", "--count", "4", "--damping", "2%,0.05"];
     assert_snapshot!(printed(&motion(&folder, &arguments)));
     let ended = motion(&folder, &[&arguments[..], &["--csv"]].concat());
     assert_snapshot!("spectrum_csv", ended.stdout);
@@ -310,21 +264,11 @@ fn reference_figures_of_spectra() {
     assert!(png.starts_with(b"\x89PNG\r\n"), "a PNG");
     printed(&draw("a.svg"));
     let svg = fs::read_to_string(folder.join("a.svg")).expect("written");
-    assert!(
-        svg.starts_with("<svg") && !svg.contains("<text"),
-        "letters are outlines"
-    );
+    assert!(svg.starts_with("<svg") && !svg.contains("<text"), "letters are outlines");
     assert_snapshot!(refusal(&draw("a.png")), @"error: a.png: is there already, allowed is a new file; name another one or add --overwrite");
     assert_eq!(draw("a.jpg").code, 2);
     // Periods of a table without any of its own: those of the options.
-    let arguments = [
-        "spectrum",
-        "record.csv",
-        "--periods",
-        "0",
-        "--figure",
-        "b.png",
-    ];
+    let arguments = ["spectrum", "record.csv", "--periods", "0", "--figure", "b.png"];
     printed(&motion(&folder, &arguments));
     assert!(folder.join("b.png").exists(), "drawn");
 }

@@ -15,32 +15,17 @@ fn issue_scenes_of_one_name_are_told_by_their_files() {
     let wide = TOWERS.replace("gap_m = 0.01", "gap_m = 0.1");
     fs::write(folder.join("wide.toml"), wide).expect("a file");
     let heading = |files: &[&str]| {
-        let text = pounding(
-            &folder,
-            &[&["compare", "--no-error", "--all"], files].concat(),
-        );
+        let text = pounding(&folder, &[&["compare", "--no-error", "--all"], files].concat());
         let mut lines = printed(&text).lines().map(String::from);
-        let lines = lines
-            .by_ref()
-            .take_while(|line| !line.starts_with("Record"));
+        let lines = lines.by_ref().take_while(|line| !line.starts_with("Record"));
         let words = lines.collect::<Vec<_>>().join(" ");
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert_eq!(
-        heading(&["towers.toml", "wide.toml"]),
-        "Scene towers.toml wide.toml"
-    );
+    assert_eq!(heading(&["towers.toml", "wide.toml"]), "Scene towers.toml wide.toml");
     fs::create_dir_all(folder.join("b/records")).expect("a folder");
-    fs::copy(
-        folder.join("records/column.txt"),
-        folder.join("b/records/column.txt"),
-    )
-    .expect("a file");
+    fs::copy(folder.join("records/column.txt"), folder.join("b/records/column.txt")).expect("a file");
     fs::write(folder.join("b/towers.toml"), TOWERS).expect("a file");
-    assert_eq!(
-        heading(&["towers.toml", "b/towers.toml"]),
-        "Scene towers.toml b/towers.toml"
-    );
+    assert_eq!(heading(&["towers.toml", "b/towers.toml"]), "Scene towers.toml b/towers.toml");
     let json = pounding(&folder, &["compare", "towers.toml", "wide.toml", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
     assert_eq!(json["files"][1], "wide.toml");
@@ -56,20 +41,12 @@ fn issue_long_names_are_whole() {
         .replace("\"left\"", &format!("\"{long}\""));
     fs::write(folder.join("long.toml"), scene).expect("a file");
     let text = pounding(&folder, &["run", "long.toml", "--details"]);
-    assert!(
-        printed(&text).lines().any(|line| line == long),
-        "{}",
-        text.stdout
-    );
+    assert!(printed(&text).lines().any(|line| line == long), "{}", text.stdout);
     let text = pounding(&folder, &["compare", "long.toml", "towers.toml", "--all"]);
     let letters = |text: &str| text.split_whitespace().collect::<String>();
-    let column = printed(&text)
-        .lines()
-        .take_while(|line| !line.starts_with("Record"));
+    let column = printed(&text).lines().take_while(|line| !line.starts_with("Record"));
     // The first column of cells, without the names of the rows before and the other scene behind.
-    let cells: String = column
-        .map(|line| line[10..].replace("towers", ""))
-        .collect();
+    let cells: String = column.map(|line| line[10..].replace("towers", "")).collect();
     assert_eq!(letters(&cells).trim_start_matches("Scene"), letters(long));
 }
 
@@ -104,17 +81,12 @@ fn issue_a_duration_too_long_is_named() {
 fn issue_advice_is_in_the_words_of_the_file() {
     let folder = suite("names_advice");
     let advice = pounding(&folder, &["advise", "towers.toml", "--error", "5%"]);
-    let lines = printed(&advice)
-        .lines()
-        .skip_while(|line| !line.starts_with("  [method"));
+    let lines = printed(&advice).lines().skip_while(|line| !line.starts_with("  [method"));
     let snippet: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
     let pasted = format!("{TOWERS}\n{}\n", snippet.join("\n"));
     fs::write(folder.join("pasted.toml"), pasted).expect("a file");
     let ran = pounding(&folder, &["run", "pasted.toml", "--details"]);
-    let name = snippet[0]
-        .trim()
-        .trim_start_matches("[method.")
-        .trim_end_matches(']');
+    let name = snippet[0].trim().trim_start_matches("[method.").trim_end_matches(']');
     let method = format!("Method    {}", name.replace('_', " "));
     assert!(printed(&ran).contains(&method), "{method}\n{}", ran.stdout);
 }

@@ -25,10 +25,7 @@ fn reference_plan_of_the_example() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     assert_snapshot!(printed(&pounding(here, &["check", EXAMPLE])));
     let wall = "../../studies/examples/wall-and-neighbour.json";
-    assert_snapshot!(
-        "plan_with_a_wall",
-        printed(&pounding(here, &["check", wall]))
-    );
+    assert_snapshot!("plan_with_a_wall", printed(&pounding(here, &["check", wall])));
 }
 
 #[test]

@@ -40,9 +40,7 @@ fn issue_no_command_writes_over_what_it_reads() {
     fs::write(folder.join("towers.toml"), springs()).expect("a disk");
     let ran = pounding(&folder, &["run", "towers.toml", "--out", "own"]);
     assert_eq!(ran.code, 0, "{}", ran.stderr);
-    let mut summary: Value =
-        serde_json::from_slice(&fs::read(folder.join("own/summary.json")).expect("a file"))
-            .expect("JSON");
+    let mut summary: Value = serde_json::from_slice(&fs::read(folder.join("own/summary.json")).expect("a file")).expect("JSON");
     let mut scene = summary["scene"].take();
     scene["record"]["file"] = json!("../records/column.txt");
     fs::write(folder.join("own/summary.json"), scene.to_string()).expect("a disk");
@@ -50,23 +48,11 @@ fn issue_no_command_writes_over_what_it_reads() {
     fs::write(folder.join("gaps.json"), gaps.to_string()).expect("a disk");
     let mut accurate = gaps;
     accurate["scene"] = json!("accurate.toml");
-    fs::write(
-        folder.join("accurate.toml"),
-        format!("method.accuracy = 0.05\n{TOWERS}"),
-    )
-    .expect("a disk");
+    fs::write(folder.join("accurate.toml"), format!("method.accuracy = 0.05\n{TOWERS}")).expect("a disk");
     fs::write(folder.join("accurate.json"), accurate.to_string()).expect("a disk");
-    fs::hard_link(
-        folder.join("accurate.toml"),
-        folder.join("runs.accuracy.csv"),
-    )
-    .expect("a disk");
+    fs::hard_link(folder.join("accurate.toml"), folder.join("runs.accuracy.csv")).expect("a disk");
     fs::hard_link(folder.join("records/pulse.csv"), folder.join("other.csv")).expect("a disk");
-    fs::hard_link(
-        folder.join("records/pulse.csv"),
-        folder.join("records/runs.csv"),
-    )
-    .expect("a disk");
+    fs::hard_link(folder.join("records/pulse.csv"), folder.join("records/runs.csv")).expect("a disk");
     let before = contents(&folder);
     for command in [
         "run own/summary.json --out own",
@@ -85,11 +71,7 @@ fn issue_no_command_writes_over_what_it_reads() {
     ] {
         let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
         assert_eq!(ended.code, 1, "{command}: {}", ended.stdout);
-        assert!(
-            ended.stderr.contains("is the file that is read"),
-            "{command}: {}",
-            ended.stderr
-        );
+        assert!(ended.stderr.contains("is the file that is read"), "{command}: {}", ended.stderr);
         assert!(contents(&folder) == before, "{command} changed something");
     }
 }
@@ -120,28 +102,17 @@ fn issue_two_sweeps_on_one_table_do_not_mix() {
                 .expect("it starts")
         });
         let ended = both.map(|child| child.wait_with_output().expect("it ends"));
-        let said = ended
-            .each_ref()
-            .map(|one| String::from_utf8_lossy(&one.stderr).into_owned());
-        let winners: Vec<usize> = (0..2)
-            .filter(|index| ended[*index].status.success())
-            .collect();
+        let said = ended.each_ref().map(|one| String::from_utf8_lossy(&one.stderr).into_owned());
+        let winners: Vec<usize> = (0..2).filter(|index| ended[*index].status.success()).collect();
         assert_eq!(winners.len(), 1, "{said:?}");
         let table = fs::read(folder.join("both.csv")).expect("a table");
         assert!(table == wanted[winners[0]], "round {round}: rows are mixed");
         let loser = &said[1 - winners[0]];
-        assert!(
-            loser.contains("at work on it") || loser.contains("is there already"),
-            "{loser}"
-        );
+        assert!(loser.contains("at work on it") || loser.contains("is there already"), "{loser}");
         // The loser began parts anew beside the table that it had found finished.
         for left in [".both.csv.lock", ".both.csv.joined.json", "both.csv.parts"] {
             let left = folder.join(left);
-            assert!(
-                !left.exists(),
-                "round {round}: {} is left, {loser}",
-                left.display()
-            );
+            assert!(!left.exists(), "round {round}: {} is left, {loser}", left.display());
         }
     }
 }
@@ -159,17 +130,8 @@ fn issue_a_rerun_after_a_kill_in_the_clean_up_is_done() {
     assert_eq!(pounding(&folder, &["merge", "runs.csv"]).code, 0);
     let table = fs::read(folder.join("runs.csv")).expect("a table");
     let again = pounding(&folder, &arguments);
-    assert_eq!(
-        (again.code, again.stderr.as_str()),
-        (0, ""),
-        "{}",
-        again.stdout
-    );
-    assert!(
-        again.stdout.contains("was finished already"),
-        "{}",
-        again.stdout
-    );
+    assert_eq!((again.code, again.stderr.as_str()), (0, ""), "{}", again.stdout);
+    assert!(again.stdout.contains("was finished already"), "{}", again.stdout);
     assert!(!folder.join("runs.csv.parts").exists());
     assert_eq!(fs::read(folder.join("runs.csv")).expect("a table"), table);
 }
@@ -218,22 +180,14 @@ fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
 #[test]
 fn issue_a_sweep_without_a_result_is_a_failure() {
     let mut words = sweep(4);
-    words["scene"]["contacts"][0]["law"] =
-        json!({"kelvin_voigt": {"impact_stiffness_n_per_m": 9e7, "impact_damping_ratio": 1e12}});
+    words["scene"]["contacts"][0]["law"] = json!({"kelvin_voigt": {"impact_stiffness_n_per_m": 9e7, "impact_damping_ratio": 1e12}});
     words["scene"]["method"] = json!({"exact": {}});
     words["scene"]["budget"] = json!({"pieces": 5000});
     let folder = with_sweep("promises_failed", &words);
     let ended = pounding(&folder, &["sweep", "sweep.json", "--out", "runs.csv"]);
     assert_eq!(ended.code, 1, "{}", ended.stdout);
-    assert_eq!(
-        ended.stderr,
-        "error: all 4 runs failed: the last column says why\n"
-    );
-    assert!(
-        ended.stdout.contains("4 rows, 4 failed"),
-        "{}",
-        ended.stdout
-    );
+    assert_eq!(ended.stderr, "error: all 4 runs failed: the last column says why\n");
+    assert!(ended.stdout.contains("4 rows, 4 failed"), "{}", ended.stdout);
     assert!(folder.join("runs.csv").exists());
 }
 
@@ -246,10 +200,7 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
     for (name, old) in [("c.csv", "old"), ("check.py", "old")] {
         fs::write(folder.join(name), old).expect("a disk");
     }
-    assert_eq!(
-        pounding(&folder, &["run", "towers.toml", "--out", "out"]).code,
-        0
-    );
+    assert_eq!(pounding(&folder, &["run", "towers.toml", "--out", "out"]).code, 0);
     let before = contents(&folder);
     let program = assert_cmd::cargo::cargo_bin!("pounding").display();
     for command in [
@@ -260,10 +211,7 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
     ] {
         // No file may be longer than one block. The signal of that ended the program without a word.
         let script = format!("ulimit -f 1; exec {program} {command}");
-        let ended = Command::new("sh")
-            .args(["-c", &script])
-            .current_dir(&folder)
-            .output();
+        let ended = Command::new("sh").args(["-c", &script]).current_dir(&folder).output();
         let ended = ended.expect("a shell");
         let said = String::from_utf8_lossy(&ended.stderr);
         assert_eq!(ended.status.code(), Some(1), "{command}: {said}");
@@ -277,10 +225,7 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
 #[test]
 fn issue_a_full_standard_error_is_no_panic() {
     let folder = folder("promises_stderr");
-    let full = fs::File::options()
-        .write(true)
-        .open("/dev/full")
-        .expect("Linux has it");
+    let full = fs::File::options().write(true).open("/dev/full").expect("Linux has it");
     let status = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
         .args(["run", "nowhere.toml"])
         .current_dir(&folder)
@@ -327,27 +272,11 @@ fn issue_what_is_no_record_is_not_repeated() {
     let folder = suite("promises_secret");
     let secret = "root:x:0:0:root:/root";
     fs::write(folder.join("passwd"), secret).expect("a disk");
-    fs::write(
-        folder.join("scene.toml"),
-        TOWERS.replace("records/column.txt", "passwd"),
-    )
-    .expect("a disk");
-    for command in [
-        "motion info passwd",
-        "run scene.toml",
-        "run passwd",
-        "init a.toml --record passwd",
-    ] {
-        let Ended {
-            code,
-            stdout,
-            stderr,
-        } = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
+    fs::write(folder.join("scene.toml"), TOWERS.replace("records/column.txt", "passwd")).expect("a disk");
+    for command in ["motion info passwd", "run scene.toml", "run passwd", "init a.toml --record passwd"] {
+        let Ended { code, stdout, stderr } = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
         assert_eq!(code, 1, "{command}");
-        assert!(
-            !stdout.contains("root") && !stderr.contains("root"),
-            "{command}: {stderr}"
-        );
+        assert!(!stdout.contains("root") && !stderr.contains("root"), "{command}: {stderr}");
     }
 }
 
@@ -365,21 +294,12 @@ fn issue_a_terminated_run_keeps_what_is_finished() {
         .replace("duration_s = 3.0\n", "budget = { pieces = 1e30 }\n");
     fs::write(folder.join("scene.toml"), endless).expect("a disk");
     for signal in ["-TERM", "-HUP"] {
-        let arguments = [
-            "run",
-            "scene.toml",
-            "--records",
-            "records",
-            "--out",
-            "out",
-            "--no-error",
-        ];
+        let arguments = ["run", "scene.toml", "--records", "records", "--out", "out", "--no-error"];
         let ended = crate::budgets::interrupted(&folder, signal, &arguments, || true);
         let said = String::from_utf8_lossy(&ended.stderr);
         assert_eq!(ended.status.code(), Some(1), "{said}");
         assert!(said.contains("stopped: of "), "{said}");
-        let table =
-            fs::read_to_string(folder.join("out/runs.csv")).expect("what is finished is written");
+        let table = fs::read_to_string(folder.join("out/runs.csv")).expect("what is finished is written");
         assert!(table.contains("aa.txt"), "{table}");
         fs::remove_dir_all(folder.join("out")).expect("a disk");
     }
@@ -389,32 +309,16 @@ fn issue_a_terminated_run_keeps_what_is_finished() {
 #[test]
 fn issue_refusals_are_json_where_it_is_asked_for() {
     let folder = suite("promises_json");
-    fs::write(
-        folder.join("scene.toml"),
-        TOWERS.replace("gap_m = 0.01", "gap_m = -0.01"),
-    )
-    .expect("a disk");
+    fs::write(folder.join("scene.toml"), TOWERS.replace("gap_m = 0.01", "gap_m = -0.01")).expect("a disk");
     let ended = pounding(&folder, &["run", "scene.toml", "--json"]);
     assert_eq!((ended.code, ended.stdout.as_str()), (1, ""));
     let said: Value = serde_json::from_str(&ended.stderr).expect("JSON");
     let error = said["error"].as_object().expect("a table");
     assert!(
-        error["place"]
-            .as_str()
-            .is_some_and(|place| place.starts_with("scene.toml, line")),
+        error["place"].as_str().is_some_and(|place| place.starts_with("scene.toml, line")),
         "{said}"
     );
     assert_eq!(error["found"], "-0.01", "{said}");
-    assert!(
-        error["allowed"]
-            .as_str()
-            .is_some_and(|allowed| allowed.contains('0')),
-        "{said}"
-    );
-    assert!(
-        error["message"]
-            .as_str()
-            .is_some_and(|message| message.contains("gap_m")),
-        "{said}"
-    );
+    assert!(error["allowed"].as_str().is_some_and(|allowed| allowed.contains('0')), "{said}");
+    assert!(error["message"].as_str().is_some_and(|message| message.contains("gap_m")), "{said}");
 }

@@ -140,11 +140,9 @@ fn issue_a_component_may_be_a_number() {
     assert!(by_number["record"]["peak_m_per_s2"].is_number());
     // A row moves sideways: whoever names a vertical component is told.
     let unusual = by_number["unusual"].as_array().expect("a list");
-    let said = unusual.iter().find(|one| {
-        one["found"]
-            .as_str()
-            .is_some_and(|found| found.contains("vertical"))
-    });
+    let said = unusual
+        .iter()
+        .find(|one| one["found"].as_str().is_some_and(|found| found.contains("vertical")));
     assert_eq!(said.expect("a doubt")["place"], "record");
 }
 
@@ -155,15 +153,9 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
     let pounding = |arguments: &[&str]| pounding(&folder, arguments);
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    write(
-        "fast.csv",
-        "time_s,acceleration_g\n0.0,0.1\n0.5,-60\n1.0,0.2\n",
-    );
+    write("fast.csv", "time_s,acceleration_g\n0.0,0.1\n0.5,-60\n1.0,0.2\n");
     let said = words(&pounding(&["motion", "info", "fast.csv"]).stdout);
-    let [step, peak] = [
-        "a time step of 0.5 s in the file",
-        "a peak of 60.0 g in the file",
-    ];
+    let [step, peak] = ["a time step of 0.5 s in the file", "a peak of 60.0 g in the file"];
     assert!(said.contains(step) && said.contains(peak), "{said}");
     let mut scene = good_scene();
     scene["record"] = json!({"file": "fast.csv"});
@@ -176,15 +168,7 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
 
     let velocity = "# time (s) N-S (cm/s) E-W (cm/s) U-D (cm/s)\n0.0 1.0 2.0 3.0\n0.01 -1.0 -2.0 -3.0\n0.02 1.0 2.0 3.0\n";
     write("velocity.bbp", velocity);
-    let asked = [
-        "motion",
-        "info",
-        "velocity.bbp",
-        "--component",
-        "1",
-        "--unit",
-        "cm_per_s2",
-    ];
+    let asked = ["motion", "info", "velocity.bbp", "--component", "1", "--unit", "cm_per_s2"];
     let refused = refusal(&pounding(&asked));
     assert!(refused.contains("declare --acceleration if"), "{refused}");
     let turned = words(&pounding(&[&asked[..], &["--acceleration"]].concat()).stdout);
@@ -192,10 +176,7 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     scene["record"] = json!({"file": "velocity.bbp", "component": 1, "unit": "cm_per_s2"});
     write("scene.json", &scene.to_string());
     let refused = refusal(&pounding(&["check", "scene.json"]));
-    assert!(
-        refused.contains("declare `record.acceleration` as true if"),
-        "{refused}"
-    );
+    assert!(refused.contains("declare `record.acceleration` as true if"), "{refused}");
     scene["record"]["acceleration"] = json!(true);
     write("scene.json", &scene.to_string());
     assert_eq!(pounding(&["check", "scene.json"]).code, 0);
@@ -208,9 +189,7 @@ fn under(text: &str, heading: &str) -> String {
     let first = lines.next().unwrap_or_default();
     // What follows is indented, also where no blank line parts paragraphs.
     let others = lines.take_while(|line| line.starts_with(' '));
-    let words = std::iter::once(first)
-        .chain(others)
-        .flat_map(str::split_whitespace);
+    let words = std::iter::once(first).chain(others).flat_map(str::split_whitespace);
     words.collect::<Vec<_>>().join(" ")
 }
 
@@ -221,8 +200,7 @@ fn issue_directions_that_nothing_tells_are_said() {
     for (name, direction) in [("A-ELC180.AT2", ", 180"), ("A-ELC-1.AT2", ", 1 Up")] {
         fs::write(folder.join("records").join(name), suites::at2(direction)).expect("a file");
     }
-    let sweep =
-        "scene = \"towers.toml\"\nrecords = \"records\"\noutputs.pairs = [\"collisions\"]\n";
+    let sweep = "scene = \"towers.toml\"\nrecords = \"records\"\noutputs.pairs = [\"collisions\"]\n";
     fs::write(folder.join("sweep.toml"), sweep).expect("a file");
     let said = |arguments: &[&str]| {
         let text = printed(&pounding(&folder, arguments)).to_string();
@@ -241,28 +219,14 @@ fn issue_directions_that_nothing_tells_are_said() {
     );
     assert!(gap.contains("spectra.V3"), "{gap}");
     // All leave out the same, and say so alike.
-    assert_eq!(
-        said(&["run", "towers.toml", "--records", "records", "--no-error"]),
-        gap
-    );
+    assert_eq!(said(&["run", "towers.toml", "--records", "records", "--no-error"]), gap);
     assert_eq!(said(&["sweep", "sweep.toml"]), gap);
     let info = pounding(
         &folder,
-        &[
-            "motion",
-            "info",
-            "records",
-            "--unit",
-            "cm_per_s2",
-            "--time-step",
-            "0.02",
-        ],
+        &["motion", "info", "records", "--unit", "cm_per_s2", "--time-step", "0.02"],
     );
     assert_eq!(under(printed(&info), "Records"), gap);
-    let json = pounding(
-        &folder,
-        &["gap", "towers.toml", "--records", "records", "--json"],
-    );
+    let json = pounding(&folder, &["gap", "towers.toml", "--records", "records", "--json"]);
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let motions = json["motions"].as_array().expect("a list");
     let shaken = motions.iter().filter(|one| one.get("refused").is_none());
@@ -279,28 +243,15 @@ fn issue_the_worst_of_all_records_is_named() {
     for (name, offset) in [("mild.csv", 0.06), ("worst.csv", 2.0)] {
         let row = |step: usize| {
             let time = 0.02 * step as f64;
-            format!(
-                "{time:.2},{:.5}\n",
-                2.0 * libm::sin(5.0 * time + offset) + offset
-            )
+            format!("{time:.2},{:.5}\n", 2.0 * libm::sin(5.0 * time + offset) + offset)
         };
         let rows: String = (0..300).map(row).collect();
-        fs::write(
-            folder.join("records").join(name),
-            format!("time_s,acceleration_m_per_s2\n{rows}"),
-        )
-        .expect("a file");
+        fs::write(folder.join("records").join(name), format!("time_s,acceleration_m_per_s2\n{rows}")).expect("a file");
     }
     for command in ["gap", "run"] {
         let ended = pounding(&folder, &[command, "towers.toml", "--records", "records"]);
-        let said = printed(&ended)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ");
-        assert!(
-            said.contains("farthest off worst.csv: found a ground that"),
-            "{said}"
-        );
+        let said = printed(&ended).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains("farthest off worst.csv: found a ground that"), "{said}");
         assert!(!said.contains("missing here"), "{said}");
     }
     let cut = suites::at2(", 90");
@@ -309,10 +260,7 @@ fn issue_the_worst_of_all_records_is_named() {
     for command in ["gap", "run"] {
         let ended = pounding(&folder, &[command, "towers.toml", "--records", "records"]);
         let said = printed(&ended);
-        assert!(
-            said.contains("1 record of the folder is missing here"),
-            "{said}"
-        );
+        assert!(said.contains("1 record of the folder is missing here"), "{said}");
     }
 }
 
@@ -330,32 +278,18 @@ fn issue_a_kind_is_one_line_and_a_roof_is_no_ground() {
         fs::write(folder.join("records").join(name), text).expect("a file");
     }
     let ended = pounding(&folder, &["gap", "towers.toml", "--records", "records"]);
-    let said = printed(&ended)
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let said = printed(&ended).split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(said.matches("that never change sign").count(), 1, "{said}");
     let header = "Time (s),NS1 (gal),NS2 (gal)\n";
     let row = |step: usize| {
         let wave = libm::sin(0.1 * step as f64);
-        format!(
-            "{:.2},{:.3},{:.3}\n",
-            0.02 * step as f64,
-            90.0 * wave,
-            99.0 * wave
-        )
+        format!("{:.2},{:.3},{:.3}\n", 0.02 * step as f64, 90.0 * wave, 99.0 * wave)
     };
     let rows = (0..300).map(row);
-    fs::write(
-        folder.join("records/deep.csv"),
-        header.to_owned() + &rows.collect::<String>(),
-    )
-    .expect("a file");
+    fs::write(folder.join("records/deep.csv"), header.to_owned() + &rows.collect::<String>()).expect("a file");
     let scene = |component: &str| {
-        let record =
-            format!("record = {{ file = \"records/deep.csv\", component = \"{component}\" }}");
-        let old =
-            "record = { file = \"records/column.txt\", unit = \"cm_per_s2\", time_step_s = 0.02 }";
+        let record = format!("record = {{ file = \"records/deep.csv\", component = \"{component}\" }}");
+        let old = "record = { file = \"records/column.txt\", unit = \"cm_per_s2\", time_step_s = 0.02 }";
         assert!(suites::TOWERS.contains(old));
         let text = suites::TOWERS.replace(old, &record);
         fs::write(folder.join("deep.toml"), text).expect("a file");

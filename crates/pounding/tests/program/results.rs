@@ -21,8 +21,7 @@ pub(crate) fn meeting() -> Value {
     let mut scene = good_scene();
     scene["name"] = json!("meeting");
     scene["structures"] = json!([free("one", 1000.0, 2.0), free("other", 3000.0, 0.0)]);
-    scene["contacts"] =
-        json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
+    scene["contacts"] = json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
     scene["method"] = json!({"newmark": {"time_step_s": 0.01, "beta": 0.25, "gamma": 0.5}});
     scene["duration_s"] = json!(0.5);
     scene
@@ -55,9 +54,7 @@ pub(crate) fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         let name = path.file_name().expect("a name").to_string_lossy().into();
         (name, fs::read(&path).expect("a file"))
     };
-    entries
-        .map(|entry| file(entry.expect("an entry").path()))
-        .collect()
+    entries.map(|entry| file(entry.expect("an entry").path())).collect()
 }
 
 pub(crate) fn text(path: PathBuf) -> String {
@@ -68,19 +65,11 @@ pub(crate) fn text(path: PathBuf) -> String {
 fn columns(path: PathBuf) -> BTreeMap<String, Vec<Option<f64>>> {
     let text = text(path);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let names: Vec<String> = reader
-        .headers()
-        .expect("a header")
-        .iter()
-        .map(String::from)
-        .collect();
+    let names: Vec<String> = reader.headers().expect("a header").iter().map(String::from).collect();
     let mut columns: BTreeMap<String, Vec<Option<f64>>> = BTreeMap::new();
     for row in reader.records() {
         for (name, cell) in names.iter().zip(&row.expect("a row as long as the header")) {
-            columns
-                .entry(name.clone())
-                .or_default()
-                .push(cell.parse().ok());
+            columns.entry(name.clone()).or_default().push(cell.parse().ok());
         }
     }
     columns
@@ -136,34 +125,25 @@ time_s,ground_acceleration_m_per_s2,one_displacement_m,one_velocity_m_per_s,one_
 fn reference_histories_are_those_of_the_summary() {
     let out = results("histories", &meeting());
     let history = columns(out.join("history.csv"));
-    let summary: Summary =
-        serde_json::from_str(&text(out.join("summary.json"))).expect("a summary");
+    let summary: Summary = serde_json::from_str(&text(out.join("summary.json"))).expect("a summary");
     let time = numbers(&history, "time_s");
     assert_eq!((time.len(), time[50]), (51, 0.5), "every step to the end");
     for structure in &summary.structures {
         let displacements = numbers(&history, &format!("{}_displacement_m", structure.name));
-        let peak = displacements.iter().copied().fold(0.0, |most: f64, next| {
-            if next.abs() > most.abs() { next } else { most }
-        });
-        let wanted = structure
-            .peak_displacement_m
-            .expect("a structure has a peak");
-        assert!(
-            (peak - wanted).abs() < 1e-6 * wanted.abs(),
-            "{peak} {wanted}"
-        );
+        let peak = displacements
+            .iter()
+            .copied()
+            .fold(0.0, |most: f64, next| if next.abs() > most.abs() { next } else { most });
+        let wanted = structure.peak_displacement_m.expect("a structure has a peak");
+        assert!((peak - wanted).abs() < 1e-6 * wanted.abs(), "{peak} {wanted}");
     }
-    let [left, right] =
-        ["one", "other"].map(|name| numbers(&history, &format!("{name}_displacement_m")));
+    let [left, right] = ["one", "other"].map(|name| numbers(&history, &format!("{name}_displacement_m")));
     let gaps = numbers(&history, "one_other_gap_m");
     for (row, gap) in gaps.iter().enumerate() {
         let wanted = 0.125 + right[row] - left[row];
         assert!((gap - wanted).abs() < 1e-6, "row {row}: {gap} {wanted}");
     }
-    assert!(
-        !history.contains_key("one_other_pounding_force_n"),
-        "an impulse has no force"
-    );
+    assert!(!history.contains_key("one_other_pounding_force_n"), "an impulse has no force");
 }
 
 /// The example with its record beside it under a name of its own.
@@ -182,22 +162,14 @@ fn reference_forces_of_a_compliant_pair() {
     let forces = numbers(&history, "weak_stiff_pounding_force_n");
     let largest = forces.iter().copied().fold(0.0, f64::max);
     let impacts = columns(out.join("impacts.csv"));
-    let peaks = numbers(&impacts, "peak_force_n")
-        .into_iter()
-        .fold(0.0, f64::max);
+    let peaks = numbers(&impacts, "peak_force_n").into_iter().fold(0.0, f64::max);
     assert!((largest - peaks).abs() < 1e-6 * peaks, "{largest} {peaks}");
     let durations = numbers(&impacts, "duration_s");
     let (starts, ends) = (numbers(&impacts, "start_s"), numbers(&impacts, "end_s"));
     for (row, duration) in durations.iter().enumerate() {
-        assert!(
-            (ends[row] - starts[row] - duration).abs() < 1e-12,
-            "row {row}"
-        );
+        assert!((ends[row] - starts[row] - duration).abs() < 1e-12, "row {row}");
     }
-    assert!(
-        impacts["start_uncertainty_s"].iter().all(Option::is_none),
-        "a step knows none"
-    );
+    assert!(impacts["start_uncertainty_s"].iter().all(Option::is_none), "a step knows none");
 }
 
 #[test]
@@ -209,14 +181,10 @@ fn reference_rest_and_chatter_of_the_exact_method() {
     scene["method"] = json!({"exact": {}});
     scene["duration_s"] = json!(6.0);
     let out = results("chatter", &scene);
-    let summary: Summary =
-        serde_json::from_str(&text(out.join("summary.json"))).expect("a summary");
+    let summary: Summary = serde_json::from_str(&text(out.join("summary.json"))).expect("a summary");
     let impacts = columns(out.join("impacts.csv"));
     let pairs = text(out.join("impacts.csv"));
-    let pairs: Vec<&str> = pairs
-        .lines()
-        .filter_map(|line| line.split(',').next())
-        .collect();
+    let pairs: Vec<&str> = pairs.lines().filter_map(|line| line.split(',').next()).collect();
     for (index, pair) in summary.pairs.iter().enumerate() {
         let wanted = index.to_string();
         let of_pair = pairs.iter().filter(|found| **found == wanted).count();
@@ -224,19 +192,10 @@ fn reference_rest_and_chatter_of_the_exact_method() {
         assert!(pair.least_opening_m <= 0.0, "pair {index} touches");
         assert_eq!(pair.peak_force_n, None, "pair {index} is impulsive");
     }
-    assert!(
-        impacts["start_uncertainty_s"].iter().any(Option::is_some),
-        "it states them"
-    );
-    assert!(
-        impacts["peak_force_n"].iter().any(Option::is_some),
-        "it rests, with a force"
-    );
+    assert!(impacts["start_uncertainty_s"].iter().any(Option::is_some), "it states them");
+    assert!(impacts["peak_force_n"].iter().any(Option::is_some), "it rests, with a force");
     let history = columns(out.join("history.csv"));
-    assert!(
-        !history.contains_key("wall_displacement_m"),
-        "a wall does not move"
-    );
+    assert!(!history.contains_key("wall_displacement_m"), "a wall does not move");
 }
 
 #[test]
@@ -253,11 +212,7 @@ fn limit_the_same_scene_gives_the_same_bytes() {
         assert!(ended.status.success(), "a good run");
     }
     let [first, second] = ["first", "second"].map(|out| files(&folder.join(out)));
-    assert_eq!(
-        first.len(),
-        13,
-        "four files, four figures twice, the animation"
-    );
+    assert_eq!(first.len(), 13, "four files, four figures twice, the animation");
     assert!(first == second, "the same bytes");
 }
 
@@ -267,16 +222,9 @@ fn limit_json_is_the_summary_of_the_folder() {
     let printed = run_in(&folder, &meeting(), &["--json", "--out", "out"]);
     assert_eq!((printed.code, printed.stderr.as_str()), (0, ""));
     assert_eq!(printed.stdout, text(folder.join("out/summary.json")));
-    assert_eq!(
-        printed.stdout,
-        run_in(&folder, &meeting(), &["--json"]).stdout
-    );
+    assert_eq!(printed.stdout, run_in(&folder, &meeting(), &["--json"]).stdout);
     let summary: Summary = serde_json::from_str(&printed.stdout).expect("a summary");
-    assert_eq!(
-        printed.stdout,
-        summary.to_json(),
-        "what is read is what is written"
-    );
+    assert_eq!(printed.stdout, summary.to_json(), "what is read is what is written");
 }
 
 #[test]
@@ -295,29 +243,13 @@ fn extreme_the_page_is_well_formed_and_needs_nothing_else() {
     let document = roxmltree::Document::parse_with_options(&page, options).expect("well-formed");
     let heading = document.descendants().find(|node| node.has_tag_name("h1"));
     assert_eq!(heading.and_then(|heading| heading.text()), Some(name));
-    let drawings = document
-        .descendants()
-        .filter(|node| node.has_tag_name("svg"));
-    assert_eq!(
-        drawings.count(),
-        4,
-        "displacements, gaps, ground motion and the animation"
-    );
+    let drawings = document.descendants().filter(|node| node.has_tag_name("svg"));
+    assert_eq!(drawings.count(), 4, "displacements, gaps, ground motion and the animation");
     for node in document.descendants() {
         let other = ["script", "img", "link", "iframe", "object", "a"];
-        assert!(
-            !other.contains(&node.tag_name().name()),
-            "{:?}",
-            node.tag_name()
-        );
-        let reaching = |one: &roxmltree::Attribute<'_, '_>| {
-            ["src", "href"].contains(&one.name()) && !one.value().starts_with('#')
-        };
-        assert!(
-            !node.attributes().any(|one| reaching(&one)),
-            "{:?}",
-            node.tag_name()
-        );
+        assert!(!other.contains(&node.tag_name().name()), "{:?}", node.tag_name());
+        let reaching = |one: &roxmltree::Attribute<'_, '_>| ["src", "href"].contains(&one.name()) && !one.value().starts_with('#');
+        assert!(!node.attributes().any(|one| reaching(&one)), "{:?}", node.tag_name());
     }
     for outside in ["http", "src=", "@import", "url(h"] {
         assert!(!page.contains(outside), "{outside}");

@@ -13,10 +13,7 @@ const HERE: &str = env!("CARGO_MANIFEST_DIR");
 pub(crate) fn printed(ended: &Ended) -> &str {
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "a good run");
     // A path is not broken: it is there to be copied.
-    let lines = ended
-        .stdout
-        .lines()
-        .filter(|line| !line.contains("/records/"));
+    let lines = ended.stdout.lines().filter(|line| !line.contains("/records/"));
     let widest = lines.map(|line| line.chars().count()).max();
     assert!(widest <= Some(80), "at most 80 columns:\n{}", ended.stdout);
     &ended.stdout
@@ -39,16 +36,8 @@ fn reference_example() {
 fn extreme_wrong_usage() {
     for arguments in [&[] as &[&str], &["run"], &["walk"], &["run", "a", "b"]] {
         let ended = pounding(Path::new(HERE), arguments);
-        assert_eq!(
-            (ended.code, ended.stdout.as_str()),
-            (2, ""),
-            "{arguments:?}"
-        );
-        assert!(
-            ended.stderr.contains("Usage: pounding"),
-            "{arguments:?}: {}",
-            ended.stderr
-        );
+        assert_eq!((ended.code, ended.stdout.as_str()), (2, ""), "{arguments:?}");
+        assert!(ended.stderr.contains("Usage: pounding"), "{arguments:?}: {}", ended.stderr);
     }
 }
 
@@ -64,8 +53,7 @@ fn free(name: &str, mass: f64, velocity: f64) -> Value {
 fn reference_free_impact() {
     let mut scene = good_scene();
     scene["structures"] = json!([free("one", 1000.0, 2.0), free("other", 3000.0, 0.0)]);
-    scene["contacts"] =
-        json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
+    scene["contacts"] = json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
     scene["method"] = json!({"newmark": {"time_step_s": 0.01, "beta": 0.25, "gamma": 0.5}});
     scene["duration_s"] = json!(0.5);
     let ended = run("free_impact", &scene.to_string(), Some(&quiet(10)));
@@ -84,8 +72,7 @@ fn reference_free_impact() {
 fn reference_every_method_runs_and_is_named() {
     let mut scene = good_scene();
     scene["structures"] = json!([free("one", 1000.0, 2.0), free("other", 3000.0, 0.0)]);
-    scene["contacts"] =
-        json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
+    scene["contacts"] = json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
     scene["duration_s"] = json!(0.5);
     let mut named = Vec::new();
     for method in [
@@ -104,9 +91,7 @@ fn reference_every_method_runs_and_is_named() {
         // The impulse of the free impact above; only when it acts differs.
         let pair = line(stdout, "one – other");
         assert_eq!((pair[1], pair[3]), ("1", "2.250"), "{stdout}");
-        let paragraph = stdout
-            .lines()
-            .skip_while(|line| !line.starts_with("Method"));
+        let paragraph = stdout.lines().skip_while(|line| !line.starts_with("Method"));
         let paragraph: Vec<_> = paragraph.take_while(|line| !line.is_empty()).collect();
         named.push(format!("{}; impact at {} s", paragraph.join("\n"), pair[2]));
     }
@@ -126,22 +111,13 @@ fn reference_let_go_from_a_displacement() {
         }
         json!({ "sdof": structure })
     };
-    scene["structures"] = json!([
-        structure("elastic", Value::Null),
-        structure("yielding", json!(8000))
-    ]);
+    scene["structures"] = json!([structure("elastic", Value::Null), structure("yielding", json!(8000))]);
     scene.as_object_mut().expect("fields").remove("contacts");
     let ended = run("let_go", &scene.to_string(), Some(&quiet(10)));
     // T = 2π√(m/k); 20 mm · 1 MN/m = 20 kN, cut off at 8 kN, which is 8 mm: a ductility of 2.5.
     let stdout = printed(&ended);
-    assert_eq!(
-        line(stdout, "elastic"),
-        ["0.1987", "0", "-20.00", "0", "-20.00", "–", "0"]
-    );
-    assert_eq!(
-        line(stdout, "yielding"),
-        ["0.1987", "0", "-20.00", "0", "-8.000", "2.500", "0"]
-    );
+    assert_eq!(line(stdout, "elastic"), ["0.1987", "0", "-20.00", "0", "-20.00", "–", "0"]);
+    assert_eq!(line(stdout, "yielding"), ["0.1987", "0", "-20.00", "0", "-8.000", "2.500", "0"]);
     assert!(stdout.contains("none: no contact is modelled"), "{stdout}");
 }
 
@@ -151,12 +127,7 @@ fn extreme_long_names_walls_and_large_numbers() {
     let long = "the department store with the soft first storey at the corner";
     let mut hit = free(long, 1e12, 2.0);
     hit["sdof"]["stiffness_n_per_m"] = json!(1e15);
-    scene["structures"] = json!([
-        "wall",
-        hit,
-        free("a kiosk", 1.0, 0.0),
-        free("a far one", 1.0, 0.0)
-    ]);
+    scene["structures"] = json!(["wall", hit, free("a kiosk", 1.0, 0.0), free("a far one", 1.0, 0.0)]);
     let contact = |gap: f64, restitution: f64| json!({"gap_m": gap, "law": {"stereomechanical": {"restitution": restitution}}});
     scene["contacts"] = json!([contact(0.0, 1.0), contact(0.05, 0.5), contact(1e6, 0.0)]);
     scene["duration_s"] = json!(2.0);
@@ -169,26 +140,15 @@ fn extreme_long_names_walls_and_large_numbers() {
 fn limit_record_in_either_unit_and_scaled() {
     let scene = good_scene();
     let wave = |values: [f64; 4], unit: &str| {
-        let lines = values
-            .iter()
-            .zip(0..)
-            .map(|(value, index)| format!("0.{index},{value}\n"));
+        let lines = values.iter().zip(0..).map(|(value, index)| format!("0.{index},{value}\n"));
         format!("time_s,acceleration_{unit}\n{}", lines.collect::<String>())
     };
-    let in_si = run(
-        "in_si",
-        &scene.to_string(),
-        Some(&wave([0.0, 2.0, -4.0, 1.0], "m_per_s2")),
-    );
+    let in_si = run("in_si", &scene.to_string(), Some(&wave([0.0, 2.0, -4.0, 1.0], "m_per_s2")));
     let mut with_g = scene.clone();
     with_g["record"]["gravity_m_per_s2"] = json!(10);
     with_g["record"]["scale"] = json!(-0.5);
     with_g["record"]["reversed"] = json!(false);
-    let in_g = run(
-        "in_g",
-        &with_g.to_string(),
-        Some(&wave([0.0, 0.4, -0.8, 0.2], "g")),
-    );
+    let in_g = run("in_g", &with_g.to_string(), Some(&wave([0.0, 0.4, -0.8, 0.2], "g")));
     let (in_si, in_g) = (printed(&in_si), printed(&in_g));
     assert!(
         in_si.contains("peak 0.4077 g = 4.000 m/s² at 0.2 s, 0.3 s long in steps of 0.1 s"),
@@ -198,16 +158,8 @@ fn limit_record_in_either_unit_and_scaled() {
         in_g.contains("peak 0.4000 g = 4.000 m/s² at 0.2 s, 0.3 s long in steps of 0.1 s"),
         "{in_g}"
     );
-    assert_eq!(
-        line(in_si, "weak "),
-        line(in_g, "weak "),
-        "the same shaking"
-    );
-    assert_eq!(
-        line(in_si, "stiff"),
-        line(in_g, "stiff"),
-        "the same shaking"
-    );
+    assert_eq!(line(in_si, "weak "), line(in_g, "weak "), "the same shaking");
+    assert_eq!(line(in_si, "stiff"), line(in_g, "stiff"), "the same shaking");
 }
 
 /// What a scene does not require costs time and changes nothing that is printed.
@@ -225,11 +177,7 @@ fn limit_the_full_model_prints_the_same() {
             numbers.to_string()
         };
         let lean = numbers(&["run", scene, "--details"]);
-        assert_eq!(
-            lean,
-            numbers(&["run", scene, "--full", "--details"]),
-            "{scene}"
-        );
+        assert_eq!(lean, numbers(&["run", scene, "--full", "--details"]), "{scene}");
     }
     // Structures that stand apart have pairs then, out of reach: still none is printed.
     let mut scene = good_scene();
@@ -239,11 +187,7 @@ fn limit_the_full_model_prints_the_same() {
     std::fs::write(folder.join("record.csv"), quiet(10)).expect("written");
     let out = pounding(&folder, &["run", "scene.json", "--full", "--out", "out"]);
     assert_eq!((out.code, out.stderr.as_str()), (0, ""));
-    assert!(
-        out.stdout.contains("none: no contact is modelled"),
-        "{}",
-        out.stdout
-    );
+    assert!(out.stdout.contains("none: no contact is modelled"), "{}", out.stdout);
 }
 
 #[test]

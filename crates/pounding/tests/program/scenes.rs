@@ -115,11 +115,7 @@ fn extreme_contact_law_unknown() {
     for law in LawName::ALL {
         // Names of the literature for one force are not words of files.
         let is_word = law.about().names[0].name == law.name();
-        assert_eq!(
-            message.contains(&format!("`{}`", law.name())),
-            is_word,
-            "{message}"
-        );
+        assert_eq!(message.contains(&format!("`{}`", law.name())), is_word, "{message}");
     }
 }
 
@@ -233,8 +229,7 @@ fn extreme_restitution_above_one() {
 #[test]
 fn extreme_impact_stiffness_zero() {
     let message = refused("impact_stiffness", |scene| {
-        scene["contacts"][0]["law"]["nonlinear_viscoelastic"]["impact_stiffness_n_per_m1_5"] =
-            json!(0);
+        scene["contacts"][0]["law"]["nonlinear_viscoelastic"]["impact_stiffness_n_per_m1_5"] = json!(0);
     });
     assert_snapshot!(message, @r#"error: scene.json, line 8, column 11: scene "two structures": contacts[0].law.nonlinear_viscoelastic.impact_stiffness_n_per_m1_5: found 0, allowed a finite number > 0"#);
 }
@@ -332,11 +327,7 @@ fn issue_a_record_is_no_scene() {
     let text = "PEER\nX\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .01 SEC\n .1 .2\n";
     fs::write(folder.join("q.AT2"), text).expect("written");
     assert_snapshot!(refusal(&pounding(&folder, &["run", "q.AT2"])), @"error: q.AT2: found a record (PEER AT2), allowed is a scene, a TOML or JSON file; `pounding init --record q.AT2` writes one that it shakes");
-    assert_eq!(
-        pounding(&folder, &["init", "--record", "q.AT2"]).code,
-        0,
-        "as it says"
-    );
+    assert_eq!(pounding(&folder, &["init", "--record", "q.AT2"]).code, 0, "as it says");
 }
 
 /// The line of the table was named, not that of the field.
@@ -370,17 +361,12 @@ fn issue_the_line_of_a_field_is_named() {
             let from = format!("{begin}{field}{between}{before}");
             assert!(text.contains(&from), "{name} holds {from}");
             let text = text.replacen(&from, &format!("{begin}{field}{between}{after}"), 1);
-            let line = text
-                .lines()
-                .position(|line| line.contains(&format!("{between}{after}")));
+            let line = text.lines().position(|line| line.contains(&format!("{between}{after}")));
             let line = line.expect("the field") + 1;
             let bad = format!("bad-{name}");
             fs::write(folder.join(&bad), text).expect("written");
             let message = refusal(&pounding(&folder, &["check", &bad]));
-            assert!(
-                message.starts_with(&format!("error: {bad}, line {line}, column ")),
-                "{message}"
-            );
+            assert!(message.starts_with(&format!("error: {bad}, line {line}, column ")), "{message}");
             assert!(message.ends_with(said), "{message}");
         }
     }

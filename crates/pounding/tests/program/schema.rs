@@ -17,19 +17,14 @@ impl Schema {
 
     fn printed_by(command: &[&str]) -> Self {
         let ended = pounding(Path::new(env!("CARGO_MANIFEST_DIR")), command);
-        assert_eq!(
-            (ended.code, ended.stderr.as_str()),
-            (0, ""),
-            "it is printed"
-        );
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "it is printed");
         let schema = serde_json::from_str(&ended.stdout).expect("the schema is JSON");
         Self(jsonschema::validator_for(&schema).expect("it is a schema"))
     }
 
     /// What of a scene does not keep to the schema.
     fn faults(&self, scene: &Value) -> Vec<String> {
-        let fault =
-            |error: jsonschema::ValidationError<'_>| format!("{}: {error}", error.instance_path());
+        let fault = |error: jsonschema::ValidationError<'_>| format!("{}: {error}", error.instance_path());
         self.0.iter_errors(scene).map(fault).collect()
     }
 }
@@ -59,10 +54,7 @@ fn in_folder(folder: &Path) -> Vec<Value> {
         let ending = path.extension();
         ending.is_some_and(|ending| ending == "toml" || ending == "json")
     };
-    paths
-        .filter(is_scene)
-        .flat_map(|path| scenes(&path))
-        .collect()
+    paths.filter(is_scene).flat_map(|path| scenes(&path)).collect()
 }
 
 #[test]
@@ -72,11 +64,7 @@ fn limit_what_ships_keeps_to_the_schema() {
     let folder = folder("schema_ships");
     for arguments in [&["demo"] as &[&str], &["init"]] {
         let ended = pounding(&folder, arguments);
-        assert_eq!(
-            (ended.code, ended.stderr.as_str()),
-            (0, ""),
-            "{arguments:?}"
-        );
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{arguments:?}");
     }
     let places = [
         (studies.clone(), 40),
@@ -86,20 +74,10 @@ fn limit_what_ships_keeps_to_the_schema() {
     ];
     for (place, least) in places {
         let scenes = in_folder(&place);
-        assert!(
-            scenes.len() >= least,
-            "{}: {}",
-            place.display(),
-            scenes.len()
-        );
+        assert!(scenes.len() >= least, "{}: {}", place.display(), scenes.len());
         for scene in scenes {
             let faults = schema.faults(&scene);
-            assert!(
-                faults.is_empty(),
-                "{}: {}",
-                scene["name"],
-                faults.join("\n")
-            );
+            assert!(faults.is_empty(), "{}: {}", scene["name"], faults.join("\n"));
         }
     }
     // What a results folder repeats is a scene, too.
@@ -136,15 +114,9 @@ fn extreme_what_has_another_form_does_not_keep_to_the_schema() {
         ("a misspelt field", with("", "metod")),
         ("another one", with("/structures/0/sdof", "mas_kg")),
         ("an unknown unit", with("/record", "unit")),
-        (
-            "a text for a number",
-            at("/contacts/0/gap_m", json!("3 cm")),
-        ),
+        ("a text for a number", at("/contacts/0/gap_m", json!("3 cm"))),
         ("an unknown law", at("/contacts/0/law", json!({"glue": {}}))),
-        (
-            "a structure that is a number",
-            at("/structures/1", json!(3)),
-        ),
+        ("a structure that is a number", at("/structures/1", json!(3))),
         (
             "two dampings",
             damping(json!({"ratio": 0.05, "rayleigh": {"alpha_per_s": 0, "beta_s": 0}})),
@@ -168,8 +140,7 @@ fn limit_sweeps_keep_to_their_schema() {
     inline["scene"] = crate::good_scene();
     inline["records"] = json!(["a.csv", "folder"]);
     assert_eq!(schema.faults(&inline), [""; 0]);
-    inline["summary"] =
-        json!({"by": ["record"], "exceedance": {"peak_force_n": [1e6]}, "rows": true});
+    inline["summary"] = json!({"by": ["record"], "exceedance": {"peak_force_n": [1e6]}, "rows": true});
     assert_eq!(schema.faults(&inline), [""; 0]);
     for (place, value) in [
         ("/summary", json!({"quantile": [0.5]})),

@@ -54,12 +54,8 @@ fn summary(folder: &Path, file: &str) -> Summary {
 
 /// Words of the cells of a line of a comparison.
 fn cells(text: &str, heading: &str, name: &str) -> Vec<String> {
-    let (_, below) = text
-        .split_once(heading)
-        .unwrap_or_else(|| panic!("{heading}: {text}"));
-    let line = below
-        .lines()
-        .find(|line| line.trim_start().starts_with(name));
+    let (_, below) = text.split_once(heading).unwrap_or_else(|| panic!("{heading}: {text}"));
+    let line = below.lines().find(|line| line.trim_start().starts_with(name));
     let line = line.expect("a line").trim_start().trim_start_matches(name);
     let words = line.split_whitespace().map(String::from);
     // Without the changes.
@@ -70,14 +66,8 @@ fn cells(text: &str, heading: &str, name: &str) -> Vec<String> {
 /// Drifts were not compared.
 #[test]
 fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
-    let folder = rows(
-        "storeys_compare",
-        &[["top.toml", "gap_m = 0.01", "gap_m = 0.015\nlevels = [4]"]],
-    );
-    let ended = pounding(
-        &folder,
-        &["compare", "row.toml", "top.toml", "--no-error", "--all"],
-    );
+    let folder = rows("storeys_compare", &[["top.toml", "gap_m = 0.01", "gap_m = 0.015\nlevels = [4]"]]);
+    let ended = pounding(&folder, &["compare", "row.toml", "top.toml", "--no-error", "--all"]);
     let text = printed(&ended);
     let runs = [summary(&folder, "row.toml"), summary(&folder, "top.toml")];
     let hits = |run: &Summary, left: &str| {
@@ -94,10 +84,7 @@ fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     assert_ne!(wanted[0], "0", "it hits the wall");
     assert_eq!(cells(text, "Pair 2, floor 7", "collisions"), wanted);
     let drift = |run: &Summary| {
-        let floor = run
-            .structures
-            .iter()
-            .find(|one| one.name == "seven, floor 5");
+        let floor = run.structures.iter().find(|one| one.name == "seven, floor 5");
         let drift = floor.and_then(|one| one.peak_drift_m).expect("a drift");
         pounding::text::short(1e3 * drift)
     };
@@ -112,22 +99,14 @@ fn issue_gaps_look_at_the_floors_that_can_touch() {
         "storeys_gap",
         &[
             ["low.toml", "gap_m = 0.02", "gap_m = 0.02\nlevels = [1, 2]"],
-            [
-                "travels.toml",
-                "name = \"row\"",
-                "name = \"row\"\narrivals_s = [0, 0.1, 0.2]",
-            ],
+            ["travels.toml", "name = \"row\"", "name = \"row\"\narrivals_s = [0, 0.1, 0.2]"],
         ],
     );
     let records = folder.join("records");
     fs::create_dir(&records).expect("a folder");
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let record = "el-centro-1940-ns-chopra.csv";
-    fs::copy(
-        here.join("../../studies/records").join(record),
-        records.join(record),
-    )
-    .expect("a copy");
+    fs::copy(here.join("../../studies/records").join(record), records.join(record)).expect("a copy");
     let gap = |file: &str| {
         let ended = pounding(&folder, &["gap", file, "--records", "records", "--json"]);
         let json: Value = serde_json::from_str(&ended.stdout).expect("JSON");
@@ -139,39 +118,22 @@ fn issue_gaps_look_at_the_floors_that_can_touch() {
     assert!(low < 0.6 * all, "{low} {all}");
     let text = |file: &str| {
         let ended = pounding(&folder, &["gap", file, "--records", "records"]);
-        printed(&ended)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
+        printed(&ended).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let words = "The ground travels along the row";
     assert!(text("travels.toml").contains(words) && !text("row.toml").contains(words));
-    assert!(
-        text("row.toml").contains("Record Level Needs"),
-        "{}",
-        text("row.toml")
-    );
+    assert!(text("row.toml").contains("Record Level Needs"), "{}", text("row.toml"));
 }
 
 /// What did not touch filled tables of ones.
 #[test]
 fn issue_effects_say_what_there_is_none_of() {
-    let folder = rows(
-        "storeys_effects",
-        &[["far.toml", "gap_m = 0.01", "gap_m = 1.0"]],
-    );
+    let folder = rows("storeys_effects", &[["far.toml", "gap_m = 0.01", "gap_m = 1.0"]]);
     let far = fs::read_to_string(folder.join("far.toml")).expect("a file");
-    fs::write(
-        folder.join("far.toml"),
-        far.replace("gap_m = 0.02", "gap_m = 1.0"),
-    )
-    .expect("a file");
+    fs::write(folder.join("far.toml"), far.replace("gap_m = 0.02", "gap_m = 1.0")).expect("a file");
     let ended = pounding(&folder, &["run", "far.toml", "--effects", "--out", "far"]);
     let text = printed(&ended);
-    assert!(
-        text.contains("none: nothing touches") && !text.contains("× alone"),
-        "{text}"
-    );
+    assert!(text.contains("none: nothing touches") && !text.contains("× alone"), "{text}");
     let page = fs::read_to_string(folder.join("far/report.html")).expect("a page");
     assert!(page.contains("None: nothing touches") && !page.contains("× alone"));
 }
@@ -179,34 +141,18 @@ fn issue_effects_say_what_there_is_none_of() {
 /// The figure said of bases that move, and of several levels drawn together, that curves which meet are structures that touch.
 #[test]
 fn issue_captions_say_what_is_true_of_their_figures() {
-    let travels = [
-        "travels.toml",
-        "name = \"row\"",
-        "name = \"row\"\narrivals_s = [0, 0.05, 0.1]",
-    ];
+    let travels = ["travels.toml", "name = \"row\"", "name = \"row\"\narrivals_s = [0, 0.05, 0.1]"];
     let folder = rows("storeys_figure", &[travels]);
     for (file, caption) in [
         ("row.toml", "Floors touch where their curves meet"),
-        (
-            "travels.toml",
-            "so that floors need not touch where their curves meet",
-        ),
+        ("travels.toml", "so that floors need not touch where their curves meet"),
     ] {
-        let ended = pounding(
-            &folder,
-            &["run", file, "--json", "--out", "out", "--overwrite"],
-        );
+        let ended = pounding(&folder, &["run", file, "--json", "--out", "out", "--overwrite"]);
         assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{file}");
         let page = fs::read_to_string(folder.join("out/report.html")).expect("a page");
         assert!(page.contains(caption), "{file}");
-        assert!(
-            !page.contains("curves that meet are structures that touch"),
-            "{file}"
-        );
-        assert!(
-            page.contains("pairs of floors the 4 that are hit hardest"),
-            "{file}"
-        );
+        assert!(!page.contains("curves that meet are structures that touch"), "{file}");
+        assert!(page.contains("pairs of floors the 4 that are hit hardest"), "{file}");
     }
 }
 
@@ -227,25 +173,16 @@ law.kelvin_voigt = { impact_stiffness_n_per_m = 1e9, restitution = 0.3 }
 "#;
     let folder = folder("storeys_leaning");
     fs::write(folder.join("left.toml"), scene).expect("a file");
-    let reversed = scene.replace(
-        "[[structures]]\nsdof",
-        "record.reversed = true\n[[structures]]\nsdof",
-    );
+    let reversed = scene.replace("[[structures]]\nsdof", "record.reversed = true\n[[structures]]\nsdof");
     fs::write(folder.join("right.toml"), reversed).expect("a file");
     let texts = ["left.toml", "right.toml"].map(|file| {
         let run = summary(&folder, file);
         let ended = pounding(&folder, &["run", file, "--no-error"]);
         let text = printed(&ended).to_string();
-        assert_eq!(
-            run.pairs[0].leaning.is_some(),
-            text.contains("Leaning"),
-            "{text}"
-        );
+        assert_eq!(run.pairs[0].leaning.is_some(), text.contains("Leaning"), "{text}");
         (run.pairs[0].leaning, run.pairs[0].touching_s)
     });
-    let leans = texts
-        .iter()
-        .find_map(|(leaning, touching)| Some(((*leaning)?, *touching)));
+    let leans = texts.iter().find_map(|(leaning, touching)| Some(((*leaning)?, *touching)));
     let (longest, touching) = leans.expect("one of the directions presses");
     let longest = longest.end_s - longest.start_s;
     assert!(longest > 0.3 && touching >= longest, "{longest} {touching}");

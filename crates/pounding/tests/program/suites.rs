@@ -33,18 +33,12 @@ pub(crate) fn suite(test: &str) -> PathBuf {
     let ramp = |step: usize| 4.0 * libm::sin(0.25 * step as f64);
     let line = |step: usize| format!("{:.2},{:.4}", step as f64 / 50.0, ramp(step));
     let csv = (0..60).map(line).collect::<Vec<_>>().join("\n");
-    write(
-        "pulse.csv",
-        format!("time_s,acceleration_m_per_s2\n{csv}\n"),
-    );
+    write("pulse.csv", format!("time_s,acceleration_m_per_s2\n{csv}\n"));
     // Another motion: the same one reversed would be a copy.
     let line = |step: usize| format!("{:.3}", -400.0 * libm::sin(0.31 * step as f64));
     let column = (0..60).map(line).collect::<Vec<_>>().join("\n");
     write("column.txt", column);
-    write(
-        "spectra.V3",
-        "Response and Fourier amplitude spectra (86 periods)\n".into(),
-    );
+    write("spectra.V3", "Response and Fourier amplitude spectra (86 periods)\n".into());
     write(".hidden", "not a record".into());
     fs::write(folder.join("towers.toml"), TOWERS).expect("a file");
     folder
@@ -55,42 +49,25 @@ fn reference_gap_under_a_folder() {
     let folder = suite("gap");
     let text = pounding(&folder, &["gap", "towers.toml", "--records", "records"]);
     assert_snapshot!(printed(&text));
-    let csv = pounding(
-        &folder,
-        &["gap", "towers.toml", "--records", "records", "--csv"],
-    );
+    let csv = pounding(&folder, &["gap", "towers.toml", "--records", "records", "--csv"]);
     assert_snapshot!(csv.stdout);
-    let json = pounding(
-        &folder,
-        &["gap", "towers.toml", "--records", "records", "--json"],
-    );
+    let json = pounding(&folder, &["gap", "towers.toml", "--records", "records", "--json"]);
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
-    let required = json["motions"][0]["gaps"][0]["required_m"]
-        .as_f64()
-        .expect("a number");
+    let required = json["motions"][0]["gaps"][0]["required_m"].as_f64().expect("a number");
     assert!(csv.stdout.contains(&required.to_string()), "{required}");
     // A field of JSON is a column of CSV.
     let header = csv.stdout.lines().next().expect("a header");
     let columns: Vec<&str> = header.split(',').collect();
     let gap = json["motions"][0]["gaps"][0].as_object().expect("fields");
-    assert!(
-        gap.keys().all(|key| columns.contains(&key.as_str())),
-        "{gap:?}"
-    );
+    assert!(gap.keys().all(|key| columns.contains(&key.as_str())), "{gap:?}");
     let others = "record, event, reversed and refused";
     assert_eq!(columns.len(), gap.len() + 4, "{others}");
     // What the paragraph Records counts.
     let records = &json["records"];
-    assert_eq!(
-        (&records["files"], &records["files_left_out"]),
-        (&3.into(), &1.into())
-    );
+    assert_eq!((&records["files"], &records["files_left_out"]), (&3.into(), &1.into()));
     assert_eq!(records["events"], 2);
     assert_eq!(records["declared"][0]["records"], json!(["column.txt"]));
-    assert_eq!(
-        records["direction_not_told"],
-        json!(["column.txt", "pulse.csv"])
-    );
+    assert_eq!(records["direction_not_told"], json!(["column.txt", "pulse.csv"]));
 }
 
 #[test]
@@ -112,9 +89,7 @@ fn reference_run_under_a_folder() {
 /// An AT2 file of PEER with this component behind the last comma of its title.
 pub(crate) fn at2(component: &str) -> String {
     // Each component moves on its own: copies would be left out.
-    let own = component
-        .bytes()
-        .fold(0, |own: u32, byte| (31 * own + u32::from(byte)) % 97);
+    let own = component.bytes().fold(0, |own: u32, byte| (31 * own + u32::from(byte)) % 97);
     let rate = 0.25 + 1e-2 * f64::from(own);
     let sample = |step: usize| format!("{:.5}", 0.2 * libm::sin(rate * step as f64));
     let values = (0..60).map(sample).collect::<Vec<_>>().join(" ");
@@ -167,10 +142,7 @@ fn issue_vertical_components_shake_no_row() {
             .map(|motion| motion["record"].as_str().expect("a name"))
             .collect();
         shaken.dedup();
-        assert_eq!(
-            shaken,
-            ["ABCH01.EW2", "RSN6_ELC-V.AT2", "RSN6_ELC180.AT2", "b.smc",]
-        );
+        assert_eq!(shaken, ["ABCH01.EW2", "RSN6_ELC-V.AT2", "RSN6_ELC180.AT2", "b.smc",]);
     }
 }
 
@@ -178,32 +150,20 @@ fn issue_vertical_components_shake_no_row() {
 #[test]
 fn limit_a_line_is_a_run() {
     let folder = suite("line");
-    let json = pounding(
-        &folder,
-        &["run", "towers.toml", "--records", "records", "--json"],
-    );
+    let json = pounding(&folder, &["run", "towers.toml", "--records", "records", "--json"]);
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let peak = json["motions"][0]["structures"][0]["peak_displacement_m"].as_f64();
     let alone = pounding(&folder, &["run", "towers.toml", "--details"]);
-    let line = printed(&alone)
-        .lines()
-        .find(|line| line.starts_with("left "));
-    let printed_peak: f64 = line
-        .and_then(|line| line.split_whitespace().nth(3)?.parse().ok())
-        .expect("a peak");
+    let line = printed(&alone).lines().find(|line| line.starts_with("left "));
+    let printed_peak: f64 = line.and_then(|line| line.split_whitespace().nth(3)?.parse().ok()).expect("a peak");
     let peak = 1e3 * peak.expect("a number");
-    assert!(
-        (peak / printed_peak - 1.0).abs() < 1e-3,
-        "{peak} {printed_peak}"
-    );
+    assert!((peak / printed_peak - 1.0).abs() < 1e-3, "{peak} {printed_peak}");
 }
 
 #[test]
 fn reference_scenes_side_by_side() {
     let folder = suite("compare");
-    let wide = TOWERS
-        .replace("0.01\n", "0.1\n")
-        .replace("\"towers\"", "\"wider\"");
+    let wide = TOWERS.replace("0.01\n", "0.1\n").replace("\"towers\"", "\"wider\"");
     fs::write(folder.join("wider.toml"), wide).expect("a file");
     let third = TOWERS
         .split("\n[[contacts]]")
@@ -211,10 +171,7 @@ fn reference_scenes_side_by_side() {
         .expect("a part")
         .replace("\"towers\"", "\"apart\"");
     fs::write(folder.join("apart.toml"), third).expect("a file");
-    let text = pounding(
-        &folder,
-        &["compare", "towers.toml", "wider.toml", "apart.toml"],
-    );
+    let text = pounding(&folder, &["compare", "towers.toml", "wider.toml", "apart.toml"]);
     assert_snapshot!(printed(&text));
 }
 
@@ -229,11 +186,7 @@ fn reference_every_example_runs() {
         if path.extension().is_some_and(|ending| ending == "md") {
             continue;
         }
-        let name = path
-            .file_name()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         let path = format!("../../studies/examples/{name}");
         let ran = pounding(here, &["run", &path]);
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{name}");
@@ -264,12 +217,7 @@ fn reference_demo() {
     let page = file("results/report.html");
     // Again, over what is there: the same bytes.
     let again = pounding(&folder, &["demo"]);
-    assert_eq!(
-        (again.code, &again.stdout),
-        (0, &first.stdout),
-        "{}",
-        again.stderr
-    );
+    assert_eq!((again.code, &again.stdout), (0, &first.stdout), "{}", again.stderr);
     assert_eq!(file("results/report.html"), page);
     fs::write(folder.join("pounding-demo/scene.toml"), "mine").expect("a file");
     assert_snapshot!(refusal(&pounding(&folder, &["demo"])), @"error: pounding-demo/scene.toml: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER");
@@ -280,43 +228,25 @@ fn extreme_folders_without_a_record() {
     let folder = suite("no_records");
     fs::create_dir_all(folder.join("empty")).expect("a folder");
     for command in ["gap", "run"] {
-        let refused = |records| {
-            refusal(&pounding(
-                &folder,
-                &[command, "towers.toml", "--records", records],
-            ))
-        };
+        let refused = |records| refusal(&pounding(&folder, &[command, "towers.toml", "--records", records]));
         assert_eq!(
             refused("empty"),
             "error: empty: found 0 files and no record that shakes a row, allowed is a folder with one or more"
         );
-        assert!(
-            refused("none").starts_with("error: none: cannot be read: "),
-            "{}",
-            refused("none")
-        );
+        assert!(refused("none").starts_with("error: none: cannot be read: "), "{}", refused("none"));
         fs::create_dir_all(folder.join("bad")).expect("a folder");
         fs::write(folder.join("bad/x"), "nothing of the kind").expect("a file");
         let message = refused("bad");
-        assert!(
-            message.ends_with("with one or more; 1 file that is no record: x"),
-            "{message}"
-        );
+        assert!(message.ends_with("with one or more; 1 file that is no record: x"), "{message}");
     }
 }
 
 #[test]
 fn extreme_a_gap_of_one_structure() {
     let folder = suite("one");
-    let one = TOWERS
-        .split("  { sdof = { name = \"right\"")
-        .next()
-        .expect("a part");
+    let one = TOWERS.split("  { sdof = { name = \"right\"").next().expect("a part");
     fs::write(folder.join("one.toml"), format!("{one}]\n")).expect("a file");
-    let message = refusal(&pounding(
-        &folder,
-        &["gap", "one.toml", "--records", "records"],
-    ));
+    let message = refusal(&pounding(&folder, &["gap", "one.toml", "--records", "records"]));
     assert_snapshot!(message, @"error: one.toml: structures: found 1, allowed two or more: a gap lies between two");
 }
 
@@ -326,16 +256,10 @@ fn extreme_an_unusual_scene() {
     let folder = suite("unusual");
     let unusual = TOWERS
         .replace("damping.ratio = 0.05, yield", "damping.ratio = 5, yield")
-        .replace(
-            "mass_kg = 2e5, period_s = 0.4",
-            "mass_kg = 200, period_s = 0.02",
-        )
+        .replace("mass_kg = 2e5, period_s = 0.4", "mass_kg = 200, period_s = 0.02")
         .replace("duration_s = 3.0", "duration_s = 0.6")
         .replace("gap_m = 0.01", "gap_m = 0.5")
-        .replace(
-            "record = {",
-            "record = { gravity_m_per_s2 = 981, scale = 0.001,",
-        );
+        .replace("record = {", "record = { gravity_m_per_s2 = 981, scale = 0.001,");
     fs::write(folder.join("unusual.toml"), unusual).expect("a file");
     let checked = pounding(&folder, &["check", "unusual.toml"]);
     let text = printed(&checked);
@@ -353,10 +277,7 @@ fn extreme_a_scene_that_cannot_be_compared() {
     let refused = |arguments: &[&str]| refusal(&pounding(&folder, arguments));
     assert_snapshot!(refused(&["compare", "towers.toml", "wrong.toml"]), @r#"error: wrong.toml, line 12, column 1: scene "towers": contacts[0].gap_m: found -0.01, allowed a finite number >= 0"#);
     let missing = refused(&["compare", "towers.toml", "missing.toml"]);
-    assert!(
-        missing.starts_with("error: missing.toml: cannot be read: "),
-        "{missing}"
-    );
+    assert!(missing.starts_with("error: missing.toml: cannot be read: "), "{missing}");
     let alone = pounding(&folder, &["compare", "towers.toml"]);
     assert_eq!((alone.code, alone.stdout.as_str()), (2, ""), "two or more");
 }
@@ -365,10 +286,7 @@ fn extreme_a_scene_that_cannot_be_compared() {
 #[test]
 fn limit_many_scenes_are_printed_in_blocks() {
     let folder = suite("compare_many");
-    let text = pounding(
-        &folder,
-        &[&["compare", "--all"][..], &["towers.toml"; 7]].concat(),
-    );
+    let text = pounding(&folder, &[&["compare", "--all"][..], &["towers.toml"; 7]].concat());
     let blocks: Vec<&str> = printed(&text).split("\n\n").collect();
     let columns = |block: &&str| block.lines().next().unwrap_or("").matches("towers").count();
     let columns: Vec<usize> = blocks.iter().map(columns).collect();

@@ -69,13 +69,7 @@ fn extreme_a_summary_of_runs_that_fail() {
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
     assert_eq!(ended.code, 1);
     assert!(ended.stdout.contains("run 0: "), "{}", ended.stdout);
-    assert!(
-        ended
-            .stderr
-            .contains("all 8 runs failed: the summary says why"),
-        "{}",
-        ended.stderr
-    );
+    assert!(ended.stderr.contains("all 8 runs failed: the summary says why"), "{}", ended.stderr);
 }
 
 /// With rows and without, the summary has the same bytes, and says what the rows say.
@@ -89,10 +83,7 @@ fn limit_a_summary_is_that_of_the_rows() {
     let arguments = ["sweep", "alone.json", "--out", "alone.csv"];
     printed(&pounding(&folder, &arguments));
     let summary = bytes(&folder, "alone.csv");
-    assert!(
-        summary == bytes(&folder, "runs.summary.csv"),
-        "rows change a summary"
-    );
+    assert!(summary == bytes(&folder, "runs.summary.csv"), "rows change a summary");
 
     let (peaks, told) = (peaks(&folder.join("runs.csv")), told(&summary));
     assert_eq!(peaks.len(), 1000);
@@ -105,21 +96,14 @@ fn limit_a_summary_is_that_of_the_rows() {
         ("least", peaks[0], 0.0),
         ("largest", peaks[999], 0.0),
         ("mean", mean, 1e-13),
-        (
-            "standard_deviation",
-            (scatter.sum::<f64>() / 999.0).sqrt(),
-            1e-13,
-        ),
+        ("standard_deviation", (scatter.sum::<f64>() / 999.0).sqrt(), 1e-13),
         ("exceedance 0.05", above as f64 / 1000.0, 0.0),
         ("quantile 0.5", peaks[499], 0.5 / 64.0),
         ("quantile 0.99", peaks[989], 0.5 / 64.0),
     ] {
         let [found, low, high] = told[key];
         let found = found.unwrap_or_else(|| panic!("{key} in {told:?}"));
-        assert!(
-            (found - wanted).abs() <= allowed * wanted,
-            "{key}: {found}, wanted {wanted}"
-        );
+        assert!((found - wanted).abs() <= allowed * wanted, "{key}: {found}, wanted {wanted}");
         let within = low.is_none_or(|low| low <= wanted) && high.is_none_or(|high| wanted <= high);
         assert!(within, "{key}: {wanted} in {low:?} to {high:?}");
     }
@@ -141,11 +125,7 @@ fn peaks(rows: &Path) -> Vec<f64> {
 fn told(summary: &[u8]) -> BTreeMap<String, [Option<f64>; 3]> {
     let mut table = csv::Reader::from_reader(summary);
     let lines = table.records().map(|line| line.expect("a line"));
-    let lines = lines.filter(|line| {
-        &line[0] == "0.005"
-            && &line[1] == "abs(left: peak_displacement_m)"
-            && &line[2] != "histogram"
-    });
+    let lines = lines.filter(|line| &line[0] == "0.005" && &line[1] == "abs(left: peak_displacement_m)" && &line[2] != "histogram");
     let told = lines.map(|line| {
         let key = format!("{} {}", &line[2], &line[3]);
         let numbers = [4, 5, 6].map(|place: usize| line[place].parse().ok());
@@ -160,11 +140,7 @@ fn limit_the_same_summary_whatever_happens_on_the_way() {
     let folder = with_sweep("summary_shards", &summed(10_000, false));
     for threads in ["1", "2"] {
         let out = format!("{threads}.csv");
-        assert!(runs(
-            &folder,
-            &["sweep", "sweep.json", "--out", &out],
-            threads
-        ));
+        assert!(runs(&folder, &["sweep", "sweep.json", "--out", &out], threads));
     }
     let whole = bytes(&folder, "1.csv");
     assert!(whole == bytes(&folder, "2.csv"), "threads change bytes");
@@ -197,47 +173,28 @@ fn limit_the_same_summary_whatever_happens_on_the_way() {
     if !folder.join("killed.csv").exists() {
         printed(&pounding(&folder, &arguments));
     }
-    assert!(
-        whole == bytes(&folder, "killed.csv"),
-        "a kill changes bytes"
-    );
+    assert!(whole == bytes(&folder, "killed.csv"), "a kill changes bytes");
 }
 
 /// A digit that changed in a part is found, and the part is run again.
 #[test]
 fn extreme_a_changed_digit_of_a_part_is_found() {
     let folder = with_sweep("summary_changed", &summed(1000, false));
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "whole.csv"],
-    ));
+    printed(&pounding(&folder, &["sweep", "sweep.json", "--out", "whole.csv"]));
     for shard in ["1/2", "2/2"] {
         run_shard(&folder, shard);
     }
     let part = folder.join("shards.csv.parts/part-000000003.csv");
     let text = fs::read_to_string(&part).expect("a part");
-    let place = text
-        .rfind(|letter: char| letter.is_ascii_digit())
-        .expect("a digit");
-    let digit = if text.as_bytes()[place] == b'7' {
-        "8"
-    } else {
-        "7"
-    };
-    fs::write(
-        &part,
-        format!("{}{digit}{}", &text[..place], &text[place + 1..]),
-    )
-    .expect("a file");
+    let place = text.rfind(|letter: char| letter.is_ascii_digit()).expect("a digit");
+    let digit = if text.as_bytes()[place] == b'7' { "8" } else { "7" };
+    fs::write(&part, format!("{}{digit}{}", &text[..place], &text[place + 1..])).expect("a file");
     assert_snapshot!(refusal(&pounding(&folder, &["merge", "shards.csv"])), @"error: shards.csv.parts/part-000000003.csv: found other bytes than were written, allowed is the file as it was written; start the sweep again, or the shard that made it, which runs this part anew");
     let ended = pounding(&folder, &["sweep", "sweep.json", "--out", "shards.csv"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let again = "run again: shards.csv.parts/part-000000003.csv: found other bytes";
     assert!(ended.stderr.starts_with(again), "{}", ended.stderr);
-    assert!(
-        bytes(&folder, "whole.csv") == bytes(&folder, "shards.csv"),
-        "a change is left"
-    );
+    assert!(bytes(&folder, "whole.csv") == bytes(&folder, "shards.csv"), "a change is left");
 }
 
 /// What is there stays, beside the table, too; a compressed summary is the same one.
@@ -248,18 +205,9 @@ fn extreme_a_summary_that_is_there_already() {
     let arguments = ["sweep", "sweep.json", "--out", "runs.csv"];
     assert_snapshot!(refusal(&pounding(&folder, &arguments)), @"error: runs.summary.csv: is there already, allowed is a new file; name another one or add --overwrite");
     assert_eq!(bytes(&folder, "runs.summary.csv"), b"mine");
-    printed(&pounding(
-        &folder,
-        &[&arguments[..], &["--overwrite"]].concat(),
-    ));
+    printed(&pounding(&folder, &[&arguments[..], &["--overwrite"]].concat()));
     assert!(bytes(&folder, "runs.summary.csv").starts_with(b"contacts[0].gap_m,column,statistic"));
     fs::write(folder.join("sweep.json"), summed(4, false).to_string()).expect("a file");
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "all.csv.zst"],
-    ));
-    assert!(
-        bytes(&folder, "all.csv.zst").starts_with(&[0x28, 0xb5, 0x2f, 0xfd]),
-        "a frame"
-    );
+    printed(&pounding(&folder, &["sweep", "sweep.json", "--out", "all.csv.zst"]));
+    assert!(bytes(&folder, "all.csv.zst").starts_with(&[0x28, 0xb5, 0x2f, 0xfd]), "a frame");
 }

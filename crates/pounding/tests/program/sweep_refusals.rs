@@ -13,11 +13,7 @@ fn wrong_fields() -> Vec<(&'static str, &'static str, Value)> {
         ("a field that is misspelt", field, json!("contacts[0].gap")),
         ("a list that is shorter", field, json!("contacts[3].gap_m")),
         ("no place", field, json!("gap m of all")),
-        (
-            "stiffness beside a period",
-            field,
-            json!("structures[0].sdof.stiffness_n_per_m"),
-        ),
+        ("stiffness beside a period", field, json!("structures[0].sdof.stiffness_n_per_m")),
         ("a field twice", field, json!("structures[0].sdof.period_s")),
         (
             "a value of a list out of range",
@@ -66,46 +62,14 @@ fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
         ("an accuracy", "/scene/method", json!({"accuracy": 2.0})),
         ("no record", "/records", json!("nowhere")),
         ("no scene file", "/scene", json!("nowhere.json")),
-        (
-            "a scene that is none",
-            "/scene/structures/0/sdof/mass",
-            json!(1.0),
-        ),
-        (
-            "an output that there is not",
-            "/outputs",
-            json!({"pairs": ["colisions"]}),
-        ),
-        (
-            "a summary by what is random",
-            "/summary",
-            json!({"by": ["contacts[0].gap_m"]}),
-        ),
-        (
-            "a summary by the same twice",
-            "/summary",
-            json!({"by": ["record", "record"]}),
-        ),
-        (
-            "a threshold of nothing",
-            "/summary",
-            json!({"exceedance": {"peak_forc_n": [1e6]}}),
-        ),
-        (
-            "no threshold",
-            "/summary",
-            json!({"exceedance": {"peak_force_n": []}}),
-        ),
-        (
-            "a quantile beyond all runs",
-            "/summary",
-            json!({"quantiles": [50.0]}),
-        ),
-        (
-            "a word that a summary has not",
-            "/summary",
-            json!({"row": true}),
-        ),
+        ("a scene that is none", "/scene/structures/0/sdof/mass", json!(1.0)),
+        ("an output that there is not", "/outputs", json!({"pairs": ["colisions"]})),
+        ("a summary by what is random", "/summary", json!({"by": ["contacts[0].gap_m"]})),
+        ("a summary by the same twice", "/summary", json!({"by": ["record", "record"]})),
+        ("a threshold of nothing", "/summary", json!({"exceedance": {"peak_forc_n": [1e6]}})),
+        ("no threshold", "/summary", json!({"exceedance": {"peak_force_n": []}})),
+        ("a quantile beyond all runs", "/summary", json!({"quantiles": [50.0]})),
+        ("a word that a summary has not", "/summary", json!({"row": true})),
     ]
 }
 
@@ -124,10 +88,7 @@ fn extreme_sweeps_that_are_refused() {
         }
         let folder = with_sweep("sweep_refused", &words);
         let message = refusal(&pounding(&folder, &["sweep", "sweep.json"]));
-        assert!(
-            !folder.join("sweep.json.csv.parts").exists(),
-            "{what}: nothing was begun"
-        );
+        assert!(!folder.join("sweep.json.csv.parts").exists(), "{what}: nothing was begun");
         said = format!("{said}{what}\n  {message}\n");
     }
     assert_snapshot!(said);

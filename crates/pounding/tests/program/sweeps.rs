@@ -74,10 +74,7 @@ fn reference_a_small_sweep() {
     let header = text.lines().next().unwrap_or_default();
     assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left – right: collisions,left – right: peak_force_n,left – right: total_impulse_n_s,checked,failed");
     assert_eq!(text.lines().count(), 5);
-    assert!(
-        !folder.join("sweep.json.csv.parts").exists(),
-        "parts go when they are joined"
-    );
+    assert!(!folder.join("sweep.json.csv.parts").exists(), "parts go when they are joined");
     let again = pounding(&folder, &["sweep", "sweep.json"]);
     assert_snapshot!(refusal(&again), @"error: sweep.json.csv: is there already, allowed is a new file; name another one or add --overwrite");
 }
@@ -138,18 +135,9 @@ fn limit_the_same_bytes_whatever_the_threads_and_shards() {
         let ended = start(&folder, &["sweep", "sweep.json", "--out", &out], &variables).wait();
         assert!(ended.expect("it ends").success());
     }
-    let merged = [
-        "merge",
-        "nodes.csv",
-        "node5.csv.parts",
-        "node6.csv.parts",
-        "node7.csv.parts",
-    ];
+    let merged = ["merge", "nodes.csv", "node5.csv.parts", "node6.csv.parts", "node7.csv.parts"];
     printed(&pounding(&folder, &merged));
-    assert!(
-        whole == table(&folder, "nodes.csv"),
-        "a job array changes bytes"
-    );
+    assert!(whole == table(&folder, "nodes.csv"), "a job array changes bytes");
 }
 
 /// A variable that somebody forgot must not make half a table silently.
@@ -185,10 +173,7 @@ fn parts_of(folder: &Path, table: &str) -> usize {
 #[test]
 fn limit_a_sweep_that_is_killed_goes_on() {
     let folder = with_sweep("sweep_killed", &sweep(20_000));
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "whole.csv"],
-    ));
+    printed(&pounding(&folder, &["sweep", "sweep.json", "--out", "whole.csv"]));
     let arguments = ["sweep", "sweep.json", "--out", "killed.csv"];
     let mut parts = 0;
     for kill in 1..=10_u64 {
@@ -211,11 +196,7 @@ fn limit_a_sweep_that_is_killed_goes_on() {
     assert!(parts > 0, "something was done before the last kill");
     if !folder.join("killed.csv").exists() {
         let ended = pounding(&folder, &arguments);
-        assert!(
-            printed(&ended).contains("were there already"),
-            "{}",
-            ended.stdout
-        );
+        assert!(printed(&ended).contains("were there already"), "{}", ended.stdout);
     } else if folder.join("killed.csv.parts").exists() {
         // Killed while it tidied up: the same command does that, but for an empty folder, which says nothing of the table.
         let parts = folder.join("killed.csv.parts");
@@ -226,10 +207,7 @@ fn limit_a_sweep_that_is_killed_goes_on() {
             fs::remove_dir(&parts).expect("it is empty");
         }
     }
-    assert!(
-        table(&folder, "whole.csv") == table(&folder, "killed.csv"),
-        "a kill changes bytes"
-    );
+    assert!(table(&folder, "whole.csv") == table(&folder, "killed.csv"), "a kill changes bytes");
     assert!(!folder.join("killed.csv.parts").exists());
 }
 
@@ -238,22 +216,13 @@ fn limit_a_sweep_that_is_killed_goes_on() {
 fn extreme_parts_of_another_sweep() {
     let folder = with_sweep("sweep_changed", &sweep(8));
     let arguments = ["sweep", "sweep.json", "--out", "runs.csv"];
-    printed(&pounding(
-        &folder,
-        &[&arguments[..], &["--shard", "1/2"]].concat(),
-    ));
+    printed(&pounding(&folder, &[&arguments[..], &["--shard", "1/2"]].concat()));
     let mut other = sweep(8);
     other["samples"]["seed"] = json!(4);
     fs::write(folder.join("sweep.json"), other.to_string()).expect("a file");
     assert_snapshot!(refusal(&pounding(&folder, &arguments)));
-    printed(&pounding(
-        &folder,
-        &[&arguments[..], &["--overwrite"]].concat(),
-    ));
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "anew.csv"],
-    ));
+    printed(&pounding(&folder, &[&arguments[..], &["--overwrite"]].concat()));
+    printed(&pounding(&folder, &["sweep", "sweep.json", "--out", "anew.csv"]));
     assert!(table(&folder, "runs.csv") == table(&folder, "anew.csv"));
 }
 
@@ -266,25 +235,13 @@ fn limit_records_are_those_of_run() {
                  \"peak_acceleration_m_per_s2\", \"transferred_momentum_n_s\"]\noutputs.pairs = [\"collisions\", \"largest_impulse_n_s\", \"least_opening_m\"]\n";
     fs::write(folder.join("sweep.toml"), words).expect("a file");
     printed(&pounding(&folder, &["sweep", "sweep.toml"]));
-    let run = [
-        "run",
-        "towers.toml",
-        "--records",
-        "records",
-        "--both",
-        "--csv",
-    ];
+    let run = ["run", "towers.toml", "--records", "records", "--both", "--csv"];
     let long = pounding(&folder, &run);
     let mut wanted = csv::Reader::from_reader(long.stdout.as_bytes());
     let wanted: Vec<csv::StringRecord> = wanted.records().map(|row| row.expect("a row")).collect();
     let wide = table(&folder, "sweep.toml.csv");
     let mut wide = csv::Reader::from_reader(&wide[..]);
-    let columns: Vec<String> = wide
-        .headers()
-        .expect("a header")
-        .iter()
-        .map(String::from)
-        .collect();
+    let columns: Vec<String> = wide.headers().expect("a header").iter().map(String::from).collect();
     let rows: Vec<csv::StringRecord> = wide.records().map(|row| row.expect("a row")).collect();
     assert_eq!(rows.len(), 4);
     let mut compared = 0;
@@ -296,15 +253,10 @@ fn limit_records_are_those_of_run() {
             // Buildings of one storey, by their names.
             let (building, neighbour) = of.split_once(" – ").unwrap_or((of, ""));
             let same = wanted.iter().find(|wanted| {
-                [&wanted[0], &wanted[2], &wanted[3], &wanted[5], &wanted[7]]
-                    == [&row[1], &row[2], building, neighbour, quantity]
+                [&wanted[0], &wanted[2], &wanted[3], &wanted[5], &wanted[7]] == [&row[1], &row[2], building, neighbour, quantity]
             });
             let same = same.unwrap_or_else(|| panic!("{column} of {}", &row[1]));
-            assert_eq!(
-                found.parse::<f64>().ok(),
-                same[8].parse::<f64>().ok(),
-                "{column}"
-            );
+            assert_eq!(found.parse::<f64>().ok(), same[8].parse::<f64>().ok(), "{column}");
             compared += 1;
         }
     }
@@ -330,26 +282,17 @@ fn reference_the_sweep_to_copy() {
 #[test]
 fn limit_job_scripts_make_the_bytes_of_one_machine() {
     let folder = with_sweep("sweep_jobs", &sweep(100));
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "whole.csv"],
-    ));
+    printed(&pounding(&folder, &["sweep", "sweep.json", "--out", "whole.csv"]));
     let program = assert_cmd::cargo::cargo_bin!("pounding");
     let job = |script: &str, out: &str, variables: &[(&str, &str)]| {
         let jobs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies/jobs");
         let mut command = Command::new("bash");
         command.arg(jobs.join(script)).args(["sweep.json", out]);
         command.current_dir(&folder).env("POUNDING", program);
-        let output = command
-            .envs(variables.iter().copied())
-            .output()
-            .expect("bash");
+        let output = command.envs(variables.iter().copied()).output().expect("bash");
         let said = String::from_utf8_lossy(&output.stdout);
         let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            said.contains(&format!("pounding merge {out}")),
-            "{said}{errors}"
-        );
+        assert!(said.contains(&format!("pounding merge {out}")), "{said}{errors}");
     };
     for task in ["1", "2", "3"] {
         let slurm = [
@@ -365,11 +308,7 @@ fn limit_job_scripts_make_the_bytes_of_one_machine() {
     job(
         "slurm.sh",
         "slurm.csv",
-        &[
-            ("SLURM_ARRAY_TASK_ID", "2"),
-            ("SLURM_ARRAY_TASK_COUNT", "1"),
-            ("SHARDS", "3"),
-        ],
+        &[("SLURM_ARRAY_TASK_ID", "2"), ("SLURM_ARRAY_TASK_COUNT", "1"), ("SHARDS", "3")],
     );
     for out in ["slurm.csv", "hyperqueue.csv"] {
         printed(&pounding(&folder, &["merge", out]));
@@ -400,9 +339,6 @@ fn reference_a_sweep_that_is_stopped_says_how_to_go_on() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");
     let wanted = "of 2000000 runs are in sweep.json.csv.parts; the same command runs the others\n";
-    assert!(
-        said.starts_with("error: stopped: ") && said.ends_with(wanted),
-        "{said}"
-    );
+    assert!(said.starts_with("error: stopped: ") && said.ends_with(wanted), "{said}");
     fs::remove_dir_all(&parts).expect("nobody works there any more");
 }

@@ -46,10 +46,7 @@ pub(crate) fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
     fs::create_dir(work.join("records")).expect("it can be made");
-    let mut all = vec![
-        ("good.csv", record(1.0, 2.0)),
-        ("other.csv", record(1.3, 1.7)),
-    ];
+    let mut all = vec![("good.csv", record(1.0, 2.0)), ("other.csv", record(1.3, 1.7))];
     if spoilt {
         all.extend([
             ("cm.csv", record(0.8, 150.0)),
@@ -65,11 +62,7 @@ pub(crate) fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
 
 pub(crate) fn flat(ended: &Ended) -> String {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    ended
-        .stdout
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ")
+    ended.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 pub(crate) const OF_FOLDERS: [&[&str]; 3] = [
@@ -89,15 +82,8 @@ fn issue_unusual_records_stand_before_every_answer() {
         let said = flat(&pounding(&work, arguments));
         let first = "Unusual 2 motions, the farthest off cm.csv: found a peak of ";
         assert!(said.starts_with(first), "{arguments:?}: {said}");
-        assert_eq!(
-            said.matches("a peak of").count(),
-            1,
-            "{arguments:?}: {said}"
-        );
-        assert!(
-            !said.contains("none of") || arguments[0] != "assess",
-            "{said}"
-        );
+        assert_eq!(said.matches("a peak of").count(), 1, "{arguments:?}: {said}");
+        assert!(!said.contains("none of") || arguments[0] != "assess", "{said}");
     }
     for arguments in OF_FOLDERS {
         let ended = pounding(&work, &[arguments, &["--json"]].concat());
@@ -109,10 +95,7 @@ fn issue_unusual_records_stand_before_every_answer() {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
     let [unusual, answer] = ["cm.csv: found", "class=\"verdict"].map(|word| page.find(word));
-    assert!(
-        unusual.is_some() && unusual < answer,
-        "{unusual:?} {answer:?}"
-    );
+    assert!(unusual.is_some() && unusual < answer, "{unusual:?} {answer:?}");
 }
 
 /// A file of zeros was an event under which "20 mm is enough", and nothing was said of it.
@@ -152,10 +135,7 @@ fn issue_unusual_scenes_stand_before_every_answer() {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
     let [unusual, answer] = ["200 kg", "class=\"verdict"].map(|word| page.find(word));
-    assert!(
-        unusual.is_some() && unusual < answer,
-        "{unusual:?} {answer:?}"
-    );
+    assert!(unusual.is_some() && unusual < answer, "{unusual:?} {answer:?}");
 }
 
 /// Only the first value of what varies was doubted, and options were advised that `sweep` does not have.
@@ -164,32 +144,18 @@ fn issue_all_that_a_sweep_varies_is_doubted() {
     let work = workplace("unusual_sweep", TWO, false);
     fs::write(work.join("records/bare.txt"), "0.1\n-0.2\n0.1\n").expect("it can be written");
     for (vary, found) in [
-        (
-            r#"{ field = "contacts[0].gap_m", values = [0.2, 50] }"#,
-            "found 50 m",
-        ),
-        (
-            r#"{ field = "record.scale", values = [1, 100] }"#,
-            "found a peak of 37.32 g",
-        ),
+        (r#"{ field = "contacts[0].gap_m", values = [0.2, 50] }"#, "found 50 m"),
+        (r#"{ field = "record.scale", values = [1, 100] }"#, "found a peak of 37.32 g"),
         (
             r#"{ field = "structures[0].sdof.damping.ratio", grid = { from = 0.05, to = 5, count = 3 } }"#,
             "which is 500 %",
         ),
     ] {
-        let words = format!(
-            "scene = \"scene.toml\"\nrecords = \"records\"\nsummary = {{}}\nvary = [{vary}]\n"
-        );
+        let words = format!("scene = \"scene.toml\"\nrecords = \"records\"\nsummary = {{}}\nvary = [{vary}]\n");
         fs::write(work.join("sweep.toml"), words).expect("it can be written");
         let said = flat(&pounding(&work, &["sweep", "sweep.toml", "--overwrite"]));
-        assert!(
-            said.starts_with("Unusual ") && said.contains(found),
-            "{vary}: {said}"
-        );
-        assert!(
-            said.contains("bare.txt") && !said.contains("--time-step"),
-            "{said}"
-        );
+        assert!(said.starts_with("Unusual ") && said.contains(found), "{vary}: {said}");
+        assert!(said.contains("bare.txt") && !said.contains("--time-step"), "{said}");
     }
 }
 
@@ -201,9 +167,7 @@ fn issue_enough_is_said_with_its_cautions() {
     let scaled = [OF_FOLDERS[0], &["--scale", "pga=0.9g"]].concat();
     let ended = pounding(&work, &[&scaled[..], &["--json"]].concat());
     let found: Value = serde_json::from_str(&ended.stdout).expect("JSON");
-    let largest = found["gaps"][0]["required_m"]["largest"]
-        .as_f64()
-        .expect("a width");
+    let largest = found["gaps"][0]["required_m"]["largest"].as_f64().expect("a width");
     let enough = soft.replace("gap_m = 0.21", &format!("gap_m = {:.6}", 1.01 * largest));
     fs::write(work.join("scene.toml"), enough).expect("it can be written");
     let said = flat(&pounding(&work, &scaled));
@@ -212,21 +176,14 @@ fn issue_enough_is_said_with_its_cautions() {
         " mm is enough between a and b: they touch in none of 4 runs",
         "The margin of 1.0 % is less than the spread of the widths (σ ln ",
     ]
-    .map(|words| {
-        said.find(words)
-            .unwrap_or_else(|| panic!("{words}: {said}"))
-    });
+    .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(caution < answer && answer < margin, "{said}");
     // Damping of 500 % leads.
     let damped = TWO.replace("damping.ratio = 0.05", "damping.ratio = 5");
     fs::write(work.join("scene.toml"), damped).expect("it can be written");
     let said = flat(&pounding(&work, OF_FOLDERS[0]));
-    let first =
-        "Unusual structures[0].sdof.damping and 1 more: found a damping ratio of 5, which is 500 %";
-    assert!(
-        said.starts_with(first) && said.contains("is enough between"),
-        "{said}"
-    );
+    let first = "Unusual structures[0].sdof.damping and 1 more: found a damping ratio of 5, which is 500 %";
+    assert!(said.starts_with(first) && said.contains("is enough between"), "{said}");
 }
 
 /// A pulse throws a building against a wall, and reversed far away from it.
@@ -246,14 +203,8 @@ contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 fn issue_both_directions_are_judged() {
     let work = workplace("unusual_directions", BESIDE_A_WALL, false);
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    let [first, second] = [
-        "Answer reversed, worse for the buildings (tower: ",
-        "as recorded (tower: ",
-    ]
-    .map(|words| {
-        said.find(words)
-            .unwrap_or_else(|| panic!("{words}: {said}"))
-    });
+    let [first, second] = ["Answer reversed, worse for the buildings (tower: ", "as recorded (tower: "]
+        .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(first < second, "{said}");
     assert!(!said.contains("Warnings none"), "{said}");
     assert!(said.contains(" reversed: tower: drift of "), "{said}");
@@ -281,17 +232,11 @@ fn issue_floors_beside_columns_are_not_silent() {
         "{said}"
     );
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
-    assert!(
-        said.starts_with("Warnings a, floor 2: faces columns of its neighbour"),
-        "{said}"
-    );
+    assert!(said.starts_with("Warnings a, floor 2: faces columns of its neighbour"), "{said}");
     let wide = STAGGERED.replace("gap_m = 0.05", "gap_m = 1.5");
     fs::write(work.join("scene.toml"), wide).expect("it can be written");
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    assert!(
-        said.contains("no floors touch") && said.contains("Warnings none"),
-        "{said}"
-    );
+    assert!(said.contains("no floors touch") && said.contains("Warnings none"), "{said}");
 }
 
 /// Without contacts "nothing touches … Warnings none" was said, and nothing had been looked for.
@@ -301,18 +246,11 @@ fn issue_without_contacts_nothing_is_said_of_pounding() {
     let apart = apart.collect::<Vec<_>>().join("\n");
     let work = workplace("unusual_apart", &apart, false);
     let none = "no contact is modelled, so that nothing is said about pounding";
-    let runs: [&[&str]; 3] = [
-        &["run", "scene.toml"],
-        &["run", "scene.toml", "--effects"],
-        OF_FOLDERS[2],
-    ];
+    let runs: [&[&str]; 3] = [&["run", "scene.toml"], &["run", "scene.toml", "--effects"], OF_FOLDERS[2]];
     for arguments in runs {
         let said = flat(&pounding(&work, arguments));
         assert!(said.contains(none), "{arguments:?}: {said}");
-        assert!(
-            !said.contains("nothing touches") && !said.contains("they touch under 0"),
-            "{said}"
-        );
+        assert!(!said.contains("nothing touches") && !said.contains("they touch under 0"), "{said}");
     }
     let ended = pounding(&work, &[OF_FOLDERS[0], &["--out", "out"]].concat());
     assert_eq!(ended.code, 0, "{}", ended.stderr);
@@ -320,10 +258,7 @@ fn issue_without_contacts_nothing_is_said_of_pounding() {
     assert!(page.contains("No contact is modelled") && !page.contains("Nothing touches"));
     let sweep = r#"{"scene": "scene.toml", "vary": [{"field": "structures[0].sdof.period_s", "values": [0.4, 0.5]}]}"#;
     fs::write(work.join("sweep.json"), sweep).expect("it can be written");
-    let said = flat(&pounding(
-        &work,
-        &["sweep", "sweep.json", "--out", "table.csv"],
-    ));
+    let said = flat(&pounding(&work, &["sweep", "sweep.json", "--out", "table.csv"]));
     assert!(said.contains(none), "{said}");
 }
 
@@ -335,10 +270,7 @@ fn issue_the_law_of_bumpers_is_named() {
         "gap_m = 0.04, law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2e9, restitution = 0.6 }",
     );
     let work = workplace("unusual_bumper", &narrow, false);
-    let said = flat(&pounding(
-        &work,
-        &[OF_FOLDERS[0], &["--bumper", "k=500MN/m"]].concat(),
-    ));
+    let said = flat(&pounding(&work, &[OF_FOLDERS[0], &["--bumper", "k=500MN/m"]].concat()));
     let law = "between a and b, law modified_linear_viscoelastic with e = 0.60)";
     assert!(said.contains(law), "{said}");
 }
@@ -359,16 +291,8 @@ fn issue_decimal_commas_and_backslashes_are_named() {
     let of_break = said("new.toml", "records/good.csv", "records\\new.csv");
     let said = [
         said("comma.toml", "gap_m = 0.21", "gap_m = 0,21"),
-        said(
-            "line.toml",
-            "name = \"two\"",
-            "name = \"two\"\nduration_s = 10,5",
-        ),
-        said(
-            "thousands.toml",
-            "name = \"two\"",
-            "name = \"two\"\nduration_s = 1.000,5",
-        ),
+        said("line.toml", "name = \"two\"", "name = \"two\"\nduration_s = 10,5"),
+        said("thousands.toml", "name = \"two\"", "name = \"two\"\nduration_s = 1.000,5"),
         said("quake.toml", "records/good.csv", "records\\quake.csv"),
         pounding(&work, &["check", "scene.json"]).stderr,
     ];

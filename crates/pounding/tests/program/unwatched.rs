@@ -19,8 +19,7 @@ structures = [
 contacts = [{ gap_m = 0.1, levels = [1], law.stereomechanical.restitution = 0.5 }]
 "#;
 
-const SWEEP: &str =
-    r#"{"scene": "scene.toml", "vary": [{"field": "duration_s", "values": [9, 10]}]}"#;
+const SWEEP: &str = r#"{"scene": "scene.toml", "vary": [{"field": "duration_s", "values": [9, 10]}]}"#;
 
 fn json(work: &Path, arguments: &[&str]) -> Value {
     let ended = pounding(work, &[arguments, &["--json"]].concat());
@@ -54,10 +53,7 @@ contacts = [
     ] {
         fs::write(work.join("scene.toml"), scene).expect("it can be written");
         let said = flat(&pounding(&work, OF_FOLDERS[0]));
-        assert!(
-            said.contains(&format!("In these runs they do not touch, {why}.")),
-            "{said}"
-        );
+        assert!(said.contains(&format!("In these runs they do not touch, {why}.")), "{said}");
         assert!(!said.contains("is enough between a and b"), "{said}");
     }
 }
@@ -69,52 +65,29 @@ fn issue_levels_that_are_left_out_are_named() {
     fs::write(work.join("sweep.json"), SWEEP).expect("it can be written");
     let named = "levels 2 to 3 of a and b: not looked at";
     let swept = flat(&pounding(&work, &["sweep", "sweep.json", "--out", "t.csv"]));
-    assert!(
-        swept.contains("or a floor that `levels` leaves out"),
-        "{swept}"
-    );
-    for arguments in [
-        &["run", "scene.toml"][..],
-        &["check", "scene.toml"],
-        OF_FOLDERS[0],
-        OF_FOLDERS[2],
-    ] {
+    assert!(swept.contains("or a floor that `levels` leaves out"), "{swept}");
+    for arguments in [&["run", "scene.toml"][..], &["check", "scene.toml"], OF_FOLDERS[0], OF_FOLDERS[2]] {
         let said = flat(&pounding(&work, arguments));
         assert!(said.contains(named), "{arguments:?}: {said}");
-        assert!(
-            !said.contains("no floors touch") && !said.contains("Nothing touches"),
-            "{said}"
-        );
+        assert!(!said.contains("no floors touch") && !said.contains("Nothing touches"), "{said}");
         let warnings = json(&work, arguments)["warnings"].to_string();
         assert!(warnings.contains(named), "{arguments:?}: {warnings}");
     }
     // The width counts them.
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
-    assert!(
-        said.contains("good.csv 3 ") && !said.contains("not looked at"),
-        "{said}"
-    );
+    assert!(said.contains("good.csv 3 ") && !said.contains("not looked at"), "{said}");
     let wide = LEVEL.replace("gap_m = 0.1", "gap_m = 1.5");
     fs::write(work.join("scene.toml"), wide).expect("it can be written");
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    assert!(
-        said.contains("no floors touch") && !said.contains("not looked at"),
-        "{said}"
-    );
+    assert!(said.contains("no floors touch") && !said.contains("not looked at"), "{said}");
 }
 
 /// "need 40 mm … Proposed: 40 mm" beside ten slabs that move 150 mm: without a contact nobody named them, and nobody judged the proposal.
 #[test]
 fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() {
-    let apart = STAGGERED
-        .lines()
-        .filter(|line| !line.starts_with("contacts"));
+    let apart = STAGGERED.lines().filter(|line| !line.starts_with("contacts"));
     let apart = apart.collect::<Vec<_>>().join("\n");
-    let no_level = apart.replacen(
-        "{ mass_kg = 2e5, height_m = 3 }",
-        "{ mass_kg = 2e5, height_m = 3.2 }",
-        1,
-    );
+    let no_level = apart.replacen("{ mass_kg = 2e5, height_m = 3 }", "{ mass_kg = 2e5, height_m = 3.2 }", 1);
     let wide = STAGGERED.replace("gap_m = 0.05", "gap_m = 1.5");
     let work = workplace("unwatched_columns", &apart, false);
     fs::write(work.join("sweep.json"), SWEEP).expect("it can be written");
@@ -125,38 +98,23 @@ fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() 
             // A width is judged by itself, whatever the gap is.
             let is_named = reaches || arguments[0] == "gap";
             let said = flat(&pounding(&work, arguments));
-            assert_eq!(
-                said.contains("faces columns of its neighbour"),
-                is_named,
-                "{arguments:?}: {said}"
-            );
+            assert_eq!(said.contains("faces columns of its neighbour"), is_named, "{arguments:?}: {said}");
             let warnings = json(&work, arguments)["warnings"].to_string();
-            assert_eq!(
-                warnings.contains("faces columns"),
-                is_named,
-                "{arguments:?}: {warnings}"
-            );
+            assert_eq!(warnings.contains("faces columns"), is_named, "{arguments:?}: {warnings}");
         }
-        let said = flat(&pounding(
-            &work,
-            &["sweep", "sweep.json", "--out", "t.csv", "--overwrite"],
-        ));
+        let said = flat(&pounding(&work, &["sweep", "sweep.json", "--out", "t.csv", "--overwrite"]));
         assert!(said.contains("floors that face a column"), "{said}");
     }
     for scene in [&apart, &wide] {
         fs::write(work.join("scene.toml"), scene).expect("it can be written");
         let gap = &json(&work, OF_FOLDERS[0])["gaps"][0];
-        let [proposed, beside] =
-            ["proposed_m", "beside_columns_m"].map(|name| gap[name].as_f64().expect("a width"));
+        let [proposed, beside] = ["proposed_m", "beside_columns_m"].map(|name| gap[name].as_f64().expect("a width"));
         assert!(proposed >= beside, "{gap}");
     }
     fs::write(work.join("scene.toml"), &no_level).expect("it can be written");
     for arguments in &OF_FOLDERS[..2] {
         let said = flat(&pounding(&work, arguments));
-        assert!(
-            said.contains("No floors of a and b face each other"),
-            "{said}"
-        );
+        assert!(said.contains("No floors of a and b face each other"), "{said}");
     }
     // Masses of one storey meet whatever their heights are.
     let masses = TWO
@@ -193,16 +151,9 @@ fn issue_a_weak_motion_in_a_declared_unit_is_doubted() {
 /// `gap` hid a gap of 50 m of its scene.
 #[test]
 fn issue_gap_doubts_the_gap_of_the_scene() {
-    let work = workplace(
-        "unwatched_gap",
-        &TWO.replace("gap_m = 0.21", "gap_m = 50"),
-        false,
-    );
+    let work = workplace("unwatched_gap", &TWO.replace("gap_m = 0.21", "gap_m = 50"), false);
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
-    assert!(
-        said.starts_with("Unusual contacts[0].gap_m: found 50 m"),
-        "{said}"
-    );
+    assert!(said.starts_with("Unusual contacts[0].gap_m: found 50 m"), "{said}");
     fs::write(work.join("scene.toml"), TWO).expect("it can be written");
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
     assert!(!said.contains("Unusual"), "{said}");
@@ -217,10 +168,7 @@ fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
         .replace("gap_m = 0.21", "gap_m = 0.01");
     let work = workplace("unwatched_events", &soft, false);
     let said = flat(&pounding(&work, OF_FOLDERS[2]));
-    assert!(
-        said.contains("they touch under 2 of 2 events (4 of 4 runs)"),
-        "{said}"
-    );
+    assert!(said.contains("they touch under 2 of 2 events (4 of 4 runs)"), "{said}");
     for arguments in &OF_FOLDERS[1..] {
         let said = flat(&pounding(&work, arguments));
         assert!(
@@ -230,25 +178,16 @@ fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
     }
     fs::write(work.join("scene.toml"), BESIDE_A_WALL).expect("it can be written");
     let warnings = json(&work, &["run", "scene.toml"])["warnings"].to_string();
-    assert!(
-        warnings.contains("reversed: tower: drift of "),
-        "{warnings}"
-    );
+    assert!(warnings.contains("reversed: tower: drift of "), "{warnings}");
 }
 
 /// A mean spectrum far below its target was told after "is enough" alone.
 #[test]
 fn issue_a_weak_mean_spectrum_is_a_caution() {
-    let work = workplace(
-        "unwatched_target",
-        &TWO.replace("gap_m = 0.21", "gap_m = 1.9"),
-        false,
-    );
+    let work = workplace("unwatched_target", &TWO.replace("gap_m = 0.21", "gap_m = 1.9"), false);
     let target = [OF_FOLDERS[0], &["--target", "ec8:a_g=0.1g,ground=C"]].concat();
     let said = flat(&pounding(&work, &target));
-    let [caution, answer] = ["the mean spectrum has ", "is enough between a and b"].map(|words| {
-        said.find(words)
-            .unwrap_or_else(|| panic!("{words}: {said}"))
-    });
+    let [caution, answer] =
+        ["the mean spectrum has ", "is enough between a and b"].map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(said.contains("Caution: ") && caution < answer, "{said}");
 }

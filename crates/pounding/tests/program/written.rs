@@ -92,20 +92,12 @@ fn issue_no_file_of_text_steers_a_terminal() {
 fn issue_a_path_of_a_megabyte_is_not_repeated() {
     let folder = suite("promises_path");
     let path = "deep/".repeat(200_000);
-    fs::write(
-        folder.join("scene.toml"),
-        TOWERS.replace("records/column.txt", &path),
-    )
-    .expect("a disk");
+    fs::write(folder.join("scene.toml"), TOWERS.replace("records/column.txt", &path)).expect("a disk");
     for command in ["run scene.toml", "run scene.toml --json"] {
         let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
         assert_eq!(ended.code, 1);
         assert!(ended.stderr.len() < 10_000, "{}", ended.stderr.len());
-        assert!(
-            ended.stderr.contains("letters are left out"),
-            "{}",
-            ended.stderr
-        );
+        assert!(ended.stderr.contains("letters are left out"), "{}", ended.stderr);
         if command.ends_with("--json") {
             serde_json::from_str::<Value>(&ended.stderr).expect("JSON");
         }
@@ -118,13 +110,7 @@ fn issue_a_path_of_a_megabyte_is_not_repeated() {
 fn issue_what_a_stop_leaves_goes_with_the_next_file() {
     let folder = suite("written_leftovers");
     fs::write(folder.join("towers.toml"), springs()).expect("a disk");
-    let left = [
-        "c.csv",
-        "c.provenance.json",
-        "check.py",
-        "new.toml",
-        "new.png",
-    ];
+    let left = ["c.csv", "c.provenance.json", "check.py", "new.toml", "new.png"];
     let left = left.map(|name| folder.join(format!(".{name}.aB3xyz.new")));
     for path in &left {
         fs::write(path, "half").expect("a disk");

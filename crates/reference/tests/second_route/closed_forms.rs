@@ -16,8 +16,7 @@ fn under_ramp(omega: f64, zeta: f64, [a, b]: [f64; 2], t: f64) -> (f64, f64) {
     let (c, s, decay) = (cos(damped * t), sin(damped * t), exp(-zeta * omega * t));
     let slope = (v + zeta * omega * u) / damped;
     let free = decay * (u * c + slope * s);
-    let rate =
-        decay * ((slope * damped - zeta * omega * u) * c - (u * damped + zeta * omega * slope) * s);
+    let rate = decay * ((slope * damped - zeta * omega * u) * c - (u * damped + zeta * omega * slope) * s);
     (p + q * t + free, q + rate)
 }
 
@@ -28,9 +27,7 @@ fn reference_a_structure_under_a_ramp() {
         let stiffness = omega * omega;
         let node = Node::structure(1.0, 2.0 * zeta * omega, Elastic { stiffness });
         let row = Row::new(vec![node], vec![]).unwrap();
-        let ground: Vec<f64> = (0..32)
-            .map(|i| ramp[0] + 0.1 * ramp[1] * f64::from(i))
-            .collect();
+        let ground: Vec<f64> = (0..32).map(|i| ramp[0] + 0.1 * ramp[1] * f64::from(i)).collect();
         let found = &run(&row, &ground, 3.0).structures[0];
         let (displacement, velocity) = under_ramp(omega, zeta, ramp, 3.0);
         let peak = found.displacement;
@@ -47,16 +44,8 @@ fn reference_a_structure_under_a_ramp() {
         );
         let (there, rate) = under_ramp(omega, zeta, ramp, peak.time);
         close(peak.value, there, 1e-14, "peak displacement");
-        assert!(
-            rate.abs() < 1e-14 * omega * scale,
-            "velocity {rate} at the peak"
-        );
-        close(
-            found.restoring_force.value,
-            stiffness * there,
-            1e-14,
-            "peak restoring force",
-        );
+        assert!(rate.abs() < 1e-14 * omega * scale, "velocity {rate} at the peak");
+        close(found.restoring_force.value, stiffness * there, 1e-14, "peak restoring force");
     }
 }
 
@@ -66,12 +55,7 @@ fn extreme_the_ground_stops_at_the_last_sample() {
     let row = Row::new(vec![Node::structure(1.0, 0.0, super::FREE)], vec![]).unwrap();
     let found = &run(&row, &[1.0, 1.0, 1.0], 0.5).structures[0];
     close(found.end_velocity, -0.2, 1e-15, "velocity");
-    close(
-        found.end_displacement,
-        -(0.02 + 0.2 * 0.3),
-        1e-15,
-        "displacement",
-    );
+    close(found.end_displacement, -(0.02 + 0.2 * 0.3), 1e-15, "displacement");
 }
 
 #[test]
@@ -95,24 +79,9 @@ fn reference_yield_and_unloading_under_a_constant_load() {
     let peak = yield_force / stiffness + 0.5 * speed * speed / deceleration;
     close(found.displacement.value, peak, 1e-14, "peak displacement");
     close(found.displacement.time, time, 1e-14, "its time");
-    close(
-        found.restoring_force.value,
-        yield_force,
-        0.0,
-        "peak restoring force",
-    );
-    close(
-        found.restoring_force.time,
-        first_yield,
-        1e-14,
-        "first yield",
-    );
+    close(found.restoring_force.value, yield_force, 0.0, "peak restoring force");
+    close(found.restoring_force.time, first_yield, 1e-14, "first yield");
     let centre = peak - (yield_force - load) / stiffness;
     let end = centre + (peak - centre) * cos(omega * (1.0 - time));
-    close(
-        found.end_displacement,
-        end,
-        1e-14,
-        "displacement after unloading",
-    );
+    close(found.end_displacement, end, 1e-14, "displacement after unloading");
 }

@@ -1,10 +1,7 @@
 //! The second route beside the exact method.
 
 use pounding_reference::Response;
-use pounding_solver::{
-    Clock, Collisions, Exact, Excitation, Hysteretic, Integrator, Node, Peaks, Row,
-    TransferredMomentum,
-};
+use pounding_solver::{Clock, Collisions, Exact, Excitation, Hysteretic, Integrator, Node, Peaks, Row, TransferredMomentum};
 
 use super::storeys::ground;
 use super::{close, run};
@@ -42,10 +39,7 @@ impl Met {
 }
 
 /// The exact method on a row under shaking sampled every 0.1 s.
-fn exact<Column: Hysteretic>(
-    row: &Row<Column>,
-    duration: f64,
-) -> (Peaks, TransferredMomentum, Collisions) {
+fn exact<Column: Hysteretic>(row: &Row<Column>, duration: f64) -> (Peaks, TransferredMomentum, Collisions) {
     let samples = ground();
     let excitation = Excitation::new(0.1, &samples).expect("finite samples");
     let n = row.nodes().len();
@@ -92,13 +86,8 @@ pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: 
         let what = format!("{what}, pair {pair}");
         let impulsive = !row.pairs()[pair].law.is_compliant();
         let found = collisions.all().iter().filter(|one| one.pair == pair);
-        let found = Met::of(
-            found.map(|one| (one.impulse, one.peak_force, one.end - one.start)),
-            impulsive,
-        );
-        let wanted = wanted
-            .iter()
-            .map(|one| (one.impulse, one.peak_force, one.end - one.start));
+        let found = Met::of(found.map(|one| (one.impulse, one.peak_force, one.end - one.start)), impulsive);
+        let wanted = wanted.iter().map(|one| (one.impulse, one.peak_force, one.end - one.start));
         let wanted = Met::of(wanted, impulsive);
         assert_eq!(found.n, wanted.n, "{what}");
         close(found.impulse, wanted.impulse, TOLERANCE, &what);

@@ -32,12 +32,7 @@ fn reference_free_viscoelastic_impact() {
             close(right - left, restitution * speed, 1e-14, "restitution");
             let impulse = mass * (1.0 + restitution) * speed;
             close(collision.impulse, impulse, 1e-14, "impulse");
-            close(
-                masses[1] * right,
-                impulse,
-                1e-14,
-                "momentum of the right mass",
-            );
+            close(masses[1] * right, impulse, 1e-14, "momentum of the right mass");
             close(collision.start, 0.01 / speed, 1e-14, "first touch");
         }
     }
@@ -67,11 +62,7 @@ fn reference_largest_deformation_of_a_free_impact() {
 #[test]
 fn reference_three_equal_masses_in_a_row() {
     // The two on the right touch at rest: the simultaneous rule gives (−1/3, 2/3, 2/3).
-    let nodes = vec![
-        moving(2.0, 1.0, FREE),
-        moving(2.0, 0.0, FREE),
-        moving(2.0, 0.0, FREE),
-    ];
+    let nodes = vec![moving(2.0, 1.0, FREE), moving(2.0, 0.0, FREE), moving(2.0, 0.0, FREE)];
     let mut contacts = pairs(3, 0.5, stereomechanical(1.0));
     contacts[1].relation.offset = 0.0;
     let response = run(&Row::new(nodes, contacts).unwrap(), &[0.0], 1.0);
@@ -80,22 +71,13 @@ fn reference_three_equal_masses_in_a_row() {
     }
     let count = |pair: usize| response.collisions[pair].len();
     assert_eq!([count(0), count(1)], [1, 1], "one impact of each pair");
-    close(
-        response.structures[1].transferred_momentum,
-        4.0 / 3.0,
-        1e-15,
-        "net impulse",
-    );
+    close(response.structures[1].transferred_momentum, 4.0 / 3.0, 1e-15, "net impulse");
 }
 
 #[test]
 fn reference_a_light_mass_hit_from_both_sides_at_once() {
     for law in [stereomechanical(0.7), viscoelastic(0.35)] {
-        let nodes = vec![
-            moving(3e6, 0.5, FREE),
-            moving(75e3, 0.0, FREE),
-            moving(3e6, -0.5, FREE),
-        ];
+        let nodes = vec![moving(3e6, 0.5, FREE), moving(75e3, 0.0, FREE), moving(3e6, -0.5, FREE)];
         let response = run(&Row::new(nodes, pairs(3, 0.05, law)).unwrap(), &[0.0], 0.6);
         let [left, middle, right] = response.structures.as_slice() else {
             panic!("three structures");
@@ -104,19 +86,9 @@ fn reference_a_light_mass_hit_from_both_sides_at_once() {
         assert_eq!(of_left.len(), of_right.len(), "as often from either side");
         for (one, other) in of_left.iter().zip(of_right) {
             close(one.start, other.start, 1e-14, "touch from either side");
-            close(
-                one.impulse,
-                other.impulse,
-                1e-12,
-                "impulse from either side",
-            );
+            close(one.impulse, other.impulse, 1e-12, "impulse from either side");
         }
-        close(
-            left.end_velocity,
-            -right.end_velocity,
-            1e-13,
-            "mirror image",
-        );
+        close(left.end_velocity, -right.end_velocity, 1e-13, "mirror image");
         assert!(middle.end_velocity.abs() < 1e-12, "{}", middle.end_velocity);
         let scale = left.transferred_momentum;
         assert!(middle.transferred_momentum < 1e-11 * scale, "{middle:?}");

@@ -2,9 +2,7 @@
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_reference::Collision;
-use pounding_solver::{
-    Bilinear, Clock, Collisions, Exact, Excitation, Integrator, Node, Row, TransferredMomentum,
-};
+use pounding_solver::{Bilinear, Clock, Collisions, Exact, Excitation, Integrator, Node, Row, TransferredMomentum};
 
 use super::{close, pairs, run};
 
@@ -18,9 +16,7 @@ fn laws() -> Vec<(LawName, f64, ContactLaw)> {
         approach_speed: 0.3,
     };
     let mut laws = Vec::new();
-    let compliant = LawName::ALL
-        .into_iter()
-        .filter_map(|name| Some((name, name.stiffness_unit()?)));
+    let compliant = LawName::ALL.into_iter().filter_map(|name| Some((name, name.stiffness_unit()?)));
     for (name, unit) in compliant {
         let stiffness = if unit == "N/m" { 9.35e7 } else { 2.75e9 };
         for e in [0.2, 0.65, 1.0] {

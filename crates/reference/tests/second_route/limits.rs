@@ -12,11 +12,7 @@ const STIFFNESSES: [f64; 3] = [2.056e6, 1.316e9, 4e6];
 fn undamped(law: pounding_contact::ContactLaw) -> Row<Elastic> {
     let node = |index: usize| {
         let stiffness = STIFFNESSES[index];
-        moving(
-            MASSES[index],
-            [0.5, 0.2, -0.4][index],
-            Elastic { stiffness },
-        )
+        moving(MASSES[index], [0.5, 0.2, -0.4][index], Elastic { stiffness })
     };
     Row::new((0..3).map(node).collect(), pairs(3, 0.01, law)).expect("a valid row")
 }
@@ -39,11 +35,7 @@ fn limit_energy_is_kept_without_damping() {
             let structure = &response.structures[index];
             (structure.end_displacement, structure.end_velocity)
         });
-        let apart = response
-            .collisions
-            .iter()
-            .flatten()
-            .all(|collision| collision.end < 5.0);
+        let apart = response.collisions.iter().flatten().all(|collision| collision.end < 5.0);
         let many = response.collisions.iter().all(|pair| pair.len() > 3);
         assert!(many && apart, "pairs collide and stand apart at the end");
         close(after, before, 1e-13, "energy");
@@ -57,16 +49,10 @@ fn limit_momentum_is_kept_by_free_masses() {
         let node = |index: usize| moving(MASSES[index], velocities[index], FREE);
         let row = Row::new((0..3).map(node).collect(), pairs(3, 0.02, law)).unwrap();
         let response = run(&row, &[0.0], 2.0);
-        let impulse = |pair: usize| -> f64 {
-            response.collisions[pair]
-                .iter()
-                .map(|collision| collision.impulse)
-                .sum()
-        };
+        let impulse = |pair: usize| -> f64 { response.collisions[pair].iter().map(|collision| collision.impulse).sum() };
         let net = [-impulse(0), impulse(0) - impulse(1), impulse(1)];
         for index in 0..3 {
-            let gained =
-                MASSES[index] * (response.structures[index].end_velocity - velocities[index]);
+            let gained = MASSES[index] * (response.structures[index].end_velocity - velocities[index]);
             assert!(
                 (gained - net[index]).abs() < 1e-14 * MASSES[1],
                 "{index}: {gained} against {} N·s",
@@ -87,18 +73,8 @@ fn limit_structures_that_do_not_collide_keep_apart() {
     let none = Row::new(nodes, vec![]).unwrap();
     let (wide, none) = (run(&wide, &[0.5, 0.0], 3.0), run(&none, &[0.5, 0.0], 3.0));
     for (found, wanted) in wide.structures.iter().zip(&none.structures) {
-        close(
-            found.end_displacement,
-            wanted.end_displacement,
-            1e-13,
-            "displacement",
-        );
-        close(
-            found.displacement.value,
-            wanted.displacement.value,
-            1e-13,
-            "peak",
-        );
+        close(found.end_displacement, wanted.end_displacement, 1e-13, "displacement");
+        close(found.displacement.value, wanted.displacement.value, 1e-13, "peak");
     }
     assert!(wide.collisions[0].is_empty(), "{:?}", wide.collisions);
 }
@@ -120,10 +96,7 @@ fn limit_a_yield_force_never_reached_is_elastic() {
     };
     let nodes = elastic.nodes().iter().map(node).collect();
     let rich = Row::new(nodes, elastic.pairs().to_vec()).unwrap();
-    assert_eq!(
-        run(&elastic, &[1.0, 0.0], 2.0),
-        run(&rich, &[1.0, 0.0], 2.0)
-    );
+    assert_eq!(run(&elastic, &[1.0, 0.0], 2.0), run(&rich, &[1.0, 0.0], 2.0));
 }
 
 #[test]
@@ -146,30 +119,12 @@ fn limit_a_mirrored_row_mirrors() {
 
 fn mirror(there: &Response, back: &Response) {
     for (one, other) in there.structures.iter().zip(back.structures.iter().rev()) {
-        close(
-            one.displacement.value,
-            -other.displacement.value,
-            1e-12,
-            "peak displacement",
-        );
-        close(
-            one.displacement.time,
-            other.displacement.time,
-            1e-12,
-            "its time",
-        );
-        close(
-            one.transferred_momentum,
-            other.transferred_momentum,
-            1e-12,
-            "momentum",
-        );
+        close(one.displacement.value, -other.displacement.value, 1e-12, "peak displacement");
+        close(one.displacement.time, other.displacement.time, 1e-12, "its time");
+        close(one.transferred_momentum, other.transferred_momentum, 1e-12, "momentum");
     }
     for (one, other) in there.collisions.iter().zip(back.collisions.iter().rev()) {
-        assert!(
-            one.len() > 1 && one.len() == other.len(),
-            "{one:?} against {other:?}"
-        );
+        assert!(one.len() > 1 && one.len() == other.len(), "{one:?} against {other:?}");
         for (one, other) in one.iter().zip(other) {
             close(one.start, other.start, 1e-12, "first touch");
             close(one.impulse, other.impulse, 1e-11, "impulse");
@@ -217,10 +172,5 @@ fn extreme_a_pair_of_zero_gap_touches_from_the_start() {
     let first = response.collisions[0][0];
     assert!(first.start < 1e-12 && first.impulse > 0.0, "{first:?}");
     let gained = 1e5 * (response.structures[0].end_velocity - 0.4);
-    close(
-        response.structures[0].transferred_momentum,
-        -gained,
-        1e-13,
-        "impulse of the load",
-    );
+    close(response.structures[0].transferred_momentum, -gained, 1e-13, "impulse of the load");
 }

@@ -22,11 +22,7 @@ fn thrown<Column: Hysteretic>(column: Column, speed: f64, duration: f64) -> Stru
 }
 
 /// The same as the upper storey of a building whose first floor moves alike, by a drift that is none.
-fn thrown_upstairs<Column: Hysteretic>(
-    column: Column,
-    speed: f64,
-    duration: f64,
-) -> StructureResponse {
+fn thrown_upstairs<Column: Hysteretic>(column: Column, speed: f64, duration: f64) -> StructureResponse {
     let lower = Node::structure(1e25, 0.0, column);
     let upper = Node {
         initial_velocity: speed,
@@ -66,12 +62,7 @@ fn reference_a_bilinear_loop_by_hand() {
         hardening: HARDENING,
     };
     // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N; back it yields after twice 10 mm, at −800 N; at −30 mm −1200 N.
-    for (drift, force) in [
-        (0.02, 200.0),
-        (0.0101, -790.0),
-        (0.0099, -801.0),
-        (-0.03, -1200.0),
-    ] {
+    for (drift, force) in [(0.02, 200.0), (0.0101, -790.0), (0.0099, -801.0), (-0.03, -1200.0)] {
         let found = thrown(column, 0.06_f64.sqrt(), back_at(0.03, drift));
         close(found.end_displacement, drift, 1e-13, "drift");
         close(found.end_restoring_force, force, 1e-12, "force");
@@ -127,10 +118,7 @@ fn bouc_wen(exponent: u32, unloading: f64) -> BoucWen {
         stiffness: STIFFNESS,
         yield_force: YIELD_FORCE,
         hardening: HARDENING,
-        smoothness: Smoothness {
-            exponent,
-            unloading,
-        },
+        smoothness: Smoothness { exponent, unloading },
     }
 }
 
@@ -148,12 +136,7 @@ fn reference_bouc_wen_loops_in_closed_form() {
             let wanted = force(s * UNIT, y);
             let error = (found.end_restoring_force - wanted).abs();
             assert!(error < 1e-12 * YIELD_FORCE, "{what}: {error:e} N");
-            close(
-                found.restoring_force.value,
-                force(top * UNIT, there),
-                1e-13,
-                &what,
-            );
+            close(found.restoring_force.value, force(top * UNIT, there), 1e-13, &what);
         }
         let found = thrown_upstairs(column, 2.0 * UNIT, 1.0);
         let wanted = force(2.0 * UNIT, loaded(exponent, 2.0));
@@ -182,9 +165,7 @@ fn limit_a_yield_force_never_reached_is_elastic() {
         let of = row.structures[1];
         (of.end_displacement, of.end_velocity, of.drift)
     };
-    let elastic = end(shaken(Elastic {
-        stiffness: STIFFNESS,
-    }));
+    let elastic = end(shaken(Elastic { stiffness: STIFFNESS }));
     let bilinear = |yield_force| Bilinear {
         stiffness: STIFFNESS,
         yield_force,

@@ -59,8 +59,7 @@ fn record() -> Vec<f64> {
 }
 
 fn by_second_route(row: &Row<Elastic>, excitation: Excitation<'_>) -> Numbers {
-    let found =
-        pounding_reference::run(row, excitation, 10.0, Fineness::FINE).expect("the run ends");
+    let found = pounding_reference::run(row, excitation, 10.0, Fineness::FINE).expect("the run ends");
     let peak = |side: usize, level: usize| found.structures[2 * level + side].displacement.value;
     let levels = [0, 1, 2];
     Numbers {
@@ -68,9 +67,7 @@ fn by_second_route(row: &Row<Elastic>, excitation: Excitation<'_>) -> Numbers {
         touches: levels.map(|level| found.collisions[level].len()),
         forces: levels.map(|level| {
             let peaks = found.collisions[level].iter();
-            peaks
-                .filter_map(|touch| touch.peak_force)
-                .fold(0.0, f64::max)
+            peaks.filter_map(|touch| touch.peak_force).fold(0.0, f64::max)
         }),
     }
 }
@@ -86,21 +83,12 @@ fn by_runge_kutta(row: &Row<Elastic>, excitation: Excitation<'_>) -> Numbers {
         .expect("the run ends");
     let (peaks, collisions) = recorders;
     let peak = |side: usize, level: usize| peaks.of(2 * level + side).displacement.value;
-    let of = |level: usize| {
-        collisions
-            .all()
-            .iter()
-            .filter(move |touch| touch.pair == level)
-    };
+    let of = |level: usize| collisions.all().iter().filter(move |touch| touch.pair == level);
     let levels = [0, 1, 2];
     Numbers {
         displacements: [0, 1].map(|side| levels.map(|level| peak(side, level))),
         touches: levels.map(|level| of(level).count()),
-        forces: levels.map(|level| {
-            of(level)
-                .filter_map(|touch| touch.peak_force)
-                .fold(0.0, f64::max)
-        }),
+        forces: levels.map(|level| of(level).filter_map(|touch| touch.peak_force).fold(0.0, f64::max)),
     }
 }
 
@@ -113,9 +101,7 @@ impl Numbers {
     /// Largest relative distance of peaks.
     fn distance(&self, other: &Self) -> f64 {
         let pairs = self.all().into_iter().zip(other.all());
-        pairs
-            .map(|(one, other)| ((one - other) / other).abs())
-            .fold(0.0, f64::max)
+        pairs.map(|(one, other)| ((one - other) / other).abs()).fold(0.0, f64::max)
     }
 }
 

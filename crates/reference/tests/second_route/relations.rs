@@ -4,8 +4,8 @@ use libm::{cos, sin, sqrt};
 use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt};
 use pounding_reference::{Fineness, Response};
 use pounding_solver::{
-    CentralDifference, Elastic, Excitation, Floor, Integrator, Newmark, Node, Pair, Point,
-    Relation, Rk4, Row, Support, Verlet, VerletImpacts,
+    CentralDifference, Elastic, Excitation, Floor, Integrator, Newmark, Node, Pair, Point, Relation, Rk4, Row, Support, Verlet,
+    VerletImpacts,
 };
 
 use super::exact::agree_on_floors;
@@ -28,11 +28,7 @@ fn between(lower: impl Into<Option<usize>>, upper: usize, upper_part: f64) -> Po
 fn pair(left: impl Into<Point>, right: impl Into<Point>, offset: f64, law: ContactLaw) -> Pair {
     let (left, right) = (left.into(), right.into());
     Pair {
-        relation: Relation {
-            left,
-            right,
-            offset,
-        },
+        relation: Relation { left, right, offset },
         law,
     }
 }
@@ -48,29 +44,18 @@ fn reference_slabs_that_share_a_floor() {
         on_floor(2, moving(2e5, 0.0, FREE)),
         on_floor(3, moving(2e5, 0.0, FREE)),
     ];
-    let mut pairs = vec![
-        pair(0, between(2, 3, 0.6), 0.0, law),
-        pair(1, between(3, 4, 0.3), 0.0, law),
-    ];
+    let mut pairs = vec![pair(0, between(2, 3, 0.6), 0.0, law), pair(1, between(3, 4, 0.3), 0.0, law)];
     for _ in 0..2 {
         let row = Row::new(nodes.clone(), pairs.clone()).expect("a valid row");
         let response = run(&row, &[0.0], 0.1);
         let v = |index: usize| response.structures[index].end_velocity;
-        let [one, other] = [
-            v(0) - (0.4 * v(2) + 0.6 * v(3)),
-            v(1) - (0.7 * v(3) + 0.3 * v(4)),
-        ];
+        let [one, other] = [v(0) - (0.4 * v(2) + 0.6 * v(3)), v(1) - (0.7 * v(3) + 0.3 * v(4))];
         close(one, -0.65, 1e-14, "rate of the first");
         close(other, -0.383_988_764_044_943_8, 1e-14, "rate of the second");
         let hit = pairs.iter().position(|pair| pair.left() == 0).expect("it");
         let collisions = &response.collisions;
         assert!(collisions[1 - hit].is_empty(), "{collisions:?}");
-        close(
-            collisions[hit][0].impulse,
-            278_089.887_640_449_4,
-            1e-14,
-            "impulse",
-        );
+        close(collisions[hit][0].impulse, 278_089.887_640_449_4, 1e-14, "impulse");
         pairs.reverse();
     }
 }
@@ -81,20 +66,12 @@ fn reference_a_slab_hits_a_column() {
         (
             0.6,
             142_898.383_371_824_5,
-            [
-                0.023_672_055_427_251_73,
-                0.228_637_413_394_919_2,
-                0.428_695_150_115_473_4,
-            ],
+            [0.023_672_055_427_251_73, 0.228_637_413_394_919_2, 0.428_695_150_115_473_4],
         ),
         (
             0.648,
             139_159.022_947_351,
-            [
-                0.036_136_590_175_496_68,
-                0.195_935_904_309_870_2,
-                0.450_875_234_349_417_2,
-            ],
+            [0.036_136_590_175_496_68, 0.195_935_904_309_870_2, 0.450_875_234_349_417_2],
         ),
     ];
     for (part, impulse, velocities) in floors {
@@ -129,12 +106,7 @@ fn reference_a_slab_presses_a_column_through_a_spring() {
         panic!("{:?}", response.collisions);
     };
     close(met.end, parting, 1e-12, "parting");
-    close(
-        met.peak_force.expect("a force"),
-        1_568_605.779_959_222,
-        1e-12,
-        "peak force",
-    );
+    close(met.peak_force.expect("a force"), 1_568_605.779_959_222, 1e-12, "peak force");
     let response = run(&row, &[0.0], parting);
     let ends = [
         (0.022_317_527_690_277_47, -0.239_565_052_716_423_8),
@@ -142,12 +114,7 @@ fn reference_a_slab_presses_a_column_through_a_spring() {
         (0.026_601_097_024_270_43, 0.169_406_317_370_665_5),
     ];
     for (structure, (displacement, velocity)) in response.structures.iter().zip(ends) {
-        close(
-            structure.end_displacement,
-            displacement,
-            1e-12,
-            "displacement",
-        );
+        close(structure.end_displacement, displacement, 1e-12, "displacement");
         close(structure.end_velocity, velocity, 1e-12, "velocity");
     }
 }
@@ -201,9 +168,7 @@ impl Joined {
         for square in [(one - root) / (2.0 * two), (one + root) / (2.0 * two)] {
             let shape = [upper + square * b, lower + upper - square * a];
             let of_slab = g[0] * shape[0] + g[1] * shape[1];
-            let mass = self.floors[0] * shape[0] * shape[0]
-                + self.floors[1] * shape[1] * shape[1]
-                + self.slab * of_slab * of_slab;
+            let mass = self.floors[0] * shape[0] * shape[0] + self.floors[1] * shape[1] * shape[1] + self.slab * of_slab * of_slab;
             let (speed, omega) = (impulse * of_slab / mass, sqrt(square));
             let (s, c) = (sin(omega * t), cos(omega * t));
             for (found, factor) in found.iter_mut().zip([s / omega, c, -omega * s]) {
@@ -254,12 +219,7 @@ fn reference_a_slab_rests_on_a_column() {
         let response = run(&row, &[0.0], part * rest.end);
         let [displacements, velocities, _] = after(part * rest.end);
         for (index, found) in response.structures.iter().enumerate() {
-            close(
-                found.end_displacement,
-                displacements[index],
-                1e-12,
-                "displacement",
-            );
+            close(found.end_displacement, displacements[index], 1e-12, "displacement");
             close(found.end_velocity, velocities[index], 1e-12, "velocity");
         }
     }
@@ -308,10 +268,7 @@ fn all_meet(response: &Response) {
 
 #[test]
 fn limit_the_order_of_pairs_is_nothing() {
-    for law in compliant()
-        .into_iter()
-        .chain([0.6, 0.0].map(stereomechanical))
-    {
+    for law in compliant().into_iter().chain([0.6, 0.0].map(stereomechanical)) {
         let row = towers(law);
         let one = run(&row, &ground(), 3.0);
         all_meet(&one);
@@ -333,10 +290,7 @@ fn limit_the_order_of_pairs_is_nothing() {
 
 #[test]
 fn reference_the_exact_method_agrees_on_pairs_of_any_points() {
-    for law in compliant()
-        .into_iter()
-        .chain([0.6, 0.0].map(stereomechanical))
-    {
+    for law in compliant().into_iter().chain([0.6, 0.0].map(stereomechanical)) {
         let (row, what) = (towers(law), format!("{law:?}"));
         let (collisions, other) = agree_on_floors(&row, 3.0, (1e-11, &what));
         all_meet(&other);
@@ -344,9 +298,7 @@ fn reference_the_exact_method_agrees_on_pairs_of_any_points() {
             let what = format!("{what}, pair {pair}");
             let found = collisions.all().iter().filter(|found| found.pair == pair);
             let known = known.iter().map(|known| (known.impulse, known.peak_force));
-            let sums = |(sum, peak): (f64, f64), (impulse, force): (f64, Option<f64>)| {
-                (sum + impulse, peak.max(force.unwrap_or(0.0)))
-            };
+            let sums = |(sum, peak): (f64, f64), (impulse, force): (f64, Option<f64>)| (sum + impulse, peak.max(force.unwrap_or(0.0)));
             let found = found.map(|found| (found.impulse, found.peak_force));
             let [found, known] = [found.fold((0.0, 0.0), sums), known.fold((0.0, 0.0), sums)];
             close(found.0, known.0, 1e-11, &what);
@@ -371,9 +323,7 @@ fn reference_the_exact_method_agrees_on_pairs_without_gaps() {
 #[test]
 fn reference_stepping_methods_come_near_pairs_of_any_points() {
     let methods = [
-        Integrator::CentralDifference(CentralDifference {
-            contact_substeps: 1,
-        }),
+        Integrator::CentralDifference(CentralDifference { contact_substeps: 1 }),
         Integrator::Newmark(Newmark::AVERAGE_ACCELERATION),
         Integrator::Verlet(Verlet {
             impacts: VerletImpacts::Located,

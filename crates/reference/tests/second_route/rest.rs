@@ -34,12 +34,7 @@ fn reference_bouncing_ball() {
         close(collision.impulse, impulse, 1e-13, "its impulse");
     }
     let total: f64 = found.iter().map(|collision| collision.impulse).sum();
-    close(
-        response.structures[0].transferred_momentum,
-        total,
-        1e-15,
-        "transferred momentum",
-    );
+    close(response.structures[0].transferred_momentum, total, 1e-15, "transferred momentum");
 }
 
 #[test]
@@ -51,10 +46,7 @@ fn reference_a_ball_at_rest() {
     let rest = found.last().expect("collisions");
     let over = (2.0 / gravity).sqrt() * (1.0 + restitution) / (1.0 - restitution);
     let early = over - rest.start;
-    assert!(
-        (0.0..2e-12).contains(&early),
-        "end of the bounces: {early:e}"
-    );
+    assert!((0.0..2e-12).contains(&early), "end of the bounces: {early:e}");
     close(rest.end, 6.0, 0.0, "end of the run");
     assert!(found.iter().all(|impact| impact.peak_force.is_none()));
     // Bounces end once what follows takes less than 1e-12 s: over · eⁿ.
@@ -75,20 +67,8 @@ fn reference_a_ball_at_rest() {
 fn reference_two_structures_swing_together() {
     let (masses, stiffnesses, speed) = ([3e5, 1e5], [4e7, 6e7], 0.3_f64);
     let nodes = vec![
-        moving(
-            masses[0],
-            speed,
-            Elastic {
-                stiffness: stiffnesses[0],
-            },
-        ),
-        moving(
-            masses[1],
-            0.0,
-            Elastic {
-                stiffness: stiffnesses[1],
-            },
-        ),
+        moving(masses[0], speed, Elastic { stiffness: stiffnesses[0] }),
+        moving(masses[1], 0.0, Elastic { stiffness: stiffnesses[1] }),
     ];
     let row = Row::new(nodes, pairs(2, 0.0, stereomechanical(0.0))).expect("a valid row");
     let mass = masses[0] + masses[1];
@@ -168,9 +148,7 @@ fn chain() -> Vec<Node<Bilinear>> {
 
 /// Pairs of all neighbours, each with its gap and restitution.
 fn contacts(of: &[(f64, f64)]) -> Vec<Pair> {
-    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| {
-        Pair::of_floors(left, left + 1, gap, stereomechanical(restitution))
-    };
+    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| Pair::of_floors(left, left + 1, gap, stereomechanical(restitution));
     of.iter().enumerate().map(pair).collect()
 }
 
@@ -217,10 +195,7 @@ fn limit_an_enclosed_structure_does_not_move() {
     let response = run(&row, &samples, 6.0);
     let enclosed = response.structures[1];
     assert!(enclosed.displacement.value.abs() < 1e-15, "{enclosed:?}");
-    let largest = samples
-        .iter()
-        .map(|sample| sample.abs())
-        .fold(0.0, f64::max);
+    let largest = samples.iter().map(|sample| sample.abs()).fold(0.0, f64::max);
     let forces = response.collisions.iter().flatten();
     let force = forces.filter_map(|one| one.peak_force).fold(0.0, f64::max);
     close(force, 1e5 * largest, 1e-12, "largest force");

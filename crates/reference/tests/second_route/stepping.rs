@@ -5,10 +5,7 @@
 
 use pounding_contact::ContactLaw;
 use pounding_reference::Response;
-use pounding_solver::{
-    Bilinear, BoucWen, Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Rk4, Row,
-    Smoothness, Span, State,
-};
+use pounding_solver::{Bilinear, BoucWen, Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Rk4, Row, Smoothness, Span, State};
 
 use super::storeys::{ALPHA, BETA, Building, TOWERS, buildings, elastic, ground, spring};
 use super::{run, viscoelastic};
@@ -27,12 +24,7 @@ impl Recorder for Ends {
 
 /// Largest distance of displacements and velocities at the end of a run, as parts of the largest displacement and of
 /// 30/s times that.
-pub(super) fn error<Column: Hysteretic>(
-    row: &Row<Column>,
-    known: &Response,
-    method: Integrator,
-    n_steps: usize,
-) -> f64 {
+pub(super) fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, method: Integrator, n_steps: usize) -> f64 {
     let ground = ground();
     let excitation = Excitation::new(0.1, &ground).expect("finite samples");
     let clock = Clock {
@@ -40,9 +32,7 @@ pub(super) fn error<Column: Hysteretic>(
         n_steps,
     };
     let mut ends = Ends(vec![State::default(); row.nodes().len()]);
-    method
-        .run(row, excitation, clock, &mut ends)
-        .expect("the run ends");
+    method.run(row, excitation, clock, &mut ends).expect("the run ends");
     let peaks = known.structures.iter();
     let scale = peaks.map(|floor| floor.displacement.value.abs());
     let scale = scale.fold(0.0, f64::max);
@@ -57,12 +47,7 @@ pub(super) fn error<Column: Hysteretic>(
 
 /// Runge–Kutta comes near the second route: within `nearest` with the fine steps, and with at least the `order` between the
 /// coarse and the fine ones. Where in its step a touch falls is luck, and makes either better than its order.
-fn approaches<Column: Hysteretic>(
-    towers: &[Building<Column>],
-    contact: (f64, ContactLaw),
-    [nearest, order]: [f64; 2],
-    what: &str,
-) {
+fn approaches<Column: Hysteretic>(towers: &[Building<Column>], contact: (f64, ContactLaw), [nearest, order]: [f64; 2], what: &str) {
     let row = buildings(towers, (ALPHA, BETA), contact);
     if contact.0 < 1.0 {
         let known = run(&row, &ground(), DURATION);
@@ -73,38 +58,23 @@ fn approaches<Column: Hysteretic>(
 }
 
 /// The same of a row and a method.
-pub(super) fn approach<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    [nearest, order]: [f64; 2],
-    what: &str,
-) {
+pub(super) fn approach<Column: Hysteretic>(row: &Row<Column>, method: Integrator, [nearest, order]: [f64; 2], what: &str) {
     let known = run(row, &ground(), DURATION);
     let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(row, &known, method, n_steps));
     let slope = libm::log2(coarse / fine) / 4.0;
-    assert!(
-        fine < nearest && slope > order,
-        "{what}: {coarse:e} to {fine:e}, order {slope}"
-    );
+    assert!(fine < nearest && slope > order, "{what}: {coarse:e} to {fine:e}, order {slope}");
 }
 
 const APART: (f64, ContactLaw) = (
     1e3,
-    ContactLaw::LinearSpring(pounding_contact::LinearSpring {
-        impact_stiffness: 1.0,
-    }),
+    ContactLaw::LinearSpring(pounding_contact::LinearSpring { impact_stiffness: 1.0 }),
 );
 
 #[test]
 fn reference_runge_kutta_comes_near_pounding_towers() {
     let towers = TOWERS.map(elastic);
     approaches(&towers, (0.01, spring(5e8)), [4e-9, 1.2], "linear spring");
-    approaches(
-        &towers,
-        (0.01, viscoelastic(0.35)),
-        [4e-7, 0.8],
-        "viscoelastic",
-    );
+    approaches(&towers, (0.01, viscoelastic(0.35)), [4e-7, 0.8], "viscoelastic");
 }
 
 #[test]
@@ -134,10 +104,7 @@ fn reference_runge_kutta_comes_near_yielding_towers() {
                 stiffness,
                 yield_force: 0.015 * stiffness,
                 hardening: 0.05,
-                smoothness: Smoothness {
-                    exponent,
-                    unloading,
-                },
+                smoothness: Smoothness { exponent, unloading },
             })
         });
         let what = format!("Bouc–Wen {exponent}, {unloading}");

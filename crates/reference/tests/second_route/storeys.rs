@@ -41,9 +41,7 @@ pub(super) fn buildings<Column: Hysteretic>(
     };
     let nodes = (0..levels.n_nodes()).map(floor).collect();
     let facing = (1..of.len()).flat_map(|right| levels.facing(right - 1).collect::<Vec<_>>());
-    let mut pairs: Vec<_> = facing
-        .map(|(left, right)| Pair::of_floors(left, right, gap, law))
-        .collect();
+    let mut pairs: Vec<_> = facing.map(|(left, right)| Pair::of_floors(left, right, gap, law)).collect();
     pairs.sort_by_key(Pair::left);
     Row::new(nodes, pairs).expect("a valid row")
 }
@@ -131,11 +129,7 @@ fn in_modes(modes: &[Mode; 2], ground: &[f64], until: f64) -> [(f64, f64); 2] {
 #[test]
 fn reference_two_storeys_under_shaking_in_modal_form() {
     let ground = ground();
-    for (masses, stiffnesses) in [
-        ([2e5, 1e5], [8e7, 5e7]),
-        ([1e5, 3e5], [4e7, 9e7]),
-        ([1e6, 1e4], [4e8, 1e6]),
-    ] {
+    for (masses, stiffnesses) in [([2e5, 1e5], [8e7, 5e7]), ([1e5, 3e5], [4e7, 9e7]), ([1e6, 1e4], [4e8, 1e6])] {
         let of = [(masses[0], stiffnesses[0]), (masses[1], stiffnesses[1])];
         let row = buildings(&[elastic(&of)], (ALPHA, BETA), (0.0, stereomechanical(1.0)));
         let modes = modes(masses, stiffnesses);
@@ -146,8 +140,7 @@ fn reference_two_storeys_under_shaking_in_modal_form() {
                 let scale = found.displacement.value.abs();
                 let errors = (found.end_displacement - u, found.end_velocity - v);
                 assert!(
-                    errors.0.abs() < 1e-12 * scale
-                        && errors.1.abs() < 1e-12 * scale * modes[1].omega,
+                    errors.0.abs() < 1e-12 * scale && errors.1.abs() < 1e-12 * scale * modes[1].omega,
                     "{masses:?}, {duration} s: {errors:?} of {scale}"
                 );
             }
@@ -186,10 +179,7 @@ fn limit_energy_is_kept_without_damping() {
         let row = buildings(&towers, (0.0, 0.0), (0.01, law));
         let speeds = [0.5, 0.2, -0.4, 0.3, 0.0, -0.8, 0.9, 0.1];
         let nodes = row.nodes().iter().zip(speeds);
-        let moving = nodes.map(|(node, initial_velocity)| Node {
-            initial_velocity,
-            ..*node
-        });
+        let moving = nodes.map(|(node, initial_velocity)| Node { initial_velocity, ..*node });
         let row = Row::new(moving.collect(), row.pairs().to_vec()).expect("a valid row");
         let response = run(&row, &[0.0], 4.0);
         let before = energy(&row, |index| (0.0, speeds[index]));
@@ -241,10 +231,7 @@ fn limit_levels_without_columns_are_rows_of_their_own() {
         let of = masses.map(|mass| vec![(mass, free); 2]);
         let row = buildings(&of, (0.0, 0.0), (0.05, law));
         let nodes = row.nodes().iter().zip(speeds.as_flattened());
-        let moving = nodes.map(|(node, &initial_velocity)| Node {
-            initial_velocity,
-            ..*node
-        });
+        let moving = nodes.map(|(node, &initial_velocity)| Node { initial_velocity, ..*node });
         let row = Row::new(moving.collect(), row.pairs().to_vec()).expect("a valid row");
         let both = run(&row, &[0.0], 1.0);
         for (level, speeds) in speeds.iter().enumerate() {
@@ -255,12 +242,7 @@ fn limit_levels_without_columns_are_rows_of_their_own() {
             for index in 0..3 {
                 let (found, wanted) = (both.structures[3 * level + index], alone.structures[index]);
                 close(found.end_velocity, wanted.end_velocity, 1e-12, "velocity");
-                close(
-                    found.transferred_momentum,
-                    wanted.transferred_momentum,
-                    1e-12,
-                    "momentum",
-                );
+                close(found.transferred_momentum, wanted.transferred_momentum, 1e-12, "momentum");
             }
             for pair in 0..2 {
                 let (found, wanted) = (&both.collisions[2 * level + pair], &alone.collisions[pair]);
@@ -286,30 +268,15 @@ fn limit_one_storey_is_a_structure() {
     let row = Row::new(vec![node, loose], vec![]).expect("a valid row");
     let found = run(&row, &ground, 4.0).structures[0];
     let wanted = wanted.structures[0];
-    close(
-        found.displacement.value,
-        wanted.displacement.value,
-        1e-13,
-        "peak",
-    );
-    close(
-        found.displacement.time,
-        wanted.displacement.time,
-        1e-12,
-        "its time",
-    );
+    close(found.displacement.value, wanted.displacement.value, 1e-13, "peak");
+    close(found.displacement.time, wanted.displacement.time, 1e-12, "its time");
     // Upper storeys of a stiffness that lets them drift by a millionth: one mass of their sum.
     let rigid = elastic(&[(4e4, 5e7), (3e4, 5e13), (3e4, 5e13)]);
     let row = buildings(&[rigid], (0.0, 0.0), (0.0, spring(1.0)));
     let sum = buildings(&[elastic(&[(1e5, 5e7)])], (0.0, 0.0), (0.0, spring(1.0)));
     let (found, wanted) = (run(&row, &ground, 1.0), run(&sum, &ground, 1.0));
     for floor in &found.structures {
-        close(
-            floor.displacement.value,
-            wanted.structures[0].displacement.value,
-            1e-5,
-            "rigid",
-        );
+        close(floor.displacement.value, wanted.structures[0].displacement.value, 1e-5, "rigid");
     }
 }
 
@@ -321,31 +288,12 @@ fn limit_a_mirrored_row_mirrors() {
         let there = towers(|index| index, law, &ground);
         let back = towers(|index| 2 - index, law, &reversed);
         // Nodes are numbered level by level.
-        let nodes = [
-            (0, 2),
-            (1, 1),
-            (2, 0),
-            (3, 5),
-            (4, 4),
-            (5, 3),
-            (6, 7),
-            (7, 6),
-        ];
+        let nodes = [(0, 2), (1, 1), (2, 0), (3, 5), (4, 4), (5, 3), (6, 7), (7, 6)];
         for (one, other) in nodes {
             let (one, other) = (there.structures[one], back.structures[other]);
-            close(
-                one.displacement.value,
-                -other.displacement.value,
-                1e-11,
-                "peak",
-            );
+            close(one.displacement.value, -other.displacement.value, 1e-11, "peak");
             close(one.drift.value, -other.drift.value, 1e-11, "peak drift");
-            close(
-                one.transferred_momentum,
-                other.transferred_momentum,
-                1e-10,
-                "momentum",
-            );
+            close(one.transferred_momentum, other.transferred_momentum, 1e-10, "momentum");
         }
         for (one, other) in [(0, 1), (1, 0), (2, 3), (3, 2)] {
             let (one, other) = (&there.collisions[one], &back.collisions[other]);

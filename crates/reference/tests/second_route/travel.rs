@@ -9,11 +9,7 @@ use super::{pairs, stereomechanical, viscoelastic};
 
 /// Laws, each with the duration of its run.
 fn laws(impulsive: f64) -> [(ContactLaw, f64); 3] {
-    [
-        (stereomechanical(0.9), impulsive),
-        (spring(5e8), 4.0),
-        (viscoelastic(0.35), 4.0),
-    ]
+    [(stereomechanical(0.9), impulsive), (spring(5e8), 4.0), (viscoelastic(0.35), 4.0)]
 }
 
 #[test]
@@ -43,10 +39,7 @@ fn reference_structures_shaken_in_turn() {
         // Neither order, nor whole parts of the 0.1 s between samples.
         for arrivals in [[0.0, 0.07, 0.15, 0.222], [0.13, 0.13, 0.0, 0.05]] {
             let what = format!("{law:?}, {arrivals:?}");
-            let row = row
-                .clone()
-                .delayed(arrivals.to_vec())
-                .expect("valid arrivals");
+            let row = row.clone().delayed(arrivals.to_vec()).expect("valid arrivals");
             let met = agree(&row, duration, &what);
             assert!(met.iter().any(|pair| pair.n > 1), "{what}: {met:?}");
         }

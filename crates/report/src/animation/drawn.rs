@@ -65,12 +65,7 @@ impl Stage {
             instants.map(move |(time, _)| film.displacement(floor, time).abs())
         });
         let largest = largest.fold(0.0, f64::max);
-        let gaps: Vec<f64> = scene
-            .contacts
-            .iter()
-            .flatten()
-            .map(|one| one.gap_m)
-            .collect();
+        let gaps: Vec<f64> = scene.contacts.iter().flatten().map(|one| one.gap_m).collect();
         let widest = gaps.iter().copied().fold(0.0, f64::max);
         let across = (SWAY / largest).min(GAP / widest);
         let mut lefts = vec![MARGIN];
@@ -120,12 +115,7 @@ impl Stage {
     }
 
     /// A structure with its name: every storey is sheared by its drift.
-    fn structure(
-        &self,
-        film: &Film<'_>,
-        structure: usize,
-        (style, body): (&mut String, &mut String),
-    ) {
+    fn structure(&self, film: &Film<'_>, structure: usize, (style, body): (&mut String, &mut String)) {
         let floors = film.floors();
         let is_wall = |floor: &&usize| floors.all()[**floor].is_wall();
         let left = self.lefts[structure];
@@ -154,13 +144,9 @@ impl Stage {
                 b = mm(below.0),
                 t = mm(top),
             );
-            let frames = film.instants().map(|(time, share)| {
-                format!(
-                    "{}%{{transform:{}}}",
-                    mm(share),
-                    self.moved(film, moved, time)
-                )
-            });
+            let frames = film
+                .instants()
+                .map(|(time, share)| format!("{}%{{transform:{}}}", mm(share), self.moved(film, moved, time)));
             animate(style, &name, &frames.collect::<String>());
             below = (top, Some(*floor));
         }
@@ -178,35 +164,21 @@ impl Stage {
     /// The top of a wall: where the highest floor is that can touch it.
     fn wall(&self, film: &Film<'_>, own: &[usize]) -> f64 {
         let pairs = film.floors().facing().iter();
-        let faced =
-            pairs.filter_map(
-                |pair| match (own.contains(&pair.left), own.contains(&pair.right)) {
-                    (true, _) => Some(pair.right),
-                    (_, true) => Some(pair.left),
-                    (false, false) => None,
-                },
-            );
+        let faced = pairs.filter_map(|pair| match (own.contains(&pair.left), own.contains(&pair.right)) {
+            (true, _) => Some(pair.right),
+            (_, true) => Some(pair.left),
+            (false, false) => None,
+        });
         let tops = faced.map(|floor| self.height(film, floor));
         tops.fold(self.ground, f64::min)
     }
 
     /// How a storey between two heights is moved at an instant: each with the floor that is there, the ground without one.
-    fn moved(
-        &self,
-        film: &Film<'_>,
-        (below, above): ((f64, Option<usize>), (f64, Option<usize>)),
-        time: f64,
-    ) -> String {
-        let at = |floor: Option<usize>| {
-            floor.map_or(0.0, |floor| self.across * film.displacement(floor, time))
-        };
+    fn moved(&self, film: &Film<'_>, (below, above): ((f64, Option<usize>), (f64, Option<usize>)), time: f64) -> String {
+        let at = |floor: Option<usize>| floor.map_or(0.0, |floor| self.across * film.displacement(floor, time));
         let (bottom, top) = (at(below.1), at(above.1));
         let storey = below.0 - above.0;
-        let shear = if storey > 0.0 {
-            (bottom - top) / storey
-        } else {
-            0.0
-        };
+        let shear = if storey > 0.0 { (bottom - top) / storey } else { 0.0 };
         let shear = (shear * 1e4).round() / 1e4 + 0.0;
         format!("matrix(1,0,{shear},1,{},0)", mm(bottom - shear * below.0))
     }
@@ -216,10 +188,7 @@ impl Stage {
         let floors = film.floors();
         let is_wall = |floor: usize| floors.all()[floor].is_wall();
         let left = self.lefts[floors.all()[floor].structure];
-        let (y, moved) = (
-            self.height(film, floor),
-            self.across * film.displacement(floor, film.at()),
-        );
+        let (y, moved) = (self.height(film, floor), self.across * film.displacement(floor, film.at()));
         for (pair, facing) in floors.facing().iter().enumerate() {
             let x = if facing.left == floor && !is_wall(floor) {
                 left + WIDE
@@ -288,10 +257,7 @@ impl Stage {
         if gaps.chars().count() <= 2 * LONGEST {
             body.push_str(&text(f64::midpoint(from, to), "middle", &gaps));
         }
-        let frames = format!(
-            "0%{{transform:translate(0,0)}}100%{{transform:translate({}px,0)}}",
-            mm(to - from)
-        );
+        let frames = format!("0%{{transform:translate(0,0)}}100%{{transform:translate({}px,0)}}", mm(to - from));
         animate(style, "film-t", &frames);
     }
 }

@@ -32,8 +32,7 @@ impl AssessmentReport {
     }
 
     fn bumper_name(&self, bumper: &Bumper) -> String {
-        let [left, right] =
-            [bumper.contact, bumper.contact + 1].map(|index| self.scene.structures[index].name());
+        let [left, right] = [bumper.contact, bumper.contact + 1].map(|index| self.scene.structures[index].name());
         format!("{left} and {right}")
     }
 
@@ -42,9 +41,9 @@ impl AssessmentReport {
         let contact = self.scene.contacts.iter().flatten().nth(bumper.contact);
         let law = contact.map(|contact| bumper.law(contact));
         law.map_or_else(String::new, |law| {
-            let restitution = law.restitution().map_or_else(String::new, |restitution| {
-                format!(" with e = {}", two_decimals(restitution))
-            });
+            let restitution = law
+                .restitution()
+                .map_or_else(String::new, |restitution| format!(" with e = {}", two_decimals(restitution)));
             format!(", law {}{restitution}", law.name())
         })
     }
@@ -64,10 +63,7 @@ impl AssessmentReport {
             )
         };
         let bumpers: Vec<String> = effect.bumpers.iter().map(one).collect();
-        let is_given = self
-            .bumper_words
-            .as_ref()
-            .is_some_and(|words| words.contains("k="));
+        let is_given = self.bumper_words.as_ref().is_some_and(|words| words.contains("k="));
         let why = if is_given {
             String::new()
         } else {
@@ -108,8 +104,7 @@ impl AssessmentReport {
         };
         let some = |of: &Option<Distribution>| of.as_ref().map(statistics);
         let bumper = |one: &Bumper| {
-            let [left, right] =
-                [one.contact, one.contact + 1].map(|index| self.scene.structures[index].name());
+            let [left, right] = [one.contact, one.contact + 1].map(|index| self.scene.structures[index].name());
             json!({
                 "left": left,
                 "right": right,

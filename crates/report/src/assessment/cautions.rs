@@ -68,11 +68,7 @@ impl AssessmentReport {
                 "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
             ));
         }
-        if self
-            .motions
-            .iter()
-            .all(|one| (one.run.scale - 1.0).abs() <= 0.0)
-        {
+        if self.motions.iter().all(|one| (one.run.scale - 1.0).abs() <= 0.0) {
             said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
         }
         said
@@ -84,9 +80,7 @@ impl AssessmentReport {
         let (share, period) = fit.least();
         let (share, what) = if share < LEAST_SHARE {
             (share, format!("at {} s", two_digits(period)))
-        } else if fit.peak_share < 1.0
-            && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. }))
-        {
+        } else if fit.peak_share < 1.0 && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. })) {
             return Some(format!(
                 "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \
                  of it",

@@ -1,8 +1,6 @@
 //! An assessment for machines: JSON, and a table with a line per number.
 
-use pounding_scene::{
-    Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment, TargetFit,
-};
+use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment, TargetFit};
 use pounding_text::{Cell, csv_text};
 use serde_json::{Value, json};
 
@@ -146,11 +144,7 @@ type Place = [Cell; 4];
 pub(super) fn csv(report: &AssessmentReport) -> String {
     let rows = report.motions.iter().flat_map(|motion| {
         let line = move |(place, quantity, value): (Place, &'static str, f64)| {
-            let mut row: Vec<Cell> = vec![
-                motion.name.as_str().into(),
-                motion.reversed.into(),
-                Cell::exact(motion.run.scale),
-            ];
+            let mut row: Vec<Cell> = vec![motion.name.as_str().into(), motion.reversed.into(), Cell::exact(motion.run.scale)];
             let drawn = motion.neighbour.as_ref();
             row.push(drawn.map_or_else(Cell::default, |one| Cell::exact(one.period_s)));
             row.push(drawn.map_or_else(Cell::default, |one| Cell::exact(one.mass_ratio)));
@@ -181,10 +175,7 @@ fn building(report: &AssessmentReport, structure: usize) -> Cell {
 /// Building and number of a floor.
 fn at(report: &AssessmentReport, floor: usize) -> [Cell; 2] {
     let one = &report.floors.all()[floor];
-    [
-        building(report, one.structure),
-        one.storey.unwrap_or(1).into(),
-    ]
+    [building(report, one.structure), one.storey.unwrap_or(1).into()]
 }
 
 fn of_gaps(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
@@ -257,11 +248,7 @@ fn of_bumpers(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
             lines.extend([
                 (place.clone(), "drift_with_bumper_m", floor.drift),
                 (place.clone(), "shear_force_with_bumper_n", floor.shear),
-                (
-                    place,
-                    "acceleration_with_bumper_m_per_s2",
-                    floor.acceleration,
-                ),
+                (place, "acceleration_with_bumper_m_per_s2", floor.acceleration),
             ]);
         }
     }

@@ -1,8 +1,6 @@
 //! What the page of an assessment shows: the share of runs that need more than a gap, and amplifications.
 
-use pounding_plot::{
-    Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable,
-};
+use pounding_plot::{Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable};
 use pounding_scene::{BUILT_IN_STEPS_OF, Distribution, GapAssessment};
 use pounding_text::millimetres;
 
@@ -34,7 +32,10 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     }];
     all.push(Illustration {
         name: NAMES[1],
-        caption: format!("Part of the runs that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}", beyond(report)),
+        caption: format!(
+            "Part of the runs that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}",
+            beyond(report)
+        ),
         drawn: render_both(&share(report)),
     });
     if let Some(figure) = profiles::figure(report) {
@@ -47,9 +48,10 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     if let Some(figure) = by_neighbour(report) {
         all.push(Illustration {
             name: NAMES[3],
-            caption: "Gap that each of the neighbours needs that the unknown one may be, over its first period. Discs: median of the runs; \
+            caption:
+                "Gap that each of the neighbours needs that the unknown one may be, over its first period. Discs: median of the runs; \
                       lines: to what 84 % of them do not exceed; crosses: the largest. Dashed: the gap of the scene."
-                .into(),
+                    .into(),
             drawn: render_both(&figure),
         });
     }
@@ -86,9 +88,7 @@ fn beyond(report: &AssessmentReport) -> String {
 fn share(report: &AssessmentReport) -> Figure {
     let all = &report.assessment.gaps;
     let gaps = &all[..all.len().min(MOST_GAPS)];
-    let widest = gaps
-        .iter()
-        .map(|gap| gap.required.largest().max(gap.own.unwrap_or(0.0)));
+    let widest = gaps.iter().map(|gap| gap.required.largest().max(gap.own.unwrap_or(0.0)));
     // Beyond what every run needs, so that the curves are seen to end on the axis.
     let end = 1e3 * 1.05 * widest.fold(BUILT_IN_STEPS_OF, f64::max);
     let panel = |gap: &GapAssessment| {
@@ -97,11 +97,7 @@ fn share(report: &AssessmentReport) -> Figure {
         let mut notes = Vec::new();
         if let Some(own) = gap.own {
             let at = 1e3 * own;
-            curves.push(Curve::new(
-                Kind::Dashed,
-                Shade::Ink,
-                vec![(at, 0.0), (at, 100.0)],
-            ));
+            curves.push(Curve::new(Kind::Dashed, Shade::Ink, vec![(at, 0.0), (at, 100.0)]));
             notes.push(Note::new((at, 50.0), format!("{} mm", millimetres(own))));
         }
         Panel {
@@ -149,11 +145,7 @@ fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
         let point = |one: &OfNeighbour| (one.drawn.period_s, 1e3 * width(&one.required));
         points.map(point).collect()
     };
-    let (median, most, all) = (
-        of(Distribution::median),
-        of(Distribution::p84),
-        of(Distribution::largest),
-    );
+    let (median, most, all) = (of(Distribution::median), of(Distribution::p84), of(Distribution::largest));
     let widest = all.iter().map(|point| point.1).fold(0.0, f64::max);
     let end = 1.05 * widest.max(1e3 * own.unwrap_or(BUILT_IN_STEPS_OF));
     for (from, to) in median.iter().zip(most) {
@@ -178,16 +170,9 @@ fn shown(report: &AssessmentReport) -> Vec<usize> {
     let floors = report.floors();
     let structures = 0..report.scene.structures.len();
     let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev().copied());
-    let mut shown: Vec<usize> = downwards
-        .filter(|floor| report.assessment.floors[*floor].is_some())
-        .collect();
+    let mut shown: Vec<usize> = downwards.filter(|floor| report.assessment.floors[*floor].is_some()).collect();
     if shown.len() > MOST {
-        let worst: Vec<usize> = report
-            .worse()
-            .into_iter()
-            .map(|(floor, _)| floor)
-            .take(MOST)
-            .collect();
+        let worst: Vec<usize> = report.worse().into_iter().map(|(floor, _)| floor).take(MOST).collect();
         shown.retain(|floor| worst.contains(floor));
     }
     shown
@@ -200,10 +185,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
     }
     let floors = report.floors();
     let shown = shown(report);
-    let names: Vec<String> = shown
-        .iter()
-        .map(|floor| writable(&report.floor_name(*floor)))
-        .collect();
+    let names: Vec<String> = shown.iter().map(|floor| writable(&report.floor_name(*floor))).collect();
     let panel = |title: &str, response: usize| {
         let mut curves = vec![as_alone(shown.len())];
         let mut medians = Vec::new();
@@ -214,17 +196,10 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             let of = [&one.drift, &one.shear, &one.acceleration][response];
             let y = place as f64;
             let (from, to) = match response {
-                2 => (
-                    one.acceleration_range[0].median(),
-                    one.acceleration_range[1].p84(),
-                ),
+                2 => (one.acceleration_range[0].median(), one.acceleration_range[1].p84()),
                 _ => (of.median(), of.p84()),
             };
-            curves.push(Curve::new(
-                Kind::Line,
-                Shade::Vermilion,
-                vec![(from, y), (to, y)],
-            ));
+            curves.push(Curve::new(Kind::Line, Shade::Vermilion, vec![(from, y), (to, y)]));
             medians.push((of.median(), y));
         }
         curves.push(Curve::new(Kind::Points, Shade::Vermilion, medians).marked(Mark::Disc));
@@ -240,11 +215,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
     Some(Figure {
         height_in: 1.3 + 0.2 * shown.len() as f64,
         columns: 3,
-        panels: vec![
-            panel("Drift", 0),
-            panel("Shear", 1),
-            panel("Acceleration", 2),
-        ],
+        panels: vec![panel("Drift", 0), panel("Shear", 1), panel("Acceleration", 2)],
         ..Figure::default()
     })
 }

@@ -13,8 +13,8 @@ mod words;
 use std::collections::BTreeMap;
 
 use pounding_scene::{
-    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour,
-    Error, Floors, MotionSpectrum, RunOfCase, Scaling, Scene, TargetFit, in_scene,
+    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour, Error, Floors, MotionSpectrum, RunOfCase,
+    Scaling, Scene, TargetFit, in_scene,
 };
 use serde_json::Value;
 
@@ -183,11 +183,7 @@ impl AssessmentReport {
             Scaling::Target(target) => TargetFit::of(&self.asked, target, &self.spectra()),
             Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
         };
-        Self {
-            scaling,
-            fit,
-            ..self
-        }
+        Self { scaling, fit, ..self }
     }
 
     /// Spectra of the motions, each once.
@@ -213,11 +209,7 @@ impl AssessmentReport {
     /// With an author and a date for the page.
     #[must_use]
     pub fn signed(self, author: Option<String>, date: Option<String>) -> Self {
-        Self {
-            author,
-            date,
-            ..self
-        }
+        Self { author, date, ..self }
     }
 
     /// The scene.
@@ -256,10 +248,7 @@ impl AssessmentReport {
         let mut files = BTreeMap::from([
             (PAGE.into(), page::html(self, &drawn).into_bytes()),
             (TABLE.into(), self.to_csv().into_bytes()),
-            (
-                JSON.into(),
-                pounding_text::json_text(&self.to_json()).into_bytes(),
-            ),
+            (JSON.into(), pounding_text::json_text(&self.to_json()).into_bytes()),
         ]);
         if let Some(animation) = &self.animation {
             files.insert(FILE.into(), animation.svg.clone().into_bytes());
@@ -285,9 +274,7 @@ impl AssessmentReport {
 
     /// Whether a folder of an assessment can have a file of this name.
     pub fn has_file(name: &str) -> bool {
-        let is_figure = |(stem, end): (&str, &str)| {
-            figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
-        };
+        let is_figure = |(stem, end): (&str, &str)| figures::NAMES.contains(&stem) && matches!(end, "svg" | "png");
         [PAGE, TABLE, JSON, FILE].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
     }
 }

@@ -23,11 +23,7 @@ impl AssessmentReport {
     ///
     /// # Errors
     /// Those of [`Self::of`].
-    pub fn of_lines(
-        scene: Scene,
-        suite: &Suite,
-        lines: &[Line<(AssessedRun, Option<MotionSpectrum>)>],
-    ) -> Result<Option<Self>, Error> {
+    pub fn of_lines(scene: Scene, suite: &Suite, lines: &[Line<(AssessedRun, Option<MotionSpectrum>)>]) -> Result<Option<Self>, Error> {
         let found = lines.iter().filter_map(|line| {
             let (run, spectrum) = line.found.as_ref().ok()?.clone();
             Some(AssessedMotion {

@@ -22,17 +22,11 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
         })
     };
     let first = [
-        format!(
-            "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
-            escaped(&lead(report))
-        ),
+        format!("<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n", escaped(&lead(report))),
         unusual(report),
         verdict(report),
         beside(&[
-            report
-                .animation
-                .as_ref()
-                .map_or_else(|| figure("row"), Animation::figure),
+            report.animation.as_ref().map_or_else(|| figure("row"), Animation::figure),
             list(&report.shaking()),
         ]),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),
@@ -40,11 +34,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
         boxed(BEFORE, &report.warnings()),
         figure("profiles"),
     ];
-    let row = if report.animation.is_some() {
-        figure("row")
-    } else {
-        String::new()
-    };
+    let row = if report.animation.is_some() { figure("row") } else { String::new() };
     let appendix = [
         "<h2 class=\"appendix\">Appendix: what touching does</h2>\n".into(),
         row,
@@ -53,20 +43,12 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
         figure("amplification"),
         figure("neighbour"),
         format!("<h2>Rules of codes</h2>\n{}", rules(report)),
-        format!(
-            "<h2>Motions</h2>\n{}{}",
-            motions(report),
-            list(report.remarks())
-        ),
+        format!("<h2>Motions</h2>\n{}{}", motions(report), list(report.remarks())),
         format!("<h2>Every storey</h2>\n{}", storeys(report, &all(report))),
         again(report),
     ];
     let signed = signed(report).unwrap_or_default();
-    document(
-        &report.scene.name,
-        &signed,
-        &[first.concat(), appendix.concat()].concat(),
-    )
+    document(&report.scene.name, &signed, &[first.concat(), appendix.concat()].concat())
 }
 
 /// Author and date, as far as they are given.
@@ -92,11 +74,7 @@ fn unusual(report: &AssessmentReport) -> String {
 }
 
 fn verdict(report: &AssessmentReport) -> String {
-    let touch = if report.hit().is_empty() {
-        ""
-    } else {
-        " touch"
-    };
+    let touch = if report.hit().is_empty() { "" } else { " touch" };
     let before = report.before().into_iter();
     let before = before.map(|one| format!("<p>{}</p>\n", escaped(&one)));
     let before: Vec<String> = before.collect();
@@ -184,11 +162,7 @@ fn touching(report: &AssessmentReport) -> String {
         .map(|(index, pair)| {
             let facing = report.floors.facing()[*index];
             vec![
-                Cell::new(format!(
-                    "{} – {}",
-                    report.floor_name(facing.left),
-                    report.floor_name(facing.right)
-                )),
+                Cell::new(format!("{} – {}", report.floor_name(facing.left), report.floor_name(facing.right))),
                 Cell::new(pair.touching.to_string()),
                 range(&pair.peak_force, 1e3),
                 range(&pair.largest_impulse, 1e3),
@@ -196,13 +170,7 @@ fn touching(report: &AssessmentReport) -> String {
             ]
         })
         .collect();
-    let header = [
-        "Pair",
-        "They touch",
-        "Force [kN]",
-        "Largest impulse [kN·s]",
-        "Speed ≤ [m/s]",
-    ];
+    let header = ["Pair", "They touch", "Force [kN]", "Largest impulse [kN·s]", "Speed ≤ [m/s]"];
     let worse = report.worse();
     let storeys = if worse.is_empty() {
         "<p>No storey gets worse by more than 10 % in more than 16 % of the events.</p>\n".into()
@@ -224,12 +192,9 @@ fn bumpers(report: &AssessmentReport) -> String {
     let Some(effect) = report.bumpers() else {
         return String::new();
     };
-    let force = |of: &Option<Distribution>| {
-        Cell::known(of.as_ref().map(|of| two_digits(1e-3 * of.median())))
-    };
+    let force = |of: &Option<Distribution>| Cell::known(of.as_ref().map(|of| two_digits(1e-3 * of.median())));
     let pairs = effect.pairs.iter().enumerate();
-    let pairs =
-        pairs.filter_map(|(index, one)| Some((report.floors.facing()[index], one.as_ref()?)));
+    let pairs = pairs.filter_map(|(index, one)| Some((report.floors.facing()[index], one.as_ref()?)));
     let rows: Vec<_> = pairs
         .map(|(facing, one)| {
             let [left, right] = [facing.left, facing.right].map(|floor| report.floor_name(floor));
@@ -245,13 +210,7 @@ fn bumpers(report: &AssessmentReport) -> String {
     let floors = floors.filter_map(|(index, one)| Some((report.floor_name(index), one.as_ref()?)));
     let storeys: Vec<_> = floors
         .map(|(name, one)| {
-            let both = |of: &Distribution| {
-                Cell::new(format!(
-                    "{} / {}",
-                    two_decimals(of.median()),
-                    two_decimals(of.p84())
-                ))
-            };
+            let both = |of: &Distribution| Cell::new(format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84())));
             vec![Cell::new(name), both(&one.drift), both(&one.acceleration)]
         })
         .collect();
@@ -262,12 +221,7 @@ fn bumpers(report: &AssessmentReport) -> String {
     format!(
         "<h2>Bumpers in the gaps</h2>\n<p>{said}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
         table(
-            &[
-                "Pair",
-                "Force without [kN], median",
-                "With [kN], median",
-                "Compressed by ≤ [mm]"
-            ],
+            &["Pair", "Force without [kN], median", "With [kN], median", "Compressed by ≤ [mm]"],
             &rows
         ),
         effect.runs,
@@ -283,13 +237,7 @@ fn all(report: &AssessmentReport) -> Vec<(usize, &FloorAssessment)> {
 }
 
 fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> String {
-    let both = |of: &Distribution| {
-        Cell::new(format!(
-            "{} / {}",
-            two_decimals(of.median()),
-            two_decimals(of.p84())
-        ))
-    };
+    let both = |of: &Distribution| Cell::new(format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84())));
     let row = |(floor, one): &(usize, &FloorAssessment)| {
         vec![
             Cell::new(report.floor_name(*floor)),
@@ -334,15 +282,7 @@ fn rules(report: &AssessmentReport) -> String {
             ]);
         }
     }
-    let header = [
-        "Gap",
-        "Rule",
-        "Median [mm]",
-        "84 % [mm]",
-        "Largest [mm]",
-        "Too narrow",
-        "At worst",
-    ];
+    let header = ["Gap", "Rule", "Median [mm]", "84 % [mm]", "Largest [mm]", "Too narrow", "At worst"];
     format!(
         "<p>Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a part of \
          the one that is needed.</p>\n{}",
@@ -364,15 +304,7 @@ fn motions(report: &AssessmentReport) -> String {
             ]
         })
         .collect();
-    table(
-        &[
-            "Motion",
-            "Scaled by",
-            "Widest gap needed [mm]",
-            "Collisions",
-        ],
-        &rows,
-    )
+    table(&["Motion", "Scaled by", "Widest gap needed [mm]", "Collisions"], &rows)
 }
 
 fn again(report: &AssessmentReport) -> String {
@@ -382,10 +314,7 @@ fn again(report: &AssessmentReport) -> String {
     let scaling = words.collect::<Vec<_>>().concat();
     let scene = serde_json::to_string_pretty(&report.asked).unwrap_or_default();
     let said = facts(&[
-        (
-            "Records".into(),
-            "those named under Motions; assess.json lists them".into(),
-        ),
+        ("Records".into(), "those named under Motions; assess.json lists them".into()),
         ("Scaling of records".into(), report.scaling.to.to_string()),
         (
             "Stiffness of impacts".into(),

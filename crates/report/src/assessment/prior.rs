@@ -44,24 +44,18 @@ impl AssessmentReport {
             }
         }
         let of = |drawn: DrawnNeighbour| {
-            let own = self
-                .motions
-                .iter()
-                .filter(|motion| motion.neighbour == Some(drawn));
+            let own = self.motions.iter().filter(|motion| motion.neighbour == Some(drawn));
             let own = own.map(|motion| &motion.run);
             let needed = own.clone().filter_map(|run| {
                 let mut gaps = run.separations.iter();
-                gaps.find(|one| one.left == gap.left)
-                    .map(|one| one.required)
+                gaps.find(|one| one.left == gap.left).map(|one| one.required)
             });
             let facing = self.floors.facing().iter().enumerate();
             let pairs: Vec<usize> = facing
                 .filter(|(_, pair)| pair.contact == gap.left)
                 .map(|(index, _)| index)
                 .collect();
-            let touches = |run: &&pounding_scene::AssessedRun| {
-                pairs.iter().any(|pair| run.pairs[*pair].collisions > 0)
-            };
+            let touches = |run: &&pounding_scene::AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
             Some(OfNeighbour {
                 drawn,
                 required: Distribution::of(needed)?,
@@ -98,10 +92,7 @@ impl AssessmentReport {
         let worst = neighbours
             .iter()
             .max_by(|one, other| one.required.largest().total_cmp(&other.required.largest()));
-        if let Some(OfNeighbour {
-            drawn, required, ..
-        }) = worst
-        {
+        if let Some(OfNeighbour { drawn, required, .. }) = worst {
             let enough = gap.own.map_or_else(String::new, |own| {
                 let free = neighbours.iter().filter(|one| one.touching == 0).count();
                 let free = match free {
@@ -125,8 +116,7 @@ impl AssessmentReport {
         let (Some(unknown), Some(gap)) = (self.unknown(), self.gap_beside_unknown()) else {
             return Value::Null;
         };
-        let width =
-            |part: &f64| json!({"probability": part, "required_m": gap.required.quantile(*part)});
+        let width = |part: &f64| json!({"probability": part, "required_m": gap.required.quantile(*part)});
         let one = |one: &OfNeighbour| {
             json!({
                 "period_s": one.drawn.period_s,

@@ -34,9 +34,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
         },
     ];
     let panels = responses.iter().flat_map(|response| {
-        let curves = shown
-            .iter()
-            .map(|building| (*building, response.curves(report, *building)));
+        let curves = shown.iter().map(|building| (*building, response.curves(report, *building)));
         let row = (&report.scene, report.floors());
         panels(row, &response.label, curves.collect())
     });
@@ -71,19 +69,8 @@ impl Response {
         vec![
             curve(Kind::Dashed, Shade::Blue, line(alone, 0.5), "alone, median"),
             curve(Kind::Line, Shade::Blue, line(beside, 0.5), "beside, median").marked(Mark::Disc),
-            curve(
-                Kind::Dashed,
-                Shade::Vermilion,
-                line(alone, 0.84),
-                "alone, 84 %",
-            ),
-            curve(
-                Kind::Line,
-                Shade::Vermilion,
-                line(beside, 0.84),
-                "beside, 84 %",
-            )
-            .marked(Mark::Square),
+            curve(Kind::Dashed, Shade::Vermilion, line(alone, 0.84), "alone, 84 %"),
+            curve(Kind::Line, Shade::Vermilion, line(beside, 0.84), "beside, 84 %").marked(Mark::Square),
         ]
     }
 }

@@ -33,11 +33,7 @@ impl AssessmentReport {
         if events == motions {
             return number(motions, "motion");
         }
-        format!(
-            "{} of {}",
-            number(motions, "component"),
-            number(events, "event")
-        )
+        format!("{} of {}", number(motions, "component"), number(events, "event"))
     }
 
     /// The answer in full: what it leaves out and rests on, the gaps, what is proposed, and what touching does.
@@ -65,9 +61,7 @@ impl AssessmentReport {
             self.folder.counts.clone()
         };
         let runs = self.assessment.runs;
-        let mut said = vec![format!(
-            "{of}; both directions each{neighbours}: {runs} runs"
-        )];
+        let mut said = vec![format!("{of}; both directions each{neighbours}: {runs} runs")];
         said.push(format!("scaled {}", self.scaling.to));
         if let Some(fit) = &self.fit {
             let (share, period) = fit.least();
@@ -87,11 +81,7 @@ impl AssessmentReport {
 
     /// What a sample is: an event, or an event beside a neighbour that was drawn.
     fn sample(&self) -> &'static str {
-        if self.neighbours().is_empty() {
-            "event"
-        } else {
-            "case"
-        }
+        if self.neighbours().is_empty() { "event" } else { "case" }
     }
 
     /// "9 of 11 events".
@@ -134,17 +124,11 @@ impl AssessmentReport {
         let needed = gap.required.largest();
         let [most, all] = [gap.built(gap.required.p84()), gap.proposal()].map(millimetres);
         match gap.own {
-            None => format!(
-                "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
-            ),
+            None => format!("{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."),
             Some(own) if gap.touching == 0 && own >= needed => format!(
                 "{} mm is enough {}between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
-                if own < gap.largest() {
-                    "for floors that face floors "
-                } else {
-                    ""
-                },
+                if own < gap.largest() { "for floors that face floors " } else { "" },
                 millimetres_up(needed),
                 margin(own, gap)
             ),
@@ -171,9 +155,7 @@ impl AssessmentReport {
                 let most = if most == all || gap.built(gap.required.p84()) <= own {
                     format!("{all} mm would be enough for all")
                 } else {
-                    format!(
-                        "{most} mm would be enough for 84 % of the {samples}s, {all} mm for all"
-                    )
+                    format!("{most} mm would be enough for 84 % of the {samples}s, {all} mm for all")
                 };
                 format!(
                     "{} mm is not enough between {left} and {right}: they touch in {}. {most}.",
@@ -191,10 +173,7 @@ impl AssessmentReport {
         let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.largest()));
         let widths = wanting.map(|gap| {
             let [left, right] = self.gap_names(gap);
-            format!(
-                "{} mm between {left} and {right}",
-                millimetres(gap.proposal())
-            )
+            format!("{} mm between {left} and {right}", millimetres(gap.proposal()))
         });
         let widths: Vec<String> = widths.collect();
         if widths.is_empty() {
@@ -238,11 +217,7 @@ impl AssessmentReport {
     pub fn hit(&self) -> Vec<(usize, &PairAssessment)> {
         let pairs = self.assessment.pairs.iter().enumerate();
         let mut hit: Vec<_> = pairs.filter(|(_, pair)| pair.touching > 0).collect();
-        let force = |pair: &PairAssessment| {
-            pair.peak_force
-                .as_ref()
-                .map_or(0.0, |[_, high]| high.largest())
-        };
+        let force = |pair: &PairAssessment| pair.peak_force.as_ref().map_or(0.0, |[_, high]| high.largest());
         let speed = |pair: &PairAssessment| pair.approach_speed.unwrap_or(0.0);
         hit.sort_by(|(_, one), (_, other)| {
             let by_force = force(other).total_cmp(&force(one));
@@ -256,11 +231,7 @@ impl AssessmentReport {
 /// deviation of their logarithms: then another motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
     let widths = [gap.largest(), gap.required.largest()];
-    let more = own
-        / widths
-            .into_iter()
-            .find(|width| *width <= own)
-            .unwrap_or(own);
+    let more = own / widths.into_iter().find(|width| *width <= own).unwrap_or(own);
     match gap.required.dispersion() {
         Some(spread) if libm::log(more) < spread => format!(
             " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",

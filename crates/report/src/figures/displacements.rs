@@ -41,18 +41,11 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     let starts = seen.collisions(&shown.pairs).map(|one| one.start).collect();
     let markers = sparse_markers(starts);
     let is_compliant = |pair: &usize| seen.prepared.pairs()[*pair].law.is_compliant();
-    let (compliant, impulsive): (Vec<usize>, Vec<usize>) =
-        shown.pairs.iter().copied().partition(is_compliant);
+    let (compliant, impulsive): (Vec<usize>, Vec<usize>) = shown.pairs.iter().copied().partition(is_compliant);
     let below = [(compliant, FORCE), (impulsive, IMPULSE)];
-    let below = below
-        .iter()
-        .filter_map(|(pairs, measure)| stems(seen, pairs, *measure));
+    let below = below.iter().filter_map(|(pairs, measure)| stems(seen, pairs, *measure));
     let storeys = by_pairs(seen);
-    let mut panels = if storeys {
-        pairs::panels(seen)
-    } else {
-        vec![displacements(seen)]
-    };
+    let mut panels = if storeys { pairs::panels(seen) } else { vec![displacements(seen)] };
     if storeys {
         panels.extend(pairs::stems(seen));
     } else {
@@ -141,11 +134,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         } else {
             name
         };
-        let kind = if position < 3 {
-            Kind::Line
-        } else {
-            Kind::Dashed
-        };
+        let kind = if position < 3 { Kind::Line } else { Kind::Dashed };
         Curve::new(kind, Shade::nth(position), points).named(name)
     };
     let structures = seen.shown.floors.iter().enumerate();
@@ -163,10 +152,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
 
 /// A stem for every collision on either neighbour; nothing where there is none.
 fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
-    let found: Vec<(&Collision, f64)> = seen
-        .collisions(pairs)
-        .filter_map(|one| Some((one, (measure.of)(one)?)))
-        .collect();
+    let found: Vec<(&Collision, f64)> = seen.collisions(pairs).filter_map(|one| Some((one, (measure.of)(one)?))).collect();
     let (hardest, largest) = found
         .iter()
         .copied()

@@ -93,20 +93,8 @@ pub(crate) fn as_alone(storeys: usize) -> Curve {
 
 fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
     let directions = [
-        (
-            &effects.as_given,
-            "as in the scene",
-            Shade::Blue,
-            Mark::Disc,
-            -APART,
-        ),
-        (
-            &effects.reversed,
-            "reversed",
-            Shade::Vermilion,
-            Mark::Square,
-            APART,
-        ),
+        (&effects.as_given, "as in the scene", Shade::Blue, Mark::Disc, -APART),
+        (&effects.reversed, "reversed", Shade::Vermilion, Mark::Square, APART),
     ];
     let mut curves = vec![as_alone(floors.len())];
     for (all, label, shade, mark, aside) in directions {
@@ -120,11 +108,7 @@ fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
             curves.push(Curve::new(Kind::Line, shade, range));
         }
         let points = found.iter().map(|(known, y)| (known.value, *y)).collect();
-        curves.push(
-            Curve::new(Kind::Points, shade, points)
-                .marked(mark)
-                .named(label),
-        );
+        curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(label));
     }
     curves
 }

@@ -15,35 +15,22 @@ const BEYOND: f64 = 1.25;
 const DAMPING_RATIO: f64 = 0.05;
 
 /// What stands at the periods of structures.
-const MARKS: [Mark; 6] = [
-    Mark::Disc,
-    Mark::Square,
-    Mark::Triangle,
-    Mark::Diamond,
-    Mark::Inverted,
-    Mark::Ring,
-];
+const MARKS: [Mark; 6] = [Mark::Disc, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Ring];
 
 pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     let gravity = seen.prepared.scene().record.gravity_m_per_s2;
     let spectrum = spectrum(seen, gravity);
     let spectral = match spectrum {
-        Some(_) => {
-            " Below, its pseudo-acceleration spectrum for a damping ratio of 5 %, with the periods of the structures marked."
-        }
+        Some(_) => " Below, its pseudo-acceleration spectrum for a damping ratio of 5 %, with the periods of the structures marked.",
         None => " Its response spectrum could not be computed.",
     };
     let structures = seen.prepared.scene().structures.iter();
     let left_out = match structures.filter_map(Structure::period).count() {
-        n if n > MARKS.len() => format!(
-            " Of {n} structures those are marked whose pairs are hit hardest, or come closest to it."
-        ),
+        n if n > MARKS.len() => format!(" Of {n} structures those are marked whose pairs are hit hardest, or come closest to it."),
         _ => String::new(),
     };
     let caption = format!("Ground acceleration as the scene uses it.{spectral}{left_out}");
-    let panels: Vec<Panel> = std::iter::once(acceleration(seen, gravity))
-        .chain(spectrum)
-        .collect();
+    let panels: Vec<Panel> = std::iter::once(acceleration(seen, gravity)).chain(spectrum).collect();
     let figure = Figure {
         height_in: 0.6 + 2.2 * panels.len() as f64,
         panels,
@@ -58,13 +45,10 @@ fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
     let samples = record.samples().iter().enumerate();
     let points = samples.map(|(i, sample)| (i as f64 * record.time_step(), sample / gravity));
     let points = thinned(points.take_while(|point| point.0 <= duration).collect());
-    let peak = points.iter().copied().reduce(|most, next| {
-        if next.1.abs() > most.1.abs() {
-            next
-        } else {
-            most
-        }
-    });
+    let peak = points
+        .iter()
+        .copied()
+        .reduce(|most, next| if next.1.abs() > most.1.abs() { next } else { most });
     let note = peak.map(|peak| {
         let text = format!("{} g at {} s", brief(peak.1, 3), brief(peak.0, 4));
         Note::new(peak, text)
@@ -95,9 +79,7 @@ fn periods_of(seen: &Seen<'_>) -> Vec<(String, f64)> {
         };
         all.retain(|(index, ..)| shown(*index));
     }
-    all.into_iter()
-        .map(|(_, name, period)| (name, period))
-        .collect()
+    all.into_iter().map(|(_, name, period)| (name, period)).collect()
 }
 
 /// Nothing where the spectrum is refused: a period so short that the record holds some hundred thousand.
@@ -106,9 +88,7 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let shortest = own.iter().map(|one| one.1 / BEYOND).fold(USUAL.0, f64::min);
     let longest = own.iter().map(|one| one.1 * BEYOND).fold(USUAL.1, f64::max);
     let step = libm::log(longest / shortest) / f64::from(PERIODS - 1);
-    let mut periods: Vec<f64> = (0..PERIODS)
-        .map(|index| shortest * libm::exp(f64::from(index) * step))
-        .collect();
+    let mut periods: Vec<f64> = (0..PERIODS).map(|index| shortest * libm::exp(f64::from(index) * step)).collect();
     periods.extend(own.iter().map(|one| one.1));
     let values = response_spectrum(seen.prepared.record(), &periods, DAMPING_RATIO).ok()?;
     let point = |value: &SpectralValues| (value.period, value.pseudo_acceleration / gravity);

@@ -20,14 +20,7 @@ use rayon::prelude::*;
 use shown::Selection;
 
 /// The names that pictures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 6] = [
-    "profiles",
-    "displacements",
-    "gaps",
-    "effects",
-    "hysteresis",
-    "ground-motion",
-];
+pub(super) const NAMES: [&str; 6] = ["profiles", "displacements", "gaps", "effects", "hysteresis", "ground-motion"];
 
 /// A picture of a report.
 #[derive(Debug)]
@@ -71,20 +64,12 @@ impl<'a> Seen<'a> {
     /// A quantity of one structure over time.
     fn curve(&self, quantity: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let rows = 0..self.motion.len();
-        thin::thinned(
-            rows.map(|row| (self.motion.time(row), quantity(row)))
-                .collect(),
-        )
+        thin::thinned(rows.map(|row| (self.motion.time(row), quantity(row))).collect())
     }
 }
 
 /// The pictures of a run; those that would show nothing are left out.
-pub(super) fn illustrations(
-    motion: Motion<'_>,
-    outcome: &RunResult,
-    pairs: &[PairSummary],
-    known: Known<'_>,
-) -> Vec<Illustration> {
+pub(super) fn illustrations(motion: Motion<'_>, outcome: &RunResult, pairs: &[PairSummary], known: Known<'_>) -> Vec<Illustration> {
     let prepared = motion.prepared;
     let seen = Seen {
         prepared,

@@ -10,11 +10,7 @@ pub(crate) const MOST: usize = 4;
 const NAMED: usize = 12;
 
 /// `None` if no building has several storeys.
-pub(super) fn figure(
-    prepared: &Simulation,
-    outcome: &RunResult,
-    known: Known<'_>,
-) -> Option<(Figure, String)> {
+pub(super) fn figure(prepared: &Simulation, outcome: &RunResult, known: Known<'_>) -> Option<(Figure, String)> {
     let buildings = of_storeys(prepared.scene(), prepared.floors());
     let shown = &buildings[..buildings.len().min(MOST)];
     if shown.is_empty() {
@@ -22,12 +18,9 @@ pub(super) fn figure(
     }
     let responses = responses(prepared, outcome);
     let panels = responses.iter().flat_map(|response| {
-        let curves = shown.iter().map(|building| {
-            (
-                *building,
-                response.curves((prepared, *building), outcome, known),
-            )
-        });
+        let curves = shown
+            .iter()
+            .map(|building| (*building, response.curves((prepared, *building), outcome, known)));
         let row = (prepared.scene(), prepared.floors());
         panels(row, &response.label, curves.collect())
     });
@@ -51,11 +44,7 @@ pub(crate) fn of_storeys(scene: &Scene, floors: &Floors) -> Vec<usize> {
 }
 
 /// A panel for each building with its curves, over one axis that begins at zero.
-pub(crate) fn panels(
-    (scene, floors): (&Scene, &Floors),
-    label: &str,
-    buildings: Vec<(usize, Vec<Curve>)>,
-) -> Vec<Panel> {
+pub(crate) fn panels((scene, floors): (&Scene, &Floors), label: &str, buildings: Vec<(usize, Vec<Curve>)>) -> Vec<Panel> {
     let curves = buildings.iter().flat_map(|(_, curves)| curves);
     let points = curves.flat_map(|curve| &curve.points);
     let end = 1.05 * points.map(|point| point.0).fold(0.0, f64::max);
@@ -88,9 +77,7 @@ fn caption(known: Known<'_>, (shown, all): (usize, usize)) -> String {
     } else {
         String::new()
     };
-    format!(
-        "Peak storey drift and shear force over the height of the buildings{both}.{alone}{left_out}"
-    )
+    format!("Peak storey drift and shear force over the height of the buildings{both}.{alone}{left_out}")
 }
 
 /// What is shown, with the unit of shear forces that fits a run.
@@ -139,12 +126,7 @@ struct Response {
 }
 
 impl Response {
-    fn curves(
-        &self,
-        (prepared, building): (&Simulation, usize),
-        outcome: &RunResult,
-        known: Known<'_>,
-    ) -> Vec<Curve> {
+    fn curves(&self, (prepared, building): (&Simulation, usize), outcome: &RunResult, known: Known<'_>) -> Vec<Curve> {
         let floors = prepared.floors().of_structure(building);
         let of = |result: &RunResult| over(floors, |floor| self.factor * (self.of)(result, floor));
         let mut curves = Vec::new();
@@ -152,9 +134,7 @@ impl Response {
             let scale = if self.alone == 0 { 1e3 } else { self.factor };
             let alone = |floor: usize| {
                 let both = [&effects.as_given[floor], &effects.reversed[floor]];
-                let all = both
-                    .iter()
-                    .filter_map(|one| Some(one.responses()[self.alone]?.alone));
+                let all = both.iter().filter_map(|one| Some(one.responses()[self.alone]?.alone));
                 scale * all.fold(0.0, f64::max)
             };
             curves.push(Curve::new(Kind::Dashed, Shade::Ink, over(floors, alone)).named("alone"));
@@ -180,11 +160,7 @@ pub(crate) fn over(floors: &[usize], value: impl Fn(usize) -> f64) -> Vec<(f64, 
     let storeys = floors.iter().enumerate();
     let n = floors.len();
     let place = |storey: usize| {
-        if n <= NAMED {
-            n - 1 - storey
-        } else {
-            storey + 1
-        }
+        if n <= NAMED { n - 1 - storey } else { storey + 1 }
     };
     let point = |(storey, floor): (usize, &usize)| (value(*floor), place(storey) as f64);
     storeys.map(point).collect()

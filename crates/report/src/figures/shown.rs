@@ -25,12 +25,9 @@ impl Selection {
     /// Of the floors of a scene with these pairs: the pairs that are hit hardest, then those that come closest to touching.
     pub(super) fn of(prepared: &Simulation, all_pairs: &[PairSummary]) -> Self {
         let floors = prepared.floors();
-        let all: Vec<usize> = (0..floors.all().len())
-            .filter(|floor| drawn(floors, *floor) == *floor)
-            .collect();
+        let all: Vec<usize> = (0..floors.all().len()).filter(|floor| drawn(floors, *floor) == *floor).collect();
         let facing = floors.facing();
-        let sides =
-            |pair: usize| [facing[pair].left, facing[pair].right].map(|floor| drawn(floors, floor));
+        let sides = |pair: usize| [facing[pair].left, facing[pair].right].map(|floor| drawn(floors, floor));
         let ranked = ranked(all_pairs);
         let mut shown = Vec::new();
         if all.len() <= MOST_FLOORS || ranked.is_empty() {
@@ -82,9 +79,7 @@ pub(super) fn drawn(floors: &Floors, floor: usize) -> usize {
 /// Pairs, those hit hardest first: by their largest forces, by which a building that leans on its neighbour is none that hits it,
 /// or by their largest impulses where an impact has no force; of those that are not hit, the one that comes closest.
 fn ranked(pairs: &[PairSummary]) -> Vec<usize> {
-    let forces = pairs
-        .iter()
-        .all(|pair| pair.collisions == 0 || pair.peak_force_n.is_some());
+    let forces = pairs.iter().all(|pair| pair.collisions == 0 || pair.peak_force_n.is_some());
     let hardness = |pair: &PairSummary| {
         let impulse = pair.largest.map(|largest| largest.impulse_n_s);
         let measure = if forces { pair.peak_force_n } else { impulse };
@@ -128,9 +123,6 @@ mod tests {
         // Where an impact has no force, impulses are what all have.
         let [far, leaning, near, hit] = all;
         let impulsive = pair(None, 1e6, 0.0);
-        assert_eq!(
-            ranked(&[far, leaning, near, hit, impulsive]),
-            [1, 4, 3, 2, 0]
-        );
+        assert_eq!(ranked(&[far, leaning, near, hit, impulsive]), [1, 4, 3, 2, 0]);
     }
 }

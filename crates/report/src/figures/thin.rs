@@ -25,16 +25,8 @@ pub(super) fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut stretches = vec![(0, points.len() - 1)];
     while let Some((first, last)) = stretches.pop() {
         let farthest = (first + 1..last)
-            .map(|index| {
-                (
-                    index,
-                    distance(points[index], points[first], points[last], scale),
-                )
-            })
-            .fold(
-                (first, 0.0),
-                |most, next| if next.1 > most.1 { next } else { most },
-            );
+            .map(|index| (index, distance(points[index], points[first], points[last], scale)))
+            .fold((first, 0.0), |most, next| if next.1 > most.1 { next } else { most });
         if farthest.1 > TOLERANCE {
             kept[farthest.0] = true;
             stretches.push((first, farthest.0));

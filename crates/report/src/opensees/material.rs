@@ -29,8 +29,7 @@ const ALLOWED: &str = "which OpenSees does not have; allowed are linear_spring, 
 const KELVIN: &str = "whose clamp OpenSees does not have; --approximate takes ViscoelasticGap, which pulls at the end of \
                       every collision";
 
-const NOT_CLAMPED: &str =
-    "not clamped at 0 where something drives the neighbours apart faster than they met";
+const NOT_CLAMPED: &str = "not clamped at 0 where something drives the neighbours apart faster than they met";
 
 impl Material {
     /// The material of a pair with this reduced mass \[kg\].
@@ -43,11 +42,7 @@ impl Material {
         clippy::wildcard_enum_match_arm,
         reason = "a law is none of OpenSees until somebody finds its material"
     )]
-    pub(super) fn of(
-        pair: &Pair,
-        reduced_mass: f64,
-        approximate: bool,
-    ) -> Result<Self, &'static str> {
+    pub(super) fn of(pair: &Pair, reduced_mass: f64, approximate: bool) -> Result<Self, &'static str> {
         let gap = -pair.gap();
         let material = |name, parameters| Self {
             name,
@@ -73,23 +68,13 @@ impl Material {
                 let parameters = vec![stiffness, ratio, reduced_mass, gap, HERTZ];
                 Ok(material("JankowskiImpact", parameters))
             }
-            ContactLaw::HertzDamp(law) => Ok(hertz_damp(
-                law.impact_stiffness,
-                law.impact_damping_factor,
-                HERTZ,
-            )),
-            ContactLaw::ModifiedKelvin(law) => Ok(hertz_damp(
-                law.impact_stiffness,
-                law.impact_damping_factor,
-                LINEAR,
-            )),
+            ContactLaw::HertzDamp(law) => Ok(hertz_damp(law.impact_stiffness, law.impact_damping_factor, HERTZ)),
+            ContactLaw::ModifiedKelvin(law) => Ok(hertz_damp(law.impact_stiffness, law.impact_damping_factor, LINEAR)),
             ContactLaw::KelvinVoigt(law) if approximate => {
                 let critical = 2.0 * (law.impact_stiffness * reduced_mass).sqrt();
                 let damping = law.impact_damping_ratio * critical;
                 Ok(Self {
-                    note: Some(
-                        "an approximation of kelvin_voigt: it pulls at the end of every collision",
-                    ),
+                    note: Some("an approximation of kelvin_voigt: it pulls at the end of every collision"),
                     ..material("ViscoelasticGap", vec![law.impact_stiffness, damping, gap])
                 })
             }

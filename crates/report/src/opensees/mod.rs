@@ -35,8 +35,7 @@ impl OpenSees {
     /// Names the field that the script does not model, or says why the exact run fails.
     pub fn script(self, prepared: &Simulation) -> Result<String, OpenSeesError> {
         let row = ScriptRow::of(prepared);
-        let materials =
-            materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
+        let materials = materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
         let prepared = &prepared.exact().map_err(OpenSeesError::Run)?;
         let exact = &prepared.run(None).map_err(OpenSeesError::Run)?;
         let steps = || time_step(prepared, exact);
@@ -51,19 +50,11 @@ impl OpenSees {
 }
 
 /// The material of every pair.
-fn materials(
-    prepared: &Simulation,
-    row: &ScriptRow,
-    approximate: bool,
-) -> Result<Vec<Material>, String> {
+fn materials(prepared: &Simulation, row: &ScriptRow, approximate: bool) -> Result<Vec<Material>, String> {
     let facing = prepared.floors().facing();
     let material = |(pair, facing): (&Pair, &FloorPair)| {
         let sides = [pair.left(), pair.right()].map(|side| row.floors[side].as_ref());
-        let inverse: f64 = sides
-            .into_iter()
-            .flatten()
-            .map(|one| one.mass.recip())
-            .sum();
+        let inverse: f64 = sides.into_iter().flatten().map(|one| one.mass.recip()).sum();
         Material::of(pair, inverse.recip(), approximate).map_err(|allowed| {
             let law = pair.law.name();
             format!("contacts[{}].law: found {law}, {allowed}", facing.contact)

@@ -45,19 +45,13 @@ impl OnRow for Reading<'_> {
         let nodes = row.nodes();
         let floors = nodes.iter().zip(self.0.all());
         ScriptRow {
-            floors: floors
-                .map(|(node, floor)| Some(floor_of(nodes, node, &floor.made_of?)))
-                .collect(),
+            floors: floors.map(|(node, floor)| Some(floor_of(nodes, node, &floor.made_of?))).collect(),
             arrivals: (0..nodes.len()).map(|node| row.arrival(node)).collect(),
         }
     }
 }
 
-fn floor_of<Column: Hysteretic>(
-    nodes: &[Node<Column>],
-    node: &Node<Column>,
-    made: &StoreyProperties,
-) -> ScriptFloor {
+fn floor_of<Column: Hysteretic>(nodes: &[Node<Column>], node: &Node<Column>, made: &StoreyProperties) -> ScriptFloor {
     let (below, ground_damping) = match node.support {
         Support::Ground => (None, 0.0),
         Support::Floor(floor) => (Some(floor.below), floor.ground_damping),
@@ -69,11 +63,7 @@ fn floor_of<Column: Hysteretic>(
         below,
         column: material(&made.columns),
         damping: [node.damping, ground_damping],
-        start: [
-            node.initial_displacement,
-            node.initial_velocity,
-            node.column.loaded(drift).force,
-        ],
+        start: [node.initial_displacement, node.initial_velocity, node.column.loaded(drift).force],
     }
 }
 
@@ -91,11 +81,7 @@ fn material(columns: &Columns) -> ColumnMaterial {
     if let Some(bend) = columns.bouc_wen {
         let unit = (0..bend.exponent).fold(1.0, |unit, _| unit * (stiffness / force));
         let (gamma, beta) = ((1.0 - bend.beta) * unit, bend.beta * unit);
-        let own = [
-            hardening.unwrap_or(0.0),
-            stiffness,
-            f64::from(bend.exponent),
-        ];
+        let own = [hardening.unwrap_or(0.0), stiffness, f64::from(bend.exponent)];
         let shape = [gamma, beta, 1.0, 0.0, 0.0, 0.0];
         let mut smooth = of("BoucWen", &[&own[..], &shape].concat());
         // Tolerance of its own iteration [m], and its most rounds.

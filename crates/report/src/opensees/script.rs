@@ -34,10 +34,7 @@ pub(super) fn script(contents: &Contents<'_>) -> String {
     let mut text = HEADER.to_string();
     let mut line = |line: &str| writeln!(text, "{line}").expect("memory takes all");
     line(&format!("SCENE = {}", quoted(&scene.name)));
-    line(&format!(
-        "DURATION = {:?}  # s",
-        contents.prepared.duration()
-    ));
+    line(&format!("DURATION = {:?}  # s", contents.prepared.duration()));
     line(&format!("TIME_STEP = {:?}  # s", contents.time_step));
     line("\n# Level by level from the ground up, each from left to right; None is a wall.");
     let named = contents.prepared.floors().all().iter();
@@ -50,9 +47,7 @@ pub(super) fn script(contents: &Contents<'_>) -> String {
     line("\n# When the ground motion arrives [s], and which of these arrivals each floor has.");
     line(&format!("ARRIVALS = {arrivals:?}"));
     line(&format!("GROUND_OF = {grounds:?}"));
-    line(
-        "\n# Floors that can touch, by their places; the material with its parameters\n# after the tag, and where it is not the law.",
-    );
+    line("\n# Floors that can touch, by their places; the material with its parameters\n# after the tag, and where it is not the law.");
     let materials = contents.materials.iter().enumerate();
     let contacts = materials.map(|(index, one)| contact(contents.prepared, index, one));
     line(&list("CONTACTS", contacts));
@@ -85,9 +80,7 @@ import openseespy.opensees as ops
 
 /// A Python list with an entry to a line.
 fn list(name: &str, entries: impl Iterator<Item = String>) -> String {
-    let lines: String = entries.fold(String::new(), |lines, entry| {
-        lines + "    " + &entry + ",\n"
-    });
+    let lines: String = entries.fold(String::new(), |lines, entry| lines + "    " + &entry + ",\n");
     if lines.is_empty() {
         format!("{name} = []")
     } else {
@@ -159,12 +152,8 @@ fn exact(contents: &Contents<'_>) -> String {
     let peak = |index: usize| contents.exact.peaks.of(index).displacement.value;
     let displacements = floors.map(|index| format!("{:?}", peak(index)));
     let touches = pairs.iter().map(|pair| pair.collisions.to_string());
-    let first = pairs
-        .iter()
-        .map(|pair| python(pair.first.map(|first| first.start)));
-    let force = pairs
-        .iter()
-        .map(|pair| python(pair.peak_force.map(|peak| peak.value)));
+    let first = pairs.iter().map(|pair| python(pair.first.map(|first| first.start)));
+    let force = pairs.iter().map(|pair| python(pair.peak_force.map(|peak| peak.value)));
     let rows = [
         ("displacement", displacements.collect::<Vec<_>>()),
         ("touches", touches.collect()),

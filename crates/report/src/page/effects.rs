@@ -72,11 +72,7 @@ fn hundredths(value: f64) -> String {
 /// A number over its range, with a mark where that is wide.
 fn known(known: &Known, factor: f64, words: fn(f64) -> String) -> Cell {
     let mark = if known.is_robust() { "" } else { " ~" };
-    let range = format!(
-        "{} to {}",
-        words(factor * known.low),
-        words(factor * known.high)
-    );
+    let range = format!("{} to {}", words(factor * known.low), words(factor * known.high));
     let moves = known.change() > 0.0;
     Cell::new(format!("{}{mark}", words(factor * known.value))).over(moves.then_some(range))
 }

@@ -70,17 +70,12 @@ impl Cell {
     /// The cell as text of several lines.
     #[must_use]
     pub(crate) fn wrapped(self) -> Self {
-        Self {
-            wrapped: true,
-            ..self
-        }
+        Self { wrapped: true, ..self }
     }
 
     fn html(&self) -> String {
         let below = self.below.as_ref();
-        let below = below.map_or_else(String::new, |text| {
-            format!("<small>{}</small>", escaped(text))
-        });
+        let below = below.map_or_else(String::new, |text| format!("<small>{}</small>", escaped(text)));
         let class = if self.wrapped { " class=\"text\"" } else { "" };
         format!("<td{class}>{}{below}</td>", escaped(&self.text))
     }
@@ -96,20 +91,12 @@ pub(crate) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
         format!("<tr>{cells}</tr>\n")
     };
     let rows: String = rows.iter().map(row).collect();
-    format!(
-        "<div class=\"wide\"><table>\n<thead><tr>{names}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
-    )
+    format!("<div class=\"wide\"><table>\n<thead><tr>{names}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n")
 }
 
 /// A table of two columns: what it is, and what it is here.
 pub(crate) fn facts(facts: &[(String, String)]) -> String {
-    let row = |(what, value): &(String, String)| {
-        format!(
-            "<tr><td>{}</td><td>{}</td></tr>\n",
-            escaped(what),
-            escaped(value)
-        )
-    };
+    let row = |(what, value): &(String, String)| format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
     let rows: String = facts.iter().map(row).collect();
     format!("<table class=\"facts\">\n<tbody>\n{rows}</tbody>\n</table>\n")
 }

@@ -31,12 +31,7 @@ pub(crate) fn sentence(words: &str) -> String {
 const STYLE: &str = include_str!("style.css");
 
 /// The page.
-pub(super) fn html(
-    report: &Report<'_>,
-    summary: &Summary,
-    illustrations: &[Illustration],
-    animation: &str,
-) -> String {
+pub(super) fn html(report: &Report<'_>, summary: &Summary, illustrations: &[Illustration], animation: &str) -> String {
     let review = report.review();
     let title = escaped(&summary.scene.name);
     let figure = |name: &str| {
@@ -53,28 +48,16 @@ pub(super) fn html(
         figure("profiles"),
         "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
         figure("displacements"),
-        format!(
-            "<h2>Pairs</h2>\n{}",
-            tables::pairs(summary, report.prepared.floors())
-        ),
+        format!("<h2>Pairs</h2>\n{}", tables::pairs(summary, report.prepared.floors())),
         figure("gaps"),
         tables::collisions(summary, review),
         effects::effects(summary, report.prepared.floors(), &figure("effects")),
-        format!(
-            "<h2>Structures</h2>\n{}",
-            tables::structures(summary, report.prepared.floors())
-        ),
+        format!("<h2>Structures</h2>\n{}", tables::structures(summary, report.prepared.floors())),
         figure("hysteresis"),
-        format!(
-            "<h2>Scene</h2>\n{}",
-            scene::scene(summary, report.prepared.floors())
-        ),
+        format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
         format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
         figure("ground-motion"),
-        format!(
-            "<h2>Method</h2>\n{}",
-            tables::method(summary, review, report.sampling.words)
-        ),
+        format!("<h2>Method</h2>\n{}", tables::method(summary, review, report.sampling.words)),
         format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
         again(summary),
     ];
@@ -139,9 +122,10 @@ fn lead(summary: &Summary) -> String {
         1 => " and a wall",
         _ => " and walls",
     };
-    let steps = summary.method.time_step_s.map_or_else(String::new, |step| {
-        format!(" in steps of {} s", digits(step))
-    });
+    let steps = summary
+        .method
+        .time_step_s
+        .map_or_else(String::new, |step| format!(" in steps of {} s", digits(step)));
     let source = match &scene.record.source {
         // The folders stand in the table.
         Source::File(file) => file.file.rsplit(['/', '\\']).next().unwrap_or_default(),
@@ -168,11 +152,8 @@ fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
         return String::new();
     };
     let [worse, other] = directions.sentences.each_ref().map(|one| escaped(one));
-    let touch = summary.pairs.iter().any(|pair| pair.collisions > 0)
-        || directions
-            .other
-            .iter()
-            .any(|other| !other.collisions.all().is_empty());
+    let touch =
+        summary.pairs.iter().any(|pair| pair.collisions > 0) || directions.other.iter().any(|other| !other.collisions.all().is_empty());
     let touch = if touch { " touch" } else { "" };
     format!(
         "<div class=\"verdict{touch}\">\n<p><strong>{worse}</strong></p>\n<p>{other}</p>\n</div>\n<p>In the direction of the scene:</p>\n"
@@ -181,10 +162,7 @@ fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
 
 /// What looks wrong in the scene.
 fn unusual(summary: &Summary) -> String {
-    boxed(
-        UNUSUAL,
-        &Implausible::lines(summary.unusual.iter().map(|one| ("", one))),
-    )
+    boxed(UNUSUAL, &Implausible::lines(summary.unusual.iter().map(|one| ("", one))))
 }
 
 /// A figure with its caption, or why there is none.
@@ -214,14 +192,8 @@ fn inline(svg: &str, caption: &str) -> String {
     let (width, height) = (attribute("width"), attribute("height"));
     let size = width
         .zip(height)
-        .map_or_else(String::new, |(width, height)| {
-            format!(" viewBox=\"0 0 {width} {height}\"")
-        });
-    format!(
-        "<svg{size} role=\"img\" aria-label=\"{}\">{}",
-        escaped(caption),
-        body.trim_end()
-    )
+        .map_or_else(String::new, |(width, height)| format!(" viewBox=\"0 0 {width} {height}\""));
+    format!("<svg{size} role=\"img\" aria-label=\"{}\">{}", escaped(caption), body.trim_end())
 }
 
 /// How to get the same again.

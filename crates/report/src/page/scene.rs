@@ -2,9 +2,7 @@
 
 use super::markup::{Cell, digits, short, table};
 use crate::summary::Summary;
-use pounding_scene::{
-    Columns, Contact, Damping, Floor, Floors, Scene, StoreyProperties, Structure,
-};
+use pounding_scene::{Columns, Contact, Damping, Floor, Floors, Scene, StoreyProperties, Structure};
 
 /// The structures and the contacts between them.
 pub(super) fn scene(summary: &Summary, floors: &Floors) -> String {
@@ -105,24 +103,9 @@ fn given(structure: &Structure) -> Option<String> {
     let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));
     match damping {
         Damping::Ratio(_) => (storeys > 1).then(|| "in modes 1 and 2".into()),
-        Damping::Rayleigh {
-            alpha_per_s,
-            beta_s,
-        } => Some(format!(
-            "α = {} /s, β = {} s",
-            digits(alpha_per_s),
-            digits(beta_s)
-        )),
-        Damping::TwoFrequencies {
-            frequencies_hz,
-            ratios,
-        } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
-        Damping::Modes { modes, ratios } => Some(format!(
-            "{} in modes {} and {}",
-            two(ratios),
-            modes[0],
-            modes[1]
-        )),
+        Damping::Rayleigh { alpha_per_s, beta_s } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
+        Damping::TwoFrequencies { frequencies_hz, ratios } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
+        Damping::Modes { modes, ratios } => Some(format!("{} in modes {} and {}", two(ratios), modes[0], modes[1])),
     }
 }
 
@@ -131,9 +114,7 @@ fn contacts(scene: &Scene) -> String {
     let header = ["Contact", "Gap [mm]", "Law", "Delivers e", "Parameters"];
     let contacts = scene.contacts.iter().flatten();
     let between = scene.structures.windows(2).zip(contacts);
-    let rows: Vec<_> = between
-        .map(|(neighbours, contact)| contact_row(neighbours, contact))
-        .collect();
+    let rows: Vec<_> = between.map(|(neighbours, contact)| contact_row(neighbours, contact)).collect();
     if rows.is_empty() {
         return "<p>No contact between structures was asked for.</p>\n".into();
     }

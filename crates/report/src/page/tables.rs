@@ -78,25 +78,19 @@ fn storey(one: &StructureSummary) -> Vec<Cell> {
     let of = |drift: Option<f64>, displacement| if upper { drift } else { displacement };
     let drift = of(one.peak_drift_m, one.peak_displacement_m);
     let time = of(one.peak_drift_time_s, one.peak_displacement_time_s);
-    let last = of(
-        one.residual_drift_at_end_m,
-        one.residual_displacement_at_end_m,
-    );
+    let last = of(one.residual_drift_at_end_m, one.residual_displacement_at_end_m);
     let off_at_end = off(one.errors.as_ref(), |errors| {
         let of_drift = errors.residual_drift_at_end;
         of_drift.or(errors.residual_displacement_at_end)
     });
-    let off = off(one.errors.as_ref(), |errors| {
-        errors.peak_drift.or(errors.peak_displacement)
-    });
+    let off = off(one.errors.as_ref(), |errors| errors.peak_drift.or(errors.peak_displacement));
     let millimetres = |value: Option<f64>| Cell::known(value.map(|value| short(1e3 * value)));
     vec![
         Cell::new(&one.name),
         millimetres(drift).over(off.clone()),
         Cell::known(time.map(instant)),
         millimetres(last).over(off_at_end),
-        Cell::known(one.drift_ratio.map(percent))
-            .over(off.clone().filter(|_| one.drift_ratio.is_some())),
+        Cell::known(one.drift_ratio.map(percent)).over(off.clone().filter(|_| one.drift_ratio.is_some())),
         Cell::known(one.ductility.map(short)).over(off.filter(|_| one.ductility.is_some())),
     ]
 }
@@ -111,23 +105,13 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
     vec![
         Cell::new(&one.name),
         Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value))).over(displaced),
-        Cell::known(one.peak_displacement_time_s.map(instant))
-            .over(time.map(|time| format!("error {}", milliseconds(time)))),
-        Cell::known(
-            one.residual_displacement_at_end_m
-                .map(|value| short(1e3 * value)),
-        )
-        .over(off(errors_of_peaks, |errors| {
-            errors.residual_displacement_at_end
-        })),
-        Cell::known(
-            one.peak_acceleration_m_per_s2
-                .map(|value| short(value / gravity)),
-        )
-        .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
+        Cell::known(one.peak_displacement_time_s.map(instant)).over(time.map(|time| format!("error {}", milliseconds(time)))),
+        Cell::known(one.residual_displacement_at_end_m.map(|value| short(1e3 * value)))
+            .over(off(errors_of_peaks, |errors| errors.residual_displacement_at_end)),
+        Cell::known(one.peak_acceleration_m_per_s2.map(|value| short(value / gravity)))
+            .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
         Cell::known(one.peak_acceleration_time_s.map(instant)),
-        Cell::known(thousandths(one.peak_shear_force_n))
-            .over(off(errors_of_peaks, |errors| errors.peak_shear_force)),
+        Cell::known(thousandths(one.peak_shear_force_n)).over(off(errors_of_peaks, |errors| errors.peak_shear_force)),
         Cell::known(one.peak_shear_force_time_s.map(instant)),
         momentum.over(off(errors, |errors| errors.transferred_momentum)),
     ]
@@ -200,12 +184,9 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
         Cell::new(short(1e3 * one.gap_m)),
         Cell::new(opening(one.least_opening_m)).over(off(errors, |errors| errors.least_opening)),
         Cell::new(one.collisions.to_string()).over(counted),
-        Cell::known(first.map(|first| digits(first.start_s)))
-            .over(time.map(|time| format!("error {}", milliseconds(time)))),
-        Cell::known(thousandths(first.map(|first| first.impulse_n_s)))
-            .over(off(compared, |errors| errors.first_impulse)),
-        Cell::known(thousandths(one.largest.map(|largest| largest.impulse_n_s)))
-            .over(off(compared, |errors| errors.largest_impulse)),
+        Cell::known(first.map(|first| digits(first.start_s))).over(time.map(|time| format!("error {}", milliseconds(time)))),
+        Cell::known(thousandths(first.map(|first| first.impulse_n_s))).over(off(compared, |errors| errors.first_impulse)),
+        Cell::known(thousandths(one.largest.map(|largest| largest.impulse_n_s))).over(off(compared, |errors| errors.largest_impulse)),
         force,
         Cell::known(one.peak_force_time_s.map(instant)),
     ]
@@ -236,11 +217,7 @@ pub(super) fn collisions(summary: &Summary, review: &Review) -> String {
         "Peak force [kN]",
         "at [s]",
     ];
-    let rows: Vec<_> = all
-        .iter()
-        .take(FIRST)
-        .map(|one| collision(summary, one))
-        .collect();
+    let rows: Vec<_> = all.iter().take(FIRST).map(|one| collision(summary, one)).collect();
     let title = if all.len() > FIRST {
         format!("The first {FIRST} of {} collisions", all.len())
     } else {
@@ -296,13 +273,8 @@ pub(super) fn record(summary: &Summary) -> String {
         rows.push(("its file says".into(), one.provenance.clone()));
     }
     for reading in &one.readings {
-        let line = reading
-            .line
-            .map_or_else(String::new, |line| format!(", line {line}"));
-        rows.push((
-            format!("read: {}{line}", reading.what),
-            reading.found.clone(),
-        ));
+        let line = reading.line.map_or_else(String::new, |line| format!(", line {line}"));
+        rows.push((format!("read: {}{line}", reading.what), reading.found.clone()));
     }
     facts(&rows)
 }
@@ -321,11 +293,7 @@ pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> Stri
     let method = &summary.method;
     let mut rows = vec![(
         "method".into(),
-        format!(
-            "{}, {} s",
-            method.name.replace('_', " "),
-            digits(method.duration_s)
-        ),
+        format!("{}, {} s", method.name.replace('_', " "), digits(method.duration_s)),
     )];
     let settings = serde_json::to_value(summary.scene.method).unwrap_or_default();
     rows.extend(entries(&settings[&method.name]));
@@ -336,10 +304,7 @@ pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> Stri
     let interval = format!("every {} s: {sampling}", digits(method.history_interval_s));
     rows.push(("histories".into(), interval));
     if let Errors::Unknown(reason) = &review.errors {
-        rows.push((
-            "errors".into(),
-            format!("not known, the exact run fails: {reason}"),
-        ));
+        rows.push(("errors".into(), format!("not known, the exact run fails: {reason}")));
     }
     rows.push(("work".into(), work(summary)));
     facts(&rows)

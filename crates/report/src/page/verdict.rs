@@ -35,9 +35,7 @@ pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
         .collect();
     if touching.len() > MOST {
         let more = touching.len() - MOST;
-        lines.push(format!(
-            "{more} further pairs touch; see the table of pairs"
-        ));
+        lines.push(format!("{more} further pairs touch; see the table of pairs"));
     }
     let n: usize = touching.iter().map(|one| one.0.collisions).sum();
     let pairs = match summary.pairs.len() {
@@ -84,11 +82,7 @@ fn against(n: usize, exact: Option<usize>) -> String {
 fn missed(summary: &Summary, review: &Review) -> String {
     let pairs = summary.pairs.iter().filter_map(|pair| {
         let exact = pair.errors.as_ref()?.exact_collisions;
-        let collisions = if exact == 1 {
-            "collision"
-        } else {
-            "collisions"
-        };
+        let collisions = if exact == 1 { "collision" } else { "collisions" };
         (exact > 0).then(|| {
             format!(
                 "{} – {}: exact motion has {exact} {collisions}, this run none",
@@ -173,23 +167,16 @@ fn with_error(text: String, error: Option<f64>) -> String {
 /// How far the numbers are from the exact run.
 fn certainty(review: &Review) -> String {
     match &review.errors {
-        Errors::Exact => {
-            "The method is exact: the numbers have no error beyond rounding and its tolerance. What the model leaves out is \
+        Errors::Exact => "The method is exact: the numbers have no error beyond rounding and its tolerance. What the model leaves out is \
              not part of that."
-                .into()
-        }
+            .into(),
         Errors::Doubtful => {
             "The method is exact, but this run has gone wrong by what its energies tell (see the warnings): how far its numbers \
              are off is not known."
                 .into()
         }
-        Errors::NotMeasured => {
-            "How far the numbers are from an exact run of the same scene was not measured.".into()
-        }
-        Errors::Unknown(_) => {
-            "How far the numbers are from an exact run of the same scene is not known: that run fails."
-                .into()
-        }
+        Errors::NotMeasured => "How far the numbers are from an exact run of the same scene was not measured.".into(),
+        Errors::Unknown(_) => "How far the numbers are from an exact run of the same scene is not known: that run fails.".into(),
         Errors::Measured(errors, _) => {
             let (largest, of) = errors.largest(QuantityGroup::All);
             if largest == 0.0 {
@@ -200,8 +187,7 @@ fn certainty(review: &Review) -> String {
                     percent(largest)
                 )
             } else {
-                "Some numbers are not those of an exact run of the same scene; the tables say which."
-                    .into()
+                "Some numbers are not those of an exact run of the same scene; the tables say which.".into()
             }
         }
     }

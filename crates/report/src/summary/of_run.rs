@@ -3,14 +3,11 @@
 use pounding_solver::Collision;
 
 use super::{
-    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, SCHEMA_VERSION, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary, SCHEMA_VERSION,
+    StructureErrorSummary, StructureSummary, Summary, WorkSummary,
 };
 use crate::sampling::Sampling;
-use pounding_scene::{
-    Errors, FloorQuantity, PairOutcome, PairQuantity, QuantityGroup, Review, RunErrors, Simulation,
-    Source,
-};
+use pounding_scene::{Errors, FloorQuantity, PairOutcome, PairQuantity, QuantityGroup, Review, RunErrors, Simulation, Source};
 
 impl Summary {
     /// Of a run, with what is known of its errors.
@@ -60,9 +57,7 @@ impl RecordSummary {
             peak_time_s,
             provenance: record.source().into(),
             processing: prepared.scene().record.processing(),
-            readings: origin.map_or_else(Vec::new, |origin| {
-                origin.file.readings().iter().map(read).collect()
-            }),
+            readings: origin.map_or_else(Vec::new, |origin| origin.file.readings().iter().map(read).collect()),
         }
     }
 }
@@ -72,9 +67,7 @@ impl StructureSummary {
     pub fn of_run(prepared: &Simulation, review: &Review) -> Vec<Self> {
         let floors = 0..prepared.floors().all().len();
         let measured = review.measured();
-        floors
-            .map(|index| structure(prepared, review, index, measured))
-            .collect()
+        floors.map(|index| structure(prepared, review, index, measured)).collect()
     }
 }
 
@@ -83,9 +76,7 @@ impl PairSummary {
     pub fn of_run(prepared: &Simulation, review: &Review) -> Vec<Self> {
         let pairs = 0..prepared.floors().facing().len();
         let measured = review.measured();
-        pairs
-            .map(|index| pair(prepared, review, (index, measured)))
-            .collect()
+        pairs.map(|index| pair(prepared, review, (index, measured))).collect()
     }
 }
 
@@ -108,12 +99,7 @@ fn method(prepared: &Simulation, errors: &Errors) -> MethodSummary {
     }
 }
 
-fn structure(
-    prepared: &Simulation,
-    review: &Review,
-    index: usize,
-    measured: Option<&RunErrors>,
-) -> StructureSummary {
+fn structure(prepared: &Simulation, review: &Review, index: usize, measured: Option<&RunErrors>) -> StructureSummary {
     let floor = &prepared.floors().all()[index];
     let errors = measured.map(|errors| structure_errors(errors, index));
     let common = StructureSummary {
@@ -143,10 +129,7 @@ fn structure(
         peak_drift_m: upper.then_some(drift.value),
         peak_drift_time_s: upper.then_some(drift.time),
         residual_displacement_at_end_m: Some(last(index)),
-        residual_drift_at_end_m: prepared
-            .floors()
-            .below(index)
-            .map(|below| last(index) - last(below)),
+        residual_drift_at_end_m: prepared.floors().below(index).map(|below| last(index) - last(below)),
         peak_acceleration_m_per_s2: Some(acceleration.value),
         peak_acceleration_time_s: Some(acceleration.time),
         ductility: floor.ductility(drift.value),
@@ -169,11 +152,7 @@ fn structure_errors(errors: &RunErrors, floor: usize) -> StructureErrorSummary {
     }
 }
 
-fn pair(
-    prepared: &Simulation,
-    review: &Review,
-    (index, measured): (usize, Option<&RunErrors>),
-) -> PairSummary {
+fn pair(prepared: &Simulation, review: &Review, (index, measured): (usize, Option<&RunErrors>)) -> PairSummary {
     let own = &prepared.pairs()[index];
     let found = review.outcome.of_pair(index);
     let opening = review.outcome.least_opening(own, &found);

@@ -5,10 +5,7 @@ use std::path::Path;
 
 use pounding_scene::{Scene, Simulation};
 
-const EXPORTED: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/../../studies/opensees/exported"
-);
+const EXPORTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/opensees/exported");
 
 /// Largest distance at a time step of 2e-5 s, relative: `BoucWen` follows its columns to first order.
 const ALLOWED: [(&str, f64); 3] = [("towers", 5e-5), ("travelling", 1e-6), ("bouc-wen", 1e-4)];
@@ -24,10 +21,7 @@ fn reference_opensees_follows_its_script() {
         let simulation = Simulation::new(&scene, folder).expect("it is valid");
         let exact = simulation.run(None).expect("it runs");
         let mut compared = 0;
-        for line in table
-            .lines()
-            .filter(|line| line.starts_with(&format!("{name},")))
-        {
+        for line in table.lines().filter(|line| line.starts_with(&format!("{name},"))) {
             let cells: Vec<&str> = line.split(',').collect();
             let place: usize = cells[2].parse().expect("a number");
             let pair = || exact.of_pair(place);
@@ -41,10 +35,7 @@ fn reference_opensees_follows_its_script() {
             let theirs: Option<f64> = cells[3].parse().ok();
             assert_eq!(ours.is_some(), theirs.is_some(), "{line}");
             if let (Some(ours), Some(theirs)) = (ours, theirs) {
-                assert!(
-                    (ours - theirs).abs() <= allowed * ours.abs(),
-                    "{line}: {ours}"
-                );
+                assert!((ours - theirs).abs() <= allowed * ours.abs(), "{line}: {ours}");
                 compared += 1;
             }
         }

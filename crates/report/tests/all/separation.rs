@@ -97,10 +97,7 @@ fn issue_what_stays_open_is_no_sample() {
             // By another run, another recorder and, for stepping methods, to their error.
             let wanted = 0.5 - separation.required;
             let allowed = if method.contains("exact") { 1e-9 } else { 1e-3 };
-            assert!(
-                (opening - wanted).abs() < allowed,
-                "{method}: {opening} {wanted}"
-            );
+            assert!((opening - wanted).abs() < allowed, "{method}: {opening} {wanted}");
             let instant = pair.least_opening_time_s - separation.time;
             assert!(instant.abs() < 0.02, "{method}: {instant}");
         }
@@ -143,30 +140,16 @@ fn limit_rules_for_like_neighbours_and_walls() {
     };
     twins.structures = vec![twin("one"), twin("other")];
     let found = prepared(&twins).separations().expect("it runs")[0];
-    assert!(
-        found.required.abs() < 1e-300,
-        "twins move alike: {}",
-        found.required
-    );
+    assert!(found.required.abs() < 1e-300, "twins move alike: {}", found.required);
     let ddc = Rule::Ddc.width(&found).expect("a width");
-    assert!(
-        ddc < 1e-7 * Rule::Abs.width(&found).expect("a width"),
-        "{ddc}"
-    );
+    assert!(ddc < 1e-7 * Rule::Abs.width(&found).expect("a width"), "{ddc}");
     let beside_wall = prepared(&scene).separations().expect("it runs")[2];
     for rule in Rule::COMMON {
         let width = rule.width(&beside_wall).expect("a width");
-        assert!(
-            (width / beside_wall.peaks[0] - 1.0).abs() < 1e-15,
-            "{rule:?}"
-        );
+        assert!((width / beside_wall.peaks[0] - 1.0).abs() < 1e-15, "{rule:?}");
     }
     // Floors are level where both heights are given and the same.
-    for (heights, share) in [
-        ((Some(9.0), Some(9.0)), 0.7),
-        ((Some(9.0), Some(8.0)), 1.0),
-        ((None, None), 1.0),
-    ] {
+    for (heights, share) in [((Some(9.0), Some(9.0)), 0.7), ((Some(9.0), Some(8.0)), 1.0), ((None, None), 1.0)] {
         let mut scene = scene.clone();
         for (structure, height) in scene.structures.iter_mut().zip([heights.0, heights.1]) {
             if let Structure::Sdof(sdof) = structure {
@@ -174,8 +157,7 @@ fn limit_rules_for_like_neighbours_and_walls() {
             }
         }
         let found = prepared(&scene).separations().expect("it runs")[0];
-        let found = Rule::Eurocode8.width(&found).expect("a width")
-            / Rule::Srss.width(&found).expect("a width");
+        let found = Rule::Eurocode8.width(&found).expect("a width") / Rule::Srss.width(&found).expect("a width");
         assert!((found - share).abs() < 1e-15, "{heights:?}: {found}");
     }
 }
@@ -192,10 +174,7 @@ fn reference_correlation_of_the_double_difference_combination() {
     let below = 9.0 + 4.0 * 0.002 * 2.0 * 5.0 + 4.0 * 0.0104 * 4.0;
     let rho = above / below;
     let width = Rule::Ddc.width(&pair).expect("a width");
-    assert!(
-        (width * width - (2.0 - 2.0 * rho)).abs() < 1e-14,
-        "{width} {rho}"
-    );
+    assert!((width * width - (2.0 - 2.0 * rho)).abs() < 1e-14, "{width} {rho}");
     // The same from the other side.
     pair.oscillations.reverse();
     let mirrored = Rule::Ddc.width(&pair).expect("a width");
@@ -220,8 +199,7 @@ fn reference_openings_of_a_tenth_of_a_second() {
     let mut found = Vec::new();
     for record in ["peer-pacific-engineering", "chopra"] {
         let text = String::from_utf8_lossy(&text).replace("peer-pacific-engineering", record);
-        let mut scene: Scene =
-            Scene::parse(text.as_bytes(), Path::new("scene.json")).expect("a scene");
+        let mut scene: Scene = Scene::parse(text.as_bytes(), Path::new("scene.json")).expect("a scene");
         scene.arrivals_s = Some(vec![0.0, 0.1]);
         let folder = Path::new("../../studies/examples");
         let prepared = Simulation::new(&scene, folder).expect("a good scene");
@@ -231,11 +209,7 @@ fn reference_openings_of_a_tenth_of_a_second() {
         let record = prepared.record();
         let h = record.time_step();
         let delay = (0.1 / h).round();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a small whole number"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
         let behind = delay as usize;
         assert!((delay * h - 0.1).abs() < 1e-12, "whole samples");
         let (mut ground, mut velocity) = (vec![0.0], 0.0);
@@ -249,11 +223,7 @@ fn reference_openings_of_a_tenth_of_a_second() {
         // Between samples it may be a little more.
         let excess = opening.distance.abs() / largest - 1.0;
         assert!((-1e-12..1e-3).contains(&excess), "{opening:?} {largest}");
-        found.push(format!(
-            "{:.2} mm at {:.2} s",
-            1e3 * opening.distance,
-            opening.time
-        ));
+        found.push(format!("{:.2} mm at {:.2} s", 1e3 * opening.distance, opening.time));
     }
     insta::assert_snapshot!(found.join("; "), @"27.43 mm at 4.45 s; 35.13 mm at 1.64 s");
 }
@@ -291,9 +261,6 @@ fn issue_a_wall_beside_storeys_is_as_far_as_their_roof_goes() {
     let peak = |floor: usize| apart.peaks.of(floor).displacement.value.abs();
     let floors = prepared(&scene).floors().of_structure(0).to_vec();
     assert!((all.peaks[0] - peak(floors[2])).abs() < 1e-12, "{all:?}");
-    assert!(
-        (lowest.peaks[0] - peak(floors[0])).abs() < 1e-12,
-        "{lowest:?}"
-    );
+    assert!((lowest.peaks[0] - peak(floors[0])).abs() < 1e-12, "{lowest:?}");
     assert!(all.required > 2.0 * lowest.required, "{all:?} {lowest:?}");
 }

@@ -42,9 +42,7 @@ impl Values<'_> {
     /// # Panics
     /// If the row has no such floor or pair.
     pub fn least(&self, quantity: impl Into<Quantity>, place: usize) -> f64 {
-        let part = |peak: FloorQuantity, floor: usize| {
-            LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs()
-        };
+        let part = |peak: FloorQuantity, floor: usize| LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs();
         match quantity.into() {
             Quantity::Floor(FloorQuantity::TransferredMomentumNS) => {
                 let floors = 0..self.simulation.floors().all().len();
@@ -57,8 +55,7 @@ impl Values<'_> {
             }
             Quantity::Pair(PairQuantity::LeastOpeningM) => {
                 let pair = &self.simulation.pairs()[place];
-                let [left, right] = [pair.left(), pair.right()]
-                    .map(|floor| part(FloorQuantity::PeakDisplacementM, floor));
+                let [left, right] = [pair.left(), pair.right()].map(|floor| part(FloorQuantity::PeakDisplacementM, floor));
                 left.max(right)
             }
             Quantity::Pair(PairQuantity::TouchingS) => LEANS,
@@ -72,12 +69,7 @@ impl Values<'_> {
 }
 
 /// Distance of a number of a run from that of the exact one, relative or absolute; `None` if neither has it, infinite if one has.
-fn error(
-    [run, exact]: [&Values<'_>; 2],
-    quantity: Quantity,
-    place: usize,
-    relative: bool,
-) -> Option<f64> {
+fn error([run, exact]: [&Values<'_>; 2], quantity: Quantity, place: usize, relative: bool) -> Option<f64> {
     match (run.of(quantity, place), exact.of(quantity, place)) {
         (None, None) => None,
         (Some(run), Some(value)) if relative => {
@@ -95,11 +87,8 @@ impl RunErrors {
         let values = [run, exact].map(|one| one.values(simulation));
         let both = [&values[0], &values[1]];
         let at = |place: usize, is_compared: &dyn Fn(Quantity) -> bool| {
-            let compared =
-                |quantity| is_compared(quantity).then(|| error(both, quantity, place, true));
-            Quantity::COMPARED
-                .map(|quantity| compared(quantity).flatten())
-                .to_vec()
+            let compared = |quantity| is_compared(quantity).then(|| error(both, quantity, place, true));
+            Quantity::COMPARED.map(|quantity| compared(quantity).flatten()).to_vec()
         };
         let of_floor = |floor| at(floor, &|quantity| matches!(quantity, Quantity::Floor(_)));
         let start = Quantity::Pair(PairQuantity::FirstStartS);
@@ -120,9 +109,7 @@ impl RunErrors {
         let floors = 0..simulation.floors().all().len();
         Self {
             floors: floors.clone().map(of_floor).collect(),
-            peak_times: floors
-                .map(|floor| error(both, peak_time, floor, false))
-                .collect(),
+            peak_times: floors.map(|floor| error(both, peak_time, floor, false)).collect(),
             pairs: (0..simulation.pairs().len()).map(of_pair).collect(),
         }
     }
@@ -140,9 +127,7 @@ impl RunErrors {
         let index = Quantity::COMPARED.iter().position(|one| *one == quantity)?;
         match quantity {
             Quantity::Floor(_) => self.floors[place][index],
-            Quantity::Pair(PairQuantity::Collisions) => {
-                self.pairs[place].differ().then_some(f64::INFINITY)
-            }
+            Quantity::Pair(PairQuantity::Collisions) => self.pairs[place].differ().then_some(f64::INFINITY),
             Quantity::Pair(_) => self.pairs[place].errors[index],
         }
     }
@@ -159,12 +144,7 @@ impl RunErrors {
             .into_iter()
             .filter(|one| group == QuantityGroup::All || one.group() == group)
             .map(|one| (self.of(one), one.words()))
-            .fold(
-                (0.0, ""),
-                |largest, next| {
-                    if next.0 > largest.0 { next } else { largest }
-                },
-            )
+            .fold((0.0, ""), |largest, next| if next.0 > largest.0 { next } else { largest })
     }
 
     /// Largest relative error of a number, over all floors or pairs \[–\].
@@ -173,9 +153,7 @@ impl RunErrors {
             Quantity::Floor(_) => 0..self.floors.len(),
             Quantity::Pair(_) => 0..self.pairs.len(),
         };
-        places
-            .filter_map(|place| self.at(quantity, place))
-            .fold(0.0, f64::max)
+        places.filter_map(|place| self.at(quantity, place)).fold(0.0, f64::max)
     }
 }
 
@@ -208,11 +186,7 @@ pub fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {
         return 0.0;
     }
     let relative = distance / scale;
-    if relative.is_nan() {
-        f64::INFINITY
-    } else {
-        relative
-    }
+    if relative.is_nan() { f64::INFINITY } else { relative }
 }
 
 /// Distance relative to the exact magnitude; infinite where that is 0 and the other is not.

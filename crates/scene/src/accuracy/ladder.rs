@@ -33,13 +33,8 @@ impl Ladder {
 }
 
 /// The methods on a scene, each with its settings.
-pub fn entries<'a>(
-    scene: &'a Scene,
-    ladder: &'a Ladder,
-) -> impl Iterator<Item = (&'static ComparedMethod, f64)> + 'a {
-    let entering = COMPARED_METHODS
-        .iter()
-        .filter(|contender| contender.enters(scene));
+pub fn entries<'a>(scene: &'a Scene, ladder: &'a Ladder) -> impl Iterator<Item = (&'static ComparedMethod, f64)> + 'a {
+    let entering = COMPARED_METHODS.iter().filter(|contender| contender.enters(scene));
     entering.flat_map(|contender| {
         let settings = match contender.knob {
             Knob::TimeStep => &ladder.time_steps_s[..],

@@ -125,20 +125,14 @@ pub const COMPARED_METHODS: &[ComparedMethod] = &[
         label: "HHT, α = −0.1",
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        method: |time_step_s| Method::Hht {
-            time_step_s,
-            alpha: -0.1,
-        },
+        method: |time_step_s| Method::Hht { time_step_s, alpha: -0.1 },
     },
     ComparedMethod {
         key: "moreau_jean",
         label: "Moreau–Jean, θ = 1/2",
         knob: Knob::TimeStep,
         differs: Differs::InImpacts,
-        method: |time_step_s| Method::MoreauJean {
-            time_step_s,
-            theta: 0.5,
-        },
+        method: |time_step_s| Method::MoreauJean { time_step_s, theta: 0.5 },
     },
     ComparedMethod {
         key: "rk4",
@@ -161,25 +155,16 @@ pub const COMPARED_METHODS: &[ComparedMethod] = &[
 
 /// Name of a contender in figures, by its name in tables.
 pub fn label_of(key: &str) -> &'static str {
-    let found = COMPARED_METHODS
-        .iter()
-        .find(|contender| contender.key == key);
+    let found = COMPARED_METHODS.iter().find(|contender| contender.key == key);
     found.map_or("", |contender| contender.label)
 }
 
 fn verlet(time_step_s: f64, impacts: VerletImpacts) -> Method {
-    Method::VelocityVerlet {
-        time_step_s,
-        impacts,
-    }
+    Method::VelocityVerlet { time_step_s, impacts }
 }
 
 fn newmark(time_step_s: f64, Newmark { beta, gamma }: Newmark) -> Method {
-    Method::Newmark {
-        time_step_s,
-        beta,
-        gamma,
-    }
+    Method::Newmark { time_step_s, beta, gamma }
 }
 
 impl ComparedMethod {

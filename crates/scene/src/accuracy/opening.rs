@@ -13,10 +13,7 @@ use crate::{Error, Goal, GroundMotion, Method, Origin, QuantityGroup, Scene, Sim
 
 /// How a scene becomes a simulation.
 #[derive(Default)]
-#[expect(
-    missing_debug_implementations,
-    reason = "what is told of progress is a closure"
-)]
+#[expect(missing_debug_implementations, reason = "what is told of progress is a closure")]
 pub struct Options<'a> {
     /// The folder that the scene names its record from; that of the file which holds the scene.
     pub base: Option<&'a Path>,
@@ -81,11 +78,7 @@ impl Simulation {
         } else {
             Self::prepared(scene, motion, stop, patience)?
         };
-        if force {
-            Ok(simulation)
-        } else {
-            simulation.enforced()
-        }
+        if force { Ok(simulation) } else { simulation.enforced() }
     }
 
     /// The same, shaken with a record at hand; the file that the scene names is not opened.

@@ -110,9 +110,7 @@ impl Simulation {
 
     /// What a run will cost by an explicit method with this time step \[s\].
     pub fn price_of_steps(&self, method: &Method, going: Going) -> f64 {
-        let steps = method
-            .time_step()
-            .map_or(0.0, |step| self.duration() / step);
+        let steps = method.time_step().map_or(0.0, |step| self.duration() / step);
         self.of_step(method, going) * steps * self.floors().all().len() as f64
     }
 }

@@ -3,10 +3,7 @@
 use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
 use crate::accuracy::price::Going;
-use crate::{
-    Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
-    parallel,
-};
+use crate::{Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial, parallel};
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
 pub const LONGEST_STEP: f64 = 0.01;
@@ -20,15 +17,9 @@ pub const MOST_STEPS: u32 = 500_000;
 ///
 /// # Errors
 /// [`Error::NoReference`] where the exact method, the measure of the others, fails.
-pub fn advise(
-    prepared: &Simulation,
-    goal: Goal,
-    done: &(dyn Fn(usize) + Sync),
-) -> Result<Advice, Error> {
+pub fn advise(prepared: &Simulation, goal: Goal, done: &(dyn Fn(usize) + Sync)) -> Result<Advice, Error> {
     let twin = prepared.exact()?;
-    let exact = twin
-        .run_with(Extras::COMPARED)
-        .map_err(|error| Error::NoReference(error.into()))?;
+    let exact = twin.run_with(Extras::COMPARED).map_err(|error| Error::NoReference(error.into()))?;
     let ladder = Ladder::halved(prepared.scene(), LONGEST_STEP, MOST_STEPS.into());
     let runs: Vec<_> = entries(prepared.scene(), &ladder)
         .filter(|(contender, _)| contender.knob == Knob::TimeStep)
@@ -39,10 +30,7 @@ pub fn advise(
         Some((contender.key, trial?))
     });
     let rungs = |contender: &ComparedMethod| {
-        let own = trials
-            .iter()
-            .flatten()
-            .filter(|(key, _)| *key == contender.key);
+        let own = trials.iter().flatten().filter(|(key, _)| *key == contender.key);
         StepSizes::new(own.map(|(_, trial)| *trial).collect(), goal)
     };
     let methods = COMPARED_METHODS.iter().map(rungs);
@@ -60,33 +48,20 @@ pub fn advise(
 }
 
 /// A price, rounded.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "of a count of work, ≥ 0"
-)]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of a count of work, ≥ 0")]
 fn whole(price: f64) -> u64 {
     price.round() as u64
 }
 
 /// One run of the ladder; nothing where the scene refuses the step, such as one beyond a limit of stability.
-fn trial(
-    prepared: &Simulation,
-    (contender, step): (&ComparedMethod, f64),
-    exact: &RunResult,
-    quantity: QuantityGroup,
-) -> Option<Trial> {
+fn trial(prepared: &Simulation, (contender, step): (&ComparedMethod, f64), exact: &RunResult, quantity: QuantityGroup) -> Option<Trial> {
     let method = (contender.method)(step);
     let prepared = prepared.with_method(method).ok()?;
     let (error, worst, cost) = match prepared.run_with(Extras::COMPARED) {
         Ok(outcome) => {
             let errors = RunErrors::between(&outcome, exact, &prepared);
             let (error, worst) = errors.largest(quantity);
-            (
-                error,
-                worst,
-                whole(prepared.price(outcome.work, Going::Alone)),
-            )
+            (error, worst, whole(prepared.price(outcome.work, Going::Alone)))
         }
         Err(_) => (f64::INFINITY, "run fails", 0),
     };

@@ -34,11 +34,7 @@ impl Simulation {
         let of = |reversed: bool| {
             separations_of(&apart, &run, |left| {
                 let closings = run.closings.as_ref()?;
-                if reversed {
-                    closings.of_reversed(left)
-                } else {
-                    closings.of(left)
-                }
+                if reversed { closings.of_reversed(left) } else { closings.of(left) }
             })
         };
         Ok(Alone {

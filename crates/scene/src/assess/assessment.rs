@@ -190,12 +190,8 @@ impl Assessment {
             events: count(runs.iter().map(|one| one.event)),
             cases: count(runs.iter().map(RunOfCase::case)),
             by_stiffness: row.by_stiffness(),
-            gaps: (0..first.separations.len())
-                .filter_map(|index| row.gap(index))
-                .collect(),
-            floors: (0..first.floors.len())
-                .map(|floor| row.floor(floor))
-                .collect(),
+            gaps: (0..first.separations.len()).filter_map(|index| row.gap(index)).collect(),
+            floors: (0..first.floors.len()).map(|floor| row.floor(floor)).collect(),
             pairs: (0..first.pairs.len())
                 .map(|pair| {
                     let all = runs.iter().map(|one| (one.case(), &one.run.pairs[pair]));
@@ -220,9 +216,7 @@ impl<'r> Row<'r> {
         let left = all.first()?.1.left;
         let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
         let facing = self.floors.facing();
-        let pairs: Vec<usize> = (0..facing.len())
-            .filter(|pair| facing[*pair].contact == left)
-            .collect();
+        let pairs: Vec<usize> = (0..facing.len()).filter(|pair| facing[*pair].contact == left).collect();
         let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
         let touching = self.runs.iter().filter(|one| touches(one.run));
         let RequiredGap {
@@ -249,9 +243,7 @@ impl<'r> Row<'r> {
         let hit = self.hits(floor);
         if hit.is_empty() {
             let all = self.runs.iter();
-            let all: Vec<_> = all
-                .map(|one| (one.case(), &one.run.floors[floor]))
-                .collect();
+            let all: Vec<_> = all.map(|one| (one.case(), &one.run.floors[floor])).collect();
             assessed_floor(&all)
         } else {
             assessed_floor(&hit)
@@ -263,25 +255,20 @@ impl<'r> Row<'r> {
         let building = self.floors.all()[floor].structure;
         let hit = self.runs.iter();
         let hit = hit.filter(|one| one.run.hits(self.floors, building));
-        hit.map(|one| (one.case(), &one.run.floors[floor]))
-            .collect()
+        hit.map(|one| (one.case(), &one.run.floors[floor])).collect()
     }
 
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
-        let moving =
-            (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
+        let moving = (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
         let hits = moving.flat_map(|floor| self.hits(floor));
         let floors: Vec<&AssessedFloor> = hits.map(|(_, floor)| floor).collect();
         let ratio = |[least, largest]: [f64; 2]| largest / least;
         let of = |peak: fn(&FloorPeaks) -> f64| {
-            let ratios = floors
-                .iter()
-                .map(|one| ratio(one.over_stiffness.each_ref().map(peak)));
+            let ratios = floors.iter().map(|one| ratio(one.over_stiffness.each_ref().map(peak)));
             Distribution::of(ratios.filter(|ratio| ratio.is_finite()))
         };
         let pairs = self.runs.iter().flat_map(|one| &one.run.pairs);
-        let impulses =
-            pairs.filter_map(|pair| Some(ratio(pair.peak_force.and(pair.largest_impulse)?)));
+        let impulses = pairs.filter_map(|pair| Some(ratio(pair.peak_force.and(pair.largest_impulse)?)));
         Some(StiffnessEffect {
             drift: of(|peaks| peaks.drift)?,
             acceleration: of(|peaks| peaks.acceleration)?,
@@ -327,10 +314,7 @@ fn ruled(rule: Rule, all: &[([usize; 2], &Separation)]) -> Option<RuleAssessment
             least_share = least_share.min(width / one.required);
         }
     }
-    let of_cases = all
-        .iter()
-        .zip(widths)
-        .map(|((case, _), width)| (*case, width));
+    let of_cases = all.iter().zip(widths).map(|((case, _), width)| (*case, width));
     Some(RuleAssessment {
         rule,
         width: largest_of_cases(of_cases)?,
@@ -347,9 +331,7 @@ fn assessed_floor(all: &[([usize; 2], &AssessedFloor)]) -> Option<FloorAssessmen
         amplification(both.map(|(case, one)| (*case, [peak(&one.alone), peak(&one.beside)])))
     };
     let range = |end: usize| {
-        let both = |one: &AssessedFloor| {
-            [&one.alone, &one.over_stiffness[end]].map(|one| one.acceleration)
-        };
+        let both = |one: &AssessedFloor| [&one.alone, &one.over_stiffness[end]].map(|one| one.acceleration);
         amplification(all.iter().map(|(case, one)| (*case, both(one))))
     };
     Some(FloorAssessment {
@@ -380,17 +362,13 @@ fn assessed_pair(all: &[([usize; 2], &AssessedPair)]) -> PairAssessment {
     let over = |range: fn(&AssessedPair) -> Option<[f64; 2]>| {
         let ranges = touching.clone();
         let ranges = ranges.filter_map(|(case, one)| Some((*case, range(one)?)));
-        let end =
-            |end: usize| largest_of_cases(ranges.clone().map(|(case, both)| (case, both[end])));
+        let end = |end: usize| largest_of_cases(ranges.clone().map(|(case, both)| (case, both[end])));
         Some([end(0)?, end(1)?])
     };
     PairAssessment {
         touching: count(touching.clone().map(|(case, _)| *case)),
         peak_force: over(|one| one.peak_force),
         largest_impulse: over(|one| one.largest_impulse),
-        approach_speed: touching
-            .clone()
-            .filter_map(|(_, one)| one.approach_speed)
-            .reduce(f64::max),
+        approach_speed: touching.clone().filter_map(|(_, one)| one.approach_speed).reduce(f64::max),
     }
 }

@@ -50,11 +50,7 @@ impl Bumper {
     ///
     /// # Errors
     /// Those of [`Floors::of`].
-    pub fn proposed(
-        scene: &Scene,
-        runs: &[&AssessedRun],
-        stiffness: Option<f64>,
-    ) -> Result<Vec<Self>, Error> {
+    pub fn proposed(scene: &Scene, runs: &[&AssessedRun], stiffness: Option<f64>) -> Result<Vec<Self>, Error> {
         let floors = Floors::of(scene).map_err(|source| crate::in_scene(scene, source))?;
         let contacts = scene.contacts.iter().flatten().enumerate();
         let wide = contacts.filter(|(_, contact)| contact.gap_m > 0.0);
@@ -62,12 +58,9 @@ impl Bumper {
             let thickness = THICKNESS * of.gap_m;
             let pairs = floors.facing().iter().enumerate();
             let own = pairs.filter(|(_, pair)| pair.contact == contact);
-            let touching =
-                own.filter(|(pair, _)| runs.iter().any(|run| run.pairs[*pair].collisions > 0));
+            let touching = own.filter(|(pair, _)| runs.iter().any(|run| run.pairs[*pair].collisions > 0));
             let needed = touching.map(|(index, pair)| {
-                let speeds = runs
-                    .iter()
-                    .filter_map(|run| run.pairs[index].approach_speed);
+                let speeds = runs.iter().filter_map(|run| run.pairs[index].approach_speed);
                 let speed = Distribution::of(speeds).map_or(0.0, |speeds| speeds.p84());
                 let inverse = [pair.left, pair.right].map(|side| {
                     let made = floors.all()[side].made_of;
@@ -133,8 +126,7 @@ impl Simulation {
             let value = |quantity| run.values(&simulation).of(quantity, pair);
             BumperPair {
                 peak_force: value(PairQuantity::PeakForceN),
-                compression: value(PairQuantity::LeastOpeningM)
-                    .map_or(0.0, |least| (-least).max(0.0)),
+                compression: value(PairQuantity::LeastOpeningM).map_or(0.0, |least| (-least).max(0.0)),
             }
         };
         Ok(BumperRun {

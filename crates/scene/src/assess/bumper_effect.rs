@@ -57,26 +57,15 @@ impl BumperEffect {
     }
 
     /// Sums up runs without bumpers and with them; `None` if there are none.
-    pub fn of(
-        floors: &Floors,
-        bumpers: &[Bumper],
-        runs: &[(&AssessedRun, &BumperRun)],
-    ) -> Option<Self> {
+    pub fn of(floors: &Floors, bumpers: &[Bumper], runs: &[(&AssessedRun, &BumperRun)]) -> Option<Self> {
         let moving = |floor: &usize| !floors.all()[*floor].is_wall();
         let ratios = |floor: usize, peak: fn(&FloorPeaks) -> f64| {
             let building = floors.all()[floor].structure;
-            let hit = runs
-                .iter()
-                .filter(move |(without, _)| without.hits(floors, building));
+            let hit = runs.iter().filter(move |(without, _)| without.hits(floors, building));
             let both = hit.map(move |(without, with)| {
-                let [without, with] =
-                    [&without.floors[floor].beside, &with.floors[floor]].map(peak);
+                let [without, with] = [&without.floors[floor].beside, &with.floors[floor]].map(peak);
                 // What nothing moves is as well off.
-                if without.to_bits() == with.to_bits() {
-                    1.0
-                } else {
-                    with / without
-                }
+                if without.to_bits() == with.to_bits() { 1.0 } else { with / without }
             });
             both.filter(|ratio| ratio.is_finite())
         };
@@ -95,9 +84,7 @@ impl BumperEffect {
         };
         let forces = runs.iter().flat_map(|(without, with)| {
             let both = without.pairs.iter().zip(&with.pairs);
-            both.filter_map(|(without, with)| {
-                Some(with.peak_force.unwrap_or(0.0) / without.own_force?)
-            })
+            both.filter_map(|(without, with)| Some(with.peak_force.unwrap_or(0.0) / without.own_force?))
         });
         let of_floor = |floor: usize| {
             moving(&floor).then(|| {
@@ -115,26 +102,16 @@ impl BumperEffect {
             drift: all(|peaks| peaks.drift)?,
             acceleration: all(|peaks| peaks.acceleration)?,
             floors: (0..floors.all().len()).map(of_floor).collect(),
-            pairs: (0..floors.facing().len())
-                .map(|pair| of_pair(runs, pair))
-                .collect(),
+            pairs: (0..floors.facing().len()).map(|pair| of_pair(runs, pair)).collect(),
         })
     }
 }
 
 fn of_pair(runs: &[(&AssessedRun, &BumperRun)], pair: usize) -> Option<PairBumperEffect> {
-    let touching = runs
-        .iter()
-        .filter(|(run, _)| run.pairs[pair].collisions > 0);
-    let compressions = touching
-        .clone()
-        .map(|(_, with)| with.pairs[pair].compression);
+    let touching = runs.iter().filter(|(run, _)| run.pairs[pair].collisions > 0);
+    let compressions = touching.clone().map(|(_, with)| with.pairs[pair].compression);
     Some(PairBumperEffect {
-        force_without: Distribution::of(
-            touching
-                .clone()
-                .filter_map(|(run, _)| run.pairs[pair].own_force),
-        ),
+        force_without: Distribution::of(touching.clone().filter_map(|(run, _)| run.pairs[pair].own_force)),
         force_with: Distribution::of(touching.filter_map(|(_, with)| with.pairs[pair].peak_force)),
         compression: compressions.reduce(f64::max)?,
     })

@@ -57,9 +57,7 @@ pub enum DesignSpectrumError {
         allowed: &'static str,
     },
     /// A table that is none.
-    #[error(
-        "target: line {line}: found \"{found}\", allowed are a period in s and an acceleration in g, periods rising"
-    )]
+    #[error("target: line {line}: found \"{found}\", allowed are a period in s and an acceleration in g, periods rising")]
     Line {
         /// The line, from 1.
         line: usize,
@@ -67,9 +65,7 @@ pub enum DesignSpectrumError {
         found: String,
     },
     /// A line of a table whose numbers have decimal commas.
-    #[error(
-        "target: line {line}: found \"{found}\" with decimal commas, allowed are decimal points: \"{right}\""
-    )]
+    #[error("target: line {line}: found \"{found}\" with decimal commas, allowed are decimal points: \"{right}\"")]
     DecimalComma {
         /// The line, from 1.
         line: usize,
@@ -130,14 +126,8 @@ impl DesignSpectrum {
     pub fn table(text: &str) -> Result<Self, DesignSpectrumError> {
         let mut points: Vec<[f64; 2]> = Vec::new();
         for (index, line) in text.lines().enumerate() {
-            let fields: Vec<&str> = line
-                .split([',', ';', ' ', '\t'])
-                .filter(|field| !field.is_empty())
-                .collect();
-            let numbers: Vec<f64> = fields
-                .iter()
-                .filter_map(|field| field.parse().ok())
-                .collect();
+            let fields: Vec<&str> = line.split([',', ';', ' ', '\t']).filter(|field| !field.is_empty()).collect();
+            let numbers: Vec<f64> = fields.iter().filter_map(|field| field.parse().ok()).collect();
             let words = index == 0 && numbers.is_empty();
             if fields.is_empty() || words || line.starts_with('#') {
                 continue;
@@ -145,11 +135,7 @@ impl DesignSpectrum {
             let rises = |point: &[f64]| points.last().is_none_or(|last| point[0] > last[0]);
             match numbers[..] {
                 [period, acceleration]
-                    if fields.len() == 2
-                        && period >= 0.0
-                        && acceleration > 0.0
-                        && acceleration.is_finite()
-                        && rises(&numbers) =>
+                    if fields.len() == 2 && period >= 0.0 && acceleration > 0.0 && acceleration.is_finite() && rises(&numbers) =>
                 {
                     points.push([period, acceleration]);
                 }
@@ -164,9 +150,7 @@ impl DesignSpectrum {
             }
         }
         if points.is_empty() {
-            return Err(DesignSpectrumError::Unknown(
-                "a file without numbers".into(),
-            ));
+            return Err(DesignSpectrumError::Unknown("a file without numbers".into()));
         }
         Ok(Self::Table(points))
     }
@@ -262,10 +246,7 @@ pub fn acceleration_in_g(text: &str) -> Option<f64> {
 
 /// A line of two numbers with decimal commas, a semicolon or blanks between, with points; `None` of any other.
 fn with_points(line: &str) -> Option<String> {
-    let fields: Vec<&str> = line
-        .split([';', ' ', '\t'])
-        .filter(|field| !field.is_empty())
-        .collect();
+    let fields: Vec<&str> = line.split([';', ' ', '\t']).filter(|field| !field.is_empty()).collect();
     let numbers: Vec<String> = fields.iter().map(|one| one.replacen(',', ".", 1)).collect();
     let are_numbers = numbers.iter().all(|one| one.parse::<f64>().is_ok());
     (numbers.len() == 2 && are_numbers && line.contains(',')).then(|| numbers.join("; "))
@@ -322,13 +303,7 @@ impl<'a> Settings<'a> {
     /// A number > 0, perhaps with its unit behind it.
     fn positive(&self, field: &str, unit: &str) -> Result<f64, DesignSpectrumError> {
         let text = self.text(field);
-        let number = text.and_then(|text| {
-            text.strip_suffix(unit)
-                .unwrap_or(text)
-                .trim()
-                .parse::<f64>()
-                .ok()
-        });
+        let number = text.and_then(|text| text.strip_suffix(unit).unwrap_or(text).trim().parse::<f64>().ok());
         match number.filter(|number| *number > 0.0 && number.is_finite()) {
             Some(number) => Ok(number),
             None => Err(DesignSpectrumError::Field {
@@ -357,13 +332,8 @@ impl FromStr for DesignSpectrum {
                     return Err(field("type", kind, "are 1 and 2"));
                 }
                 let ground = settings.text("ground").unwrap_or("nothing");
-                let corners = Eurocode8Ground::of(ground, kind).ok_or_else(|| {
-                    field(
-                        "ground",
-                        ground,
-                        "are A to E, as in \"ec8:a_g=0.25g,ground=C\"",
-                    )
-                })?;
+                let corners = Eurocode8Ground::of(ground, kind)
+                    .ok_or_else(|| field("ground", ground, "are A to E, as in \"ec8:a_g=0.25g,ground=C\""))?;
                 Ok(Self::Eurocode8 {
                     ground_acceleration: settings.acceleration("a_g")?,
                     ground: corners,
@@ -388,10 +358,7 @@ mod tests {
 
     fn at(spectrum: &str, periods: &[f64]) -> Vec<f64> {
         let spectrum: DesignSpectrum = spectrum.parse().expect("a spectrum");
-        periods
-            .iter()
-            .map(|period| spectrum.acceleration(*period))
-            .collect()
+        periods.iter().map(|period| spectrum.acceleration(*period)).collect()
     }
 
     fn are_close(found: &[f64], wanted: &[f64]) {
@@ -403,47 +370,26 @@ mod tests {
     /// EN 1998-1:2004, (3.2) to (3.5), of ground C: S = 1.15, and corners at 0.2, 0.6 and 2 s.
     #[test]
     fn reference_eurocode_8() {
-        let found = at(
-            "ec8:a_g=0.25g,ground=C",
-            &[0.0, 0.1, 0.2, 0.6, 1.2, 2.0, 4.0],
-        );
+        let found = at("ec8:a_g=0.25g,ground=C", &[0.0, 0.1, 0.2, 0.6, 1.2, 2.0, 4.0]);
         let top = 0.25 * 1.15 * 2.5;
         are_close(
             &found,
-            &[
-                0.2875,
-                0.2875 * 1.75,
-                top,
-                top,
-                top / 2.0,
-                top * 0.3,
-                top * 0.6 * 2.0 / 16.0,
-            ],
+            &[0.2875, 0.2875 * 1.75, top, top, top / 2.0, top * 0.3, top * 0.6 * 2.0 / 16.0],
         );
-        are_close(
-            &at("ec8:a_g=0.980665m/s2,ground=D,type=2", &[0.2]),
-            &[0.1 * 1.8 * 2.5],
-        );
+        are_close(&at("ec8:a_g=0.980665m/s2,ground=D,type=2", &[0.2]), &[0.1 * 1.8 * 2.5]);
     }
 
     /// ASCE 7-16, (11.4-5) to (11.4-7): corners at 0.12 and 0.6 s.
     #[test]
     fn reference_asce_7() {
-        let found = at(
-            "asce7:s_ds=1.0g,s_d1=0.6g,t_l=8s",
-            &[0.0, 0.06, 0.12, 0.6, 1.0, 8.0, 16.0],
-        );
+        let found = at("asce7:s_ds=1.0g,s_d1=0.6g,t_l=8s", &[0.0, 0.06, 0.12, 0.6, 1.0, 8.0, 16.0]);
         are_close(&found, &[0.4, 0.7, 1.0, 1.0, 0.6, 0.075, 0.6 * 8.0 / 256.0]);
     }
 
     #[test]
     fn reference_a_table() {
-        let table = DesignSpectrum::table("period_s,sa_g\n# of the site\n0.1, 0.5\n0.3;0.9\n")
-            .expect("a table");
-        are_close(
-            &[0.0, 0.2, 5.0].map(|period| table.acceleration(period)),
-            &[0.5, 0.7, 0.9],
-        );
+        let table = DesignSpectrum::table("period_s,sa_g\n# of the site\n0.1, 0.5\n0.3;0.9\n").expect("a table");
+        are_close(&[0.0, 0.2, 5.0].map(|period| table.acceleration(period)), &[0.5, 0.7, 0.9]);
         for bad in ["0.1,0.5\n0.1,0.6", "0.1", "period", "a\n0.1,-1"] {
             assert!(DesignSpectrum::table(bad).is_err(), "{bad}");
         }
@@ -452,11 +398,7 @@ mod tests {
     /// "found "0,1;0,5", allowed are a period in s and an acceleration in g": nobody named the comma.
     #[test]
     fn issue_decimal_commas_of_a_table_are_named() {
-        let refused = |text: &str| {
-            DesignSpectrum::table(text)
-                .expect_err("refused")
-                .to_string()
-        };
+        let refused = |text: &str| DesignSpectrum::table(text).expect_err("refused").to_string();
         insta::assert_snapshot!(refused("T;Sa\n0,1;0,5\n"), @r#"target: line 2: found "0,1;0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
         insta::assert_snapshot!(refused("0,1 0,5\n"), @r#"target: line 1: found "0,1 0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
         insta::assert_snapshot!(refused("0.1,-1"), @r#"target: line 1: found "0.1,-1", allowed are a period in s and an acceleration in g, periods rising"#);
@@ -464,11 +406,7 @@ mod tests {
 
     #[test]
     fn extreme_what_is_no_spectrum_says_what_is() {
-        let refused = |text: &str| {
-            text.parse::<DesignSpectrum>()
-                .expect_err("refused")
-                .to_string()
-        };
+        let refused = |text: &str| text.parse::<DesignSpectrum>().expect_err("refused").to_string();
         insta::assert_snapshot!(
             [
                 "ec9:a_g=1",

@@ -49,12 +49,7 @@ impl Distribution {
 
     /// Standard deviation of the natural logarithms \[–\], of numbers > 0 alone; `None` of fewer than two such.
     pub fn dispersion(&self) -> Option<f64> {
-        let logs: Vec<f64> = self
-            .0
-            .iter()
-            .filter(|one| **one > 0.0)
-            .map(|one| libm::log(*one))
-            .collect();
+        let logs: Vec<f64> = self.0.iter().filter(|one| **one > 0.0).map(|one| libm::log(*one)).collect();
         let n = logs.len() as f64;
         let mean = logs.iter().sum::<f64>() / n;
         let squares: f64 = logs.iter().map(|log| (log - mean) * (log - mean)).sum();
@@ -71,14 +66,8 @@ mod tests {
         let ten = Distribution::of((1..=10).rev().map(f64::from)).expect("ten numbers");
         let parts = [0.0, 0.5, 0.84, 0.9, 0.95, 1.0].map(|part| ten.quantile(part));
         let all = [ten.median(), ten.p84(), ten.largest()];
-        assert_eq!(
-            format!("{parts:?} {all:?}"),
-            "[1.0, 5.0, 9.0, 9.0, 10.0, 10.0] [5.0, 9.0, 10.0]"
-        );
-        assert_eq!(
-            [0.5, 9.0, 10.0].map(|number| ten.count_above(number)),
-            [10, 1, 0]
-        );
+        assert_eq!(format!("{parts:?} {all:?}"), "[1.0, 5.0, 9.0, 9.0, 10.0, 10.0] [5.0, 9.0, 10.0]");
+        assert_eq!([0.5, 9.0, 10.0].map(|number| ten.count_above(number)), [10, 1, 0]);
         assert_eq!(Distribution::of([]), None);
     }
 
@@ -88,9 +77,6 @@ mod tests {
         let e = std::f64::consts::E;
         let found = Distribution::of([1.0, e, 1.0 / e, 0.0]).and_then(|all| all.dispersion());
         assert!((found.expect("three numbers") - 1.0).abs() < 1e-12);
-        assert_eq!(
-            Distribution::of([2.0, 0.0]).and_then(|all| all.dispersion()),
-            None
-        );
+        assert_eq!(Distribution::of([2.0, 0.0]).and_then(|all| all.dispersion()), None);
     }
 }

@@ -6,9 +6,7 @@ use serde::Serialize;
 use super::alone::Alone;
 use super::peaks::{FloorPeaks, peaks};
 use super::separation::Separation;
-use crate::{
-    Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel,
-};
+use crate::{Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
 
 /// Factors on the impact stiffness: soft, as the scene has it, and stiff.
 pub type StiffnessFactors = [f64; 3];
@@ -89,11 +87,7 @@ impl Simulation {
     ///
     /// # Errors
     /// [`Error::Run`] if a run ends early, [`Error::Broken`] if one breaks a law of mechanics.
-    pub fn assessed(
-        &self,
-        alone: Option<&Alone>,
-        factors: StiffnessFactors,
-    ) -> Result<AssessedRun, Error> {
+    pub fn assessed(&self, alone: Option<&Alone>, factors: StiffnessFactors) -> Result<AssessedRun, Error> {
         let exact = self.exact()?;
         let known = alone.and_then(|alone| Some((alone, alone.separations(self.is_reversed())?)));
         let (before, separations) = if let Some((alone, separations)) = known {
@@ -121,17 +115,14 @@ impl Simulation {
             beside: after[after.len() - 1][index],
             over_stiffness: [f64::min, f64::max].map(|end| {
                 let all = after.iter().map(|one| one[index]);
-                all.reduce(|one, other| one.each(other, end))
-                    .unwrap_or(before[index])
+                all.reduce(|one, other| one.each(other, end)).unwrap_or(before[index])
             }),
         };
         Ok(AssessedRun {
             scale: self.scale(),
             separations,
             floors: (0..before.len()).map(floor).collect(),
-            pairs: pairs
-                .map(|pair| assessed_pair(&exact, &variants, pair))
-                .collect(),
+            pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
             excesses,
             unusual: self.doubts(),
         })
@@ -164,12 +155,7 @@ impl Simulation {
 /// Of a pair; the last run is the one with the stiffness of the scene.
 fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> AssessedPair {
     let own = &runs[runs.len() - 1];
-    let over = |quantity: PairQuantity| {
-        range(
-            runs.iter()
-                .filter_map(|run| run.values(simulation).of(quantity, pair)),
-        )
-    };
+    let over = |quantity: PairQuantity| range(runs.iter().filter_map(|run| run.values(simulation).of(quantity, pair)));
     let speeds = own.collisions_of(pair).filter_map(|one| one.approach_speed);
     AssessedPair {
         collisions: own.collisions_of(pair).count(),

@@ -7,8 +7,7 @@ use pounding_text::{digits, percent, short};
 
 use super::design::DesignSpectrum;
 use crate::{
-    Error, Motion, MotionError, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene,
-    periods_between, response_spectrum,
+    Error, Motion, MotionError, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene, periods_between, response_spectrum,
 };
 
 /// What records are scaled to.
@@ -104,11 +103,7 @@ impl Scaling {
     ///
     /// # Errors
     /// Those of reading the motion and of its spectrum.
-    pub fn applied(
-        &self,
-        scene: &Scene,
-        motion: &Motion,
-    ) -> Result<(Scene, Option<MotionSpectrum>), Error> {
+    pub fn applied(&self, scene: &Scene, motion: &Motion) -> Result<(Scene, Option<MotionSpectrum>), Error> {
         let mut scaled = self.scene(scene);
         let Self::Target(target) = self else {
             return Ok((scaled, None));
@@ -171,8 +166,8 @@ const PLACE: &str = "record.scale";
 
 /// The spectrum of a record at some periods \[m/s²\].
 fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
-    let found = response_spectrum(record, periods, DAMPING)
-        .map_err(|error| in_scene(scene, MotionError::of_spectrum(PLACE, error).into()))?;
+    let found =
+        response_spectrum(record, periods, DAMPING).map_err(|error| in_scene(scene, MotionError::of_spectrum(PLACE, error).into()))?;
     Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
 }
 
@@ -181,8 +176,7 @@ fn factor(found: &[f64], target: &DesignSpectrum, scene: &Scene) -> Result<f64, 
     let periods = periods_of(scene);
     let gravity = scene.record.gravity_m_per_s2;
     let both = periods.iter().zip(found);
-    let logs =
-        both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
+    let logs = both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
     let factor = libm::exp(logs.sum::<f64>() / f64::from(PERIODS));
     if factor.is_finite() {
         return Ok(factor);
@@ -210,15 +204,12 @@ mod tests {
     #[test]
     fn reference_the_factor_is_the_ratio_of_the_spectra() {
         let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
-        let samples = (0..200)
-            .map(|index| libm::sin(0.3 * f64::from(index)))
-            .collect();
+        let samples = (0..200).map(|index| libm::sin(0.3 * f64::from(index))).collect();
         let record = Record::new(0.02, samples, "a sine").expect("a record");
         let periods = periods_between(0.2 * 0.3, 2.0 * 0.8, PERIODS);
         let own = response_spectrum(&record, &periods, DAMPING).expect("a spectrum");
         let gravity = scene.record.gravity_m_per_s2;
-        let point =
-            |one: &crate::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
+        let point = |one: &crate::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
         let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
         points.push([10.0, 1e6]);
         let found = accelerations(&record, &periods, &scene).expect("a spectrum");

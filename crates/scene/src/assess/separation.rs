@@ -103,13 +103,7 @@ pub enum Rule {
 
 impl Rule {
     /// Those of the literature and the codes that most ask for, which need no heights.
-    pub const COMMON: [Self; 5] = [
-        Self::Abs,
-        Self::Srss,
-        Self::Ddc,
-        Self::Eurocode8,
-        Self::Asce7,
-    ];
+    pub const COMMON: [Self; 5] = [Self::Abs, Self::Srss, Self::Ddc, Self::Eurocode8, Self::Asce7];
 
     /// All of them.
     pub const ALL: [Self; Self::COUNT] = [
@@ -201,9 +195,7 @@ fn correlation(oscillations: [Option<(f64, f64)>; 2]) -> f64 {
     let above = 8.0 * product.sqrt() * (of_left + ratio * of_right) * ratio * ratio.sqrt();
     let apart = 1.0 - ratio * ratio;
     let squares = of_left * of_left + of_right * of_right;
-    let below = apart * apart
-        + 4.0 * product * ratio * (1.0 + ratio * ratio)
-        + 4.0 * squares * ratio * ratio;
+    let below = apart * apart + 4.0 * product * ratio * (1.0 + ratio * ratio) + 4.0 * squares * ratio * ratio;
     if below > 0.0 { above / below } else { 1.0 }
 }
 
@@ -237,11 +229,7 @@ impl Simulation {
 }
 
 /// The same from a run of the row apart, and how far each floor comes towards its right neighbour.
-pub(super) fn separations_of(
-    apart: &Simulation,
-    alone: &RunResult,
-    closing: impl Fn(usize) -> Option<Closing>,
-) -> Vec<Separation> {
+pub(super) fn separations_of(apart: &Simulation, alone: &RunResult, closing: impl Fn(usize) -> Option<Closing>) -> Vec<Separation> {
     let floors = apart.floors();
     let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
     let beside_columns = apart.beside_columns(alone);
@@ -316,10 +304,7 @@ mod tests {
                 beside_columns: None,
                 heights: Some(heights),
             };
-            format!(
-                "{:.1}",
-                1e3 * rule.width(&separation).expect("heights are given")
-            )
+            format!("{:.1}", 1e3 * rule.width(&separation).expect("heights are given"))
         };
         format!("{} {}", width(false), width(true))
     }
@@ -328,10 +313,7 @@ mod tests {
     #[test]
     fn reference_asce_7_and_eurocode_8() {
         assert_eq!(widths(Rule::Asce7, [0.11, 0.0825], [3.0; 2]), "137.5 137.5");
-        assert_eq!(
-            widths(Rule::Eurocode8, [0.06, 0.08], [3.0; 2]),
-            "100.0 70.0"
-        );
+        assert_eq!(widths(Rule::Eurocode8, [0.06, 0.08], [3.0; 2]), "100.0 70.0");
     }
 
     /// IS 1893 (Part 1):2016, 7.11.3: R = 5 times 4 mm beside R = 4 times 3 mm.
@@ -343,10 +325,7 @@ mod tests {
     /// TBDY 2018, 4.9.3: reduced displacements of 18 and 24 mm and R = 8 are 144 and 192 mm; the least gap at 12 and 18 m.
     #[test]
     fn reference_tbdy_2018() {
-        assert_eq!(
-            widths(Rule::Tbdy2018, [0.144, 0.192], [12.0; 2]),
-            "120.0 60.0"
-        );
+        assert_eq!(widths(Rule::Tbdy2018, [0.144, 0.192], [12.0; 2]), "120.0 60.0");
         assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [12.0; 2]), "50.0 50.0");
         assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [18.0; 2]), "70.0 70.0");
         assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [5.0; 2]), "30.0 30.0");
@@ -380,10 +359,7 @@ mod tests {
             beside_columns: None,
             heights: None,
         };
-        let silent: Vec<_> = Rule::ALL
-            .into_iter()
-            .filter(|rule| rule.width(&unknown).is_none())
-            .collect();
+        let silent: Vec<_> = Rule::ALL.into_iter().filter(|rule| rule.width(&unknown).is_none()).collect();
         assert_eq!(silent, [Rule::Tbdy2018, Rule::E030, Rule::Gb50011]);
     }
 }

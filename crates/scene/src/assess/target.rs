@@ -14,9 +14,7 @@ impl DesignSpectrum {
     pub fn named(text: &str) -> Result<Self, String> {
         let is_code = ["ec8:", "asce7:"].iter().any(|code| text.starts_with(code));
         if is_code || !Path::new(text).is_file() {
-            return text
-                .parse()
-                .map_err(|error: DesignSpectrumError| error.to_string());
+            return text.parse().map_err(|error: DesignSpectrumError| error.to_string());
         }
         let unreadable = |error: &dyn Display| format!("{text}: cannot be read: {error}");
         let read = crate::bytes(text.as_ref()).map_err(|error| unreadable(&error))?;

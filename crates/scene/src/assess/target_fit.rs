@@ -29,8 +29,7 @@ impl TargetFit {
         let counts = |period: f64| {
             let [from, to] = BETWEEN;
             // What rounding leaves of the ends.
-            structures()
-                .any(|own| period > from * own * (1.0 - 1e-9) && period < to * own * (1.0 + 1e-9))
+            structures().any(|own| period > from * own * (1.0 - 1e-9) && period < to * own * (1.0 + 1e-9))
         };
         let periods = checked_periods(scene, target).into_iter().enumerate();
         let counted: Vec<(usize, f64)> = periods.filter(|(_, period)| counts(*period)).collect();
@@ -41,10 +40,7 @@ impl TargetFit {
         let peak = spectra.iter().map(|one| one.peak).sum::<f64>() / n / gravity;
         (!spectra.is_empty() && !counted.is_empty()).then(|| Self {
             periods: counted.iter().map(|(_, period)| *period).collect(),
-            target: counted
-                .iter()
-                .map(|(_, period)| target.acceleration(*period))
-                .collect(),
+            target: counted.iter().map(|(_, period)| target.acceleration(*period)).collect(),
             mean: counted.iter().map(|(index, _)| mean(*index)).collect(),
             peak_share: peak / target.acceleration(0.0),
         })
@@ -101,13 +97,7 @@ mod tests {
     #[test]
     fn issue_the_least_share_is_that_of_all_periods() {
         let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
-        let narrow = [
-            [0.0, 0.1],
-            [3.0, 0.1],
-            [3.01, 0.2],
-            [3.02, 0.1],
-            [10.0, 0.1],
-        ];
+        let narrow = [[0.0, 0.1], [3.0, 0.1], [3.01, 0.2], [3.02, 0.1], [10.0, 0.1]];
         let target = DesignSpectrum::Table(narrow.to_vec());
         let motion = flat(1.0, 1.0, (&scene, &target));
         let fit = TargetFit::of(&scene, &target, &[&motion]).expect("a motion");

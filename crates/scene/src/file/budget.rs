@@ -69,9 +69,7 @@ impl Patience {
     /// Ends a preparation that takes longer. Look wherever work grows with the row.
     pub(crate) fn look(self) -> Result<(), SceneError> {
         match self.0 {
-            Some((until, seconds)) if Instant::now() > until => {
-                Err(SceneError::PreparedTooLong { seconds })
-            }
+            Some((until, seconds)) if Instant::now() > until => Err(SceneError::PreparedTooLong { seconds }),
             _ => Ok(()),
         }
     }

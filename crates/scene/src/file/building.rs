@@ -104,29 +104,18 @@ const MOST_STOREYS: usize = 200;
 enum BuildingFileError {
     #[error("storeys: found {0}, allowed are 1 to 200; `repeat` counts too")]
     Storeys(usize),
-    #[error(
-        "storeys[{0}].repeat: found 0, allowed a whole number from 1; leave the storey out instead"
-    )]
+    #[error("storeys[{0}].repeat: found 0, allowed a whole number from 1; leave the storey out instead")]
     NoRepeat(usize),
-    #[error(
-        "storeys[{0}]: found no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead; add one of them"
-    )]
+    #[error("storeys[{0}]: found no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead; add one of them")]
     NoStiffness(usize),
-    #[error(
-        "storeys: found `stiffness_n_per_m` in some of them, allowed is in all or, with `period_s`, in none"
-    )]
+    #[error("storeys: found `stiffness_n_per_m` in some of them, allowed is in all or, with `period_s`, in none")]
     SomeStiffnesses,
-    #[error(
-        "storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones"
-    )]
+    #[error("storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones")]
     NoPeriod,
     #[error("{field}: found {}, allowed a finite number > 0", pounding_text::plain(*found))]
     OutOfRange { field: String, found: f64 },
     #[error("storeys[{storey}]: {source}")]
-    Columns {
-        storey: usize,
-        source: ColumnsFileError,
-    },
+    Columns { storey: usize, source: ColumnsFileError },
 }
 
 impl TryFrom<BuildingFile> for Building {
@@ -146,10 +135,7 @@ impl TryFrom<BuildingFile> for Building {
         for (index, (storey, stiffness)) in words.storeys.iter().zip(stiffnesses).enumerate() {
             let one = storey
                 .storey(stiffness)
-                .map_err(|source| BuildingFileError::Columns {
-                    storey: index,
-                    source,
-                })?;
+                .map_err(|source| BuildingFileError::Columns { storey: index, source })?;
             storeys.extend(std::iter::repeat_n(one, storey.repeat));
         }
         Ok(Self {
@@ -165,9 +151,7 @@ impl BuildingFile {
     fn stiffnesses(&self) -> Result<Vec<f64>, BuildingFileError> {
         let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
         let Some(period) = self.period_s else {
-            let stiffness = |(index, given): (usize, Option<f64>)| {
-                given.ok_or(BuildingFileError::NoStiffness(index))
-            };
+            let stiffness = |(index, given): (usize, Option<f64>)| given.ok_or(BuildingFileError::NoStiffness(index));
             return given.enumerate().map(stiffness).collect();
         };
         let n_given = given.clone().flatten().count();
@@ -230,12 +214,7 @@ fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
 impl Building {
     /// An elastic building of equal storeys with these heights \[m\], of a mass \[kg\] and a first natural period \[s\], both > 0; `None`
     /// if those are out of range.
-    pub(super) fn uniform(
-        mass: f64,
-        period: f64,
-        damping: Damping,
-        heights: &[Option<f64>],
-    ) -> Option<Self> {
+    pub(super) fn uniform(mass: f64, period: f64, damping: Damping, heights: &[Option<f64>]) -> Option<Self> {
         let storey = |height_m: &Option<f64>| StoreyFile {
             mass_kg: mass / heights.len() as f64,
             stiffness_n_per_m: None,
@@ -280,15 +259,9 @@ impl Building {
         // Its modes take as long as the cube of the storeys.
         let damping = self.rayleigh();
         let of = |storey: &Storey| match damping {
-            SolverDamping::Rayleigh { alpha, beta } => (
-                beta * storey.columns.stiffness_n_per_m,
-                alpha * storey.mass_kg,
-            ),
+            SolverDamping::Rayleigh { alpha, beta } => (beta * storey.columns.stiffness_n_per_m, alpha * storey.mass_kg),
             // Of one storey.
-            SolverDamping::Ratio(_) => (
-                damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m),
-                0.0,
-            ),
+            SolverDamping::Ratio(_) => (damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m), 0.0),
         };
         self.storeys.iter().map(of).collect()
     }

@@ -10,12 +10,7 @@ use crate::file::budget::Patience;
 use crate::{Method, Scene, SceneError, Structure};
 
 /// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
-pub(super) fn require(
-    valid: bool,
-    place: impl Display,
-    found: f64,
-    allowed: &'static str,
-) -> Result<(), SceneError> {
+pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), SceneError> {
     let usual = found == 0.0 || USUAL.contains(&found.abs());
     if valid && usual {
         return Ok(());
@@ -166,10 +161,7 @@ fn check_budget(scene: &Scene) -> Result<(), SceneError> {
         let allowed = "a number > 0 and <= 1e9, of which a run remembers each for 8 bytes";
         require(valid, "budget.steps", steps, allowed)?;
     }
-    let others = [
-        ("budget.pieces", budget.pieces),
-        ("budget.seconds", budget.seconds),
-    ];
+    let others = [("budget.pieces", budget.pieces), ("budget.seconds", budget.seconds)];
     for (place, given) in others {
         if let Some(given) = given {
             require(given > 0.0, place, given, POSITIVE)?;
@@ -206,18 +198,11 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
             contact.gap_m,
             NOT_NEGATIVE,
         )?;
-        contact
-            .law
-            .check()
-            .map_err(|error| SceneError::OutOfRange {
-                place: format!(
-                    "contacts[{index}].law.{}.{}",
-                    contact.law.name(),
-                    error.parameter
-                ),
-                found: error.found,
-                allowed: error.allowed,
-            })?;
+        contact.law.check().map_err(|error| SceneError::OutOfRange {
+            place: format!("contacts[{index}].law.{}.{}", contact.law.name(), error.parameter),
+            found: error.found,
+            allowed: error.allowed,
+        })?;
     }
     Ok(())
 }

@@ -93,9 +93,7 @@ fn example<T: Choice>(word: &str) -> Option<String> {
 /// What is said of the word alone.
 fn needs_settings(word: &str, json: &str) -> String {
     let toml = in_toml(json);
-    format!(
-        "found the word `{word}` alone, allowed is a table with its settings, such as {json} in JSON, {toml} in TOML"
-    )
+    format!("found the word `{word}` alone, allowed is a table with its settings, such as {json} in JSON, {toml} in TOML")
 }
 
 /// An example in TOML: keys stand without quotes before an equals sign.

@@ -65,9 +65,7 @@ pub(crate) enum ColumnsFileError {
          the others"
     )]
     SeveralYieldPoints,
-    #[error(
-        "found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`"
-    )]
+    #[error("found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`")]
     DriftWithoutHeight,
     #[error(
         "found `{0}` of columns that never yield; give `yield_force_n`, `yield_displacement_m` or `yield_drift_ratio`, or \
@@ -108,15 +106,9 @@ impl ColumnsFile {
     }
 
     fn yield_force(&self, stiffness: f64) -> Result<Option<f64>, ColumnsFileError> {
-        match (
-            self.yield_force_n,
-            self.yield_displacement_m,
-            self.yield_drift_ratio,
-        ) {
+        match (self.yield_force_n, self.yield_displacement_m, self.yield_drift_ratio) {
             (force, None, None) => Ok(force),
-            (None, Some(displacement), None) => Ok(Some(
-                stiffness * positive("yield_displacement_m", displacement)?,
-            )),
+            (None, Some(displacement), None) => Ok(Some(stiffness * positive("yield_displacement_m", displacement)?)),
             (None, None, Some(ratio)) => {
                 let height = self.height_m.ok_or(ColumnsFileError::DriftWithoutHeight)?;
                 let height = positive("height_m", height)?;

@@ -50,18 +50,13 @@ impl Damping {
     pub(super) fn to_solver(self) -> SolverDamping {
         match self {
             Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
-            Self::Rayleigh {
-                alpha_per_s,
-                beta_s,
-            } => SolverDamping::Rayleigh {
+            Self::Rayleigh { alpha_per_s, beta_s } => SolverDamping::Rayleigh {
                 alpha: alpha_per_s,
                 beta: beta_s,
             },
-            Self::TwoFrequencies {
-                frequencies_hz,
-                ratios,
-            } => SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios)
-                .unwrap_or(SolverDamping::Ratio(0.0)),
+            Self::TwoFrequencies { frequencies_hz, ratios } => {
+                SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios).unwrap_or(SolverDamping::Ratio(0.0))
+            }
             // Of a structure of one storey, which the check of a scene refuses; a building finds its own.
             Self::Modes { .. } => SolverDamping::Ratio(0.0),
         }

@@ -132,12 +132,7 @@ fn named_quantity(quantity: Quantity) -> &'static str {
 /// That a name has a letter which nobody types, such as the line break that `"records\new.csv"` has.
 fn of_escapes(path: &Path) -> String {
     let is_escape = path.to_string_lossy().chars().any(char::is_control);
-    let hint = is_escape.then(|| {
-        format!(
-            "; in double quotes a backslash begins an escape: write {}",
-            FOR_A_BACKSLASH[0]
-        )
-    });
+    let hint = is_escape.then(|| format!("; in double quotes a backslash begins an escape: write {}", FOR_A_BACKSLASH[0]));
     hint.unwrap_or_default()
 }
 
@@ -152,16 +147,12 @@ fn by_fields(error: &ReadError) -> String {
         ("`in_rows`", "`record.in_rows` as true"),
     ]
     .iter()
-    .fold(error.to_string(), |text, (word, field)| {
-        text.replace(word, field)
-    })
+    .fold(error.to_string(), |text, (word, field)| text.replace(word, field))
 }
 
 /// A position, after the name of a file.
 fn at(position: Option<(usize, usize)>) -> String {
-    position.map_or_else(String::new, |(line, column)| {
-        format!(", line {line}, column {column}")
-    })
+    position.map_or_else(String::new, |(line, column)| format!(", line {line}, column {column}"))
 }
 
 /// A field, before its fault.

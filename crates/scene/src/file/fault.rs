@@ -19,9 +19,7 @@ pub enum Fault {
         found: String,
     },
     /// A backslash that stands for itself, in double quotes.
-    #[error(
-        "found a backslash in double quotes, where it begins an escape such as \\n, allowed is {0}"
-    )]
+    #[error("found a backslash in double quotes, where it begins an escape such as \\n, allowed is {0}")]
     Backslash(&'static str),
     /// Bytes that are not UTF-8.
     #[error("the text is not UTF-8 from byte {byte} on; save it as UTF-8")]
@@ -41,9 +39,7 @@ pub enum Fault {
         path: PathBuf,
     },
     /// A file of a study where a scene is asked for.
-    #[error(
-        "found `{0}`, which a study has: a scene is one entry of its `scenes`, in a file of its own"
-    )]
+    #[error("found `{0}`, which a study has: a scene is one entry of its `scenes`, in a file of its own")]
     Study(String),
     /// A sweep where a scene is asked for.
     #[error("found `{0}`, which a sweep has, allowed is a scene; `pounding sweep` runs a sweep")]
@@ -66,11 +62,7 @@ pub enum Fault {
         allowed: Vec<String>,
     },
     /// A choice that is not known.
-    #[error(
-        "found `{found}`, allowed are {}{}",
-        listed(allowed),
-        meant(found, allowed)
-    )]
+    #[error("found `{found}`, allowed are {}{}", listed(allowed), meant(found, allowed))]
     UnknownChoice {
         /// What was chosen.
         found: String,
@@ -109,14 +101,8 @@ impl Fault {
         let (of_scene, of_sweep) = (allows("structures") && allows("contacts"), allows("vary"));
         match found.as_str() {
             "title" | "scenes" | "output" | "notes" if of_scene => Self::Study(found),
-            "scene" | "vary" | "samples" | "directions" | "outputs" | "verdict" if of_scene => {
-                Self::Sweep(found)
-            }
-            "name" | "duration_s" | "structures" | "contacts" | "arrivals_s" | "method"
-                if of_sweep =>
-            {
-                Self::Scene(found)
-            }
+            "scene" | "vary" | "samples" | "directions" | "outputs" | "verdict" if of_scene => Self::Sweep(found),
+            "name" | "duration_s" | "structures" | "contacts" | "arrivals_s" | "method" if of_sweep => Self::Scene(found),
             _ => Self::UnknownField { found, allowed },
         }
     }
@@ -147,8 +133,7 @@ fn decimal_comma(text: &str) -> Option<String> {
     let is_number = |text: &str| {
         let digits = text.trim_start_matches(['+', '-']);
         let mut parts = digits.split('.');
-        let is_digits =
-            |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        let is_digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         // Points may part thousands: `500.000,0`.
         parts.next().is_some_and(is_digits) && parts.all(|part| part.len() == 3 && is_digits(part))
     };
@@ -168,9 +153,7 @@ const ALIKE: f64 = 0.8;
 /// The word that was meant, where one is near.
 fn meant(found: &str, allowed: &[String]) -> String {
     let likeness = |word: &String| strsim::jaro_winkler(found, word);
-    let nearest = allowed
-        .iter()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    let nearest = allowed.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     match nearest.filter(|word| likeness(word) > ALIKE) {
         Some(word) => format!("; perhaps `{word}` is meant"),
         None => String::new(),

@@ -2,10 +2,7 @@
 
 use std::fmt;
 
-use pounding_motion::{
-    Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RecordError, RickerPulse,
-    StochasticMotion,
-};
+use pounding_motion::{Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RecordError, RickerPulse, StochasticMotion};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -224,13 +221,7 @@ impl fmt::Display for Generated {
 impl Stochastic {
     /// Names the duration where the highest frequency that nobody wrote is refused.
     fn too_short(&self, error: &RecordError) -> Option<MotionError> {
-        let of_cutoff = matches!(
-            error,
-            RecordError::Setting {
-                setting: "cutoff",
-                ..
-            }
-        );
+        let of_cutoff = matches!(error, RecordError::Setting { setting: "cutoff", .. });
         (of_cutoff && self.cutoff_hz.is_none()).then(|| MotionError::OutOfRange {
             place: "record.generated.stochastic.duration_s".into(),
             found: self.duration_s,

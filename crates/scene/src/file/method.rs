@@ -117,10 +117,7 @@ fn finest() -> f64 {
     Exact::default().tolerance
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes a reference"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_finest(tolerance: &f64) -> bool {
     *tolerance <= finest()
 }
@@ -133,10 +130,7 @@ fn one_step() -> u32 {
     1
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes a reference"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_one_step(n: &u32) -> bool {
     *n == one_step()
 }
@@ -188,9 +182,7 @@ impl Method {
     /// Steps that it takes in a time step while structures touch.
     pub fn contact_substeps(&self) -> u32 {
         match *self {
-            Self::CentralDifference {
-                contact_substeps, ..
-            } => contact_substeps,
+            Self::CentralDifference { contact_substeps, .. } => contact_substeps,
             Self::Newmark { .. }
             | Self::Hht { .. }
             | Self::VelocityVerlet { .. }
@@ -221,7 +213,6 @@ impl Method {
     /// # Panics
     /// If it has none: by the exact method, and of an accuracy.
     pub fn step(&self) -> f64 {
-        self.time_step()
-            .expect("who asks for the step has refused methods without one")
+        self.time_step().expect("who asks for the step has refused methods without one")
     }
 }

@@ -78,10 +78,7 @@ pub struct Scene {
     pub budget: RunBudget,
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes a reference"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
@@ -105,11 +102,7 @@ impl Scene {
     }
 
     /// The same, as long as somebody waits.
-    pub(crate) fn duration_within(
-        &self,
-        record: f64,
-        patience: Patience,
-    ) -> Result<f64, SceneError> {
+    pub(crate) fn duration_within(&self, record: f64, patience: Patience) -> Result<f64, SceneError> {
         if let Some(duration) = self.duration_s {
             return Ok(duration);
         }
@@ -130,9 +123,7 @@ impl Scene {
     /// Whether some contact is impulsive.
     pub fn is_impulsive(&self) -> bool {
         let contacts = self.contacts.iter().flatten();
-        contacts
-            .into_iter()
-            .any(|contact| !contact.law.is_compliant())
+        contacts.into_iter().any(|contact| !contact.law.is_compliant())
     }
 
     /// Duration of the run \[s\] of a scene that was prepared.
@@ -148,15 +139,11 @@ impl Scene {
     /// nothing for a wall, and for a method without such a limit.
     pub(crate) fn critical_time_steps(&self) -> impl Iterator<Item = Option<f64>> {
         let integrator = self.method.time_step().map(|_| self.method.integrator());
-        self.structures
-            .iter()
-            .map(move |structure| match structure {
-                Structure::Sdof(sdof) => integrator?.critical_time_step(&sdof.oscillation()),
-                Structure::Building(building) => {
-                    integrator?.critical_time_step_of(&building.modes())
-                }
-                Structure::Wall => None,
-            })
+        self.structures.iter().map(move |structure| match structure {
+            Structure::Sdof(sdof) => integrator?.critical_time_step(&sdof.oscillation()),
+            Structure::Building(building) => integrator?.critical_time_step_of(&building.modes()),
+            Structure::Wall => None,
+        })
     }
 
     /// The least of them and its structure.

@@ -80,9 +80,7 @@ pub enum MotionError {
         most: usize,
     },
     /// A motion at rest that is to be scaled to a target.
-    #[error(
-        "{place}: found a motion without any acceleration, allowed is one that a factor can scale; take another"
-    )]
+    #[error("{place}: found a motion without any acceleration, allowed is one that a factor can scale; take another")]
     AtRest {
         /// What it is to be scaled to.
         place: String,
@@ -151,11 +149,7 @@ impl MotionError {
                 duration,
                 most,
             },
-            RecordError::Setting {
-                setting,
-                found,
-                allowed,
-            } => Self::OutOfRange {
+            RecordError::Setting { setting, found, allowed } => Self::OutOfRange {
                 place: format!("{place}.{}", field(setting)),
                 found,
                 allowed,
@@ -170,11 +164,7 @@ impl MotionError {
                 highest,
             },
             RecordError::Corners { low, high } => Self::Corners { place, low, high },
-            RecordError::TooShort {
-                found,
-                allowed,
-                order,
-            } => Self::TooShort {
+            RecordError::TooShort { found, allowed, order } => Self::TooShort {
                 place,
                 found,
                 allowed,
@@ -182,11 +172,7 @@ impl MotionError {
             },
             RecordError::AllZero { .. } => Self::AtRest { place },
             RecordError::Factor { found: factor } => Self::Factor { place, factor },
-            RecordError::Sample { index, found } => Self::NotFinite {
-                place,
-                index,
-                found,
-            },
+            RecordError::Sample { index, found } => Self::NotFinite { place, index, found },
             RecordError::Gravity { found } => Self::OutOfRange {
                 place,
                 found,
@@ -208,9 +194,7 @@ impl MotionError {
                 allowed,
             },
             SpectrumError::Record(error) => Self::of(place, &error),
-            fault @ (SpectrumError::Model(_)
-            | SpectrumError::TooMany { .. }
-            | SpectrumError::Run { .. }) => Self::Spectrum {
+            fault @ (SpectrumError::Model(_) | SpectrumError::TooMany { .. } | SpectrumError::Run { .. }) => Self::Spectrum {
                 place: place.to_owned(),
                 fault,
             },
@@ -243,9 +227,7 @@ fn field(setting: &str) -> &str {
         "cutoff" => "cutoff_hz",
         "ground.angular_frequency" => "ground.filters.angular_frequency_rad_per_s",
         "ground.damping_ratio" => "ground.filters.damping_ratio",
-        "ground.high_pass_angular_frequency" => {
-            "ground.filters.high_pass_angular_frequency_rad_per_s"
-        }
+        "ground.high_pass_angular_frequency" => "ground.filters.high_pass_angular_frequency_rad_per_s",
         "ground.high_pass_damping_ratio" => "ground.filters.high_pass_damping_ratio",
         "periods[0]" => "period_s",
         own => own,

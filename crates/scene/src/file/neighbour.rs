@@ -98,19 +98,9 @@ impl UnknownNeighbour {
         let damping = self.damping_ratio;
         let allowed = "a number >= 0 and < 1";
         let valid = (0.0..1.0).contains(&damping);
-        require(
-            valid,
-            format_args!("{PLACE}.damping_ratio"),
-            damping,
-            allowed,
-        )?;
+        require(valid, format_args!("{PLACE}.damping_ratio"), damping, allowed)?;
         let counts = [
-            (
-                "storeys",
-                self.storeys.unwrap_or(1),
-                MOST_STOREYS,
-                "1 to 200",
-            ),
+            ("storeys", self.storeys.unwrap_or(1), MOST_STOREYS, "1 to 200"),
             ("samples", self.samples, MOST_SAMPLES, "1 to 1000"),
         ];
         for (name, found, most, allowed) in counts {

@@ -23,11 +23,7 @@ pub(crate) struct Spot {
 impl Spot {
     /// Where a field stands in a text that is good JSON or TOML.
     pub(crate) fn find(text: &str, is_json: bool, place: &str) -> Option<Self> {
-        if is_json {
-            in_json(text, place)
-        } else {
-            in_toml(text, place)
-        }
+        if is_json { in_json(text, place) } else { in_toml(text, place) }
     }
 }
 
@@ -95,7 +91,8 @@ mod tests {
 
     const TOML: &str = "name = \"x\"\n\n[record]\nfile = \"a[0].b\"\nband_pass = { low_hz = 1, high_hz = 2 }\n\n\
                         [[structures]]\n[structures.sdof]\nmass_kg = 1\ndamping.ratio = 2\n\n[[structures]]\nwall = {}\n";
-    const JSON: &str = "{\"name\": \"x {\\\" [\",\n \"list\": [1, {\"a\": [true, -2e3]},\n  {\"b\": {\"c\": null,\n \"d\" : 7}}],\n \"end\": 0}\n";
+    const JSON: &str =
+        "{\"name\": \"x {\\\" [\",\n \"list\": [1, {\"a\": [true, -2e3]},\n  {\"b\": {\"c\": null,\n \"d\" : 7}}],\n \"end\": 0}\n";
 
     #[test]
     fn reference_lines_of_fields() {
@@ -131,16 +128,7 @@ mod tests {
 
     #[test]
     fn extreme_fields_that_are_not_there() {
-        for place in [
-            "",
-            "top level",
-            "name.x",
-            "list[3]",
-            "list[0].a",
-            "x[",
-            "list[1].a[9]",
-            "list[x]",
-        ] {
+        for place in ["", "top level", "name.x", "list[3]", "list[0].a", "x[", "list[1].a[9]", "list[x]"] {
             assert_eq!(in_json(JSON, place), None, "{place}");
             assert_eq!(in_toml(TOML, place), None, "{place}");
         }

@@ -11,11 +11,7 @@ impl RecordUse {
             Detrend::Linear => "straight line of least squares taken away".into(),
         });
         let band = self.band_pass.map(|band| {
-            let passes = if band.causal {
-                "forward"
-            } else {
-                "forward and backward"
-            };
+            let passes = if band.causal { "forward" } else { "forward and backward" };
             format!(
                 "band-pass {} to {} Hz, Butterworth, order {}, {passes}",
                 digits(band.low_hz),
@@ -23,9 +19,7 @@ impl RecordUse {
                 band.order
             )
         });
-        let resampled = self
-            .resample_s
-            .map(|step| format!("resampled every {step} s"));
+        let resampled = self.resample_s.map(|step| format!("resampled every {step} s"));
         let target = self.scale_to.map(|target| match target {
             ScaleTo::PgaG(peak) => format!("scaled to a PGA of {peak} g"),
             ScaleTo::Sa {

@@ -51,11 +51,7 @@ impl FilterBand {
             order: self.order,
             low_corner: self.low_hz,
             high_corner: self.high_hz,
-            passes: if self.causal {
-                Passes::Forward
-            } else {
-                Passes::ForwardAndBackward
-            },
+            passes: if self.causal { Passes::Forward } else { Passes::ForwardAndBackward },
         }
     }
 }

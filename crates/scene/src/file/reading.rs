@@ -123,11 +123,7 @@ fn tree_of(text: &[u8], is_json: bool) -> Result<(&str, Tree), Said> {
         (None, None, Fault::NotUtf8 { byte })
     })?;
     let mut place = String::new();
-    let grown = if is_json {
-        json(text, &mut place)
-    } else {
-        toml(text, &mut place)
-    };
+    let grown = if is_json { json(text, &mut place) } else { toml(text, &mut place) };
     let tree = grown.map_err(|((line, column), fault)| {
         let place = (fault == Fault::Beyond).then_some(place);
         let line_text = text.lines().nth(line - 1).filter(|_| place.is_none());
@@ -232,11 +228,7 @@ impl Error {
     pub fn in_file(self, path: &Path) -> Self {
         if matches!(
             self,
-            Self::Scene { .. }
-                | Self::Run { .. }
-                | Self::Broken { .. }
-                | Self::NoReference(_)
-                | Self::NoRecord { .. }
+            Self::Scene { .. } | Self::Run { .. } | Self::Broken { .. } | Self::NoReference(_) | Self::NoRecord { .. }
         ) {
             Self::InFile {
                 path: path.to_path_buf(),
@@ -253,11 +245,6 @@ impl Error {
 fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
-    let column = before
-        .chars()
-        .rev()
-        .take_while(|letter| *letter != '\n')
-        .count()
-        + 1;
+    let column = before.chars().rev().take_while(|letter| *letter != '\n').count() + 1;
     (line, column)
 }

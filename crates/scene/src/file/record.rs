@@ -104,9 +104,7 @@ pub struct FileUse {
 impl FileUse {
     /// What is declared of the file besides its component, in the words of a scene: `unit = "g"`; empty if nothing is.
     pub(crate) fn words(&self) -> String {
-        let unit = self
-            .unit
-            .map(|unit| format!("unit = {:?}", unit.to_motion().name()));
+        let unit = self.unit.map(|unit| format!("unit = {:?}", unit.to_motion().name()));
         let step = self.time_step_s.map(|step| format!("time_step_s = {step}"));
         let count = self.per_count.map(|count| format!("per_count = {count}"));
         let acceleration = self.acceleration.then(|| "acceleration = true".into());
@@ -166,11 +164,7 @@ struct RecordUseFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<String>,
     /// Motion without a file; or `file`.
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "choice::maybe"
-    )]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     generated: Option<Generated>,
     /// Unit of the file's values, where the file does not say.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -203,11 +197,7 @@ struct RecordUseFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     resample_s: Option<f64>,
     /// What the motion is scaled to.
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "choice::maybe"
-    )]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     scale_to: Option<ScaleTo>,
     /// Factor on the ground acceleration \[–\], after `scale_to`.
     #[serde(default = "one")]

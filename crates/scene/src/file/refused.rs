@@ -40,11 +40,7 @@ pub(super) enum Blames {
 impl Refused {
     pub(super) fn new(place: String, fault: Fault) -> Self {
         let blames = Blames::Value;
-        Self {
-            place,
-            blames,
-            fault,
-        }
+        Self { place, blames, fault }
     }
 
     /// The same, seen from the table or list in which the value stands.
@@ -71,9 +67,7 @@ impl Refused {
     pub fn place(&self) -> &str {
         // Of a choice that is not known the place is what makes it, and no field of that name.
         let makes = match (&self.fault, self.blames) {
-            (Fault::UnknownChoice { found, .. }, Blames::Name) => {
-                self.place.strip_suffix(found.as_str())
-            }
+            (Fault::UnknownChoice { found, .. }, Blames::Name) => self.place.strip_suffix(found.as_str()),
             _ => None,
         };
         let place = makes.map_or(self.place.as_str(), |makes| makes.trim_end_matches('.'));

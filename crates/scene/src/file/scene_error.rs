@@ -218,9 +218,7 @@ pub enum SceneError {
         overlap: f64,
     },
     /// A contact between two walls.
-    #[error(
-        "contacts[{contact}]: found a wall on either side, allowed at most one wall per contact"
-    )]
+    #[error("contacts[{contact}]: found a wall on either side, allowed at most one wall per contact")]
     BetweenWalls {
         /// Index of the contact.
         contact: usize,
@@ -247,10 +245,7 @@ fn those_that_face(levels: &[usize]) -> String {
     if levels.is_empty() {
         String::new()
     } else {
-        format!(
-            "levels = [{}] lets those touch that do, and no others; or ",
-            list(levels)
-        )
+        format!("levels = [{}] lets those touch that do, and no others; or ", list(levels))
     }
 }
 
@@ -265,9 +260,6 @@ fn with_substeps(substeps: u32) -> String {
 
 /// Heights in a list.
 fn heights(heights: &[f64]) -> String {
-    let heights: Vec<_> = heights
-        .iter()
-        .map(|height| pounding_text::digits(*height))
-        .collect();
+    let heights: Vec<_> = heights.iter().map(|height| pounding_text::digits(*height)).collect();
     heights.join(", ")
 }

@@ -196,13 +196,9 @@ pub struct SdofFileError(#[from] SdofFault);
 
 #[derive(Debug, thiserror::Error)]
 enum SdofFault {
-    #[error(
-        "found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known"
-    )]
+    #[error("found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known")]
     NoStiffness,
-    #[error(
-        "found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other"
-    )]
+    #[error("found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other")]
     TwoStiffnesses,
     #[error(
         "period_s: found {}, with which the stiffness is {} N/m, allowed is a period whose stiffness is a finite number > 0",
@@ -291,22 +287,17 @@ impl Sdof {
 
     /// Damping coefficient c \[N·s/m\].
     pub fn damping_coefficient(&self) -> f64 {
-        self.damping
-            .to_solver()
-            .coefficient(self.mass_kg, self.stiffness_n_per_m)
+        self.damping.to_solver().coefficient(self.mass_kg, self.stiffness_n_per_m)
     }
 
     /// Damping ratio ζ \[–\] of the elastic structure.
     pub fn damping_ratio(&self) -> f64 {
-        self.damping
-            .to_solver()
-            .ratio(self.mass_kg, self.stiffness_n_per_m)
+        self.damping.to_solver().ratio(self.mass_kg, self.stiffness_n_per_m)
     }
 
     /// Ductility demand |u|/`u_y` \[–\] of a displacement \[m\], of columns that can yield.
     pub fn ductility(&self, displacement: f64) -> Option<f64> {
-        self.yield_force_n
-            .map(|force| displacement.abs() * self.stiffness_n_per_m / force)
+        self.yield_force_n.map(|force| displacement.abs() * self.stiffness_n_per_m / force)
     }
 
     /// Its free oscillation.

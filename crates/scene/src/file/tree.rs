@@ -5,10 +5,7 @@
 use std::fmt::{self, Write};
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{
-    DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
-    Visitor,
-};
+use serde::de::{DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::forward_to_deserialize_any;
 
 use super::refused::{CHOICE, Refused};
@@ -28,10 +25,7 @@ pub(super) enum Tree {
 
 impl Tree {
     /// Grows a tree from any deserialiser; where it fails, `place` is the place of the fault.
-    pub(super) fn grown<'de, D: Deserializer<'de>>(
-        from: D,
-        place: &mut String,
-    ) -> Result<Self, D::Error> {
+    pub(super) fn grown<'de, D: Deserializer<'de>>(from: D, place: &mut String) -> Result<Self, D::Error> {
         Grower(place).deserialize(from)
     }
 
@@ -168,11 +162,7 @@ impl<'de> Deserializer<'de> for &'de Tree {
         }
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        visitor: V,
-    ) -> Result<V::Value, Refused> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Refused> {
         visitor.visit_newtype_struct(self)
     }
 
@@ -220,10 +210,7 @@ impl Items<'_> {
 impl<'de> SeqAccess<'de> for &mut Items<'de> {
     type Error = Refused;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(
-        &mut self,
-        seed: T,
-    ) -> Result<Option<T::Value>, Refused> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Refused> {
         let Some(item) = self.list.get(self.next) else {
             return Ok(None);
         };
@@ -247,16 +234,12 @@ struct Fields<'t> {
 impl<'de> MapAccess<'de> for Fields<'de> {
     type Error = Refused;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, Refused> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Refused> {
         let Some((name, _)) = self.table.get(self.next) else {
             return Ok(None);
         };
         let read = seed.deserialize(name.as_str().into_deserializer());
-        read.map(Some)
-            .map_err(|refused: Refused| refused.at_name(name))
+        read.map(Some).map_err(|refused: Refused| refused.at_name(name))
     }
 
     fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Refused> {

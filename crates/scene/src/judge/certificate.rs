@@ -40,10 +40,7 @@ impl Certificate {
     ///
     /// # Errors
     /// [`CertificateError`] for a parameter out of range, and where no run gives an answer.
-    pub fn new(
-        wanted: &CertificateRequest,
-        collision: &FreeCollision,
-    ) -> Result<Self, CertificateError> {
+    pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, CertificateError> {
         let pair = collision.free_pair();
         let calibrated = |calibration| {
             let asked = (wanted.restitution, calibration);
@@ -73,11 +70,7 @@ impl Certificate {
     ///
     /// # Errors
     /// [`CertificateError::Collision`] where it fails.
-    pub fn by(
-        &self,
-        collision: &FreeCollision,
-        method: &Method,
-    ) -> Result<Delivered, CertificateError> {
+    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, CertificateError> {
         let duration = self.impact.map(|impact| impact.duration);
         Ok(collision.delivered(self.law, method, self.by_exact, duration)?)
     }

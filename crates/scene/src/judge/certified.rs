@@ -42,8 +42,7 @@ pub struct DeliveredBy {
 
 /// Impact stiffness where nobody gives one, in the unit of the law; not looked at for the impulsive law.
 pub fn usual_stiffness(law: LawName) -> f64 {
-    law.stiffness()
-        .map_or(f64::NAN, |stiffness| stiffness.usual)
+    law.stiffness().map_or(f64::NAN, |stiffness| stiffness.usual)
 }
 
 impl Certificate {
@@ -51,11 +50,7 @@ impl Certificate {
     ///
     /// # Panics
     /// Never: a law is plain data.
-    pub fn facts(
-        &self,
-        wanted: &CertificateRequest,
-        collision: &FreeCollision,
-    ) -> Vec<CertificateFact> {
+    pub fn facts(&self, wanted: &CertificateRequest, collision: &FreeCollision) -> Vec<CertificateFact> {
         let certificate = self;
         let named = |key, words, text: &str| CertificateFact {
             key,
@@ -75,12 +70,7 @@ impl Certificate {
         let (v, impulse) = (Some(collision.speed), Some(certificate.impulse));
         let by_exact = Some(certificate.by_exact);
         let [peak, deepest, duration] = match certificate.impact {
-            Some(impact) => [
-                impact.peak_force,
-                impact.max_deformation,
-                impact.force_duration,
-            ]
-            .map(Some),
+            Some(impact) => [impact.peak_force, impact.max_deformation, impact.force_duration].map(Some),
             None => [None; 3],
         };
         let numbers = [
@@ -95,12 +85,7 @@ impl Certificate {
                 certificate.by_formula,
             ),
             ("restitution_delivered", "e delivered", "", delivered),
-            (
-                "restitution_by_exact_method",
-                "e by the exact method",
-                "",
-                by_exact,
-            ),
+            ("restitution_by_exact_method", "e by the exact method", "", by_exact),
             ("impulse_n_s", "impulse", "N·s", impulse),
             ("peak_force_n", "peak force", "N", peak),
             ("max_deformation_m", "largest deformation", "m", deepest),
@@ -119,12 +104,7 @@ impl Certificate {
     }
 
     /// What methods deliver at a time step \[s\]: one, or all that differ.
-    pub fn lines(
-        &self,
-        collision: &FreeCollision,
-        step: f64,
-        method: Option<StepMethod>,
-    ) -> Vec<DeliveredBy> {
+    pub fn lines(&self, collision: &FreeCollision, step: f64, method: Option<StepMethod>) -> Vec<DeliveredBy> {
         let line = |method: StepMethod| {
             let delivered = self.by(collision, &method.at(step));
             DeliveredBy {
@@ -135,9 +115,7 @@ impl Certificate {
         };
         match method {
             Some(method) => vec![line(method)],
-            None => StepMethod::differing(self.law.impulsive().is_some())
-                .map(line)
-                .collect(),
+            None => StepMethod::differing(self.law.impulsive().is_some()).map(line).collect(),
         }
     }
 }

@@ -1,10 +1,7 @@
 //! A free collision of two masses, run by any method.
 
 use pounding_contact::{ContactLaw, FreePair, reduced_mass};
-use pounding_solver::{
-    AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Recorders, Row,
-    RunError,
-};
+use pounding_solver::{AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Recorders, Row, RunError};
 
 use crate::Method;
 
@@ -89,14 +86,7 @@ impl FreeCollision {
     }
 
     /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
-    pub(crate) fn run(
-        &self,
-        law: ContactLaw,
-        integrator: &Integrator,
-        step: f64,
-        part: f64,
-        contact: f64,
-    ) -> Result<Seen, CollisionError> {
+    pub(crate) fn run(&self, law: ContactLaw, integrator: &Integrator, step: f64, part: f64, contact: f64) -> Result<Seen, CollisionError> {
         let until = (f64::from(BEFORE) + part) * step;
         let row = self.row(law, self.speed * until)?;
         let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
@@ -109,12 +99,8 @@ impl FreeCollision {
             reason = "checked: a positive number that is not large"
         )]
         let n_steps = n_steps as usize;
-        let clock = Clock {
-            time_step: step,
-            n_steps,
-        };
-        let rest =
-            Excitation::new(step, &[0.0]).map_err(|_| CollisionError::TimeStep { found: step })?;
+        let clock = Clock { time_step: step, n_steps };
+        let rest = Excitation::new(step, &[0.0]).map_err(|_| CollisionError::TimeStep { found: step })?;
         let budget = Budget {
             pieces: MOST_PIECES,
             ..Budget::default()

@@ -44,12 +44,7 @@ impl PartialEq for Implausible {
 
 impl fmt::Display for Implausible {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            place,
-            found,
-            usual,
-            ..
-        } = self;
+        let Self { place, found, usual, .. } = self;
         write!(formatter, "{place}: found {found}, usual is {usual}")
     }
 }
@@ -145,12 +140,7 @@ impl Doubts {
     }
 
     /// The same of a number, of which one may be farther from what is usual than another.
-    fn unless_far(
-        &mut self,
-        (usual, number): (bool, f64),
-        place: impl Into<String>,
-        words: (String, &'static str),
-    ) {
+    fn unless_far(&mut self, (usual, number): (bool, f64), place: impl Into<String>, words: (String, &'static str)) {
         if !usual {
             let (found, usual) = words;
             self.0.push(Implausible {
@@ -213,11 +203,7 @@ impl Simulation {
             step <= 0.2 * shortest,
             RECORD,
             (
-                format!(
-                    "samples {} s apart for a structure of period {} s",
-                    digits(step),
-                    digits(shortest)
-                ),
+                format!("samples {} s apart for a structure of period {} s", digits(step), digits(shortest)),
                 "five and more in a period",
             ),
         );
@@ -225,11 +211,7 @@ impl Simulation {
             self.duration() >= record.duration() * (1.0 - 1e-9),
             "duration_s",
             (
-                format!(
-                    "{} s of a record of {} s",
-                    digits(self.duration()),
-                    digits(record.duration())
-                ),
+                format!("{} s of a record of {} s", digits(self.duration()), digits(record.duration())),
                 "the whole record",
             ),
         );
@@ -243,10 +225,7 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
         doubts.unless_far(
             ((1e4..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
             place(&format!(".storeys[{storey}].mass_kg")),
-            (
-                format!("{} kg", digits(one.mass_kg)),
-                "1e4 to 1e9 kg for a floor",
-            ),
+            (format!("{} kg", digits(one.mass_kg)), "1e4 to 1e9 kg for a floor"),
         );
     }
     let modes = building.modes();
@@ -254,10 +233,7 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
         doubts.unless(
             (0.03..=10.0).contains(&first.period()),
             place(""),
-            (
-                format!("a first period of {} s", digits(first.period())),
-                "0.03 to 10 s",
-            ),
+            (format!("a first period of {} s", digits(first.period())), "0.03 to 10 s"),
         );
     }
     let most = modes.iter().map(|mode| mode.damping_ratio);
@@ -278,10 +254,7 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     doubts.unless_far(
         ((1e4..=1e9).contains(&mass), mass / 1e6),
         place("mass_kg"),
-        (
-            format!("{} kg", digits(mass)),
-            "1e4 to 1e9 kg for a building",
-        ),
+        (format!("{} kg", digits(mass)), "1e4 to 1e9 kg for a building"),
     );
     doubts.unless_far(
         ((0.03..=10.0).contains(&period), period),
@@ -298,29 +271,17 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
         doubts.unless(
             (0.2..=500.0).contains(&height),
             place("height_m"),
-            (
-                format!("{} m", digits(height)),
-                "0.2 to 500 m, of the mass over the ground",
-            ),
+            (format!("{} m", digits(height)), "0.2 to 500 m, of the mass over the ground"),
         );
     }
     let start = [sdof.initial_displacement_m, sdof.initial_velocity_m_per_s];
     storeys::doubt_the_start(place, start, doubts);
-    storeys::doubt_the_yielding(
-        &place("yield_drift_ratio"),
-        &sdof.columns(),
-        sdof.height_m,
-        doubts,
-    );
+    storeys::doubt_the_yielding(&place("yield_drift_ratio"), &sdof.columns(), sdof.height_m, doubts);
     doubts.unless_far(
         (ratio <= 0.3, ratio / 0.3),
         place("damping"),
         (
-            format!(
-                "a damping ratio of {}, which is {} %",
-                digits(ratio),
-                digits(100.0 * ratio)
-            ),
+            format!("a damping ratio of {}, which is {} %", digits(ratio), digits(100.0 * ratio)),
             "up to 0.3; 0.05 is 5 %",
         ),
     );

@@ -75,21 +75,16 @@ impl Simulation {
     fn contact_limit(&self, index: usize, pair: &Pair, collisions: &[&Collision]) -> ContactLimit {
         let masses = self.masses(pair);
         let own = [pair.left(), pair.right()].map(|index| self.angular_frequency(index));
-        let expected = collisions
-            .iter()
-            .map(|one| Expected::new(one, pair, masses));
+        let expected = collisions.iter().map(|one| Expected::new(one, pair, masses));
         let integrator = self.method().integrator();
         let critical = expected.clone().filter_map(|one| {
             let contact = with_columns(one.oscillation(&pair.law)?, own);
             integrator.critical_time_step_in_contact(&contact)
         });
-        let speed = expected
-            .map(|one| one.pair.approach_speed)
-            .fold(0.0, f64::max);
+        let speed = expected.map(|one| one.pair.approach_speed).fold(0.0, f64::max);
         ContactLimit {
             pair: index,
-            free: (speed > 0.0)
-                .then(|| self.free_limit(&pair.law, FreeCollision { masses, speed })),
+            free: (speed > 0.0).then(|| self.free_limit(&pair.law, FreeCollision { masses, speed })),
             critical_time_step: critical.min_by(f64::total_cmp),
         }
     }

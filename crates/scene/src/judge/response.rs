@@ -89,11 +89,7 @@ impl Excess {
             ExcessKind::Displacement => ", above 0.3 m",
             ExcessKind::Drift => ", above 2.5 %",
             ExcessKind::Ductility => ", above 6",
-            ExcessKind::AtColumn
-            | ExcessKind::BesideColumn
-            | ExcessKind::LeftOut
-            | ExcessKind::Stability
-            | ExcessKind::ResidualDrift => "",
+            ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::LeftOut | ExcessKind::Stability | ExcessKind::ResidualDrift => "",
         };
         let brief = self.kind.brief(self.found);
         let often = self.often();
@@ -103,8 +99,7 @@ impl Excess {
 
     /// "in 4 of 4 runs"; empty of one run.
     fn often(&self) -> String {
-        self.often
-            .map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
+        self.often.map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
     }
 }
 
@@ -164,24 +159,17 @@ impl Simulation {
         };
         let peaks = result.peaks.of(floor);
         let drift = peaks.drift().value.abs();
-        let below = floors
-            .below(floor)
-            .map_or(0.0, |below| result.last.of(below).displacement);
+        let below = floors.below(floor).map_or(0.0, |below| result.last.of(below).displacement);
         let residual = result.last.of(floor).displacement - below;
         let mut all = Vec::new();
-        all.extend(
-            one.ductility(drift)
-                .map(|found| (ExcessKind::Ductility, found)),
-        );
+        all.extend(one.ductility(drift).map(|found| (ExcessKind::Ductility, found)));
         let Some(height) = made_of.height_m else {
             all.push((ExcessKind::Displacement, drift));
             return all;
         };
         let above = floors.of_structure(one.structure).iter();
         let above = above.filter(|other| floors.storey_of(**other) >= floors.storey_of(floor));
-        let masses = above
-            .filter_map(|other| floors.all()[*other].made_of)
-            .map(|made| made.mass_kg);
+        let masses = above.filter_map(|other| floors.all()[*other].made_of).map(|made| made.mass_kg);
         let weight = self.scene().record.gravity_m_per_s2 * masses.sum::<f64>();
         let shear = peaks.restoring_force.value.abs();
         all.push((ExcessKind::Drift, drift / height));
@@ -210,11 +198,7 @@ impl ExcessKind {
     fn strains(self) -> bool {
         match self {
             Self::Displacement | Self::Drift | Self::Ductility => true,
-            Self::AtColumn
-            | Self::BesideColumn
-            | Self::LeftOut
-            | Self::Stability
-            | Self::ResidualDrift => false,
+            Self::AtColumn | Self::BesideColumn | Self::LeftOut | Self::Stability | Self::ResidualDrift => false,
         }
     }
 
@@ -255,11 +239,7 @@ impl ExcessKind {
                 "faces columns of its neighbour between floors; {often}both together may move up to {} mm{}: a floor that hits a column can \
                  bring a building down, and is not modelled",
                 short(1e3 * found),
-                if self == Self::AtColumn {
-                    " farther than the gap"
-                } else {
-                    ""
-                }
+                if self == Self::AtColumn { " farther than the gap" } else { "" }
             ),
             Self::LeftOut => format!(
                 "not looked at, because `levels` of the contact leaves them out; {often}both neighbours together may move up to {} mm farther \
@@ -308,11 +288,7 @@ mod tests {
     use super::*;
 
     /// A structure that starts at a displacement and is not shaken, over a limit or under it.
-    fn excesses(
-        height: Option<f64>,
-        displacement: f64,
-        yields: Option<f64>,
-    ) -> Vec<(ExcessKind, f64)> {
+    fn excesses(height: Option<f64>, displacement: f64, yields: Option<f64>) -> Vec<(ExcessKind, f64)> {
         let mut structure = serde_json::json!({
             "name": "one", "mass_kg": 1e5, "stiffness_n_per_m": 1e7, "damping": {"ratio": 0.0},
             "initial_displacement_m": displacement,
@@ -337,9 +313,7 @@ mod tests {
     }
 
     fn are(found: &[(ExcessKind, f64)], wanted: &[(ExcessKind, f64)]) {
-        let close = |(one, other): (&(ExcessKind, f64), &(ExcessKind, f64))| {
-            one.0 == other.0 && (one.1 / other.1 - 1.0).abs() < 1e-9
-        };
+        let close = |(one, other): (&(ExcessKind, f64), &(ExcessKind, f64))| one.0 == other.0 && (one.1 / other.1 - 1.0).abs() < 1e-9;
         assert!(
             found.len() == wanted.len() && found.iter().zip(wanted).all(close),
             "{found:?} {wanted:?}"
@@ -350,15 +324,9 @@ mod tests {
     #[test]
     fn reference_drift_and_stability() {
         are(&excesses(Some(1.0), 0.024, None), &[]);
-        are(
-            &excesses(Some(1.0), 0.026, None),
-            &[(ExcessKind::Drift, 0.026)],
-        );
+        are(&excesses(Some(1.0), 0.026, None), &[(ExcessKind::Drift, 0.026)]);
         let theta = 1e5 * 9.80665 / (1e7 * 0.8);
-        are(
-            &excesses(Some(0.8), 0.01, None),
-            &[(ExcessKind::Stability, theta)],
-        );
+        are(&excesses(Some(0.8), 0.01, None), &[(ExcessKind::Stability, theta)]);
         assert!(ExcessKind::Stability.says(0.2, "").contains("EN 1998-1"));
         assert!(ExcessKind::Stability.says(0.3, "").contains("ASCE 7-16"));
     }
@@ -385,10 +353,7 @@ mod tests {
     #[test]
     fn reference_unknown_heights() {
         are(&excesses(None, 0.29, None), &[]);
-        are(
-            &excesses(None, 0.31, None),
-            &[(ExcessKind::Displacement, 0.31)],
-        );
+        are(&excesses(None, 0.31, None), &[(ExcessKind::Displacement, 0.31)]);
     }
 
     /// Columns that begin at six times the drift at which they yield stay within the limit, at seven times they do not.

@@ -5,10 +5,7 @@ use pounding_solver::{Collision, LedgerError, Work};
 
 use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 use crate::simulation::{Audited, Extras};
-use crate::{
-    Balance, Delivered, Error, Excess, Method, Place, Quantity, RunErrors, RunResult, Simulation,
-    Structure, Warning,
-};
+use crate::{Balance, Delivered, Error, Excess, Method, Place, Quantity, RunErrors, RunResult, Simulation, Structure, Warning};
 
 /// Where rounding leaves a whole number of steps.
 const SLACK: f64 = 1.0 - 1e-9;
@@ -95,11 +92,7 @@ impl Simulation {
             closings: true,
             ..Extras::default()
         };
-        let Audited {
-            outcome,
-            broken,
-            balance,
-        } = self.audited_with(asked)?;
+        let Audited { outcome, broken, balance } = self.audited_with(asked)?;
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
@@ -109,11 +102,7 @@ impl Simulation {
         }
         let errors = if matches!(self.method(), Method::Exact { .. }) {
             warnings.extend(self.warnings_before(&outcome));
-            if is_broken {
-                Errors::Doubtful
-            } else {
-                Errors::Exact
-            }
+            if is_broken { Errors::Doubtful } else { Errors::Exact }
         } else if measure {
             match self.reference() {
                 Ok((exact, doubt)) => {
@@ -230,8 +219,7 @@ impl Simulation {
         }
         let free = limit.free?;
         let restitution = free.restitution.zip(free.delivered);
-        let is_off =
-            |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
+        let is_off = |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
         let few = |steps: &f64| off || *steps < SLACK * STEPS_PER_CONTACT;
         free.steps.filter(few).map(|steps| Warning::UnderResolved {
@@ -327,10 +315,7 @@ mod tests {
         Error::Broken {
             scene: "two".into(),
             structures: Vec::new(),
-            source: LedgerError::EnergyUnexplained {
-                found,
-                allowed: 1e-11,
-            },
+            source: LedgerError::EnergyUnexplained { found, allowed: 1e-11 },
         }
     }
 

@@ -159,11 +159,7 @@ impl fmt::Display for Warning {
                     digits(*limit)
                 )
             }
-            Self::UnderResolved {
-                place,
-                steps,
-                restitution,
-            } => under_resolved(place, *steps, restitution.as_ref(), to),
+            Self::UnderResolved { place, steps, restitution } => under_resolved(place, *steps, restitution.as_ref(), to),
             Self::Rests { contact, names } => {
                 let [left, right] = names;
                 write!(
@@ -173,11 +169,7 @@ impl fmt::Display for Warning {
                 )
             }
             Self::Error { quantity, error } => off(*quantity, *error, to),
-            Self::SlowTouches {
-                contact,
-                names,
-                count,
-            } => {
+            Self::SlowTouches { contact, names, count } => {
                 let [left, right] = names;
                 write!(
                     to,
@@ -201,17 +193,9 @@ fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fm
 }
 
 /// Too few steps in a collision, and what is delivered with them.
-fn under_resolved(
-    place: &Place,
-    steps: f64,
-    restitution: Option<&(f64, Delivered)>,
-    to: &mut Formatter<'_>,
-) -> fmt::Result {
+fn under_resolved(place: &Place, steps: f64, restitution: Option<&(f64, Delivered)>, to: &mut Formatter<'_>) -> fmt::Result {
     let (knob, found) = &place.time_step;
-    write!(
-        to,
-        "{place}: impulses and forces: a collision has {steps:.2} steps"
-    )?;
+    write!(to, "{place}: impulses and forces: a collision has {steps:.2} steps")?;
     if let Some((right, delivered)) = restitution {
         write!(to, ", {}", instead(*right, delivered))?;
     }
@@ -237,10 +221,7 @@ fn off(quantity: Quantity, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
             write!(to, "{of}: {percent:.1e} % off the exact run")
         }
     } else {
-        write!(
-            to,
-            "{of}: none, or zero, in this run or the exact one alone"
-        )
+        write!(to, "{of}: none, or zero, in this run or the exact one alone")
     }
 }
 

@@ -79,12 +79,7 @@ impl Advice {
     /// The cheapest run that meets the goal; the exact method when no cheaper one does.
     pub fn best(&self) -> &Trial {
         let meeting = self.methods.iter().filter_map(StepSizes::chosen);
-        meeting.fold(
-            &self.exact,
-            |best, next| {
-                if next.cost < best.cost { next } else { best }
-            },
-        )
+        meeting.fold(&self.exact, |best, next| if next.cost < best.cost { next } else { best })
     }
 }
 

@@ -126,22 +126,12 @@ impl Floors {
         for (contact, one) in contacts {
             let chosen = |node: &(usize, usize)| levels::lets_touch(one, levels.level(node.0));
             let at_levels = levels.facing(contact).filter(chosen);
-            facing.extend(at_levels.map(|(left, right)| FloorPair {
-                contact,
-                left,
-                right,
-            }));
+            facing.extend(at_levels.map(|(left, right)| FloorPair { contact, left, right }));
         }
         facing.sort_by_key(|one: &FloorPair| one.left);
         Ok(Self {
-            structures: scene
-                .structures
-                .iter()
-                .map(|one| one.name().into())
-                .collect(),
-            all: (0..levels.n_nodes())
-                .map(|node| floor(scene, &levels, node))
-                .collect(),
+            structures: scene.structures.iter().map(|one| one.name().into()).collect(),
+            all: (0..levels.n_nodes()).map(|node| floor(scene, &levels, node)).collect(),
             facing,
             levels,
         })
@@ -231,9 +221,7 @@ impl Floors {
             let facing = self.levels.facing(left);
             facing.map(move |(one, other)| (left, one, other))
         };
-        let mut all: Vec<_> = (1..self.structures.len())
-            .flat_map(|right| facing(right - 1))
-            .collect();
+        let mut all: Vec<_> = (1..self.structures.len()).flat_map(|right| facing(right - 1)).collect();
         all.sort_unstable_by_key(|one| one.1);
         all
     }

@@ -53,11 +53,7 @@ impl Simulation {
     /// Gives a row of structures of one storey under the same motion other numbers of structures and contacts, which is all that
     /// `change` may set; the bits are those of the scene prepared anew. Nothing where they are refused: then this is of no more use,
     /// and preparing the scene says why. `duration_s` is what the scene says.
-    pub fn renumber(
-        &mut self,
-        duration_s: Option<f64>,
-        change: impl FnOnce(&mut Scene) -> Option<()>,
-    ) -> Option<()> {
+    pub fn renumber(&mut self, duration_s: Option<f64>, change: impl FnOnce(&mut Scene) -> Option<()>) -> Option<()> {
         let scene = &mut self.scene;
         scene.duration_s = duration_s;
         change(scene)?;
@@ -128,8 +124,7 @@ impl Simulation {
     /// Those of the lean model, which were found before.
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
-        let row = model::full(scene, floors)
-            .map_err(|error| in_scene(scene, SceneError::of_model(error, scene, floors)))?;
+        let row = model::full(scene, floors).map_err(|error| in_scene(scene, SceneError::of_model(error, scene, floors)))?;
         Ok(Self { row, ..self })
     }
 
@@ -171,8 +166,7 @@ impl Simulation {
             ..self.scene.clone()
         };
         let floors = self.floors.apart();
-        let row = model::lean(&scene, &floors)
-            .map_err(|error| in_scene(&scene, SceneError::of_model(error, &scene, &floors)))?;
+        let row = model::lean(&scene, &floors).map_err(|error| in_scene(&scene, SceneError::of_model(error, &scene, &floors)))?;
         Ok(Self {
             scene,
             floors,
@@ -196,9 +190,7 @@ impl Simulation {
     pub fn with_any_method(&self, other: Method) -> Result<Self, Error> {
         let mut scene = self.scene.clone();
         scene.method = other;
-        scene
-            .check_method()
-            .map_err(|source| in_scene(&scene, source))?;
+        scene.check_method().map_err(|source| in_scene(&scene, source))?;
         let integrator = other.integrator();
         integrator.check().map_err(|error| self.ended(error))?;
         Ok(Self {
@@ -320,10 +312,7 @@ impl Simulation {
     ///
     /// # Errors
     /// [`Error::Scene`] when `change` refuses.
-    pub fn under(
-        &self,
-        change: impl FnOnce(&Record) -> Result<Record, RecordError>,
-    ) -> Result<Self, Error> {
+    pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, RecordError>) -> Result<Self, Error> {
         let record = change(&self.record).map_err(|error| in_scene(&self.scene, error.into()))?;
         Ok(Self {
             record: Arc::new(record),
@@ -336,8 +325,7 @@ impl Simulation {
 fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), SceneError> {
     let floors = Floors::of(scene)?;
     patience.look()?;
-    let row =
-        model::lean(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
+    let row = model::lean(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
     patience.look()?;
     Ok((floors, row))
 }

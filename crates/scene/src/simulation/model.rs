@@ -4,9 +4,8 @@ use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic,
-    Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey,
-    Verlet,
+    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Mixed, ModelError, MoreauJean,
+    Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
 };
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
@@ -59,9 +58,7 @@ pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
         None => pairs_out_of_reach(floors),
     };
     match lean(scene, floors)? {
-        AnyRow::Elastic(_) | AnyRow::Bilinear(_) => {
-            row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear)
-        }
+        AnyRow::Elastic(_) | AnyRow::Bilinear(_) => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
         AnyRow::Mixed(_) => row(scene, floors, mixed, pairs).map(AnyRow::Mixed),
     }
 }
@@ -150,11 +147,7 @@ fn renumbered<Column: Hysteretic>(
     Ok(())
 }
 
-fn nodes<Column>(
-    scene: &Scene,
-    floors: &Floors,
-    column: impl Fn(&Columns) -> Column,
-) -> impl Iterator<Item = Node<Column>> {
+fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Column) -> impl Iterator<Item = Node<Column>> {
     // Those of a building are found together; up to the last building, so that structures of one storey need no memory.
     let of_building = |one: &Structure| match one {
         Structure::Building(building) => building.dampings(),
@@ -192,9 +185,7 @@ impl Method {
     /// The method without its time step.
     pub(crate) fn integrator(self) -> Integrator {
         match self {
-            Self::CentralDifference {
-                contact_substeps, ..
-            } => Integrator::CentralDifference(CentralDifference { contact_substeps }),
+            Self::CentralDifference { contact_substeps, .. } => Integrator::CentralDifference(CentralDifference { contact_substeps }),
             Self::Newmark { beta, gamma, .. } => Integrator::Newmark(Newmark { beta, gamma }),
             Self::Hht { alpha, .. } => Integrator::Hht(Hht { alpha }),
             Self::VelocityVerlet { impacts, .. } => Integrator::Verlet(Verlet { impacts }),
@@ -214,11 +205,7 @@ impl Method {
     /// The time steps of a run of some duration \[s\]; one for the exact method, which asks for the end only.
     pub fn clock(self, duration: f64) -> Clock {
         let time_step = self.time_step().unwrap_or(duration);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "checked: 0 < n <= 1e9"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 < n <= 1e9")]
         let n_steps = (duration / time_step).round() as usize;
         Clock { time_step, n_steps }
     }

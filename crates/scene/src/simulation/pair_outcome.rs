@@ -34,11 +34,7 @@ pub(crate) const LEANS: f64 = 0.25;
 /// deformation.
 pub fn least_opening(gap: f64, closing: f64, touches: bool) -> f64 {
     let opening = gap - closing;
-    if touches && is_closed(opening) {
-        0.0
-    } else {
-        opening
-    }
+    if touches && is_closed(opening) { 0.0 } else { opening }
 }
 
 /// Impulses leave a gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
@@ -49,8 +45,7 @@ fn is_closed(opening: f64) -> bool {
 impl PairOutcome {
     /// Least opening \[m\] of a gap of this width, and its instant \[s\], of neighbours that came as close as this.
     fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
-        let (distance, time) =
-            closing.map_or((0.0, 0.0), |closing| (closing.distance, closing.time));
+        let (distance, time) = closing.map_or((0.0, 0.0), |closing| (closing.distance, closing.time));
         let opening = least_opening(gap, distance, self.first.is_some());
         match self.first {
             Some(first) if is_closed(opening) => (opening, first.start),
@@ -64,9 +59,7 @@ impl PairOutcome {
     }
 
     fn and(self, next: &Collision) -> Self {
-        let is_largest = self
-            .largest
-            .is_none_or(|largest| next.impulse > largest.impulse);
+        let is_largest = self.largest.is_none_or(|largest| next.impulse > largest.impulse);
         let force = next.peak_force.zip(next.peak_force_time);
         let force = force.map(|(value, time)| Peak { value, time });
         let peak_force = match (self.collisions, self.peak_force, force) {
@@ -78,17 +71,10 @@ impl PairOutcome {
         Self {
             collisions: self.collisions + 1,
             first: self.first.or(Some(*next)),
-            largest: if is_largest {
-                Some(*next)
-            } else {
-                self.largest
-            },
+            largest: if is_largest { Some(*next) } else { self.largest },
             peak_force,
             total_impulse: self.total_impulse + next.impulse,
-            longest: self
-                .longest
-                .filter(|longest| duration(longest) >= duration(next))
-                .or(Some(*next)),
+            longest: self.longest.filter(|longest| duration(longest) >= duration(next)).or(Some(*next)),
             touching: self.touching + duration(next),
         }
     }
@@ -154,10 +140,7 @@ mod tests {
             collisions: 3,
             first: Some(all[0]),
             largest: Some(all[1]),
-            peak_force: Some(Peak {
-                value: 9.0,
-                time: 3.1,
-            }),
+            peak_force: Some(Peak { value: 9.0, time: 3.1 }),
             total_impulse: 12.0,
             longest: Some(all[0]),
             touching: 0.0,

@@ -19,9 +19,7 @@ impl SceneError {
             }
         } else if let ModelError::NotNeighbours { pair, .. } = error {
             // Contacts join neighbours in order: what remains is a wall on either side.
-            Self::BetweenWalls {
-                contact: contact(pair),
-            }
+            Self::BetweenWalls { contact: contact(pair) }
         } else if let ModelError::Node { node, field, .. } = error {
             Self::of_node(&floors.all()[node], scene, field, error)
         } else if let ModelError::Pair {
@@ -38,11 +36,7 @@ impl SceneError {
                 "gap" => format!("contacts[{index}].gap_m"),
                 parameter => format!("contacts[{index}].law.{law}.{parameter}"),
             };
-            Self::OutOfRange {
-                place,
-                found,
-                allowed,
-            }
+            Self::OutOfRange { place, found, allowed }
         } else {
             Self::Model(error)
         }
@@ -68,26 +62,14 @@ impl SceneError {
                 made.mass_kg,
                 "a mass whose inverse is a finite number",
             ),
-            "initial_displacement" => (
-                format!("{of_floor}.initial_displacement_m"),
-                *found,
-                "a finite number",
-            ),
-            "initial_velocity" => (
-                format!("{of_floor}.initial_velocity_m_per_s"),
-                *found,
-                "a finite number",
-            ),
+            "initial_displacement" => (format!("{of_floor}.initial_displacement_m"), *found, "a finite number"),
+            "initial_velocity" => (format!("{of_floor}.initial_velocity_m_per_s"), *found, "a finite number"),
             _ => (
                 format!("{of_structure}.damping"),
                 *found,
                 "damping of which the coefficients [N s/m] are finite and not negative",
             ),
         };
-        Self::OutOfRange {
-            place,
-            found,
-            allowed,
-        }
+        Self::OutOfRange { place, found, allowed }
     }
 }

@@ -3,9 +3,8 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates,
-    Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorders, RunError, Terms,
-    TransferredMomentum, Travel, Work,
+    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError, OnRow, Opening,
+    Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
@@ -113,9 +112,7 @@ impl Simulation {
     /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics: nobody reads a
     /// warning here.
     pub fn run_with(&self, asked: Extras) -> Result<RunResult, Error> {
-        let Audited {
-            outcome, broken, ..
-        } = self.audited_with(asked)?;
+        let Audited { outcome, broken, .. } = self.audited_with(asked)?;
         broken.map_or(Ok(outcome), Err)
     }
 
@@ -195,9 +192,7 @@ impl Simulation {
             accelerations: Some(accelerations.travelled(self.travel().as_ref())),
             last: Some(LastStates::new(n)),
             closings: asked.closings.then(closings),
-            histories: asked
-                .interval
-                .map(|interval| Histories::new(n, interval, duration)),
+            histories: asked.interval.map(|interval| Histories::new(n, interval, duration)),
             ..self.usual_recorders()
         }
     }
@@ -284,17 +279,11 @@ impl Simulation {
     /// # Errors
     /// [`Error::Run`] when the run ends early.
     pub fn timed(&self) -> Result<Work, Error> {
-        self.timed_by(self.method())
-            .map_err(|error| self.ended(error))
+        self.timed_by(self.method()).map_err(|error| self.ended(error))
     }
 
     /// Runs the scene by any method, whatever its own is.
-    fn run_by(
-        &self,
-        integrator: &Integrator,
-        clock: Clock,
-        recorders: &mut Recorders<'_, '_>,
-    ) -> Result<Work, RunError> {
+    fn run_by(&self, integrator: &Integrator, clock: Clock, recorders: &mut Recorders<'_, '_>) -> Result<Work, RunError> {
         let excitation = self.excitation();
         let course = clock.within(self.budget());
         self.row.run(integrator, excitation, course, recorders)
@@ -314,8 +303,7 @@ impl Simulation {
     /// # Panics
     /// Never: a record has samples and a time step > 0.
     pub fn excitation(&self) -> Excitation<'_> {
-        Excitation::new(self.record.time_step(), self.record.samples())
-            .expect("a record has samples and a time step > 0")
+        Excitation::new(self.record.time_step(), self.record.samples()).expect("a record has samples and a time step > 0")
     }
 
     /// Says in the words of the scene which law a run broke.
@@ -326,9 +314,7 @@ impl Simulation {
             | LedgerError::PullingImpact { pair, .. }
             | LedgerError::GainAtImpact { pair, .. }
             | LedgerError::GainInContact { pair, .. }
-            | LedgerError::Imbalance { pair, .. } => {
-                self.pairs()[pair].left()..self.pairs()[pair].right() + 1
-            }
+            | LedgerError::Imbalance { pair, .. } => self.pairs()[pair].left()..self.pairs()[pair].right() + 1,
             LedgerError::EnergyUnexplained { .. } | _ => 0..0,
         };
         Error::Broken {
@@ -348,17 +334,9 @@ impl Simulation {
     pub(super) fn ended(&self, source: RunError) -> Error {
         let scene = self.scene.name.clone();
         let concerned = match source {
-            RunError::Setting {
-                setting,
-                found,
-                allowed,
-            } => {
+            RunError::Setting { setting, found, allowed } => {
                 let place = format!("method.{}.{setting}", self.scene.method.name());
-                let source = SceneError::OutOfRange {
-                    place,
-                    found,
-                    allowed,
-                };
+                let source = SceneError::OutOfRange { place, found, allowed };
                 return Error::Scene { scene, source };
             }
             RunError::TooStiff {
@@ -376,11 +354,10 @@ impl Simulation {
                 };
                 return Error::Scene { scene, source };
             }
-            RunError::Diverged { structure, .. }
-            | RunError::TooStiff { structure, .. }
-            | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
-            RunError::NotConverged { first, last, .. }
-            | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
+            RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } | RunError::OutOfNumbers { structure, .. } => {
+                structure..structure + 1
+            }
+            RunError::NotConverged { first, last, .. } | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
             | RunError::TooDamped { left, right, .. }
             | RunError::NoSeries { left, right, .. }

@@ -137,20 +137,13 @@ impl<'m> Shape<'m> {
 
     /// Whether they are one motion but for a factor.
     fn is_like(&self, other: &Self) -> bool {
-        let least = if self.swings.min(other.swings) < SWINGS {
-            ONE_PULSE
-        } else {
-            ONE
-        };
+        let least = if self.swings.min(other.swings) < SWINGS { ONE_PULSE } else { ONE };
         self.may_be(other) && self.correlation(other) > least
     }
 
     /// Whether it is worth while to compare them: the time steps are equal, and what a correlation above [`ONE`] implies holds roughly.
     fn may_be(&self, other: &Self) -> bool {
-        let [least, most] = [
-            self.fullness.min(other.fullness),
-            self.fullness.max(other.fullness),
-        ];
+        let [least, most] = [self.fullness.min(other.fullness), self.fullness.max(other.fullness)];
         let same_step = (self.time_step - other.time_step).abs() <= 1e-6 * self.time_step;
         let near = |shape: &Self, lag: isize| {
             let index = shape.at.checked_add_signed(lag);

@@ -29,20 +29,14 @@ pub(super) fn number(all: &mut [Read], copies: &Copies) -> (usize, Vec<(String, 
     for (rank, &index) in shaking.iter().enumerate() {
         for &other in &shaking[..rank] {
             let [one, another] = [other, index].map(|index| &all[index].motion);
-            if copies.of[index] == Some(other)
-                || copies.of[other] == Some(index)
-                || are_of_one_record(one, another, &several)
-            {
+            if copies.of[index] == Some(other) || copies.of[other] == Some(index) || are_of_one_record(one, another, &several) {
                 join(other, index);
             }
         }
     }
     let named = |index: usize| all[index].motion.name.clone();
     // Of components of one record it is no wonder.
-    let alike = copies
-        .alike
-        .iter()
-        .filter(|(one, other, _)| join(*one, *other));
+    let alike = copies.alike.iter().filter(|(one, other, _)| join(*one, *other));
     let alike = alike.map(|(one, other, factor)| (named(*one), named(*other), *factor));
     let alike = alike.collect();
     let mut known = Vec::new();

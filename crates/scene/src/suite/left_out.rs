@@ -78,27 +78,11 @@ impl ReasonKind {
             Self::Zeros => ["record of zeros", "records of zeros", "they shake nothing"],
             Self::Velocity => ["velocity", "velocities", NO_ACCELERATION],
             Self::Displacement => ["displacement", "displacements", NO_ACCELERATION],
-            Self::NoAcceleration => [
-                "spectrum or other quantity",
-                "spectra or other quantities",
-                NO_ACCELERATION,
-            ],
-            Self::Borehole => [
-                "record in a borehole",
-                "records in boreholes",
-                ON_THE_GROUND,
-            ],
-            Self::Structure => [
-                "record on a structure",
-                "records on structures",
-                ON_THE_GROUND,
-            ],
+            Self::NoAcceleration => ["spectrum or other quantity", "spectra or other quantities", NO_ACCELERATION],
+            Self::Borehole => ["record in a borehole", "records in boreholes", ON_THE_GROUND],
+            Self::Structure => ["record on a structure", "records on structures", ON_THE_GROUND],
             Self::Copy => ["copy", "copies", "each record counts once"],
-            Self::Vertical => [
-                "vertical component",
-                "vertical components",
-                "by the name in the file",
-            ],
+            Self::Vertical => ["vertical component", "vertical components", "by the name in the file"],
             Self::VerticalByName => [
                 "vertical component",
                 "vertical components",
@@ -128,29 +112,20 @@ impl ReasonKind {
 
 impl Reason {
     /// What an error of reading a file is.
-    #[expect(
-        clippy::wildcard_enum_match_arm,
-        reason = "an error that is not told apart is a refusal"
-    )]
+    #[expect(clippy::wildcard_enum_match_arm, reason = "an error that is not told apart is a refusal")]
     pub(super) fn of(error: &Error) -> Self {
         match error {
             Error::NoRecord { source, .. } => ReasonKind::Unreadable.saying(source.to_string()),
             Error::Record { source, .. } => match source {
-                ReadError::UnknownFormat { .. } | ReadError::Empty => {
-                    ReasonKind::NoRecord.saying("")
-                }
+                ReadError::UnknownFormat { .. } | ReadError::Empty => ReasonKind::NoRecord.saying(""),
                 ReadError::Velocity { found, .. } => ReasonKind::Velocity.saying(found),
-                ReadError::NotAcceleration { found, .. } | ReadError::Quantity { found, .. } => {
-                    ReasonKind::NoAcceleration.saying(found)
-                }
+                ReadError::NotAcceleration { found, .. } | ReadError::Quantity { found, .. } => ReasonKind::NoAcceleration.saying(found),
                 _ => ReasonKind::Refused.saying(error.reason()),
             },
             Error::NameSaysOtherwise { quantity, .. } => match quantity {
                 Quantity::Displacement => ReasonKind::Displacement.saying("by its name"),
                 Quantity::Spectrum => ReasonKind::NoAcceleration.saying("by its name"),
-                Quantity::Velocity | Quantity::Acceleration => {
-                    ReasonKind::Velocity.saying("by its name")
-                }
+                Quantity::Velocity | Quantity::Acceleration => ReasonKind::Velocity.saying("by its name"),
             },
             other => ReasonKind::Refused.saying(other.reason()),
         }
@@ -235,8 +210,7 @@ impl Suite {
     /// Returns for machines what [`Self::counts`] and [`Self::remarks`] say, except for what is left out.
     pub fn json(&self) -> Value {
         let alike = self.alike.iter();
-        let alike =
-            alike.map(|(one, other, factor)| json!({"record": other, "times": factor, "of": one}));
+        let alike = alike.map(|(one, other, factor)| json!({"record": other, "times": factor, "of": one}));
         let declared = self.declared().into_iter();
         let declared = declared.map(|(words, names)| json!({"declared": words, "records": names}));
         let used = self.used().len();
@@ -336,9 +310,7 @@ fn said_of(group: &[&LeftOut], details: bool) -> String {
     let reason = &group[0].reason;
     let [one, several, why] = reason.kind.words();
     let names = group.iter().map(|one| match one.reason.said.as_str() {
-        said if reason.kind.hides_a_record() || said.is_empty() || one.name.ends_with(said) => {
-            one.name.clone()
-        }
+        said if reason.kind.hides_a_record() || said.is_empty() || one.name.ends_with(said) => one.name.clone(),
         said => format!("{} ({said})", one.name),
     });
     let names: Vec<String> = names.collect();
@@ -359,11 +331,7 @@ fn said_of(group: &[&LeftOut], details: bool) -> String {
 
 /// The first of some names, or all of them.
 fn listed(names: &[&str], details: bool) -> String {
-    let shown = if details {
-        names.len()
-    } else {
-        MOST_NAMES.min(names.len())
-    };
+    let shown = if details { names.len() } else { MOST_NAMES.min(names.len()) };
     let mut listed = names[..shown].join(", ");
     if shown < names.len() {
         write!(listed, ", and {} more (--details)", names.len() - shown).expect("memory takes all");

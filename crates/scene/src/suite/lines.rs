@@ -37,10 +37,7 @@ pub struct Lines<T> {
 
 /// Who ends a folder of runs, and who is told of each, with the number of all.
 #[derive(Clone, Copy)]
-#[expect(
-    missing_debug_implementations,
-    reason = "what is told of progress is a closure"
-)]
+#[expect(missing_debug_implementations, reason = "what is told of progress is a closure")]
 pub struct Watched<'a> {
     /// Whoever sets it ends runs that have begun, and no other begins.
     pub stop: &'static AtomicBool,
@@ -57,11 +54,7 @@ struct Case<'m, K> {
 
 impl<K> Case<'_, K> {
     /// What becomes of it; `None` if somebody ended its run.
-    fn line<T>(
-        &self,
-        stop: &'static AtomicBool,
-        run: impl Fn(&Simulation, &K) -> Result<T, Error>,
-    ) -> Option<Line<T>> {
+    fn line<T>(&self, stop: &'static AtomicBool, run: impl Fn(&Simulation, &K) -> Result<T, Error>) -> Option<Line<T>> {
         let found = match self.scene {
             Err(reason) => Err(reason.clone()),
             Ok((scene, known)) => {
@@ -83,11 +76,7 @@ impl<K> Case<'_, K> {
 }
 
 /// What comes of every case, in order, up to where somebody says stop; nothing of a case that this ended.
-fn until_stopped<C: Sync, L: Send>(
-    cases: &[C],
-    stopped: &AtomicBool,
-    line: impl Fn(&C) -> Option<L> + Sync,
-) -> Vec<L> {
+fn until_stopped<C: Sync, L: Send>(cases: &[C], stopped: &AtomicBool, line: impl Fn(&C) -> Option<L> + Sync) -> Vec<L> {
     let unless = |case: &C| (!stopped.load(Ordering::Relaxed)).then(|| line(case))?;
     let lines = parallel::each(cases, unless);
     lines.into_iter().flatten().collect()
@@ -138,9 +127,7 @@ pub fn lines_of<T: Send, K: Send + Sync>(
 }
 
 /// The first reason, where there are nothing but reasons.
-pub fn nothing_found<'a, T: 'a>(
-    mut found: impl Iterator<Item = &'a Result<T, String>>,
-) -> Option<&'a str> {
+pub fn nothing_found<'a, T: 'a>(mut found: impl Iterator<Item = &'a Result<T, String>>) -> Option<&'a str> {
     let first = found.next()?.as_ref().err()?;
     found.all(Result::is_err).then_some(first)
 }

@@ -21,9 +21,7 @@ fn wanted(law: LawName, restitution: f64, calibration: Calibration) -> Certifica
 /// Laws that have a damping.
 fn damped() -> impl Iterator<Item = LawName> {
     let springs = [LawName::LinearSpring, LawName::Hertz];
-    LawName::ALL
-        .into_iter()
-        .filter(move |law| !springs.contains(law))
+    LawName::ALL.into_iter().filter(move |law| !springs.contains(law))
 }
 
 #[test]
@@ -37,10 +35,7 @@ fn reference_exact_calibration_delivers_what_is_asked() {
             assert!(off <= 1e-9, "{name}, asked {restitution}: off by {off:e}");
             let impulse = 75e3 * 3e6 / 3.075e6 * (1.0 + restitution) * 0.3;
             let off = (certificate.impulse / impulse - 1.0).abs();
-            assert!(
-                off <= 1e-9,
-                "{name}, asked {restitution}: impulse off by {off:e}"
-            );
+            assert!(off <= 1e-9, "{name}, asked {restitution}: impulse off by {off:e}");
         }
     }
 }

@@ -54,32 +54,19 @@ fn reference_peaks_are_those_of_the_runs_with_and_without_neighbours() {
             let (drift, shear) = (found.drift_m.unwrap(), found.shear_n.unwrap());
             let (beside, lonely) = (outcome.peaks.of(floor), alone.peaks.of(storey));
             let same = |found: f64, wanted: f64| {
-                assert!(
-                    (found - wanted.abs()).abs() <= 1e-12 * found,
-                    "{found} {wanted}"
-                );
+                assert!((found - wanted.abs()).abs() <= 1e-12 * found, "{found} {wanted}");
             };
             same(drift.beside, beside.drift().value);
             same(drift.alone, lonely.drift().value);
             same(shear.beside, beside.restoring_force.value);
             same(shear.alone, lonely.restoring_force.value);
-            same(
-                drift.amplification.unwrap().value,
-                drift.beside / drift.alone,
-            );
+            same(drift.amplification.unwrap().value, drift.beside / drift.alone);
         }
     }
     let impulses: f64 = outcome.collisions.all().iter().map(|one| one.impulse).sum();
-    let sides: f64 = effects
-        .as_given
-        .iter()
-        .map(|one| one.impulse_n_s.value)
-        .sum();
+    let sides: f64 = effects.as_given.iter().map(|one| one.impulse_n_s.value).sum();
     assert!(impulses > 0.0, "they touch");
-    assert!(
-        (sides - 2.0 * impulses).abs() < 1e-9 * sides,
-        "{sides} {impulses}"
-    );
+    assert!((sides - 2.0 * impulses).abs() < 1e-9 * sides, "{sides} {impulses}");
 }
 
 #[test]
@@ -91,10 +78,7 @@ fn reference_a_mirrored_row_swaps_the_directions() {
     let (effects, mirror) = (Effects::of(&one).unwrap(), Effects::of(&other).unwrap());
     for structure in 0..2 {
         let floors = one.floors().of_structure(structure);
-        for (&floor, &twin) in floors
-            .iter()
-            .zip(other.floors().of_structure(1 - structure))
-        {
+        for (&floor, &twin) in floors.iter().zip(other.floors().of_structure(1 - structure)) {
             assert_eq!(effects.as_given[floor], mirror.reversed[twin]);
         }
     }
@@ -112,10 +96,7 @@ fn limit_buildings_far_apart_are_not_changed_at_all() {
             let effect = effect.expect("it is no wall");
             assert_eq!(effect.alone.to_bits(), effect.beside.to_bits());
             let ratio = effect.amplification.expect("it moves");
-            assert_eq!(
-                (ratio.low.to_bits(), ratio.high.to_bits()),
-                (1_f64.to_bits(), 1_f64.to_bits())
-            );
+            assert_eq!((ratio.low.to_bits(), ratio.high.to_bits()), (1_f64.to_bits(), 1_f64.to_bits()));
             assert!(effect.alone > 0.0 && ratio.is_robust(), "{effect:?}");
         }
         assert_eq!(floor.collisions.high.to_bits(), 0);
@@ -129,18 +110,13 @@ fn limit_a_wall_has_hits_alone() {
     scene.structures[1] = Structure::Wall;
     let prepared = prepared(&scene);
     let effects = Effects::of(&prepared).expect("it runs");
-    let walls: Vec<_> = (0..)
-        .zip(prepared.walls())
-        .filter(|(_, wall)| *wall)
-        .collect();
+    let walls: Vec<_> = (0..).zip(prepared.walls()).filter(|(_, wall)| *wall).collect();
     assert_eq!(walls.len(), 3);
     for (floor, _) in walls {
         assert_eq!(effects.as_given[floor].responses(), [None; 3]);
     }
     let of_walls = prepared.walls().into_iter().zip(&effects.as_given);
-    let hits = of_walls
-        .filter(|(wall, _)| *wall)
-        .map(|(_, one)| one.collisions.value);
+    let hits = of_walls.filter(|(wall, _)| *wall).map(|(_, one)| one.collisions.value);
     assert!(hits.sum::<f64>() > 0.0, "it is hit");
 }
 
@@ -152,24 +128,12 @@ fn reference_a_row_for_every_number() {
     let lines: Vec<_> = csv.lines().collect();
     // Five floors in two directions: three of hits, and alone, beside and ratio of three responses.
     assert_eq!(lines.len(), 1 + 5 * 2 * (3 + 9));
-    assert!(
-        lines.iter().all(|line| line.split(',').count() == 9),
-        "{csv}"
-    );
-    assert!(
-        lines[1].starts_with("slow,1,as_in_scene,collisions,"),
-        "{csv}"
-    );
+    assert!(lines.iter().all(|line| line.split(',').count() == 9), "{csv}");
+    assert!(lines[1].starts_with("slow,1,as_in_scene,collisions,"), "{csv}");
     let last = lines[lines.len() - 1];
-    assert!(
-        last.starts_with("quick,2,reversed,acceleration_amplification,"),
-        "{csv}"
-    );
+    assert!(last.starts_with("quick,2,reversed,acceleration_amplification,"), "{csv}");
     let drift = effects.as_given[0].drift_m.expect("it moves").beside;
-    assert!(
-        csv.contains(&format!("slow,1,as_in_scene,drift_m,{drift},,,,\n")),
-        "{csv}"
-    );
+    assert!(csv.contains(&format!("slow,1,as_in_scene,drift_m,{drift},,,,\n")), "{csv}");
 }
 
 #[test]
@@ -190,11 +154,7 @@ fn reference_ranges_are_those_of_changed_records() {
     }
     let mut moved = false;
     for (floor, found) in effects.as_given.iter().enumerate() {
-        let known = found
-            .acceleration_m_per_s2
-            .expect("it moves")
-            .amplification
-            .expect("it moves");
+        let known = found.acceleration_m_per_s2.expect("it moves").amplification.expect("it moves");
         assert!((known.value - peaks[0][floor]).abs() < 1e-9, "{known:?}");
         for changed in &peaks {
             let inside = known.low - 1e-9 <= changed[floor] && changed[floor] <= known.high + 1e-9;
@@ -231,10 +191,7 @@ fn issue_a_slower_record_runs_to_its_end() {
     let both = [&effects.as_given[0], &effects.reversed[0]];
     let hit = both.iter().find(|one| one.collisions.value > 0.0);
     let collisions = hit.expect("they meet in one direction").collisions;
-    assert!(
-        collisions.low > 0.0,
-        "whatever the record's speed: {collisions:?}"
-    );
+    assert!(collisions.low > 0.0, "whatever the record's speed: {collisions:?}");
 }
 
 /// What one direction says of the buildings alone is what the other one finds itself, to the last bit, where columns yield too; a

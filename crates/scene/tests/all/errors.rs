@@ -2,16 +2,14 @@
 
 use std::path::Path;
 
-use pounding_scene::{
-    Extras, Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation,
-    advise,
-};
+use pounding_scene::{Extras, Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, advise};
 use serde_json::{Value, json};
 
 /// Two buildings of two yielding storeys that pound, under two pulses, with half a second of rest after them.
 fn scene(law: &Value, method: &Value) -> Simulation {
     let storey = json!({"mass_kg": 1e5, "height_m": 3.0, "repeat": 2, "yield_drift_ratio": 0.003, "hardening_ratio": 0.1});
-    let building = |name: &str, period: f64| json!({"building": {"name": name, "period_s": period, "damping": {"ratio": 0.05}, "storeys": [storey]}});
+    let building =
+        |name: &str, period: f64| json!({"building": {"name": name, "period_s": period, "damping": {"ratio": 0.05}, "storeys": [storey]}});
     let scene = json!({
         "name": "two",
         "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 5.0, "duration_s": 0.4, "time_step_s": 0.01}}},
@@ -71,11 +69,7 @@ fn limit_every_number_is_measured() {
     let exact = prepared.run_with(Extras::COMPARED).expect("it runs");
     let method = json!({"velocity_verlet": {"time_step_s": 0.002, "impacts": "velocity_jump"}});
     let coarse = scene(&law, &method);
-    let errors = RunErrors::between(
-        &coarse.run_with(Extras::COMPARED).expect("it runs"),
-        &exact,
-        &prepared,
-    );
+    let errors = RunErrors::between(&coarse.run_with(Extras::COMPARED).expect("it runs"), &exact, &prepared);
     for quantity in Quantity::COMPARED {
         if quantity != PairQuantity::Collisions.into() {
             assert!(errors.of(quantity) > 0.0, "{quantity:?}");
@@ -103,9 +97,7 @@ fn issue_an_impact_at_the_very_start_is_in_the_ledger() {
             );
             let scene = Scene::parse(scene.as_bytes(), "scene.toml".as_ref()).expect("a scene");
             let simulation = Simulation::new(&scene, Path::new("")).expect("it can run");
-            let outcome = simulation
-                .run(None)
-                .expect("it keeps the laws of mechanics");
+            let outcome = simulation.run(None).expect("it keeps the laws of mechanics");
             assert!(outcome.of_pair(0).collisions > 0, "{left} {right} {method}");
         }
     }

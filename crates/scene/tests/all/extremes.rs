@@ -5,9 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use pounding_contact::{Calibration, LawName};
-use pounding_scene::{
-    Certificate, CertificateRequest, FreeCollision, STEPS_PER_CONTACT, StepMethod,
-};
+use pounding_scene::{Certificate, CertificateRequest, FreeCollision, STEPS_PER_CONTACT, StepMethod};
 use sha2::{Digest, Sha256};
 
 /// A file of results/extremes.
@@ -24,10 +22,7 @@ fn rows(text: &str) -> Vec<Vec<(String, String)>> {
         let columns = header.iter().map(String::from);
         columns.zip(record.iter().map(String::from)).collect()
     };
-    reader
-        .records()
-        .map(|record| row(record.expect("a row")))
-        .collect()
+    reader.records().map(|record| row(record.expect("a row"))).collect()
 }
 
 fn column<'a>(row: &'a [(String, String)], name: &str) -> &'a str {
@@ -61,25 +56,14 @@ fn reference_the_whole_is_what_its_command_made() {
 fn extreme_no_number_is_silently_wrong_and_few_are_warned_of_in_vain() {
     let summary = rows(&read("summary.csv"));
     for row in &summary {
-        assert_eq!(
-            column(row, "silently_wrong"),
-            "0",
-            "{}",
-            column(row, "name")
-        );
+        assert_eq!(column(row, "silently_wrong"), "0", "{}", column(row, "name"));
     }
     let all = summary.last().expect("a last row");
     assert_eq!(column(all, "by"), "all");
     let number = |name: &str| column(all, name).parse::<f64>().expect("a number");
     // Of the numbers that can be a false alarm at all, which are fewer than all.
-    assert!(
-        number("false_alarms") <= 0.05 * number("compared"),
-        "{all:?}"
-    );
-    assert!(
-        number("wrong_refusals") <= 0.01 * number("numbers"),
-        "{all:?}"
-    );
+    assert!(number("false_alarms") <= 0.05 * number("compared"), "{all:?}");
+    assert!(number("wrong_refusals") <= 0.01 * number("numbers"), "{all:?}");
 }
 
 #[test]
@@ -95,9 +79,7 @@ fn extreme_the_summary_counts_the_cells() {
         "peak_shear_force",
     ];
     for row in summary.iter().filter(|row| column(row, "by") == "method") {
-        let own = cells
-            .iter()
-            .filter(|cell| column(cell, "method") == column(row, "name"));
+        let own = cells.iter().filter(|cell| column(cell, "method") == column(row, "name"));
         let numbers: Vec<_> = own
             .flat_map(|cell| {
                 quantities.map(|key| {
@@ -140,10 +122,7 @@ fn reference_ten_steps_per_contact_deliver_the_impulse_to_6_per_cent() {
                 calibration: Calibration::Exact,
             };
             let Ok(certificate) = Certificate::new(&wanted, &collision) else {
-                assert!(
-                    matches!(law, LawName::LinearSpring | LawName::Hertz),
-                    "{law:?}"
-                );
+                assert!(matches!(law, LawName::LinearSpring | LawName::Hertz), "{law:?}");
                 continue;
             };
             let Some(impact) = certificate.impact else {

@@ -51,36 +51,14 @@ fn prepared(scene: &Scene) -> Result<Simulation, SceneError> {
 /// Levels that no floor stands at were accepted in silence, and their pairs vanished.
 #[test]
 fn issue_levels_that_do_not_exist_are_refused() {
-    let refused = |levels| {
-        prepared(&scene(levels))
-            .expect_err("it is refused")
-            .to_string()
-    };
+    let refused = |levels| prepared(&scene(levels)).expect_err("it is refused").to_string();
     for (levels, found) in [
-        (
-            [Some(&[9][..]), None],
-            "contacts[0].levels[0]: found 9, allowed 1, 2:",
-        ),
-        (
-            [Some(&[1, 0]), None],
-            "contacts[0].levels[1]: found 0, allowed 1, 2:",
-        ),
-        (
-            [Some(&[3]), None],
-            "contacts[0].levels[0]: found 3, allowed 1, 2:",
-        ),
-        (
-            [None, Some(&[3])],
-            "contacts[1].levels[0]: found 3, allowed 1, 2:",
-        ),
-        (
-            [Some(&[]), None],
-            "contacts[0].levels: found none, allowed one or more of 1, 2,",
-        ),
-        (
-            [None, Some(&[])],
-            "contacts[1].levels: found none, allowed one or more of 1, 2,",
-        ),
+        ([Some(&[9][..]), None], "contacts[0].levels[0]: found 9, allowed 1, 2:"),
+        ([Some(&[1, 0]), None], "contacts[0].levels[1]: found 0, allowed 1, 2:"),
+        ([Some(&[3]), None], "contacts[0].levels[0]: found 3, allowed 1, 2:"),
+        ([None, Some(&[3])], "contacts[1].levels[0]: found 3, allowed 1, 2:"),
+        ([Some(&[]), None], "contacts[0].levels: found none, allowed one or more of 1, 2,"),
+        ([None, Some(&[])], "contacts[1].levels: found none, allowed one or more of 1, 2,"),
     ] {
         let message = refused(levels);
         assert!(message.starts_with(found), "{message}");
@@ -126,26 +104,13 @@ fn issue_floors_at_unequal_heights_are_no_matter_where_they_cannot_touch() {
         prepared(&scene)
     };
     let message = heights(None).expect_err("columns are hit").to_string();
-    assert!(
-        message.contains("levels = [3] lets those touch that do"),
-        "{message}"
-    );
+    assert!(message.contains("levels = [3] lets those touch that do"), "{message}");
     let prepared = heights(Some(&[3])).expect("what is left faces a floor");
     let names: Vec<_> = (0..1).map(|pair| prepared.floors().names(pair)).collect();
-    assert!(
-        names.contains(&["two, floor 1".into(), "wall, level 1".into()]),
-        "{names:?}"
-    );
-    let facing: Vec<_> = prepared
-        .floors()
-        .facing()
-        .iter()
-        .filter(|one| one.contact == 0)
-        .collect();
+    assert!(names.contains(&["two, floor 1".into(), "wall, level 1".into()]), "{names:?}");
+    let facing: Vec<_> = prepared.floors().facing().iter().filter(|one| one.contact == 0).collect();
     assert_eq!(facing.len(), 1, "the roof of the lower one alone");
-    let message = heights(Some(&[1]))
-        .expect_err("nothing faces it")
-        .to_string();
+    let message = heights(Some(&[1])).expect_err("nothing faces it").to_string();
     assert!(message.contains("found 1, allowed 3:"), "{message}");
 }
 
@@ -156,11 +121,7 @@ fn issue_powers_of_ten_look_unusual() {
     assert_eq!(usual.doubts(), []);
     for (from, to, place) in [
         ("gap_m = 0.02", "gap_m = 30", "contacts[1].gap_m"),
-        (
-            "height_m = 3.0",
-            "height_m = 3200",
-            "structures[0].building.storeys[0].height_m",
-        ),
+        ("height_m = 3.0", "height_m = 3200", "structures[0].building.storeys[0].height_m"),
         (
             "height_m = 3.0, repeat = 2",
             "repeat = 2, height_m = 3.0, yield_drift_ratio = 0.5",
@@ -177,11 +138,7 @@ fn issue_powers_of_ten_look_unusual() {
             "gap_m = 0.02\nlaw.kelvin_voigt = { impact_stiffness_n_per_m = 1e6, restitution = 0.6 }",
             "contacts[1].law.kelvin_voigt",
         ),
-        (
-            "name = \"row\"",
-            "name = \"row\"\narrivals_s = [0, 0.1, 100]",
-            "arrivals_s[2]",
-        ),
+        ("name = \"row\"", "name = \"row\"\narrivals_s = [0, 0.1, 100]", "arrivals_s[2]"),
         (
             "{ mass_kg = 2e5, height_m = 3.0, repeat = 2 }",
             "{ mass_kg = 2e5, height_m = 3.0 }, { mass_kg = 2e5 }",
@@ -192,10 +149,7 @@ fn issue_powers_of_ten_look_unusual() {
         assert_ne!(text, ROW, "{from}");
         let scene = Scene::parse(text.as_bytes(), Path::new("row.toml")).expect("a scene");
         let doubts = prepared(&scene).expect("it can be modelled").doubts();
-        assert!(
-            doubts.iter().any(|doubt| doubt.place == place),
-            "{place}: {doubts:?}"
-        );
+        assert!(doubts.iter().any(|doubt| doubt.place == place), "{place}: {doubts:?}");
     }
 }
 
@@ -219,18 +173,11 @@ fn issue_warnings_name_contacts_and_not_pairs() {
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
     let simulation = Simulation::new(&scene, Path::new("")).expect("it is sound");
-    let exact = simulation
-        .exact()
-        .expect("it is sound")
-        .run(None)
-        .expect("it runs");
+    let exact = simulation.exact().expect("it is sound").run(None).expect("it runs");
     let warnings = simulation.warnings_before(&exact);
     let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     for pair in ["contacts[0] (a, floor 2", "contacts[1] (b, floor 2"] {
-        assert!(
-            texts.iter().any(|text| text.contains(pair)),
-            "{pair}: {texts:#?}"
-        );
+        assert!(texts.iter().any(|text| text.contains(pair)), "{pair}: {texts:#?}");
     }
     assert!(
         !texts

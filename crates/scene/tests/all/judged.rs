@@ -38,10 +38,7 @@ fn issue_rules_for_level_floors_ask_for_all_floors() {
     let [ec8, is, _] = widths(STAGGERED);
     assert!((ec8 - 1.0).abs() < 1e-15 && (is - 1.0).abs() < 1e-15);
     let level = STAGGERED.replace("height_m = 3.5", "height_m = 4");
-    let level = level.replace(
-        "{ mass_kg = 2e5, height_m = 3 }] }",
-        "{ mass_kg = 2e5, height_m = 4 }] }",
-    );
+    let level = level.replace("{ mass_kg = 2e5, height_m = 3 }] }", "{ mass_kg = 2e5, height_m = 4 }] }");
     assert_ne!(level, STAGGERED);
     let [ec8, is, _] = widths(&level);
     assert!((ec8 - 0.7).abs() < 1e-12 && (is - 0.5).abs() < 1e-12);
@@ -54,9 +51,7 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
         let simulation = prepared(text);
         let result = simulation.run(None).expect("it runs");
         let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
-        let peaks = (0..simulation.floors().all().len())
-            .map(peak)
-            .collect::<Vec<_>>();
+        let peaks = (0..simulation.floors().all().len()).map(peak).collect::<Vec<_>>();
         let mut excesses = simulation.excesses(&result).into_iter();
         let found = excesses.find(|one| one.kind == ExcessKind::AtColumn);
         (found, simulation.floors().unwatched(), peaks)
@@ -66,18 +61,11 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
     let found = found.expect("they come within reach");
     assert_eq!(found.name, "a, floor 3");
     // At 9.5 m, 2.5 m above one floor of the neighbour and 1.5 m below the next.
-    let own = at_columns
-        .iter()
-        .find(|one| one.floor == found.floor)
-        .expect("it is there");
+    let own = at_columns.iter().find(|one| one.floor == found.floor).expect("it is there");
     assert!((own.along - 0.625).abs() < 1e-12);
     let [foot, head] = [own.below.expect("a floor"), own.above].map(|floor| peaks[floor]);
     let reach = peaks[own.floor] + 0.375 * foot + 0.625 * head - 0.02;
-    assert!(
-        (found.found - reach).abs() < 1e-15,
-        "{} {reach}",
-        found.found
-    );
+    assert!((found.found - reach).abs() < 1e-15, "{} {reach}", found.found);
     let (wide, ..) = judged(&STAGGERED.replace("gap_m = 0.02", "gap_m = 1"));
     assert_eq!(wide, None, "nothing closes a metre");
 }
@@ -88,16 +76,20 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
 fn issue_levels_do_not_silence_floors_that_face_each_other() {
     let level = "{ mass_kg = 2e5, height_m = 3, repeat = 3 }";
     let text = STAGGERED
-        .replace("{ mass_kg = 2e5, height_m = 3 }, { mass_kg = 2e5, height_m = 3.5 }, { mass_kg = 2e5, height_m = 3 }", level)
-        .replace("{ mass_kg = 2e5, height_m = 3 }, { mass_kg = 2e5, height_m = 4, repeat = 3 }", level);
+        .replace(
+            "{ mass_kg = 2e5, height_m = 3 }, { mass_kg = 2e5, height_m = 3.5 }, { mass_kg = 2e5, height_m = 3 }",
+            level,
+        )
+        .replace(
+            "{ mass_kg = 2e5, height_m = 3 }, { mass_kg = 2e5, height_m = 4, repeat = 3 }",
+            level,
+        );
     let judged = |text: &str| {
         let simulation = prepared(text);
         let result = simulation.run(None).expect("it runs");
         let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
         let excesses = simulation.excesses(&result).into_iter();
-        let found = excesses
-            .filter(|one| one.kind.is_unwatched())
-            .collect::<Vec<_>>();
+        let found = excesses.filter(|one| one.kind.is_unwatched()).collect::<Vec<_>>();
         let roof = |one: usize| simulation.floors().of_structure(one).last();
         let roofs = [0, 1].map(|one| peak(*roof(one).expect("a floor")));
         (found, roofs)
@@ -106,16 +98,11 @@ fn issue_levels_do_not_silence_floors_that_face_each_other() {
     let [one] = &found[..] else {
         panic!("{found:?}");
     };
-    assert_eq!(
-        (one.kind, one.name.as_str()),
-        (ExcessKind::LeftOut, "levels 2 to 3 of a and b")
-    );
+    assert_eq!((one.kind, one.name.as_str()), (ExcessKind::LeftOut, "levels 2 to 3 of a and b"));
     assert!((one.found - (left + right - 0.02)).abs() < 1e-15, "{one:?}");
     let wide = text.replace("gap_m = 0.02", "gap_m = 1");
     let all = text.replace("levels = [1]", "");
-    let from = text
-        .find("[[structures]]\nbuilding = { name = \"b\"")
-        .expect("it is there");
+    let from = text.find("[[structures]]\nbuilding = { name = \"b\"").expect("it is there");
     let until = text.find("[[contacts]]").expect("it is there");
     let wall = [&text[..from], "[[structures]]\nwall = {}\n", &text[until..]].concat();
     for text in [wide, all, wall] {
@@ -129,9 +116,7 @@ fn issue_columns_are_seen_without_a_contact_and_not_where_masses_meet() {
     let apart = &STAGGERED[..STAGGERED.find("[[contacts]]").expect("it is there")];
     let simulation = prepared(apart);
     let (separations, excesses) = simulation.judged_separations().expect("it runs");
-    let beside = excesses
-        .iter()
-        .find(|one| one.kind == ExcessKind::BesideColumn);
+    let beside = excesses.iter().find(|one| one.kind == ExcessKind::BesideColumn);
     let width = beside.expect("it is named").found;
     assert_eq!(separations[0].beside_columns, Some(width));
     assert!(width > 1.5 * separations[0].required, "{separations:?}");
@@ -164,15 +149,12 @@ fn reference_a_chain_that_comes_to_rest_together() {
     let periods = [0.4, 0.9, 0.3, 1.3, 0.6, 0.5, 1.1, 0.25];
     let masses = [2e5, 3e5, 1e5, 4e5, 2e5, 5e5, 1.5e5, 2.5e5];
     let structure = |(index, (period, mass)): (usize, (&f64, &f64))| {
-        format!(
-            "[[structures]]\nsdof = {{ name = \"s{index}\", mass_kg = {mass:e}, period_s = {period}, damping.ratio = 0.05 }}\n"
-        )
+        format!("[[structures]]\nsdof = {{ name = \"s{index}\", mass_kg = {mass:e}, period_s = {period}, damping.ratio = 0.05 }}\n")
     };
     let structures = periods.iter().zip(&masses).enumerate().map(structure);
     let contact = "[[contacts]]\ngap_m = 0\nlaw.stereomechanical.restitution = 0.3\n";
     let text = [
-        "name = \"chain\"\nduration_s = 10\nrecord.file = \"el-centro-1940-ns-chopra.csv\"\n"
-            .into(),
+        "name = \"chain\"\nduration_s = 10\nrecord.file = \"el-centro-1940-ns-chopra.csv\"\n".into(),
         structures.collect::<String>(),
         contact.repeat(7),
     ]

@@ -1,10 +1,7 @@
 //! The lean model of a scene equals the full one, bit for bit, on random scenes.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
-use pounding_scene::{
-    Contact, Damping, FileUse, Method, RecordUse, RunBudget, RunResult, Scene, Sdof, Simulation,
-    Source, Structure,
-};
+use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunBudget, RunResult, Scene, Sdof, Simulation, Source, Structure};
 use proptest::prelude::*;
 
 /// What a scene may or may not ask for.
@@ -16,30 +13,23 @@ fn structure() -> impl Strategy<Value = Sdof> {
         1 => (0.01..0.2_f64).prop_map(Some),
         1 => (1e-4..0.01_f64).prop_map(Some),
     ];
-    (
-        4.0..7.0_f64,
-        0.15..2.0_f64,
-        0.0..0.2_f64,
-        yields,
-        -0.5..0.5_f64,
-    )
-        .prop_map(|(mass, period, ratio, yields, velocity)| {
-            let mass = libm::pow(10.0, mass);
-            let omega = 2.0 * std::f64::consts::PI / period;
-            let stiffness = mass * omega * omega;
-            Sdof {
-                name: String::new(),
-                mass_kg: mass,
-                stiffness_n_per_m: stiffness,
-                damping: Damping::Ratio(ratio),
-                hardening_ratio: None,
-                bouc_wen: None,
-                yield_force_n: yields.map(|displacement| displacement * stiffness),
-                height_m: None,
-                initial_displacement_m: 0.0,
-                initial_velocity_m_per_s: velocity,
-            }
-        })
+    (4.0..7.0_f64, 0.15..2.0_f64, 0.0..0.2_f64, yields, -0.5..0.5_f64).prop_map(|(mass, period, ratio, yields, velocity)| {
+        let mass = libm::pow(10.0, mass);
+        let omega = 2.0 * std::f64::consts::PI / period;
+        let stiffness = mass * omega * omega;
+        Sdof {
+            name: String::new(),
+            mass_kg: mass,
+            stiffness_n_per_m: stiffness,
+            damping: Damping::Ratio(ratio),
+            hardening_ratio: None,
+            bouc_wen: None,
+            yield_force_n: yields.map(|displacement| displacement * stiffness),
+            height_m: None,
+            initial_displacement_m: 0.0,
+            initial_velocity_m_per_s: velocity,
+        }
+    })
 }
 
 fn law() -> impl Strategy<Value = ContactLaw> {
@@ -55,20 +45,14 @@ fn law() -> impl Strategy<Value = ContactLaw> {
         };
         let law = |e: f64| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
         // Springs without damping deliver e = 1 alone.
-        law(restitution)
-            .or_else(|_| law(1.0))
-            .expect("an e in its range")
+        law(restitution).or_else(|_| law(1.0)).expect("an e in its range")
     })
 }
 
 /// Gaps that are closed, seldom closed, or never.
 fn contact() -> impl Strategy<Value = Contact> {
     let gap = prop_oneof![Just(0.0), 0.001..0.1_f64, Just(10.0)];
-    (gap, law()).prop_map(|(gap_m, law)| Contact {
-        gap_m,
-        law,
-        levels: None,
-    })
+    (gap, law()).prop_map(|(gap_m, law)| Contact { gap_m, law, levels: None })
 }
 
 fn method() -> impl Strategy<Value = Method> {

@@ -10,11 +10,7 @@ const STUDIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies");
 fn collisions(method: &str, mirrored: bool) -> Vec<usize> {
     let tower = r#"{ building = { name = "tower", period_s = 0.6, damping.ratio = 0.02, storeys = [{ mass_kg = 3e5, repeat = 4 }] } }"#;
     let wall = "{ wall = {} }";
-    let row = if mirrored {
-        [wall, tower]
-    } else {
-        [tower, wall]
-    };
+    let row = if mirrored { [wall, tower] } else { [tower, wall] };
     let text = format!(
         r#"
         name = "tower and wall"
@@ -42,10 +38,7 @@ fn issue_a_wall_on_the_left_is_touched_as_often_as_its_mirror() {
         "exact = {}",
     ] {
         let [found, wanted] = [true, false].map(|mirrored| collisions(method, mirrored));
-        assert!(
-            found.len() == 4 && found.iter().all(|count| *count > 20),
-            "{found:?}"
-        );
+        assert!(found.len() == 4 && found.iter().all(|count| *count > 20), "{found:?}");
         assert_eq!(found, wanted, "{method}");
     }
 }

@@ -56,15 +56,11 @@ fn laws() -> Vec<Value> {
         let name = name.expect("an example has a name");
         let law = LawName::from_name(name).expect("files name laws as commands do");
         let rows = law.parameters().into_iter();
-        let parameters: Map<_, _> = rows
-            .map(|row| (row.name.into(), json!(row.usual)))
-            .collect();
+        let parameters: Map<_, _> = rows.map(|row| (row.name.into(), json!(row.usual))).collect();
         json!({ name: parameters })
     };
     let examples = ContactLaw::examples().map(|json| serde_json::from_str(&json).expect("JSON"));
-    let mut laws: Vec<Value> = examples
-        .flat_map(|json| [by_parameters(&json), json])
-        .collect();
+    let mut laws: Vec<Value> = examples.flat_map(|json| [by_parameters(&json), json]).collect();
     laws.dedup();
     laws
 }
@@ -114,38 +110,22 @@ fn extreme_numbers_that_are_none_are_refused_with_their_place() {
     let mut tried = 0;
     for scene in scenes {
         let accuracy = scene["method"].get("accuracy").is_some();
-        assert!(
-            accuracy || answer(&scene.to_string()).is_ok(),
-            "good as it is: {scene}"
-        );
+        assert!(accuracy || answer(&scene.to_string()).is_ok(), "good as it is: {scene}");
         let mut places = Vec::new();
         numbers(&scene, "", &mut places);
         for place in places {
-            for wrong in [
-                "1e999",
-                "-1e999",
-                "NaN",
-                "Infinity",
-                "-Infinity",
-                "\"inf\"",
-                "\"nan\"",
-            ] {
+            for wrong in ["1e999", "-1e999", "NaN", "Infinity", "-Infinity", "\"inf\"", "\"nan\""] {
                 let mut scene = scene.clone();
                 *scene.pointer_mut(&place).expect("a place of this scene") = json!("here");
                 let text = scene.to_string().replace("\"here\"", wrong);
-                let message = answer(&text)
-                    .expect_err("a number that is none")
-                    .to_string();
+                let message = answer(&text).expect_err("a number that is none").to_string();
                 // Words that are no JSON have a line and a column only, one that is none of a law's choices its law.
                 let field = place.rsplit('/').find(|name| name.parse::<u32>().is_err());
                 let field = field.expect("every place has a name");
                 let is_json = !wrong.ends_with(['N', 'y']);
                 let named = message.contains(field) || message.contains("not JSON") && !is_json;
                 assert!(named, "{place} = {wrong}: {message}");
-                assert!(
-                    message.contains("line 1, column "),
-                    "{place} = {wrong}: {message}"
-                );
+                assert!(message.contains("line 1, column "), "{place} = {wrong}: {message}");
                 tried += 1;
             }
         }
@@ -164,15 +144,7 @@ fn extreme_largest_and_smallest_numbers_are_answered() {
             let mut places = Vec::new();
             numbers(&scene, "", &mut places);
             for place in places {
-                for edge in [
-                    f64::MAX,
-                    -f64::MAX,
-                    f64::MIN_POSITIVE,
-                    5e-324,
-                    1e154,
-                    -0.0,
-                    1e9,
-                ] {
+                for edge in [f64::MAX, -f64::MAX, f64::MIN_POSITIVE, 5e-324, 1e154, -0.0, 1e9] {
                     let mut scene = scene.clone();
                     *scene.pointer_mut(&place).expect("a place of this scene") = json!(edge);
                     if let Err(error) = answer(&scene.to_string()) {

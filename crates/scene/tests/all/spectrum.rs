@@ -3,9 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use pounding_motion::{Record, RickerPulse};
-use pounding_scene::{
-    SpectralValues, SpectrumError, periods_between, response_spectrum, scaled_to_sa,
-};
+use pounding_scene::{SpectralValues, SpectrumError, periods_between, response_spectrum, scaled_to_sa};
 
 /// One inch \[m\].
 const INCH: f64 = 0.0254;
@@ -24,10 +22,7 @@ fn at(record: &Record, period: f64, damping_ratio: f64) -> SpectralValues {
 }
 
 fn close(found: f64, wanted: f64) {
-    assert!(
-        (found / wanted - 1.0).abs() < 1e-12,
-        "{found} against {wanted}"
-    );
+    assert!((found / wanted - 1.0).abs() < 1e-12, "{found} against {wanted}");
 }
 
 #[test]
@@ -78,19 +73,10 @@ fn limit_a_stiff_structure_moves_with_the_ground_and_a_soft_one_stays() {
     close(still.pseudo_acceleration, pga);
     close(still.absolute_acceleration, pga);
     let stiff = at(&pulse, 1e-3, 0.05);
-    assert!(
-        (stiff.pseudo_acceleration / pga - 1.0).abs() < 1e-3,
-        "{stiff:?}"
-    );
-    assert!(
-        (stiff.absolute_acceleration / pga - 1.0).abs() < 1e-3,
-        "{stiff:?}"
-    );
+    assert!((stiff.pseudo_acceleration / pga - 1.0).abs() < 1e-3, "{stiff:?}");
+    assert!((stiff.absolute_acceleration / pga - 1.0).abs() < 1e-3, "{stiff:?}");
     let soft = at(&pulse, 1e3, 0.05);
-    assert!(
-        (soft.displacement / pgd - 1.0).abs() < 1e-3,
-        "{soft:?} {pgd}"
-    );
+    assert!((soft.displacement / pgd - 1.0).abs() < 1e-3, "{soft:?} {pgd}");
 }
 
 /// Chopra, *Dynamics of Structures*, Fig. 6.4.1. The book reads its responses every 0.02 s: where a peak lies between,
@@ -108,10 +94,7 @@ fn reference_peak_deformations_of_chopra() {
         let found = at(&record, period, ratio).displacement / INCH;
         let between = 0.5 * (PI / period * 0.02) * (PI / period * 0.02);
         let allowed = printed - 0.01..(printed + 0.01) * (1.0 + between);
-        assert!(
-            allowed.contains(&found),
-            "T = {period} s: {found} against {printed} in"
-        );
+        assert!(allowed.contains(&found), "T = {period} s: {found} against {printed} in");
     }
 }
 
@@ -153,10 +136,7 @@ fn reference_another_method_finds_the_same_peaks() {
             let between = 0.5 * acceleration * (0.01 / 16.0) * (0.01 / 16.0);
             let apart = found - sampled;
             let allowed = -1e-12 * found..between;
-            assert!(
-                allowed.contains(&apart),
-                "{period} {ratio}: {apart} not in {allowed:?}"
-            );
+            assert!(allowed.contains(&apart), "{period} {ratio}: {apart} not in {allowed:?}");
         }
     }
 }
@@ -167,21 +147,11 @@ fn limit_a_spectrum_is_the_same_for_the_reversed_and_twice_for_the_doubled_recor
     let periods = [0.0, 0.1, 0.5, 2.0, 0.7];
     let spectrum = |record: &Record| response_spectrum(record, &periods, 0.05).expect("a spectrum");
     let once = spectrum(&record);
-    assert_eq!(
-        once.iter().map(|values| values.period).collect::<Vec<_>>(),
-        periods
-    );
+    assert_eq!(once.iter().map(|values| values.period).collect::<Vec<_>>(), periods);
     assert_eq!(spectrum(&record.reversed()), once);
-    for (twice, once) in spectrum(&record.scaled(2.0).expect("finite"))
-        .iter()
-        .zip(&once)
-        .skip(1)
-    {
+    for (twice, once) in spectrum(&record.scaled(2.0).expect("finite")).iter().zip(&once).skip(1) {
         close(twice.displacement, 2.0 * once.displacement);
-        close(
-            twice.absolute_acceleration,
-            2.0 * once.absolute_acceleration,
-        );
+        close(twice.absolute_acceleration, 2.0 * once.absolute_acceleration);
     }
 }
 
@@ -216,11 +186,7 @@ fn reference_scaled_to_a_spectral_acceleration() {
 #[test]
 fn extreme_spectra_that_cannot_be() {
     let record = el_centro();
-    let error = |periods: &[f64], ratio| {
-        response_spectrum(&record, periods, ratio)
-            .expect_err("refused")
-            .to_string()
-    };
+    let error = |periods: &[f64], ratio| response_spectrum(&record, periods, ratio).expect_err("refused").to_string();
     let still = Record::new(0.01, vec![0.0; 9], "").expect("a record");
     let none = scaled_to_sa(&still, 1.0, 0.05, 2.0).expect_err("refused");
     assert!(matches!(none, SpectrumError::Record(_)), "{none:?}");
@@ -241,10 +207,7 @@ fn extreme_spectra_that_cannot_be() {
     );
     assert_eq!(response_spectrum(&record, &[], 0.05), Ok(vec![]));
     let one = Record::new(0.01, vec![3.0], "").expect("a record");
-    assert!(
-        response_spectrum(&one, &[0.0, 1e-6, 1.0, 1e6], 1.0).is_ok(),
-        "one sample"
-    );
+    assert!(response_spectrum(&one, &[0.0, 1e-6, 1.0, 1e6], 1.0).is_ok(), "one sample");
     let strongest = Record::new(0.01, vec![0.0, Record::STRONGEST, 0.0], "").expect("a record");
     let strongest = response_spectrum(&strongest, &[1e6], 0.0);
     assert!(strongest.is_ok(), "{strongest:?}");

@@ -48,13 +48,7 @@ fn value(rate: f64, step: usize) -> f64 {
 
 /// A CSV of this project, from this step on, times a factor.
 fn csv(rate: f64, (skipped, factor): (usize, f64)) -> String {
-    let line = |step: usize| {
-        format!(
-            "{},{}\n",
-            0.02 * step as f64,
-            factor * value(rate, step + skipped)
-        )
-    };
+    let line = |step: usize| format!("{},{}\n", 0.02 * step as f64, factor * value(rate, step + skipped));
     let lines: String = (0..300).map(line).collect();
     format!("time_s,acceleration_g\n{lines}")
 }
@@ -74,18 +68,14 @@ fn names(suite: &Suite) -> Vec<&str> {
 
 fn left_out(suite: &Suite) -> Vec<(&str, ReasonKind)> {
     let left_out = suite.left_out.iter();
-    left_out
-        .map(|one| (one.name.as_str(), one.reason.kind))
-        .collect()
+    left_out.map(|one| (one.name.as_str(), one.reason.kind)).collect()
 }
 
 /// Entries whose `stat` failed, pipes and folders vanished: "4 of 4 runs" became "2 of 2" without a word.
 #[cfg(unix)]
 #[test]
 fn issue_nothing_in_a_folder_vanishes() {
-    let folder = Folder::new()
-        .with("a.csv", motion(9.0))
-        .with("README.md", "Some words.\n");
+    let folder = Folder::new().with("a.csv", motion(9.0)).with("README.md", "Some words.\n");
     std::os::unix::fs::symlink("/nowhere/b.csv", folder.path().join("b.csv")).expect("a link");
     std::os::unix::fs::symlink("c.csv", folder.path().join("c.csv")).expect("a link to itself");
     fs::create_dir(folder.path().join("more")).expect("a folder");
@@ -104,10 +94,7 @@ fn issue_nothing_in_a_folder_vanishes() {
             ("README.md", ReasonKind::NoRecord),
         ]
     );
-    assert_eq!(
-        suite.counts(),
-        "6 files, 1 used and 5 left out: 1 motion of 1 event"
-    );
+    assert_eq!(suite.counts(), "6 files, 1 used and 5 left out: 1 motion of 1 event");
     let said = suite.said_of_left_out(false).join("\n");
     assert!(said.starts_with("b.csv: cannot be read: "), "{said}");
 }
@@ -127,11 +114,7 @@ fn issue_copies_are_one_record() {
     assert_eq!(suite.motions.len(), 2, "{:?}", names(&suite));
     assert_eq!(suite.n_events, 2);
     let copies = suite.left_out.iter();
-    assert!(
-        copies
-            .clone()
-            .all(|one| one.reason.kind == ReasonKind::Copy)
-    );
+    assert!(copies.clone().all(|one| one.reason.kind == ReasonKind::Copy));
     let of: Vec<&str> = copies.map(|one| one.reason.said.as_str()).collect();
     assert_eq!(of, ["of cut.csv"; 3]);
 }
@@ -163,10 +146,7 @@ fn limit_other_records_are_no_copies() {
         folder = folder.with(&format!("r{index:03}.csv"), motion(rate));
     }
     let suite = folder.suite();
-    assert_eq!(
-        (suite.motions.len(), suite.n_events, suite.alike.len()),
-        (12, 12, 0)
-    );
+    assert_eq!((suite.motions.len(), suite.n_events, suite.alike.len()), (12, 12, 0));
 }
 
 /// Declared for one file in g, another in cm/s² shook the row with 0.6 g, and no word named it.
@@ -201,10 +181,7 @@ fn issue_a_name_that_says_velocity_is_believed() {
     assert_eq!(names(&suite), ["a.acc", "c.vel"]);
     assert_eq!(
         left_out(&suite),
-        [
-            ("a.vel", ReasonKind::Velocity),
-            ("b_disp.txt", ReasonKind::Displacement)
-        ]
+        [("a.vel", ReasonKind::Velocity), ("b_disp.txt", ReasonKind::Displacement)]
     );
     let declared = FileUse {
         acceleration: true,
@@ -214,9 +191,7 @@ fn issue_a_name_that_says_velocity_is_believed() {
     assert_eq!(suite.motions.len(), 4);
     let said = suite.remarks(false).join("\n");
     assert!(
-        said.contains(
-            "acceleration = true is declared, and was taken for what does not say it: a.vel"
-        ),
+        said.contains("acceleration = true is declared, and was taken for what does not say it: a.vel"),
         "{said}"
     );
 }
@@ -281,10 +256,7 @@ fn issue_the_copy_of_a_vertical_shakes_nothing() {
         .with("x.csv", motion(9.0));
     let suite = folder.suite();
     assert_eq!(names(&suite), ["KOBE_EW.csv"]);
-    let wanted = [
-        ("KOBE_UD.csv", ReasonKind::VerticalByName),
-        ("x.csv", ReasonKind::Copy),
-    ];
+    let wanted = [("KOBE_UD.csv", ReasonKind::VerticalByName), ("x.csv", ReasonKind::Copy)];
     assert_eq!(left_out(&suite), wanted);
 }
 
@@ -304,10 +276,7 @@ fn issue_pulses_of_other_periods_are_no_copies() {
         .with("a.csv", pulse(0.5))
         .with("b.csv", pulse(0.52))
         .with("c.csv", pulse(0.545))
-        .with(
-            "d.csv",
-            pulse(0.5).replace("acceleration_g", "acceleration_G"),
-        );
+        .with("d.csv", pulse(0.5).replace("acceleration_g", "acceleration_G"));
     let suite = folder.suite();
     assert_eq!(names(&suite), ["a.csv", "b.csv", "c.csv"]);
     assert_eq!((suite.n_events, suite.alike.len()), (3, 0));
@@ -326,10 +295,7 @@ fn issue_a_record_at_many_scales_is_one_line() {
     let said = suite.remarks(false);
     let alike = said.iter().filter(|line| line.contains("times a factor"));
     assert_eq!(alike.count(), 1, "{said:?}");
-    assert!(
-        said[0].contains("im5.csv (times 5.000), and 3 more (--details)"),
-        "{said:?}"
-    );
+    assert!(said[0].contains("im5.csv (times 5.000), and 3 more (--details)"), "{said:?}");
 }
 
 /// The lower sensors of KiK-net, and verticals whose word stands first, shook rows.
@@ -411,8 +377,5 @@ fn issue_declarations_that_are_asked_for_help() {
         time_step_s: Some(0.01),
         ..FileUse::default()
     };
-    assert_eq!(
-        names(&folder.declared(&declared)),
-        ["quake.csv", "uneven.txt"]
-    );
+    assert_eq!(names(&folder.declared(&declared)), ["quake.csv", "uneven.txt"]);
 }

@@ -36,16 +36,9 @@ fn issue_components_of_one_record_are_one_event() {
             folder = folder.with(name, motion(5.0 + 0.7 * index as f64));
         }
         let suite = folder.suite();
-        suite
-            .motions
-            .iter()
-            .map(|one| one.event)
-            .collect::<Vec<_>>()
+        suite.motions.iter().map(|one| one.event).collect::<Vec<_>>()
     };
-    assert_eq!(
-        events(&["ABC001.EW.csv", "ABC001.NS.csv", "ABC002.EW.csv"]),
-        [0, 0, 1]
-    );
+    assert_eq!(events(&["ABC001.EW.csv", "ABC001.NS.csv", "ABC002.EW.csv"]), [0, 0, 1]);
     assert_eq!(events(&["RSN6-H1.csv", "RSN6-H2.csv"]), [0, 0]);
     // Numbers of records are no azimuths.
     assert_eq!(events(&["r001.csv", "r002.csv", "r091.csv"]), [0, 1, 2]);
@@ -55,12 +48,7 @@ fn issue_components_of_one_record_are_one_event() {
 #[test]
 fn issue_times_far_apart_are_two_events() {
     let at = |time: &str| format!("# Station: ABC\n# Event: Chile\n# Origin time: {time}\n");
-    let [first, soon, later] = [
-        "2010-02-27T06:34:00",
-        "2010-02-27T06:34:01",
-        "2010-03-11T14:39:00",
-    ]
-    .map(at);
+    let [first, soon, later] = ["2010-02-27T06:34:00", "2010-02-27T06:34:01", "2010-03-11T14:39:00"].map(at);
     let files = [
         ("a.txt", &*first),
         ("b.txt", &*soon),
@@ -70,29 +58,19 @@ fn issue_times_far_apart_are_two_events() {
     assert_eq!(events_of(&files[..3]), [0, 0, 1]);
     // Components that begin a millisecond before and after the full second.
     let files = [
-        (
-            "ABC_EW.txt",
-            "# Station: ABC\n# Start time: 2010-02-27T06:34:00.998\n",
-        ),
-        (
-            "ABC_NS.txt",
-            "# Station: ABC\n# Start time: 2010-02-27T06:34:01.001\n",
-        ),
+        ("ABC_EW.txt", "# Station: ABC\n# Start time: 2010-02-27T06:34:00.998\n"),
+        ("ABC_NS.txt", "# Station: ABC\n# Start time: 2010-02-27T06:34:01.001\n"),
     ];
     assert_eq!(events_of(&files), [0, 0]);
     // No moment: the time of the first sample.
     let relative = "# Station: 1\n# Start time: 0.0\n";
-    assert_eq!(
-        events_of(&[("a.txt", relative), ("b.txt", relative)]),
-        [0, 1]
-    );
+    assert_eq!(events_of(&[("a.txt", relative), ("b.txt", relative)]), [0, 1]);
 }
 
 /// Station and event in the comments of the project's own CSV were not read.
 #[test]
 fn issue_comments_of_a_csv_tell_the_event() {
-    let csv =
-        |event: &str, rate: f64| format!("# Station: ABC\n# Event: {event}\n{}", motion(rate));
+    let csv = |event: &str, rate: f64| format!("# Station: ABC\n# Event: {event}\n{}", motion(rate));
     let folder = Folder::new()
         .with("first.csv", csv("Chile", 5.0))
         .with("second.csv", csv("Chile", 5.7))
@@ -105,18 +83,9 @@ fn issue_comments_of_a_csv_tell_the_event() {
 #[test]
 fn issue_events_whose_texts_name_the_component_are_one() {
     let files = [
-        (
-            "k_EW.txt",
-            "# Station: ABC\n# Earthquake: Kobe 1995, EW component\n",
-        ),
-        (
-            "k_NS.txt",
-            "# Station: ABC\n# Earthquake: Kobe 1995, NS component\n",
-        ),
-        (
-            "q.txt",
-            "# Station: ABC\n# Earthquake: Kobe 1995, another day\n",
-        ),
+        ("k_EW.txt", "# Station: ABC\n# Earthquake: Kobe 1995, EW component\n"),
+        ("k_NS.txt", "# Station: ABC\n# Earthquake: Kobe 1995, NS component\n"),
+        ("q.txt", "# Station: ABC\n# Earthquake: Kobe 1995, another day\n"),
     ];
     assert_eq!(events_of(&files), [0, 0, 1]);
 }
@@ -128,8 +97,5 @@ fn issue_a_title_that_stands_above_several_records_joins_none() {
     let names = ["gm1_x.AT2", "gm1_y.AT2", "gm2_x.AT2", "gm2_y.AT2"];
     let files: Vec<_> = names.into_iter().zip(titles.into_iter().cycle()).collect();
     assert_eq!(events_of(&files), [0, 0, 1, 1]);
-    assert_eq!(
-        events_of(&[("a.AT2", titles[0]), ("b.AT2", titles[1])]),
-        [0, 0]
-    );
+    assert_eq!(events_of(&[("a.AT2", titles[0]), ("b.AT2", titles[1])]), [0, 0]);
 }

@@ -110,20 +110,13 @@ impl Bend {
         self.powers[0][n] = self.signs.0 * self.force[n] / self.limit;
         for (index, again) in self.products.iter().enumerate() {
             let (known, rest) = self.powers.split_at_mut(index + 1);
-            let (before, factor) = (
-                &known[index],
-                if *again { &known[0] } else { &known[index] },
-            );
+            let (before, factor) = (&known[index], if *again { &known[0] } else { &known[index] });
             rest[0][n] = (0..=n).map(|m| before[m] * factor[n - m]).sum();
         }
     }
 
     /// Length up to which the series has converged to the tolerance; nothing where there is none.
-    pub(super) fn reach(
-        &self,
-        (power, len): (Power, usize),
-        (length, tolerance): (f64, f64),
-    ) -> Option<f64> {
+    pub(super) fn reach(&self, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
         let mut x = length;
         loop {
             let tail = self.tail(len, x);
@@ -149,11 +142,7 @@ impl Bend {
             weight *= x;
         }
         // What a storey that has hardly begun to move is known by may lie in the last coefficients alone.
-        if tail > NOTHING * self.limit {
-            tail / sum
-        } else {
-            0.0
-        }
+        if tail > NOTHING * self.limit { tail / sum } else { 0.0 }
     }
 
     /// Whether the series of |y|ⁿ is that power at x: from y = 0 on it may begin beyond its last coefficient.
@@ -187,10 +176,7 @@ mod tests {
     fn reference_loading_in_closed_form() {
         // y over the drift s from 0: 1 − e^(−s) for n = 1, tanh s for n = 2.
         for (exponent, wanted) in [(1, 1.0 - libm::exp(-0.3)), (2, libm::tanh(0.3))] {
-            let smoothness = Smoothness {
-                exponent,
-                unloading: 0.5,
-            };
+            let smoothness = Smoothness { exponent, unloading: 0.5 };
             let mut bend = Bend::new(smoothness, 1e5, 1e3);
             let mut drift = [0.0; CAPACITY];
             drift[1] = 0.01;
@@ -199,26 +185,16 @@ mod tests {
                 bend.find(&drift, n);
             }
             let found = value(&bend.force[..40], 0.3) / 1e3;
-            assert!(
-                (found / wanted - 1.0).abs() < 1e-15,
-                "{exponent}: {found} {wanted}"
-            );
+            assert!((found / wanted - 1.0).abs() < 1e-15, "{exponent}: {found} {wanted}");
         }
     }
 
     #[test]
     fn reference_every_exponent_is_reached_by_products() {
         for exponent in 1..=31 {
-            let smoothness = Smoothness {
-                exponent,
-                unloading: 0.5,
-            };
+            let smoothness = Smoothness { exponent, unloading: 0.5 };
             let mut bend = Bend::new(smoothness, 1.0, 1.0);
-            assert!(
-                bend.products.len() <= PRODUCTS,
-                "{exponent}: {:?}",
-                bend.products
-            );
+            assert!(bend.products.len() <= PRODUCTS, "{exponent}: {:?}", bend.products);
             bend.begin(-0.9);
             bend.find(&[0.0; CAPACITY], 0);
             let wanted = (0..exponent).fold(1.0, |power, _| power * 0.9);

@@ -142,12 +142,7 @@ impl Touching<'_> {
     /// What those of them that have the node on their left, or on their right, give it of some quantity of theirs; nothing where there
     /// are none.
     #[inline]
-    pub(super) fn pushed(
-        &self,
-        node: usize,
-        on_left: bool,
-        quantity: impl Fn(&Contact) -> f64,
-    ) -> Option<f64> {
+    pub(super) fn pushed(&self, node: usize, on_left: bool, quantity: impl Fn(&Contact) -> f64) -> Option<f64> {
         self.joined_at(node)
             .filter(|at| at.on_left == on_left)
             .map(|at| at.part * quantity(&self.contacts[at.pair]))
@@ -173,10 +168,7 @@ impl<R: Recorder> Run<'_, R> {
             let radius = series::radius(&self.moving.members, group.nodes());
             (Power::One, in_flight((stop - time) / radius))
         };
-        let system = (
-            &mut self.moving.members[..],
-            &mut self.touching.contacts[..],
-        );
+        let system = (&mut self.moving.members[..], &mut self.touching.contacts[..]);
         series::expand(group, system, self.touching.incidence, power, len);
         let tame = |n: &usize| {
             let moves = |node: &usize| {
@@ -194,8 +186,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let tame = |contact: &Contact| !touching(contact) || pushes(contact);
             let mut pairs = group.pairs().iter();
-            group.nodes().iter().all(moves)
-                && pairs.all(|pair| tame(&self.touching.contacts[*pair]))
+            group.nodes().iter().all(moves) && pairs.all(|pair| tame(&self.touching.contacts[*pair]))
         };
         (power, (0..len).take_while(tame).count())
     }
@@ -216,9 +207,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let nodes = self.touching.groups.of(first).nodes();
         let stop = self.stop(nodes);
-        let mut length = power
-            .root(series::radius(&self.moving.members, nodes))
-            .min(power.root(stop - time));
+        let mut length = power.root(series::radius(&self.moving.members, nodes)).min(power.root(stop - time));
         self.agenda.work.segments += nodes.len() as u64;
         length = length.min(self.converged(first, power, len, length, time)?);
         let whole = length >= power.root(stop - time);
@@ -241,9 +230,7 @@ impl<R: Recorder> Run<'_, R> {
             stop
         } else if watch.events.is_empty() {
             // Series that reach no further than the clock can tell are taken as far as that.
-            (time + power.time(watch.length))
-                .max(time.next_up())
-                .min(stop)
+            (time + power.time(watch.length)).max(time.next_up()).min(stop)
         } else {
             (time + power.time(watch.length)).min(stop)
         };
@@ -271,14 +258,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
-    fn converged(
-        &self,
-        first: usize,
-        power: Power,
-        len: usize,
-        longest: f64,
-        time: f64,
-    ) -> Result<f64, RunError> {
+    fn converged(&self, first: usize, power: Power, len: usize, longest: f64, time: f64) -> Result<f64, RunError> {
         let mut length = longest;
         let group = self.touching.groups.of(first);
         let limits = (longest, self.settings.tolerance);
@@ -292,10 +272,7 @@ impl<R: Recorder> Run<'_, R> {
         for &node in group.followed() {
             if let Some(bend) = &self.moving.members[node].bend {
                 let reach = bend.reach((power, len), limits);
-                let error = RunError::OutOfNumbers {
-                    structure: node,
-                    time,
-                };
+                let error = RunError::OutOfNumbers { structure: node, time };
                 length = length.min(reach.ok_or(error)?);
             }
         }
@@ -343,13 +320,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Completes the state of a node at the start of its piece.
-    fn fill_start(
-        &mut self,
-        node: usize,
-        time: f64,
-        power: Power,
-        len: usize,
-    ) -> Result<(), RunError> {
+    fn fill_start(&mut self, node: usize, time: f64, power: Power, len: usize) -> Result<(), RunError> {
         // As at its end: what rounding leaves of a force that fades does not pull.
         let force = |on_left| {
             self.touching
@@ -365,10 +336,7 @@ impl<R: Recorder> Run<'_, R> {
         if len > power.order() && member.state.acceleration.is_finite() {
             return Ok(());
         }
-        Err(RunError::OutOfNumbers {
-            structure: node,
-            time,
-        })
+        Err(RunError::OutOfNumbers { structure: node, time })
     }
 }
 

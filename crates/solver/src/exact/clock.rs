@@ -52,10 +52,7 @@ impl Past {
 impl LocalClock {
     /// Of a run whose samples arrive so.
     pub(super) fn new(sampling: Sampling) -> Self {
-        Self {
-            zero: 0.0,
-            sampling,
-        }
+        Self { zero: 0.0, sampling }
     }
 
     /// The instant at which it shows 0 \[s\].

@@ -25,11 +25,7 @@ pub(super) enum Line {
 impl Line {
     /// Of a force h that yields at a limit \[N\].
     pub(super) fn of(force: f64, limit: f64) -> Self {
-        if force.abs() < limit {
-            Self::FirstLoading
-        } else {
-            Self::Shifted
-        }
+        if force.abs() < limit { Self::FirstLoading } else { Self::Shifted }
     }
 }
 
@@ -57,9 +53,7 @@ impl Columns {
         let hysteretic_stiffness = (1.0 - hardening) * stiffness;
         let limit = (1.0 - hardening) * yield_force;
         let bend = match knee {
-            Knee::Smooth(smoothness) if yield_force.is_finite() => {
-                Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit)))
-            }
+            Knee::Smooth(smoothness) if yield_force.is_finite() => Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit))),
             Knee::Smooth(_) | Knee::Sharp => None,
         };
         Self {

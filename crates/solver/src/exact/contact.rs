@@ -186,10 +186,8 @@ impl Contact {
     /// c/m of a damper that is the same in every contact, whatever its deformation and speed \[1/s\]; 0 of others.
     pub(super) fn relaxation(&self) -> f64 {
         let form = self.law.form(self.reduced_mass, 1.0);
-        let same =
-            |form: &Form| form.damper.power == Exponent::Zero && !self.law.knows_approach_speed();
-        form.filter(same)
-            .map_or(0.0, |form| form.damper.coefficient / self.reduced_mass)
+        let same = |form: &Form| form.damper.power == Exponent::Zero && !self.law.knows_approach_speed();
+        form.filter(same).map_or(0.0, |form| form.damper.coefficient / self.reduced_mass)
     }
 
     /// Begins compliant contact, at the rate of the touch.
@@ -220,9 +218,7 @@ impl Contact {
 
     /// Phase of compliant contact at a deformation and rate that have jumped.
     pub(super) fn phase(&self) -> Phase {
-        let pulls = |form: &Form| {
-            form.action == Action::Both && form.unclamped(self.deformation, self.rate) < 0.0
-        };
+        let pulls = |form: &Form| form.action == Action::Both && form.unclamped(self.deformation, self.rate) < 0.0;
         if self.rate > 0.0 {
             Phase::Approach
         } else if self.form.as_ref().is_some_and(pulls) {
@@ -249,12 +245,7 @@ impl Contact {
     }
 
     /// Coefficient `n` of the displacement of one of its points, with that of its ground where it moves on its own.
-    pub(super) fn displacement_of(
-        &self,
-        members: &[Member],
-        point: Point,
-        (p, n): (usize, usize),
-    ) -> f64 {
+    pub(super) fn displacement_of(&self, members: &[Member], point: Point, (p, n): (usize, usize)) -> f64 {
         let own = point.of(|node| members[node].displacement[n]);
         if self.opens() {
             own + members[point.floor()].ground_displacement(p, n)
@@ -285,8 +276,7 @@ impl Contact {
     pub(super) fn rough_remainder(&self) -> Option<f64> {
         let Term { coefficient, power } = self.form?.spring;
         let deformation = self.deformation.max(0.0);
-        (power == Exponent::ThreeHalves)
-            .then(|| 0.4 * coefficient * deformation * deformation * deformation.sqrt())
+        (power == Exponent::ThreeHalves).then(|| 0.4 * coefficient * deformation * deformation * deformation.sqrt())
     }
 
     /// Whether it has gone past its parting.

@@ -20,11 +20,8 @@ impl<R: Recorder> Run<'_, R> {
             if self.moving.members[structure].is_wall() {
                 continue;
             }
-            let rates = floors
-                .iter()
-                .map(|floor| self.moving.members[*floor].fastest_rate);
-            let pieces =
-                floors.len() as f64 * (rates.fold(0.0, f64::max) * self.agenda.end).max(samples);
+            let rates = floors.iter().map(|floor| self.moving.members[*floor].fastest_rate);
+            let pieces = floors.len() as f64 * (rates.fold(0.0, f64::max) * self.agenda.end).max(samples);
             if pieces > allowed {
                 return Err(RunError::TooStiff {
                     structure,

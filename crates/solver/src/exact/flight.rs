@@ -67,8 +67,7 @@ impl Flights {
         let leaps: Vec<_> = members.iter().map(leap).collect();
         let mut nodes = members.iter().zip(&leaps);
         Self {
-            whole: nodes
-                .all(|(member, leap)| leap.is_some() || (member.is_wall() && at_once(member))),
+            whole: nodes.all(|(member, leap)| leap.is_some() || (member.is_wall() && at_once(member))),
             leaps,
         }
     }
@@ -117,9 +116,7 @@ impl Leap {
         let start = &member.state;
         let flight = ground.flight(member, self.len);
         let load = ground.value + member.inverse_mass * start.restoring_force;
-        let by = |[velocity, constant, growing]: [f64; 3]| {
-            velocity * start.velocity + constant * load + growing * ground.slope
-        };
+        let by = |[velocity, constant, growing]: [f64; 3]| velocity * start.velocity + constant * load + growing * ground.slope;
         let (change, velocity) = (by(self.displacement), by(self.velocity));
         let displacement = start.displacement + change;
         let hysteretic_force = member.hysteretic_force_at(displacement, change);
@@ -129,19 +126,13 @@ impl Leap {
         let fastest = start.velocity.abs().max(velocity.abs());
         let load = self.stiffness * fastest + ground.slope.abs();
         let most = self.growth * (before.abs().max(acceleration.abs()) + half * load);
-        let jerk =
-            self.damping * most + self.stiffness * (fastest + half * most) + ground.slope.abs();
+        let jerk = self.damping * most + self.stiffness * (fastest + half * most) + ground.slope.abs();
         // What lies between two ends is no farther from the line through them than this times its second derivative.
         let bow = 0.5 * half * half;
-        let held = member.hysteretic_force.abs().max(hysteretic_force.abs())
-            + bow * member.hysteretic_stiffness * most;
+        let held = member.hysteretic_force.abs().max(hysteretic_force.abs()) + bow * member.hysteretic_stiffness * most;
         let slowest = start.velocity.abs().min(velocity.abs());
-        let (on, least) = (
-            start.velocity * velocity,
-            before.abs().min(acceleration.abs()),
-        );
-        let one_way = before * acceleration > 0.0
-            && least > bow * (self.damping * jerk + self.stiffness * most);
+        let (on, least) = (start.velocity * velocity, before.abs().min(acceleration.abs()));
+        let one_way = before * acceleration > 0.0 && least > bow * (self.damping * jerk + self.stiffness * most);
         let known = (on > 0.0 && slowest > bow * jerk) || (on != 0.0 && one_way);
         if !(known && held < member.limit) {
             return None;
@@ -211,12 +202,7 @@ impl<R: Recorder> Run<'_, R> {
             reason = "a whole number >= 0; beyond the last sample there is none"
         )]
         let index = position as usize;
-        let (value, last) = match self
-            .shaking
-            .excitation
-            .samples()
-            .get(index..index.checked_add(2)?)?
-        {
+        let (value, last) = match self.shaking.excitation.samples().get(index..index.checked_add(2)?)? {
             [value, last] => (*value, *last),
             _ => return None,
         };
@@ -236,19 +222,13 @@ impl<R: Recorder> Run<'_, R> {
     fn flies(&self) -> bool {
         let mut members = self.moving.members.iter().zip(&self.moving.landed);
         let mut contacts = self.touching.contacts.iter();
-        members
-            .all(|(member, landed)| *landed != member.is_wall() && member.branch == Branch::Elastic)
+        members.all(|(member, landed)| *landed != member.is_wall() && member.branch == Branch::Elastic)
             && contacts.all(|contact| contact.link == Link::Apart)
     }
 
     /// Finds the flights of all structures to the next sample; false where something could happen on the way.
     fn leap(&mut self, interval: &Interval) -> bool {
-        for (member, leap) in self
-            .moving
-            .members
-            .iter_mut()
-            .zip(&self.moving.flights.leaps)
-        {
+        for (member, leap) in self.moving.members.iter_mut().zip(&self.moving.flights.leaps) {
             let Some(leap) = leap else {
                 continue;
             };
@@ -259,19 +239,10 @@ impl<R: Recorder> Run<'_, R> {
         }
         let bow = 0.125 * (interval.to - interval.from) * (interval.to - interval.from);
         self.touching.contacts.iter().all(|contact| {
-            let Relation {
-                left,
-                right,
-                offset,
-            } = contact.relation;
-            let at = |end: usize| {
-                contact
-                    .relation
-                    .ahead(|node| self.moving.members[node].way()[end])
-            };
+            let Relation { left, right, offset } = contact.relation;
+            let at = |end: usize| contact.relation.ahead(|node| self.moving.members[node].way()[end]);
             let most = |node: usize| self.moving.members[node].most();
-            let closest =
-                at(0).max(at(1)) - offset + bow * (weighed(left, most) + weighed(right, most));
+            let closest = at(0).max(at(1)) - offset + bow * (weighed(left, most) + weighed(right, most));
             closest < -2.0 * CARRIED * contact.scale
         })
     }
@@ -280,11 +251,7 @@ impl<R: Recorder> Run<'_, R> {
     fn land_flights(&mut self, interval: &Interval) {
         self.agenda.work.events += 1;
         for contact in &mut self.touching.contacts {
-            let Relation {
-                left,
-                right,
-                offset,
-            } = contact.relation;
+            let Relation { left, right, offset } = contact.relation;
             let reach = |node: usize| self.moving.members[node].reach();
             let reach = weighed(left, reach) + weighed(right, reach) + offset;
             contact.scale = contact.scale.max(reach);
@@ -295,9 +262,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let (flight, clock) = (ahead.flight, &self.agenda.clock);
             let State {
-                velocity,
-                restoring_force,
-                ..
+                velocity, restoring_force, ..
             } = member.state;
             let start = State {
                 acceleration: flight.acceleration(velocity, restoring_force, interval.value),

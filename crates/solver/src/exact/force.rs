@@ -141,10 +141,7 @@ impl Contact {
             return 0.0;
         };
         // The rate begins with the power leading − p, which is how far the root need not be known.
-        let (shift, behind) = (
-            times(damper.power, leading),
-            leading.saturating_sub(power.order()),
-        );
+        let (shift, behind) = (times(damper.power, leading), leading.saturating_sub(power.order()));
         if n < shift + behind {
             return 0.0;
         }
@@ -156,13 +153,7 @@ impl Contact {
     }
 
     /// Coefficient `m` of D^exponent, δ = x^q D, from those `before` it (J. C. P. Miller's recurrence).
-    fn coefficient(
-        &self,
-        exponent: Exponent,
-        before: &[f64; CAPACITY],
-        leading: usize,
-        m: usize,
-    ) -> f64 {
+    fn coefficient(&self, exponent: Exponent, before: &[f64; CAPACITY], leading: usize, m: usize) -> f64 {
         if exponent == Exponent::One {
             return self.deformations[leading + m];
         }
@@ -173,9 +164,7 @@ impl Contact {
         let value = exponent.value();
         let known = &self.deformations[leading + 1..=leading + m];
         let terms = (1..).zip(known.iter().zip(before[..m].iter().rev()));
-        let term = |(k, (deformation, before)): (usize, (&f64, &f64))| {
-            (value * k as f64 - (m - k) as f64) * deformation * before
-        };
+        let term = |(k, (deformation, before)): (usize, (&f64, &f64))| (value * k as f64 - (m - k) as f64) * deformation * before;
         terms.map(term).sum::<f64>() / (m as f64 * first)
     }
 }

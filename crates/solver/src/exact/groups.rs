@@ -72,11 +72,7 @@ impl Side {
 impl Block {
     /// Tells of every pair inside, by its place, what its lighter side needs (of equal ones the left), in as many steps as there
     /// are nodes: what is lighter grows from its end of the block.
-    pub(super) fn tell_lighter_sides(
-        &self,
-        side: impl Fn(usize) -> Side,
-        mut tell: impl FnMut(usize, Lighter),
-    ) {
+    pub(super) fn tell_lighter_sides(&self, side: impl Fn(usize) -> Side, mut tell: impl FnMut(usize, Lighter)) {
         let (mut first, mut last) = (self.first, self.last);
         if first == last {
             return;
@@ -217,12 +213,7 @@ impl Groups {
     }
 
     /// The first node of every node's body, and the next one.
-    fn unite(
-        &mut self,
-        System {
-            members, contacts, ..
-        }: System<'_>,
-    ) {
+    fn unite(&mut self, System { members, contacts, .. }: System<'_>) {
         for (node, body) in self.body_of.iter_mut().enumerate() {
             *body = node;
         }

@@ -75,11 +75,7 @@ impl Hit {
 impl Moving<'_> {
     fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
         let building = |node: &usize| self.buildings.of(*node);
-        let shared = |node: &usize| {
-            b.nodes
-                .iter()
-                .any(|other| building(other) == building(node))
-        };
+        let shared = |node: &usize| b.nodes.iter().any(|other| building(other) == building(node));
         a.nodes.iter().any(shared)
     }
 }
@@ -89,10 +85,7 @@ impl<R: Recorder> Run<'_, R> {
     fn chain_from(&self, first: usize, time: f64) -> Vec<usize> {
         let left = |pair: usize| self.touching.contacts[pair].floors()[0];
         let mut last = first;
-        while last + 1 < self.touching.contacts.len()
-            && left(last + 1) == left(last) + 1
-            && self.hits(last + 1, time)
-        {
+        while last + 1 < self.touching.contacts.len() && left(last + 1) == left(last) + 1 && self.hits(last + 1, time) {
             last += 1;
         }
         (first..=last).collect()
@@ -113,12 +106,7 @@ impl<R: Recorder> Run<'_, R> {
         let hit = self.hit(self.chain_from(pair, time), time);
         let mut next = pair + hit.pairs.len();
         let mut hits = vec![hit];
-        if self
-            .moving
-            .members
-            .iter()
-            .all(|member| member.storey.is_none())
-        {
+        if self.moving.members.iter().all(|member| member.storey.is_none()) {
             return Ok(hits);
         }
         let mut others = Vec::new();
@@ -144,9 +132,7 @@ impl<R: Recorder> Run<'_, R> {
             floors.map(|floor| self.touching.groups.body_of[floor])
         };
         let hits = |pair: &usize| !self.touching.settled[*pair] && self.hits(*pair, time);
-        let others = (first + 1..self.touching.contacts.len())
-            .filter(hits)
-            .collect();
+        let others = (first + 1..self.touching.contacts.len()).filter(hits).collect();
         let hangs = |pair: &usize, other: &usize| {
             let of = bodies(*pair);
             bodies(*other).iter().any(|body| of.contains(body))
@@ -165,22 +151,14 @@ impl<R: Recorder> Run<'_, R> {
         // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
         // given at once.
         let caught = |contact: &Contact| {
-            let beside = |other: &Contact| {
-                floors(other).any(|floor| floors(contact).any(|own| own == floor))
-            };
-            contacts().any(|other| {
-                rests(other) && soon(other) && !std::ptr::eq(other, contact) && beside(other)
-            })
+            let beside = |other: &Contact| floors(other).any(|floor| floors(contact).any(|own| own == floor));
+            contacts().any(|other| rests(other) && soon(other) && !std::ptr::eq(other, contact) && beside(other))
         };
-        let stops =
-            |contact: &Contact| soon(contact) && (contact.burst >= BURST || caught(contact));
+        let stops = |contact: &Contact| soon(contact) && (contact.burst >= BURST || caught(contact));
         let parts = |contact: &Contact| contact.gap == Gap::Parts;
         Hit {
             carried: self.carried(&nodes, time),
-            before: nodes
-                .iter()
-                .map(|node| self.moving.members[*node].state.velocity)
-                .collect(),
+            before: nodes.iter().map(|node| self.moving.members[*node].state.velocity).collect(),
             rates: contacts().map(|contact| contact.rate).collect(),
             rested: contacts().map(rests).collect(),
             parts: contacts().map(parts).collect(),
@@ -193,19 +171,11 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Velocities of the grounds of a chain, relative to one of them.
     fn carried(&self, nodes: &[usize], time: f64) -> Vec<f64> {
-        let Some(travel) = self
-            .shaking
-            .travel
-            .as_ref()
-            .filter(|_| self.touching.is_chain())
-        else {
+        let Some(travel) = self.shaking.travel.as_ref().filter(|_| self.touching.is_chain()) else {
             return Vec::new();
         };
         let instant = self.agenda.clock.past(time).instant();
-        let wall = nodes
-            .iter()
-            .copied()
-            .find(|node| self.moving.members[*node].is_wall());
+        let wall = nodes.iter().copied().find(|node| self.moving.members[*node].is_wall());
         let ahead = |node: usize, of: usize| travel.opening_at([node, of], instant).velocity;
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
         let velocity = |node: usize| match wall {
@@ -226,8 +196,7 @@ fn hang<T>(
     let mut index = 0;
     while let Some(one) = found.get(index) {
         look()?;
-        let (joined, apart): (Vec<_>, Vec<_>) =
-            others.into_iter().partition(|other| hangs(one, other));
+        let (joined, apart): (Vec<_>, Vec<_>) = others.into_iter().partition(|other| hangs(one, other));
         found.extend(joined);
         others = apart;
         index += 1;

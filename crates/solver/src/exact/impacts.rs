@@ -60,11 +60,7 @@ impl Chain {
     }
 
     /// Gives impulses until no pair approaches. The work grows with the cube of the chain: `look` may end it.
-    pub(super) fn collide(
-        &mut self,
-        rule: SimultaneousImpacts,
-        look: Look<'_>,
-    ) -> Result<(), RunError> {
+    pub(super) fn collide(&mut self, rule: SimultaneousImpacts, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.impulses.clear();
         self.impulses.resize(n, 0.0);
@@ -110,14 +106,11 @@ impl Chain {
     fn round(&mut self, plastic: bool, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.closing.clear();
-        let closes = |(rate, passes_on): (&f64, &bool)| {
-            plastic || *rate > 0.0 || (*rate >= 0.0 && *passes_on)
-        };
+        let closes = |(rate, passes_on): (&f64, &bool)| plastic || *rate > 0.0 || (*rate >= 0.0 && *passes_on);
         let pairs = self.rates.iter().zip(&self.passes_on);
         self.closing.extend(pairs.map(closes));
         self.active.clear();
-        self.active
-            .extend(self.rates.iter().map(|rate| *rate > 0.0));
+        self.active.extend(self.rates.iter().map(|rate| *rate > 0.0));
         loop {
             self.rates_after(look)?;
             let mut grown = false;
@@ -153,12 +146,7 @@ impl Chain {
     }
 
     /// Impulse of an active pair: Σ over the pairs q of its block of turn(q) · (mass left of both)·(mass right of both)/M.
-    fn impulse(
-        &self,
-        pair: usize,
-        (first, last): (usize, usize),
-        look: Look<'_>,
-    ) -> Result<f64, RunError> {
+    fn impulse(&self, pair: usize, (first, last): (usize, usize), look: Look<'_>) -> Result<f64, RunError> {
         let left = |pair: usize| self.masses[first..=pair].iter().sum::<f64>();
         let right = |pair: usize| self.masses[pair + 1..=last].iter().sum::<f64>();
         (first..last)
@@ -233,12 +221,7 @@ impl Chain {
 
     /// v of each structure of a block = V + Σ over its pairs right of it of r⁺ (mass right of the pair)/M − the same on
     /// the left, with V the block's momentum over its mass; summed so that a mirrored block gives mirrored bits.
-    fn set_velocities(
-        &mut self,
-        first: usize,
-        last: usize,
-        look: Look<'_>,
-    ) -> Result<(), RunError> {
+    fn set_velocities(&mut self, first: usize, last: usize, look: Look<'_>) -> Result<(), RunError> {
         let (masses, after) = (&self.masses, &self.after);
         let outward = |sum: f64, mass: &f64| sum + mass;
         let left = |pair: usize| masses[first..=pair].iter().rev().fold(0.0, outward);
@@ -263,17 +246,9 @@ impl Chain {
         } else {
             symmetric(&|index| masses[index] * self.velocities[index]) / mass
         };
-        for (index, velocity) in self
-            .velocities
-            .iter_mut()
-            .enumerate()
-            .take(last + 1)
-            .skip(first)
-        {
+        for (index, velocity) in self.velocities.iter_mut().enumerate().take(last + 1).skip(first) {
             look()?;
-            let from_right = (index..last).fold(0.0, |sum, pair| {
-                sum + after[pair] * share(right(pair), pair)
-            });
+            let from_right = (index..last).fold(0.0, |sum, pair| sum + after[pair] * share(right(pair), pair));
             let from_left = (first..index)
                 .rev()
                 .fold(0.0, |sum, pair| sum + after[pair] * share(left(pair), pair));
@@ -308,9 +283,7 @@ mod tests {
     #[test]
     fn reference_three_equal_masses() {
         let mut together = chain(&[2.0; 3], &[3.0, 0.0, 0.0], 1.0);
-        together
-            .collide(SimultaneousImpacts::Together, &|| Ok(()))
-            .expect("nobody ends it");
+        together.collide(SimultaneousImpacts::Together, &|| Ok(())).expect("nobody ends it");
         for (found, wanted) in together.velocities.iter().zip([-1.0, 2.0, 2.0]) {
             assert!((found - wanted).abs() < 1e-15, "{:?}", together.velocities);
         }
@@ -324,9 +297,7 @@ mod tests {
     #[test]
     fn reference_wall() {
         let mut chain = chain(&[2.0, f64::INFINITY], &[3.0, 0.0], 0.5);
-        chain
-            .collide(SimultaneousImpacts::Together, &|| Ok(()))
-            .expect("nobody ends it");
+        chain.collide(SimultaneousImpacts::Together, &|| Ok(())).expect("nobody ends it");
         assert_eq!(chain.velocities, [-1.5, 0.0]);
         assert_eq!(chain.impulses, [9.0]);
     }
@@ -334,14 +305,8 @@ mod tests {
     #[test]
     fn limit_mirror_symmetric_double_hit() {
         let mut chain = chain(&[1e6, 1.0, 1e6], &[1.0, 0.0, -1.0], 0.4);
-        chain
-            .collide(SimultaneousImpacts::Together, &|| Ok(()))
-            .expect("nobody ends it");
-        assert!(
-            (chain.velocities[0] + 0.4).abs() < 1e-15,
-            "{:?}",
-            chain.velocities
-        );
+        chain.collide(SimultaneousImpacts::Together, &|| Ok(())).expect("nobody ends it");
+        assert!((chain.velocities[0] + 0.4).abs() < 1e-15, "{:?}", chain.velocities);
         assert_eq!(chain.velocities[1..], [0.0, -chain.velocities[0]]);
     }
 

@@ -22,10 +22,7 @@ impl Touching<'_> {
         };
         let impulsive = contact.restitution().is_some() && !contact.opens();
         let mut points = contact.relation.points().into_iter();
-        contact.relation.offset == 0.0
-            && impulsive
-            && touches
-            && points.all(|point| point.parts().nth(1).is_none())
+        contact.relation.offset == 0.0 && impulsive && touches && points.all(|point| point.parts().nth(1).is_none())
     }
 }
 
@@ -53,8 +50,7 @@ impl<R: Recorder> Run<'_, R> {
             let node = self.touching.groups.node(place);
             let ahead = self.moving.members[node].ahead;
             let at_wall = advanced && self.hits_wall_at_zero(node, time);
-            let arrives =
-                |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
+            let arrives = |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
             let (end, hysteretic) = match ahead.filter(arrives) {
                 Some(ahead) => (ahead.state, ahead.hysteretic_force),
                 None => self.end_state(node, (x, at_wall), if full { &events } else { &[] }),
@@ -110,8 +106,7 @@ impl<R: Recorder> Run<'_, R> {
             next = met.get(looked).copied();
             looked += 1;
         }
-        met.into_iter()
-            .any(|met| self.moving.members[met].is_wall())
+        met.into_iter().any(|met| self.moving.members[met].is_wall())
     }
 
     /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
@@ -205,9 +200,7 @@ impl<R: Recorder> Run<'_, R> {
                     displacement: &member.displacement[..body.len],
                     velocity: &member.velocity[..body.len],
                     acceleration: &member.acceleration[..body.len],
-                    below: below.map(|below| {
-                        [&below.displacement[..body.len], &below.velocity[..body.len]]
-                    }),
+                    below: below.map(|below| [&below.displacement[..body.len], &below.velocity[..body.len]]),
                     restoring_force: (member.state.restoring_force, tangent),
                     bent,
                     force_from_left: left,
@@ -264,11 +257,7 @@ impl<'a> Room<'a> {
 }
 
 /// The series of what pairs on one side of a floor give it: of one alone its own, of others their sum.
-fn side<'a>(
-    pushes: &[Push<'a>],
-    on_left: bool,
-    room: &'a mut Option<[f64; CAPACITY]>,
-) -> &'a [f64] {
+fn side<'a>(pushes: &[Push<'a>], on_left: bool, room: &'a mut Option<[f64; CAPACITY]>) -> &'a [f64] {
     let all = || {
         let pushes = pushes.iter().filter(|push| push.on_left == on_left);
         pushes.filter(|push| !push.series.is_empty())

@@ -20,13 +20,7 @@ pub(super) const CARRIED: f64 = 1e-6;
 
 impl Shaking<'_> {
     /// Adds the displacement of the ground of a node to its series; returns its length.
-    fn add_ground(
-        &self,
-        node: usize,
-        (begin, offset): (Past, f64),
-        power: Power,
-        series: &mut [f64; CAPACITY],
-    ) -> usize {
+    fn add_ground(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let Some(travel) = &self.travel else {
             return 0;
         };
@@ -83,11 +77,7 @@ impl<R: Recorder> Run<'_, R> {
         let sides = points.map(|point| self.motion_of(point, time));
         let (deformation, rate) = self.closing(pair, time, sides);
         let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + relation.offset;
-        let travel = self
-            .shaking
-            .travel
-            .as_ref()
-            .filter(|_| self.touching.contacts[pair].opens());
+        let travel = self.shaking.travel.as_ref().filter(|_| self.touching.contacts[pair].opens());
         let scale = match travel {
             None => scale,
             Some(travel) => {
@@ -167,30 +157,20 @@ impl<R: Recorder> Run<'_, R> {
     fn out_of_reach(&self, pair: usize) -> bool {
         let contact = &self.touching.contacts[pair];
         let most = |node: usize, sign: f64| {
-            let (body, member) = (
-                &self.moving.bodies[self.touching.groups.body_of[node]],
-                &self.moving.members[node],
-            );
+            let (body, member) = (&self.moving.bodies[self.touching.groups.body_of[node]], &self.moving.members[node]);
             let series = &member.displacement[1..body.len];
             let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
         };
-        let Relation {
-            left,
-            right,
-            offset,
-        } = contact.relation;
-        let mut closest = weighed(left, |node| most(node, 1.0))
-            + weighed(right, |node| most(node, -1.0))
-            - offset;
+        let Relation { left, right, offset } = contact.relation;
+        let mut closest = weighed(left, |node| most(node, 1.0)) + weighed(right, |node| most(node, -1.0)) - offset;
         if let Some(travel) = self.shaking.travel.as_ref().filter(|_| contact.opens()) {
             let floors = contact.floors();
             let bodies = floors.map(|node| &self.moving.bodies[self.touching.groups.body_of[node]]);
             let starts = bodies.map(|body| self.agenda.clock.shown(body.start));
             let start = starts[0].max(starts[1]);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
-            let [opening, others @ ..] =
-                travel.cubic_opening(floors, self.agenda.clock.past(start).instant());
+            let [opening, others @ ..] = travel.cubic_opening(floors, self.agenda.clock.past(start).instant());
             let bound = |sum: f64, c: &f64| sum * length + c.abs();
             closest += opening + length * others.iter().rev().fold(0.0, bound);
         }
@@ -198,17 +178,8 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Displacement of a node as a series from an instant that is that far from the origin in x; returns its length.
-    fn displacement_from(
-        &self,
-        node: usize,
-        (begin, offset): (Past, f64),
-        power: Power,
-        series: &mut [f64; CAPACITY],
-    ) -> usize {
-        let (body, member) = (
-            &self.moving.bodies[self.touching.groups.body_of[node]],
-            &self.moving.members[node],
-        );
+    fn displacement_from(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
+        let (body, member) = (&self.moving.bodies[self.touching.groups.body_of[node]], &self.moving.members[node]);
         series[..body.len].copy_from_slice(&member.displacement[..body.len]);
         if body.power == Power::Four {
             if offset > 0.0 {
@@ -225,12 +196,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Displacements of both points of a pair as series, with their grounds where those move apart.
-    fn sides_from(
-        &self,
-        pair: usize,
-        begin: (Past, f64),
-        power: Power,
-    ) -> ([[f64; CAPACITY]; 2], usize) {
+    fn sides_from(&self, pair: usize, begin: (Past, f64), power: Power) -> ([[f64; CAPACITY]; 2], usize) {
         let contact = &self.touching.contacts[pair];
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
         for (point, side) in contact.relation.points().into_iter().zip(&mut sides) {
@@ -243,21 +209,13 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Displacement of a point as a series; returns its length.
-    fn point_from(
-        &self,
-        point: Point,
-        begin: (Past, f64),
-        power: Power,
-        series: &mut [f64; CAPACITY],
-    ) -> usize {
+    fn point_from(&self, point: Point, begin: (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let Point::Share(Share { base, other, lean }) = point else {
             return self.displacement_from(point.floor(), begin, power, series);
         };
         let mut others = [0.0; CAPACITY];
         let from = |floor: Option<usize>, series: &mut [f64; CAPACITY]| {
-            floor.map_or(0, |floor| {
-                self.displacement_from(floor, begin, power, series)
-            })
+            floor.map_or(0, |floor| self.displacement_from(floor, begin, power, series))
         };
         let len = from(base, series).max(from(other, &mut others));
         for (base, other) in series[..len].iter_mut().zip(&others) {
@@ -289,11 +247,7 @@ impl<R: Recorder> Run<'_, R> {
         // Before its own start a series may be far beyond its reach: then both are taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start.since(origin) > 0.0;
         let from_now = power == Power::Four && bodies.iter().any(late);
-        let begin = if from_now {
-            (now, offset)
-        } else {
-            (origin, 0.0)
-        };
+        let begin = if from_now { (now, offset) } else { (origin, 0.0) };
         let (sides, len) = self.sides_from(pair, begin, power);
         let mut coefficients = [0.0; CAPACITY];
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {

@@ -108,17 +108,9 @@ pub(super) struct Upper {
 
 impl Member {
     /// A node of a row in its initial state, with the force of its columns there.
-    pub(super) fn new<Column: Hysteretic>(
-        row: &Row<Column>,
-        node: usize,
-        initial: &[State],
-    ) -> Self {
+    pub(super) fn new<Column: Hysteretic>(row: &Row<Column>, node: usize, initial: &[State]) -> Self {
         let floor = &row.nodes()[node];
-        let force = if floor.is_wall() {
-            0.0
-        } else {
-            initial[node].restoring_force
-        };
+        let force = if floor.is_wall() { 0.0 } else { initial[node].restoring_force };
         let columns = Columns::new(floor.column.hysteresis());
         let hysteretic_force = columns.hysteretic_force(force, row.drift(node, initial));
         let Columns {
@@ -136,10 +128,7 @@ impl Member {
         };
         let (storey, ground_damping) = match floor.support {
             Support::Ground => (None, 0.0),
-            Support::Floor(Floor {
-                below,
-                ground_damping,
-            }) => (Some(Box::new(Upper::over(below))), ground_damping),
+            Support::Floor(Floor { below, ground_damping }) => (Some(Box::new(Upper::over(below))), ground_damping),
         };
         let mut member = Self {
             inverse_mass: floor.inverse_mass,
@@ -238,16 +227,12 @@ impl Member {
 
     /// Coefficients of the drift of the storey.
     pub(super) fn drift(&self) -> &[f64; CAPACITY] {
-        self.storey
-            .as_ref()
-            .map_or(&self.displacement, |storey| &storey.drift)
+        self.storey.as_ref().map_or(&self.displacement, |storey| &storey.drift)
     }
 
     /// Coefficients of its rate.
     pub(super) fn drift_rate(&self) -> &[f64; CAPACITY] {
-        self.storey
-            .as_ref()
-            .map_or(&self.velocity, |storey| &storey.rate)
+        self.storey.as_ref().map_or(&self.velocity, |storey| &storey.rate)
     }
 
     /// Coefficient `n` of the restoring force.
@@ -285,17 +270,14 @@ impl Member {
     pub(super) fn goes_astray(&self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
         let first = self.drift_rate()[..len].iter().find(|rate| **rate != 0.0);
         let leading = self.leading_rate(below, (p, len));
-        first
-            .zip(leading)
-            .is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
+        first.zip(leading).is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
     }
 
     /// The first coefficient of the rate of the drift that is more than rounding.
     fn leading_rate(&self, below: Option<&Self>, (p, len): (usize, usize)) -> Option<f64> {
         let mut rates = self.drift_rate()[..len].iter().enumerate();
         // An event sets the rounding of what it makes zero to zero; and a row at rest before its record begins need not ask.
-        let leads =
-            |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
+        let leads = |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
         let leading = rates.find(|(n, rate)| leads(*n, **rate));
         leading.map(|(_, rate)| *rate)
     }
@@ -342,16 +324,10 @@ impl Member {
 }
 
 /// A member and the floor it stands on, which comes before it.
-pub(super) fn with_below(
-    members: &mut [Member],
-    node: usize,
-) -> Option<(&mut Member, Option<&Member>)> {
+pub(super) fn with_below(members: &mut [Member], node: usize) -> Option<(&mut Member, Option<&Member>)> {
     let (lower, upper) = members.split_at_mut(node);
     let member = upper.first_mut()?;
-    let below = member
-        .storey
-        .as_ref()
-        .and_then(|storey| lower.get(storey.below));
+    let below = member.storey.as_ref().and_then(|storey| lower.get(storey.below));
     Some((member, below))
 }
 

@@ -209,9 +209,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     let guard = clock.within(budget).begin(n);
     guard.wait(0.0)?;
     let contact = |pair: &crate::Pair| {
-        let ahead = |quantity: fn(&Node<Column>) -> f64| {
-            pair.relation.ahead(|index| quantity(&row.nodes()[index]))
-        };
+        let ahead = |quantity: fn(&Node<Column>) -> f64| pair.relation.ahead(|index| quantity(&row.nodes()[index]));
         let deformation = ahead(|node| node.initial_displacement) - pair.gap();
         let rate = ahead(|node| node.initial_velocity);
         let mut contact = Contact::new(pair, row.reduced_mass(pair), [deformation, rate]);
@@ -222,9 +220,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         contact
     };
     let (initial, _) = row.initial(Ground::Common(0.0));
-    let members: Vec<_> = (0..n)
-        .map(|node| Member::new(row, node, &initial))
-        .collect();
+    let members: Vec<_> = (0..n).map(|node| Member::new(row, node, &initial)).collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let system = System {
         members: &members,
@@ -290,9 +286,7 @@ impl<R: Recorder> Run<'_, R> {
         let mut end = f64::INFINITY;
         for place in self.touching.groups.nodes_of(first) {
             let node = self.touching.groups.node(place);
-            let segment =
-                self.shaking
-                    .segment(self.agenda.clock, time, self.moving.members[node].arrival);
+            let segment = self.shaking.segment(self.agenda.clock, time, self.moving.members[node].arrival);
             self.moving.members[node].ground = segment;
             end = end.min(segment.end);
         }
@@ -308,17 +302,11 @@ impl<R: Recorder> Run<'_, R> {
     /// Deformation and rate of a pair whose sides move like this over their grounds.
     fn closing(&self, pair: usize, time: f64, [left, right]: [Motion; 2]) -> (f64, f64) {
         let ahead = left.since(right);
-        let Motion {
-            displacement,
-            velocity,
-        } = match self.opening(pair, time) {
+        let Motion { displacement, velocity } = match self.opening(pair, time) {
             None => ahead,
             Some(opening) => ahead.over(opening),
         };
-        (
-            displacement - self.touching.contacts[pair].relation.offset,
-            velocity,
-        )
+        (displacement - self.touching.contacts[pair].relation.offset, velocity)
     }
 
     /// The next instant at which a piece ends or a pair touches.
@@ -332,16 +320,17 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn bodies_at_end(&self) -> bool {
-        self.touching.groups.body_of.iter().all(|&first| {
-            self.agenda.clock.shown(self.moving.bodies[first].start) >= self.agenda.end
-        })
+        self.touching
+            .groups
+            .body_of
+            .iter()
+            .all(|&first| self.agenda.clock.shown(self.moving.bodies[first].start) >= self.agenda.end)
     }
 
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
     fn land_all(&mut self, time: f64) -> Result<(), RunError> {
         for first in 0..self.moving.bodies.len() {
-            if self.touching.groups.body_of[first] == first && self.moving.bodies[first].end <= time
-            {
+            if self.touching.groups.body_of[first] == first && self.moving.bodies[first].end <= time {
                 self.agenda.guard.wait(time)?;
                 self.land(first, time);
             }

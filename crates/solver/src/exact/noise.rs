@@ -45,10 +45,7 @@ pub(super) fn clean(
         let grounds = nodes.iter().map(|member| member.ground.value.abs());
         let acceleration = if mass.is_finite() {
             (own + pushed) / mass + grounds.fold(0.0, f64::max)
-        } else if nodes
-            .iter()
-            .any(|member| member.arrival.total_cmp(&first).is_ne())
-        {
+        } else if nodes.iter().any(|member| member.arrival.total_cmp(&first).is_ne()) {
             // The wall's ground carries them, and their own is taken off.
             grounds.sum()
         } else {
@@ -72,12 +69,7 @@ pub(super) fn clean(
 }
 
 /// Finds it for a node of any row: its own forces and those of all pairs at it.
-fn measure(
-    node: usize,
-    (members, contacts): (&mut [Member], &[Contact]),
-    incidence: &Incidence,
-    time: f64,
-) {
+fn measure(node: usize, (members, contacts): (&mut [Member], &[Contact]), incidence: &Incidence, time: f64) {
     let own = magnitude(members, node);
     let pushes = incidence.at(node).iter();
     let pushed: f64 = pushes
@@ -106,11 +98,7 @@ fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize)
     for order in 0..ORDERS_OF_FLOORS {
         let noise = |node: usize| {
             let member = &members[node];
-            let ground = if order == 0 {
-                member.terms.ground.0
-            } else {
-                0.0
-            };
+            let ground = if order == 0 { member.terms.ground.0 } else { 0.0 };
             member.noise(order) + ground
         };
         let of_pair = |pair: &usize| {
@@ -143,9 +131,7 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
     if block.first == block.last {
         return;
     }
-    let tied = members[block.first..=block.last]
-        .iter()
-        .any(Member::is_tied);
+    let tied = members[block.first..=block.last].iter().any(Member::is_tied);
     let orders = if tied { ORDERS_OF_FLOORS } else { ORDERS };
     for order in 0..orders {
         let side = |node: usize| {
@@ -175,14 +161,9 @@ fn share(group: Group<'_>, members: &mut [Member]) {
     }
     let largest = |value: fn(&Member) -> f64| {
         let nodes = group.nodes().iter();
-        nodes.fold(0.0, |largest: f64, node| {
-            largest.max(value(&members[*node]))
-        })
+        nodes.fold(0.0, |largest: f64, node| largest.max(value(&members[*node])))
     };
-    let (around, rate) = (
-        largest(|member| member.terms.acceleration),
-        largest(|member| member.terms.rate),
-    );
+    let (around, rate) = (largest(|member| member.terms.acceleration), largest(|member| member.terms.rate));
     for node in group.nodes() {
         let member = &mut members[*node];
         if member.is_tied() || rests {

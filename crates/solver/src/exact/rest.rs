@@ -56,10 +56,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let soonest = match hits {
                 [_] => Some(usize::MAX),
-                _ => pairs()
-                    .filter(|pair| self.touching.may_press(*pair))
-                    .filter_map(order)
-                    .min(),
+                _ => pairs().filter(|pair| self.touching.may_press(*pair)).filter_map(order).min(),
             };
             let mut grown = false;
             for (hit, pair) in chains() {
@@ -84,8 +81,7 @@ impl<R: Recorder> Run<'_, R> {
             if self.touching.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
                 self.join(hit, time);
             }
-            let parts =
-                self.touching.may_press(pair) && matches!(self.press(pair), Some((_, false)));
+            let parts = self.touching.may_press(pair) && matches!(self.press(pair), Some((_, false)));
             self.touching.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
         }
         self.regroup();
@@ -138,8 +134,7 @@ impl<R: Recorder> Run<'_, R> {
         let shown = |order: usize| {
             let (closing, _) = self.closing_by(pair, order);
             // A force that has just faded leaves no closing acceleration.
-            let fades =
-                self.touching.contacts[pair].faded && order == OF_ACCELERATION && closing > 0.0;
+            let fades = self.touching.contacts[pair].faded && order == OF_ACCELERATION && closing > 0.0;
             (closing != 0.0 && !fades).then_some((order, closing > 0.0))
         };
         self.orders(pair).find_map(shown)
@@ -169,9 +164,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     fn power_of(&self, node: usize) -> usize {
-        self.moving.bodies[self.touching.groups.body_of[node]]
-            .power
-            .order()
+        self.moving.bodies[self.touching.groups.body_of[node]].power.order()
     }
 
     /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it: 0
@@ -218,17 +211,9 @@ impl<R: Recorder> Run<'_, R> {
         } else {
             time
         };
-        let system = (
-            &mut self.moving.members[..],
-            &mut self.touching.contacts[..],
-        );
+        let system = (&mut self.moving.members[..], &mut self.touching.contacts[..]);
         let group = self.touching.groups.of(first);
-        clean(
-            group,
-            system,
-            self.touching.incidence,
-            (time, power.order()),
-        );
+        clean(group, system, self.touching.incidence, (time, power.order()));
     }
 
     /// Bodies anew, from the links.

@@ -30,10 +30,7 @@ impl<R: Recorder> Run<'_, R> {
             let contact = &mut self.touching.contacts[*pair];
             (contact.link, contact.idle, contact.gap) = (Link::Apart, false, Gap::Known);
         }
-        let without_rate = hit
-            .pairs
-            .iter()
-            .filter(|pair| self.touching.contacts[**pair].rate == 0.0);
+        let without_rate = hit.pairs.iter().filter(|pair| self.touching.contacts[**pair].rate == 0.0);
         let mut open: Vec<_> = without_rate.copied().collect();
         let (mut pressing, mut from) = (Vec::new(), 0);
         loop {
@@ -86,11 +83,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// What a coefficient decides of open pairs, beside those that press; a pair that has no room to move is an error.
-    fn decide(
-        &mut self,
-        (open, pressing): (&[usize], &[usize]),
-        order: usize,
-    ) -> Result<Vec<Decision>, usize> {
+    fn decide(&mut self, (open, pressing): (&[usize], &[usize]), order: usize) -> Result<Vec<Decision>, usize> {
         let closing = open.iter().map(|pair| self.closing_by(*pair, order));
         let closing: Vec<_> = closing.collect();
         let system = System {
@@ -173,20 +166,12 @@ impl<R: Recorder> Run<'_, R> {
     /// Takes from pairs that have come to rest what rounding leaves of their rates, by the least jump of energy.
     fn pull(&mut self, hit: &Hit, time: f64) {
         let pairs = hit.pairs.iter().enumerate();
-        let mut resting =
-            pairs.filter(|(_, pair)| self.touching.contacts[**pair].link == Link::Resting);
-        if resting.all(|(index, pair)| {
-            hit.rests_on(index, &self.touching.contacts[*pair], &self.moving.members)
-        }) {
+        let mut resting = pairs.filter(|(_, pair)| self.touching.contacts[**pair].link == Link::Resting);
+        if resting.all(|(index, pair)| hit.rests_on(index, &self.touching.contacts[*pair], &self.moving.members)) {
             return;
         }
-        let floors = hit
-            .pairs
-            .iter()
-            .map(|pair| self.touching.contacts[*pair].floors()[0]);
-        let mut bodies: Vec<_> = floors
-            .map(|floor| self.touching.groups.body_of[floor])
-            .collect();
+        let floors = hit.pairs.iter().map(|pair| self.touching.contacts[*pair].floors()[0]);
+        let mut bodies: Vec<_> = floors.map(|floor| self.touching.groups.body_of[floor]).collect();
         bodies.sort_unstable();
         bodies.dedup();
         for first in bodies {
@@ -195,9 +180,7 @@ impl<R: Recorder> Run<'_, R> {
             };
             let rate = |pair: &usize| {
                 let contact = &self.touching.contacts[*pair];
-                let faster = contact
-                    .relation
-                    .ahead(|node| self.moving.members[node].state.velocity);
+                let faster = contact.relation.ahead(|node| self.moving.members[node].state.velocity);
                 let opening = self.opening(*pair, time);
                 opening.map_or(faster, |opening| faster + opening.velocity)
             };

@@ -10,18 +10,11 @@ pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
 /// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
 /// coefficients of both points.
-pub(super) fn noise(
-    members: &[Member],
-    relation: Relation,
-    values: [f64; 2],
-    (p, n): (usize, usize),
-) -> f64 {
+pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], (p, n): (usize, usize)) -> f64 {
     let terms = if n >= 2 * p && n.is_multiple_of(p) {
         let order = n / p - 2;
         let weight = ((order + 1) * (order + 2)) as f64;
-        let [left, right] = relation
-            .points()
-            .map(|point| weighed(point, |node| members[node].noise(order)));
+        let [left, right] = relation.points().map(|point| weighed(point, |node| members[node].noise(order)));
         (left + right) / weight
     } else {
         0.0
@@ -34,10 +27,7 @@ pub(super) fn noise(
 pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
     match point {
         Point::Floor(floor) => magnitude(floor),
-        Point::Share(_) => point
-            .parts()
-            .map(|(floor, part)| part * magnitude(floor))
-            .sum(),
+        Point::Share(_) => point.parts().map(|(floor, part)| part * magnitude(floor)).sum(),
     }
 }
 

@@ -63,11 +63,7 @@ fn follow(member: &mut Member, (p, n): (usize, usize)) {
 }
 
 /// Coefficient `n` of the motion of a chain, and of the forces between members at rest.
-fn move_blocks(
-    blocks: &[Block],
-    (members, contacts): (&mut [Member], &mut [Contact]),
-    (p, n): (usize, usize),
-) {
+fn move_blocks(blocks: &[Block], (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
     // Off the chain of dependent operations, where a division would be the longest.
     let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
     for block in blocks {
@@ -85,12 +81,7 @@ fn move_blocks(
 }
 
 /// Coefficient `n` of the accelerations of members of any row under the forces of compliant contact.
-fn move_freely(
-    nodes: &[usize],
-    (members, contacts): (&mut [Member], &[Contact]),
-    incidence: &Incidence,
-    (p, n): (usize, usize),
-) {
+fn move_freely(nodes: &[usize], (members, contacts): (&mut [Member], &[Contact]), incidence: &Incidence, (p, n): (usize, usize)) {
     let pushed = |node: usize, on_left: bool| {
         let at = incidence.at(node).iter();
         at.filter(|at| at.on_left == on_left && is_touching(&contacts[at.pair]))
@@ -157,12 +148,7 @@ fn accelerate(members: &mut [Member], block: &Block, force: f64, p: usize, n: us
 }
 
 /// Coefficient `n` of the forces between members at rest against each other, each from its lighter side.
-fn resting_forces(
-    members: &[Member],
-    (block, contacts): (&Block, &mut [Contact]),
-    (left, right): (f64, f64),
-    (p, n): (usize, usize),
-) {
+fn resting_forces(members: &[Member], (block, contacts): (&Block, &mut [Contact]), (left, right): (f64, f64), (p, n): (usize, usize)) {
     let side = |node: usize| Side {
         weight: members[node].mass,
         need: storey::need(members, node, p, n),
@@ -177,9 +163,6 @@ fn resting_forces(
 
 /// Largest length of a piece so that the last coefficients are below rounding, whatever branch its members take.
 pub(super) fn radius(members: &[Member], nodes: &[usize]) -> f64 {
-    let fastest = nodes
-        .iter()
-        .map(|node| members[*node].fastest_rate)
-        .fold(0.0, f64::max);
+    let fastest = nodes.iter().map(|node| members[*node].fastest_rate).fold(0.0, f64::max);
     1.0 / fastest
 }

@@ -76,10 +76,7 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether a pair has landed with its gap closed, in need of a decision.
     pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
         let contact = &self.touching.contacts[pair];
-        let landed = contact
-            .floors()
-            .into_iter()
-            .all(|floor| self.moving.landed[floor]);
+        let landed = contact.floors().into_iter().all(|floor| self.moving.landed[floor]);
         let closed = contact.time >= time && contact.deformation == 0.0;
         let open = match contact.link {
             Link::Apart => true,
@@ -95,8 +92,7 @@ impl<R: Recorder> Run<'_, R> {
         self.touching.settled.fill(false);
         // Compliant pairs first: whether others come to rest depends on their forces, on whichever side of them they are.
         for pair in 0..self.touching.contacts.len() {
-            if self.touching.contacts[pair].restitution().is_none() && self.touches_now(pair, time)
-            {
+            if self.touching.contacts[pair].restitution().is_none() && self.touches_now(pair, time) {
                 let contact = &mut self.touching.contacts[pair];
                 contact.gap = Gap::Known;
                 // A graze within rounding is none.
@@ -176,19 +172,13 @@ impl<R: Recorder> Run<'_, R> {
         if !self.touching.groups.is_chain {
             return self.give_any(hit, time);
         }
-        let (guard, chain, places) = (
-            &self.agenda.guard,
-            &mut self.touching.chain,
-            0..hit.pairs.len(),
-        );
+        let (guard, chain, places) = (&self.agenda.guard, &mut self.touching.chain, 0..hit.pairs.len());
         let look = || guard.wait(time);
         chain.clear();
         chain.rates.extend_from_slice(&hit.rates);
         let restitution = |place| hit.restitution(place, &self.touching.contacts);
         chain.restitutions.extend(places.clone().map(restitution));
-        chain
-            .passes_on
-            .extend(places.map(|place| hit.passes_on(place)));
+        chain.passes_on.extend(places.map(|place| hit.passes_on(place)));
         let rule = self.settings.simultaneous_impacts;
         give_along(chain, hit, &mut self.moving.members, (rule, &look))?;
         for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
@@ -207,12 +197,8 @@ impl<R: Recorder> Run<'_, R> {
         };
         // What of a body is slower than that by far does not move.
         let fastest = |pair: usize| {
-            let bodies = contacts[pair]
-                .floors()
-                .map(|floor| self.touching.groups.body_of[floor]);
-            let nodes = bodies
-                .into_iter()
-                .flat_map(|body| self.touching.groups.of(body).nodes());
+            let bodies = contacts[pair].floors().map(|floor| self.touching.groups.body_of[floor]);
+            let nodes = bodies.into_iter().flat_map(|body| self.touching.groups.of(body).nodes());
             let speeds = nodes.map(|node| members[*node].state.velocity.abs());
             speeds.fold(0.0, f64::max)
         };
@@ -240,10 +226,7 @@ impl<R: Recorder> Run<'_, R> {
             self.moving.members[*node].state.velocity = *before;
         }
         for (index, pair) in hit.pairs.iter().enumerate() {
-            let (contact, closed) = (
-                &mut self.touching.contacts[*pair],
-                &self.touching.rounds.pairs[index],
-            );
+            let (contact, closed) = (&mut self.touching.contacts[*pair], &self.touching.rounds.pairs[index]);
             contact.rate = closed.rate;
             contact.kick(closed.impulse, &mut self.moving.members);
             hit.impulses[index] = closed.impulse;
@@ -258,23 +241,15 @@ impl<R: Recorder> Run<'_, R> {
         if approach <= 0.0 {
             return false;
         }
-        let ahead = contact
-            .relation
-            .ahead(|node| self.moving.members[node].acceleration[0]);
+        let ahead = contact.relation.ahead(|node| self.moving.members[node].acceleration[0]);
         let closing = contact.over_grounds(ahead, |node| self.moving.members[node].ground.value);
         bounces_are_over(contact.rate, closing, restitution)
     }
 
     fn report_impact(&mut self, (pair, impulse): (usize, f64), time: f64, hit: &Hit) {
-        let opening_rate = self
-            .opening(pair, time)
-            .map_or(0.0, |opening| opening.velocity);
+        let opening_rate = self.opening(pair, time).map_or(0.0, |opening| opening.velocity);
         let contact = &mut self.touching.contacts[pair];
-        contact.burst = if time - contact.hit < CHATTER {
-            contact.burst + 1
-        } else {
-            0
-        };
+        contact.burst = if time - contact.hit < CHATTER { contact.burst + 1 } else { 0 };
         contact.hit = time;
         let after = |floor: usize| self.moving.members[floor].state.velocity;
         let impact = Impact {

@@ -31,10 +31,7 @@ pub(super) fn follow(members: &mut [Member], nodes: &[usize], p: usize, n: usize
             );
             storey.find(motion, (p, n));
         }
-        let drift = member
-            .storey
-            .as_ref()
-            .map_or(&member.displacement, |storey| &storey.drift);
+        let drift = member.storey.as_ref().map_or(&member.displacement, |storey| &storey.drift);
         if let Some(bend) = &mut member.bend {
             bend.find(drift, n);
         }
@@ -56,11 +53,7 @@ pub(super) fn own_force(members: &[Member], node: usize, n: usize) -> f64 {
         return member.damping * member.velocity[n] + member.force_of(member.displacement[n], n);
     }
     let own = member.damping * member.drift_rate()[n] + member.restoring_force(n);
-    if member.is_tied() {
-        own + tie(members, member, n)
-    } else {
-        own
-    }
+    if member.is_tied() { own + tie(members, member, n) } else { own }
 }
 
 /// Coefficient `n` of the force that a node needs to move as it does.
@@ -69,9 +62,7 @@ pub(super) fn need(members: &[Member], node: usize, p: usize, n: usize) -> f64 {
     let ground = member.ground.coefficient(n, p);
     let inertia = member.mass * (member.acceleration[n] + ground);
     if member.plain {
-        return inertia
-            + member.damping * member.velocity[n]
-            + member.force_of(member.displacement[n], n);
+        return inertia + member.damping * member.velocity[n] + member.force_of(member.displacement[n], n);
     }
     inertia + own_force(members, node, n)
 }
@@ -101,16 +92,10 @@ fn storey_magnitude(members: &[Member], member: &Member) -> f64 {
     let (floor, rate) = (speed(member), member.fastest_rate);
     let (drift, ground) = match &member.storey {
         None => (floor, 0.0),
-        Some(storey) => (
-            floor + speed(&members[storey.below]),
-            member.ground_damping * floor,
-        ),
+        Some(storey) => (floor + speed(&members[storey.below]), member.ground_damping * floor),
     };
     let amplitude = if rate > 0.0 { drift / rate } else { 0.0 };
-    member.damping * drift
-        + member.state.restoring_force.abs()
-        + member.tangent() * amplitude
-        + ground
+    member.damping * drift + member.state.restoring_force.abs() + member.tangent() * amplitude + ground
 }
 
 /// Rate of the drift of a node's storey \[m/s\], now.

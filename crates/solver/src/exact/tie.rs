@@ -85,9 +85,7 @@ impl Tie {
 
 /// The floors that carry points of pairs, rising.
 pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
-    let pushes = pairs
-        .iter()
-        .flat_map(|pair| contacts[*pair].relation.pushes());
+    let pushes = pairs.iter().flat_map(|pair| contacts[*pair].relation.pushes());
     let mut floors: Vec<_> = pushes.map(|(floor, _)| floor).collect();
     floors.sort_unstable();
     floors.dedup();
@@ -98,9 +96,7 @@ pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
 pub(super) fn elements<'a>(
     pair: usize,
     floors: &'a [usize],
-    System {
-        members, contacts, ..
-    }: System<'a>,
+    System { members, contacts, .. }: System<'a>,
 ) -> impl Iterator<Item = (usize, f64)> + 'a {
     let pushes = contacts[pair].relation.pushes();
     pushes.filter_map(move |(floor, part)| {

@@ -40,10 +40,7 @@ pub(super) enum Event {
 impl Event {
     /// Whether it is one of pounding forces alone: they fade, change their sign or have an extremum.
     pub(super) fn is_of_forces(&self) -> bool {
-        matches!(
-            self,
-            Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_)
-        )
+        matches!(self, Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_))
     }
 }
 
@@ -73,13 +70,7 @@ impl Watch {
     }
 
     /// A change of sign; a zero `known` to be at the start is none.
-    fn change_of(
-        &mut self,
-        len: usize,
-        known: bool,
-        coefficient: impl Fn(usize) -> f64,
-        event: Event,
-    ) {
+    fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
@@ -154,12 +145,7 @@ impl Touching<'_> {
 
 impl<R: Recorder> Run<'_, R> {
     /// Finds the first event of a piece.
-    pub(super) fn watch(
-        &self,
-        watch: &mut Watch,
-        (first, len): (usize, usize),
-        time: f64,
-    ) -> Result<(), RunError> {
+    pub(super) fn watch(&self, watch: &mut Watch, (first, len): (usize, usize), time: f64) -> Result<(), RunError> {
         let group = self.touching.groups.of(first);
         for &node in group.nodes() {
             let member = &self.moving.members[node];
@@ -172,11 +158,7 @@ impl<R: Recorder> Run<'_, R> {
             }
             watch_columns(watch, node, member, len);
             if self.touching.joined_at(node).nth(1).is_some() {
-                let pushed = |n: usize, on_left: bool| {
-                    self.touching
-                        .pushed(node, on_left, |contact| contact.force[n])
-                        .unwrap_or(0.0)
-                };
+                let pushed = |n: usize, on_left: bool| self.touching.pushed(node, on_left, |contact| contact.force[n]).unwrap_or(0.0);
                 let net = |n: usize| pushed(n, false) - pushed(n, true);
                 watch.change_of(len, member.balanced, net, Event::Balance(node));
                 let slope = |n: usize| (n + 1) as f64 * net(n + 1);
@@ -240,9 +222,7 @@ impl<R: Recorder> Run<'_, R> {
                         contact.link = Link::Touching(Phase::Approach);
                     }
                     // What was left of the deformation is below the tolerance: a new touch may begin.
-                    Link::Touching(Phase::Parting | Phase::Clamped)
-                    | Link::Apart
-                    | Link::Resting => {
+                    Link::Touching(Phase::Parting | Phase::Clamped) | Link::Apart | Link::Resting => {
                         (contact.link, contact.deformation) = (Link::Apart, 0.0);
                     }
                 }
@@ -282,11 +262,7 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
 }
 
 /// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
-pub(super) fn reach(
-    contact: &Contact,
-    (power, len): (Power, usize),
-    (length, tolerance): (f64, f64),
-) -> Option<f64> {
+pub(super) fn reach(contact: &Contact, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
     if !matches!(contact.link, Link::Touching(_)) {
         return Some(length);
     }

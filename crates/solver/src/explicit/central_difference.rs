@@ -55,9 +55,7 @@ const MOST_SUBSTEPS: u32 = 1000;
 impl Default for CentralDifference {
     /// Whole steps everywhere.
     fn default() -> Self {
-        Self {
-            contact_substeps: 1,
-        }
+        Self { contact_substeps: 1 }
     }
 }
 
@@ -98,9 +96,7 @@ impl<Memory> Body<Memory> {
     /// Lets the next displacement follow from the state at this node, a step of this length ahead.
     fn restart(&mut self, time_step: f64) {
         let State {
-            velocity,
-            acceleration,
-            ..
+            velocity, acceleration, ..
         } = self.start;
         self.increment = Coefficients::restarted(time_step, velocity, acceleration);
         self.displacement = self.start.displacement + self.increment;
@@ -166,13 +162,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {
     const FIRST: usize = 0;
 
     #[inline]
-    fn step<R: Recorder>(
-        &mut self,
-        _: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, _: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (number, clock, substeps) = (step.number, step.clock, self.substeps);
         let node = Instant {
             ground: step.ground(number),
@@ -251,12 +241,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
-    fn node<R: Recorder>(
-        &mut self,
-        node: Instant<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn node<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node, work);
         if self.storeys.is_some() {
             self.advance_storeys(node, work, recorder)?;
@@ -270,21 +255,14 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     /// Solves the equations of a node, each for itself, and reports the spans that end there.
-    fn advance<R: Recorder>(
-        &mut self,
-        node: Instant<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn advance<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let structures = self.bodies.iter_mut().zip(self.row.nodes());
         for (index, (body, structure)) in structures.enumerate() {
             if node.fine && !body.fine {
                 continue;
             }
             let constants = &self.coefficients[usize::from(body.fine)][index];
-            let Node {
-                column, damping, ..
-            } = structure;
+            let Node { column, damping, .. } = structure;
             let central = body.velocity;
             let ground = node.ground.under(index);
             let mut end = advance(body, constants, column, ground);
@@ -302,20 +280,11 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 let times = (body.start_time, node.time);
                 let ends = [body.start, end];
                 let loads = [
-                    Load::at(
-                        &ends[0],
-                        (ends[0].restoring_force, damping * central),
-                        body.start_ground,
-                    ),
-                    Load::at(
-                        &ends[1],
-                        (ends[1].restoring_force, damping * body.velocity),
-                        ground,
-                    ),
+                    Load::at(&ends[0], (ends[0].restoring_force, damping * central), body.start_ground),
+                    Load::at(&ends[1], (ends[1].restoring_force, damping * body.velocity), ground),
                 ];
                 let weights = (0.5 * constants.time_step, [1.0; 2]);
-                let mut span =
-                    Span::step(recorder.reads_weighed(), index, times, ends, weights, loads);
+                let mut span = Span::step(recorder.reads_weighed(), index, times, ends, weights, loads);
                 span.impulse_from_left -= body.excess.0;
                 span.impulse_from_right -= body.excess.1;
                 let slots = self.row.incidence().slots_at(index);
@@ -334,12 +303,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
 
 /// Solves equation (3) for the next displacement; returns the state at the current node, before its velocity jumps.
 #[inline]
-fn advance<Column: RestoringForce>(
-    body: &mut Body<Column::Memory>,
-    constants: &Coefficients,
-    column: &Column,
-    ground: f64,
-) -> State {
+fn advance<Column: RestoringForce>(body: &mut Body<Column::Memory>, constants: &Coefficients, column: &Column, ground: f64) -> State {
     let response = column.respond(body.displacement, body.memory);
     let pounding_force = body.force_from_left + body.force_from_right;
     let smooth = constants.smooth((pounding_force, response.force), constants.mobile * ground);

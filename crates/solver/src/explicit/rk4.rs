@@ -52,10 +52,7 @@ impl Rk4 {
 fn growth(x: f64, y: f64) -> f64 {
     let (mut real, mut imaginary) = (1.0, 0.0);
     for divisor in [4.0, 3.0, 2.0, 1.0] {
-        (real, imaginary) = (
-            1.0 + (real * x - imaginary * y) / divisor,
-            (real * y + imaginary * x) / divisor,
-        );
+        (real, imaginary) = (1.0 + (real * x - imaginary * y) / divisor, (real * y + imaginary * x) / divisor);
     }
     real * real + imaginary * imaginary
 }
@@ -95,13 +92,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     const PARTS: usize = 2;
 
     #[inline]
-    fn step<R: Recorder>(
-        &mut self,
-        row: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         self.advance(row, step.parts(), step.clock.time_step);
         self.finish(row, step, recorder)?;
         step.collide(row, &mut self.states, &mut self.impacts, work, recorder)?;
@@ -128,21 +119,12 @@ impl<Memory: Copy> Scratch<Memory> {
 
     /// The four stages, under the ground acceleration at the start, middle and end of the step; the first is the state
     /// at the start.
-    fn advance<Column: RestoringForce<Memory = Memory>>(
-        &mut self,
-        row: &Row<Column>,
-        ground: [Ground<'_>; 3],
-        dt: f64,
-    ) {
+    fn advance<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, ground: [Ground<'_>; 3], dt: f64) {
         self.stages.copy_from_slice(&self.states);
         self.slopes.fill((0.0, 0.0));
         self.pushes.begin();
         self.weigh_stage(row, 0, ground[0]);
-        for (stage, ahead, ground) in [
-            (1, 0.5 * dt, ground[1]),
-            (2, 0.5 * dt, ground[1]),
-            (3, dt, ground[2]),
-        ] {
+        for (stage, ahead, ground) in [(1, 0.5 * dt, ground[1]), (2, 0.5 * dt, ground[1]), (3, dt, ground[2])] {
             for (stage, state) in self.stages.iter_mut().zip(&self.states) {
                 stage.displacement = state.displacement + ahead * stage.velocity;
                 stage.velocity = state.velocity + ahead * stage.acceleration;
@@ -164,12 +146,7 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Gives a stage its accelerations, from equilibrium, adds its slopes and keeps its loads.
-    fn weigh_stage<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        index: usize,
-        ground: Ground<'_>,
-    ) {
+    fn weigh_stage<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
         self.pushes.add(WEIGHTS[index]);
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
             let load = row.load(node, &self.stages, ground.under(node));
@@ -197,8 +174,7 @@ impl<Memory: Copy> Scratch<Memory> {
         }
         self.pushes.scale(sixth);
         self.push(row, ground);
-        self.approaches
-            .forget_parted(row.pairs(), &self.stages, ground);
+        self.approaches.forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {
             if !self.stages[structure].displacement.is_finite() {
                 return Err(step.diverged(structure));
@@ -209,20 +185,12 @@ impl<Memory: Copy> Scratch<Memory> {
             self.memories[structure] = response.memory;
         }
         for node in 0..self.stages.len() {
-            self.stages[node].acceleration =
-                row.acceleration(node, &self.stages, ground.under(node));
+            self.stages[node].acceleration = row.acceleration(node, &self.stages, ground.under(node));
         }
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
             let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
-            let span = Span::step(
-                recorder.reads_weighed(),
-                structure,
-                times,
-                [*start, *end],
-                weights,
-                loads,
-            );
+            let span = Span::step(recorder.reads_weighed(), structure, times, [*start, *end], weights, loads);
             let slots = row.incidence().slots_at(structure);
             recorder.span(&Span {
                 pushes: self.pushes.of(slots),
@@ -241,11 +209,7 @@ mod tests {
     #[test]
     fn reference_limits_of_stability() {
         let limit = |ratio| Rk4::critical_time_step(2.0, ratio) * 2.0;
-        assert!(
-            (limit(0.0) - 8.0_f64.sqrt()).abs() < 1e-12,
-            "{}",
-            limit(0.0)
-        );
+        assert!((limit(0.0) - 8.0_f64.sqrt()).abs() < 1e-12, "{}", limit(0.0));
         // The real root of 1 + z/2 + z²/6 + z³/24 = 0.
         let real = 2.785_293_563_405_282;
         assert!((limit(1.0) - real).abs() < 1e-12, "{}", limit(1.0));

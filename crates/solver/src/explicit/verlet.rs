@@ -27,9 +27,7 @@ use crate::model::dashpots::Dashpots;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
 use crate::span::Load;
-use crate::{
-    Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
-};
+use crate::{Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the velocity Verlet method. Order 2 while nothing touches, critical time step 2/ω.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,13 +93,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 
 impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(
-        &mut self,
-        row: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let duration = step.clock.time_step;
         if self.when == VerletImpacts::Located {
             self.locate(row, step, work, recorder)?;
@@ -115,18 +107,13 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
             body.since = 0.0;
         }
         let ground = step.ground(step.number);
-        self.approaches
-            .forget_parted(row.pairs(), &self.states, ground);
+        self.approaches.forget_parted(row.pairs(), &self.states, ground);
         step.collide(row, &mut self.states, &mut self.impacts, work, recorder)?;
         Ok(())
     }
 }
 
-fn begin<Column: RestoringForce>(
-    settings: Verlet,
-    row: &Row<Column>,
-    ground: Ground<'_>,
-) -> Scratch<Column::Memory> {
+fn begin<Column: RestoringForce>(settings: Verlet, row: &Row<Column>, ground: Ground<'_>) -> Scratch<Column::Memory> {
     let (states, memories) = row.initial(ground);
     let body = |memory| Body {
         memory,
@@ -179,8 +166,7 @@ impl<Memory: Copy> Scratch<Memory> {
                     work.touching_steps += 1;
                 }
             }
-            self.impacts
-                .jump(row, &mut self.states, step.at(instant), recorder)?;
+            self.impacts.jump(row, &mut self.states, step.at(instant), recorder)?;
         }
     }
 
@@ -195,19 +181,12 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
-    fn gather<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        instant: f64,
-        ground: Ground<'_>,
-    ) {
+    fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64, ground: Ground<'_>) {
         let pairs = row.pairs();
         for body in &mut self.bodies {
             body.due = false;
         }
-        let Self {
-            impacts, closings, ..
-        } = self;
+        let Self { impacts, closings, .. } = self;
         for ((pair, touching), closing) in pairs.iter().zip(&mut impacts.touching).zip(closings) {
             *touching = *closing <= instant;
             if *touching {
@@ -252,12 +231,7 @@ impl<Memory: Copy> Scratch<Memory> {
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let (ground, time) = step.at(instant);
-        row.push(
-            &mut self.ends,
-            &mut self.pushes,
-            &mut self.approaches,
-            ground,
-        );
+        row.push(&mut self.ends, &mut self.pushes, &mut self.approaches, ground);
         self.share(row, instant);
         if self.dashpots.is_some() {
             return self.finish_storeys(row, step, instant, work, recorder);
@@ -288,14 +262,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
                 pushes: self.pushes.of(slots.clone()),
-                ..Span::step(
-                    recorder.reads_weighed(),
-                    structure,
-                    times,
-                    ends,
-                    (0.5 * h, [1.0, 1.0]),
-                    loads,
-                )
+                ..Span::step(recorder.reads_weighed(), structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
             });
             self.pushes.go_on(slots);
             self.states[structure] = *end;
@@ -350,11 +317,7 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
         rate += opening.velocity;
         curvature += 0.5 * (ground.under(pair.left()) - ground.under(pair.right()));
     }
-    let closing = Closing {
-        gap,
-        rate,
-        curvature,
-    };
+    let closing = Closing { gap, rate, curvature };
     let root = closing.instant();
     if gap >= 0.0 && since + root < step.clock.time_step {
         since + root

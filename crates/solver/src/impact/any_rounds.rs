@@ -46,12 +46,7 @@ impl AnyRounds {
     ///
     /// Errors with the place of a pair that walls on both sides leave no impulse: where grounds move towards each other
     /// (`opens`). Elsewhere only rounding does, and the pair is left out. `look` may end the rounds.
-    pub(crate) fn collide<E>(
-        &mut self,
-        alone: bool,
-        opens: bool,
-        look: impl Fn() -> Result<(), E>,
-    ) -> Result<Result<bool, ClosedIn>, E> {
+    pub(crate) fn collide<E>(&mut self, alone: bool, opens: bool, look: impl Fn() -> Result<(), E>) -> Result<Result<bool, ClosedIn>, E> {
         let mut round = 0;
         while self.approaches() {
             let plastic = round >= MAX_ROUNDS;
@@ -91,8 +86,7 @@ impl AnyRounds {
             None => plastic || pair.rate > 0.0 || (pair.rate >= 0.0 && pair.passes_on),
         };
         self.parts.clear();
-        self.parts
-            .extend(self.pairs.iter().enumerate().map(takes_part));
+        self.parts.extend(self.pairs.iter().enumerate().map(takes_part));
     }
 
     /// Gives the impulses of a round.
@@ -100,11 +94,7 @@ impl AnyRounds {
         let restitution = |pair: &Closed| if plastic { 0.0 } else { pair.restitution };
         for (index, pair) in self.pairs.iter().enumerate() {
             let wanted = (1.0 + restitution(pair)) * pair.rate;
-            let demand = if self.parts[index] {
-                wanted
-            } else {
-                f64::NEG_INFINITY
-            };
+            let demand = if self.parts[index] { wanted } else { f64::NEG_INFINITY };
             self.problem.ask(index, demand, pair.scale);
         }
         while let Err(closed_in) = self.problem.solve() {
@@ -199,9 +189,7 @@ impl Jumps {
     /// Errors with a pair that walls on both sides leave no impulse.
     pub(crate) fn strike_all(&mut self, velocities: &mut [f64]) -> Result<bool, usize> {
         for ((_, relation), closed) in self.touching.iter().zip(&mut self.rounds.pairs) {
-            let speeds = relation
-                .pushes()
-                .map(|(floor, part)| (part * velocities[floor]).abs());
+            let speeds = relation.pushes().map(|(floor, part)| (part * velocities[floor]).abs());
             closed.scale += speeds.sum::<f64>();
             closed.rate += relation.ahead(|floor| velocities[floor]);
             // Points at rest take part in what hits them: whether rounding parts them says nothing.
@@ -259,10 +247,7 @@ mod tests {
         let law = |restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution });
         let nodes = vec![Node::structure(1.0, 0.0, Elastic { stiffness: 1.0 }); 3];
         // The order of the pairs makes the row no chain.
-        let pairs = vec![
-            Pair::of_floors(1, 2, 0.0, law(0.5)),
-            Pair::of_floors(0, 1, 0.0, law(0.0)),
-        ];
+        let pairs = vec![Pair::of_floors(1, 2, 0.0, law(0.5)), Pair::of_floors(0, 1, 0.0, law(0.0))];
         let row = Row::new(nodes, pairs).expect("a valid row");
         let mut jumps = Jumps::new(&row);
         for (index, pair) in row.pairs().iter().enumerate() {

@@ -159,11 +159,7 @@ impl Complementarity {
             change.push(elements.enumerate());
             let contact = &mut change.contacts[place];
             contact.scale = largest;
-            contact.demand = if contact.norm > DEPENDENT {
-                -impulse
-            } else {
-                f64::NEG_INFINITY
-            };
+            contact.demand = if contact.norm > DEPENDENT { -impulse } else { f64::NEG_INFINITY };
         }
         // Without a change the impulses meet the demands too: where rounding hides the least ones, they stay.
         let found = change.solve().is_ok();
@@ -312,8 +308,7 @@ impl Search {
     /// Expresses a column by those of the basis; true if it does not depend on them.
     fn express(&mut self, index: usize) -> bool {
         let n_rows = self.driven.len();
-        self.basis
-            .express(&self.columns[index * n_rows..][..n_rows])
+        self.basis.express(&self.columns[index * n_rows..][..n_rows])
     }
 
     /// Lets a contact push in place of one that it depends on.

@@ -65,8 +65,7 @@ impl Impacts {
     ) -> Result<bool, RunError> {
         let mut touches = false;
         for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
-            *touching =
-                instant.0.deformation_of(pair, states) >= 0.0 && pair.law.impulsive().is_some();
+            *touching = instant.0.deformation_of(pair, states) >= 0.0 && pair.law.impulsive().is_some();
             touches |= *touching;
         }
         if touches {
@@ -210,24 +209,13 @@ impl Impacts {
     }
 
     /// Whether the velocity of a node has jumped, or that of a floor to which a damper joins it.
-    fn feels_jump<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        node: usize,
-        states: &[State],
-    ) -> bool {
+    fn feels_jump<Column: RestoringForce>(&self, row: &Row<Column>, node: usize, states: &[State]) -> bool {
         let jumped = |node: usize| (states[node].velocity - self.before[node]).abs() > 0.0;
         let below = row.nodes()[node].support.below();
         jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
     }
 
-    fn report<R: Recorder>(
-        &self,
-        pairs: &[Pair],
-        states: &[State],
-        (ground, time): (Ground<'_>, f64),
-        recorder: &mut R,
-    ) {
+    fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], (ground, time): (Ground<'_>, f64), recorder: &mut R) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
                 let before = |floor: usize| self.before[floor];
@@ -245,17 +233,11 @@ impl Impacts {
 }
 
 /// Changes the velocities by the impulses of all pairs; `net` is scratch.
-fn strike<Column: RestoringForce>(
-    row: &Row<Column>,
-    impulses: &[f64],
-    net: &mut [f64],
-    states: &mut [State],
-) {
+fn strike<Column: RestoringForce>(row: &Row<Column>, impulses: &[f64], net: &mut [f64], states: &mut [State]) {
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {
         // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
-        pair.relation
-            .spread(*impulse, |floor, impulse| net[floor] += impulse);
+        pair.relation.spread(*impulse, |floor, impulse| net[floor] += impulse);
     }
     for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
         state.velocity += node.inverse_mass * *net;

@@ -143,11 +143,7 @@ impl<N: Number> Rounds<N> {
             let faster = self.velocities[link.left] - self.velocities[link.right];
             let rate = faster + pair.opening_rate;
             // The first round meets real approaches; later ones also meet what rounding made of those.
-            let left_over = if round == 0 {
-                zero
-            } else {
-                zero.like(ROUNDING) * pair.speeds
-            };
+            let left_over = if round == 0 { zero } else { zero.like(ROUNDING) * pair.speeds };
             approaching = approaching | (pair.scenes & rate.exceeds(left_over));
             let wanted = if round == MAX_ROUNDS {
                 rate
@@ -172,11 +168,7 @@ impl<N: Number> Rounds<N> {
             let impulse = impulses[index];
             self.impulses[index] = self.impulses[index] + impulse;
             // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
-            let net = if link.is_joined {
-                impulses[index - 1] - impulse
-            } else {
-                -impulse
-            };
+            let net = if link.is_joined { impulses[index - 1] - impulse } else { -impulse };
             let (left, right) = (link.left, link.right);
             velocities[left] = velocities[left] + mobilities[left] * net;
             if !self.together.joins_next(index) {

@@ -57,10 +57,7 @@ impl Joint {
             let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
             let pairs = row.pairs().iter().enumerate();
             let pairs = pairs.filter(|(index, _)| joins(*index));
-            clusters.join(
-                row.buildings(),
-                pairs.map(|(_, pair)| (pair.left(), pair.right())),
-            );
+            clusters.join(row.buildings(), pairs.map(|(_, pair)| (pair.left(), pair.right())));
             for first in 0..row.buildings().len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
                 if clusters.gather(row, first, joins) && clusters.is_general() {
@@ -83,8 +80,7 @@ impl Joint {
     ) -> Result<bool, usize> {
         let pairs = clusters.pairs.iter().copied();
         self.pairs.clear();
-        self.pairs
-            .extend(pairs.filter(|pair| contacts.closed[*pair]));
+        self.pairs.extend(pairs.filter(|pair| contacts.closed[*pair]));
         if self.pairs.is_empty() {
             return Ok(false);
         }
@@ -120,10 +116,7 @@ impl Joint {
                 }
             }
             joined.profile.halve();
-            let column = self
-                .places
-                .iter()
-                .map(|place| joined.profile.vector[*place]);
+            let column = self.places.iter().map(|place| joined.profile.vector[*place]);
             self.problem.push(column.enumerate());
         }
         self.replace(row, contacts, scratch)?;
@@ -151,11 +144,7 @@ impl Joint {
         let halves = contacts.solution >= TRUSTED && contacts.solution.is_multiple_of(2);
         for (&index, impulse) in self.pairs.iter().zip(self.problem.impulses()) {
             let earlier = contacts.impulses[index];
-            contacts.impulses[index] = if halves {
-                0.5 * (earlier + impulse)
-            } else {
-                impulse
-            };
+            contacts.impulses[index] = if halves { 0.5 * (earlier + impulse) } else { impulse };
         }
         Ok(())
     }

@@ -30,12 +30,7 @@ impl Cluster for Line {
     ///
     /// Rows are diagonally dominant as long as tangents are ≥ 0, so no pivoting is needed.
     #[inline]
-    fn correct<Column: RestoringForce>(
-        &mut self,
-        _: &Row<Column>,
-        trials: &mut [Trial<Column::Memory>],
-        _: &[PairTrial],
-    ) {
+    fn correct<Column: RestoringForce>(&mut self, _: &Row<Column>, trials: &mut [Trial<Column::Memory>], _: &[PairTrial]) {
         let cluster = &mut trials[self.nodes.clone()];
         for index in 1..cluster.len() {
             let (above, below) = cluster.split_at_mut(index);
@@ -74,12 +69,7 @@ impl Cluster for Alone<'_> {
 
     /// Elimination in the tridiagonal system of its floors, as in that of a [`Line`].
     #[inline]
-    fn correct<Column: RestoringForce>(
-        &mut self,
-        _: &Row<Column>,
-        trials: &mut [Trial<Column::Memory>],
-        _: &[PairTrial],
-    ) {
+    fn correct<Column: RestoringForce>(&mut self, _: &Row<Column>, trials: &mut [Trial<Column::Memory>], _: &[PairTrial]) {
         for floors in self.floors.windows(2) {
             let under = &trials[floors[0]];
             let (above, residual, diagonal) = (under.above, under.residual, under.diagonal);
@@ -122,12 +112,7 @@ impl Cluster for Joined<'_> {
         self.pairs.iter().copied()
     }
 
-    fn correct<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        trials: &mut [Trial<Column::Memory>],
-        pairs: &[PairTrial],
-    ) {
+    fn correct<Column: RestoringForce>(&mut self, row: &Row<Column>, trials: &mut [Trial<Column::Memory>], pairs: &[PairTrial]) {
         let nodes = self.nodes.iter();
         for (force, node) in self.profile.vector.iter_mut().zip(nodes) {
             *force = -self.masses[*node] * trials[*node].residual;
@@ -145,12 +130,7 @@ impl Joined<'_> {
     ///
     /// Storeys and pairs push both of their ends alike, as much as these move relative to each other: the matrix so is
     /// symmetric and, as tangents are ≥ 0, positive definite.
-    pub(crate) fn solve<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        trials: &[Trial<Column::Memory>],
-        pairs: &[PairTrial],
-    ) {
+    pub(crate) fn solve<Column: RestoringForce>(&mut self, row: &Row<Column>, trials: &[Trial<Column::Memory>], pairs: &[PairTrial]) {
         self.profile.clear();
         for (place, &node) in self.nodes.iter().enumerate() {
             let (mass, trial) = (self.masses[node], &trials[node]);
@@ -167,8 +147,7 @@ impl Joined<'_> {
                     let [own, inverse_mass] = [self.masses[other], row.nodes()[other].inverse_mass];
                     if couples(row, one, other) {
                         let element = part * of_other * (own * (inverse_mass * tangent));
-                        self.profile
-                            .add(self.place[one], self.place[other], element);
+                        self.profile.add(self.place[one], self.place[other], element);
                     }
                 }
             }

@@ -43,11 +43,7 @@ impl Clusters {
             return None;
         }
         let mass = |node: &Node<Column>| {
-            if node.is_wall() {
-                1.0
-            } else {
-                1.0 / node.inverse_mass
-            }
+            if node.is_wall() { 1.0 } else { 1.0 / node.inverse_mass }
         };
         let (n, n_buildings) = (row.nodes().len(), buildings.len());
         let tallest = buildings.each().map(<[usize]>::len).max();
@@ -69,11 +65,7 @@ impl Clusters {
     }
 
     /// Joins buildings by pairs of nodes.
-    pub(crate) fn join(
-        &mut self,
-        buildings: &Buildings,
-        pairs: impl Iterator<Item = (usize, usize)>,
-    ) {
+    pub(crate) fn join(&mut self, buildings: &Buildings, pairs: impl Iterator<Item = (usize, usize)>) {
         for (building, earlier) in self.earlier.iter_mut().enumerate() {
             *earlier = building;
         }
@@ -107,12 +99,7 @@ impl Clusters {
     }
 
     /// Gathers the cluster that begins with a building; true if there is one, of more than a building alone.
-    pub(crate) fn gather<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        first: usize,
-        is_taken: impl Fn(usize) -> bool,
-    ) -> bool {
+    pub(crate) fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, first: usize, is_taken: impl Fn(usize) -> bool) -> bool {
         if !self.joined[first] || self.earlier[first] != first {
             return false;
         }
@@ -175,11 +162,7 @@ impl Clusters {
     }
 
     /// The cluster gathered last; of its pairs, those that push couple their floors.
-    pub(crate) fn joined<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        pushes: impl Fn(usize) -> bool,
-    ) -> Joined<'_> {
+    pub(crate) fn joined<Column: RestoringForce>(&mut self, row: &Row<Column>, pushes: impl Fn(usize) -> bool) -> Joined<'_> {
         for (place, node) in self.nodes.iter().enumerate() {
             self.place[*node] = place;
         }

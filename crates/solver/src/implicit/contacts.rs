@@ -64,33 +64,21 @@ impl Contacts {
     }
 
     /// Of the pairs chosen, leaves those that still approach at the end of the step without impulses.
-    pub(crate) fn approach<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        scratch: &Scratch<Column::Memory>,
-        start: Ground<'_>,
-    ) {
+    pub(crate) fn approach<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &Scratch<Column::Memory>, start: Ground<'_>) {
         for (index, pair) in row.pairs().iter().enumerate() {
             if let Some(law) = pair.law.impulsive().filter(|_| self.closed[index]) {
                 let left = self.rate(index, pair, &scratch.trials);
                 self.closed[index] = left >= 0.0;
-                self.bounce[index] =
-                    law.restitution * left.min(start.rate_of(pair, &scratch.states));
+                self.bounce[index] = law.restitution * left.min(start.rate_of(pair, &scratch.states));
             }
         }
     }
 
     /// Displacements and velocities at the end of the step without its smooth forces there, but with the impulses.
-    pub(crate) fn predict<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        scratch: &mut Scratch<Column::Memory>,
-        slopes: Slopes,
-    ) {
+    pub(crate) fn predict<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &mut Scratch<Column::Memory>, slopes: Slopes) {
         self.net.fill(0.0);
         for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
-            pair.relation
-                .spread(*impulse, |floor, impulse| self.net[floor] += impulse);
+            pair.relation.spread(*impulse, |floor, impulse| self.net[floor] += impulse);
         }
         let dt = slopes.time_step;
         let bodies = scratch.states.iter().zip(&mut scratch.trials);
@@ -109,13 +97,7 @@ impl Contacts {
     ///
     /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
     /// heavy velocities moves both impulses far, and together, for ever.
-    pub(crate) fn lacks<Memory>(
-        &self,
-        index: usize,
-        pair: &Pair,
-        scratch: &Scratch<Memory>,
-        uncertain: impl Fn(usize) -> f64,
-    ) -> bool {
+    pub(crate) fn lacks<Memory>(&self, index: usize, pair: &Pair, scratch: &Scratch<Memory>, uncertain: impl Fn(usize) -> f64) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
         let open = |node: usize| {
@@ -135,12 +117,7 @@ impl Contacts {
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
     ///
     /// Accelerations follow, also of the floors that a damper joins to one that was hit.
-    pub(crate) fn release<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        ends: &mut [State],
-        ground: Ground<'_>,
-    ) {
+    pub(crate) fn release<Column: RestoringForce>(&self, row: &Row<Column>, ends: &mut [State], ground: Ground<'_>) {
         let is_hit = |node: usize| self.net[node].abs() > 0.0;
         for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
             if is_hit(index) {

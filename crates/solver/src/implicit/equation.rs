@@ -37,10 +37,5 @@ pub(crate) trait Cluster {
     fn pairs(&self) -> impl Iterator<Item = usize>;
 
     /// One Newton correction: eliminates in the linearised equations, adds what comes out to the accelerations.
-    fn correct<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        trials: &mut [Trial<Column::Memory>],
-        pairs: &[PairTrial],
-    );
+    fn correct<Column: RestoringForce>(&mut self, row: &Row<Column>, trials: &mut [Trial<Column::Memory>], pairs: &[PairTrial]);
 }

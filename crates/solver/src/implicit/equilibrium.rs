@@ -29,10 +29,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
                 let (before, rest) = trials.split_at_mut(index);
                 let (below, trial) = (&mut before[floor.below], &mut rest[0]);
                 follow(trial, slopes);
-                let drift = (
-                    trial.displacement - below.displacement,
-                    trial.velocity - below.velocity,
-                );
+                let drift = (trial.displacement - below.displacement, trial.velocity - below.velocity);
                 evaluate(node, trial, drift, (slopes, ground.under(index)));
                 let carrying = &row.nodes()[floor.below];
                 stand(node, trial, carrying, below, &floor, slopes);
@@ -87,10 +84,8 @@ fn evaluate<Column: RestoringForce>(
     trial.scale = inertia.abs() + damping.abs() + restoring.abs() + ground.abs();
     trial.scale += trial.carried.abs();
     let (displacement, velocity) = extent(trial);
-    trial.rounding =
-        ROUNDING * w * (trial.response.tangent * displacement + node.damping * velocity);
-    trial.diagonal = slopes.inertia
-        + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
+    trial.rounding = ROUNDING * w * (trial.response.tangent * displacement + node.damping * velocity);
+    trial.diagonal = slopes.inertia + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
     (trial.lower, trial.upper) = (0.0, 0.0);
     (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
 }
@@ -121,9 +116,7 @@ fn stand<Column: RestoringForce>(
     let damping = node.damping * (trial.velocity - below.velocity);
     let tangent = node.damping * slopes.velocity + stiffness * slopes.displacement;
     let (extent, extent_below) = (extent(trial), extent(below));
-    let rounding = |(displacement, velocity): (f64, f64)| {
-        ROUNDING * (stiffness * displacement + node.damping * velocity)
-    };
+    let rounding = |(displacement, velocity): (f64, f64)| ROUNDING * (stiffness * displacement + node.damping * velocity);
     below.residual -= w_below * (restoring + damping);
     let both = rounding(extent) + rounding(extent_below);
     below.push(w_below, restoring.abs() + damping.abs(), (tangent, both));
@@ -133,10 +126,7 @@ fn stand<Column: RestoringForce>(
     // Against the ground.
     let against = floor.ground_damping * trial.velocity;
     trial.residual += w * against;
-    let own = (
-        floor.ground_damping * slopes.velocity,
-        ROUNDING * floor.ground_damping * extent.1,
-    );
+    let own = (floor.ground_damping * slopes.velocity, ROUNDING * floor.ground_damping * extent.1);
     trial.push(w, against.abs(), own);
 }
 
@@ -181,9 +171,7 @@ fn couple<Column: RestoringForce>(
         left.of(fast) + right.of(fast),
         ground.extent(pair),
     );
-    let rounding = ROUNDING
-        * (contact.stiffness * (displaced + grounds.displacement)
-            + contact.damping * (fast + grounds.velocity));
+    let rounding = ROUNDING * (contact.stiffness * (displaced + grounds.displacement) + contact.damping * (fast + grounds.velocity));
     let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
     (known.force, known.tangent) = (contact.force, tangent);
     for (floor, part) in pair.relation.pushes() {

@@ -97,17 +97,10 @@ struct Run<Memory> {
 
 impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(
-        &mut self,
-        row: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (dt, theta, at_ends) = (step.clock.time_step, self.theta, step.ends());
         let (scratch, reads_weighed) = (&mut self.scratch, recorder.reads_weighed());
-        self.solution
-            .solve(row, scratch, (self.slopes, &step), work)?;
+        self.solution.solve(row, scratch, (self.slopes, &step), work)?;
         let contacts = &self.solution.contacts;
         arrive(scratch, &step)?;
         let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
@@ -116,25 +109,14 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
         }
         commit(row, scratch, &step, recorder, |node, ends| {
             // The smooth forces at the end are those of the velocities after the impulses.
-            let after = |node: usize| {
-                ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
-            };
+            let after = |node: usize| ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node];
             let start = load(reads_weighed, row, node, ends[0], at_ends[0].under(node));
-            let end = load_at(
-                reads_weighed,
-                row,
-                node,
-                ends[1],
-                at_ends[1].under(node),
-                after,
-            );
+            let end = load_at(reads_weighed, row, node, ends[1], at_ends[1].under(node), after);
             ((dt, [1.0 - theta, theta]), [start, end])
         });
         work.touching_steps += contacts.n_touching(row, scratch, at_ends[1]);
         if hit {
-            let Scratch {
-                states, impacts, ..
-            } = scratch;
+            let Scratch { states, impacts, .. } = scratch;
             impacts.impose(row, states, &contacts.impulses, step.end(), recorder);
         }
         Ok(())
@@ -162,8 +144,7 @@ impl Solution {
         work: &mut Work,
     ) -> Result<(), RunError> {
         let (ground, time) = (step.ends(), step.end().1);
-        self.contacts
-            .choose(row, scratch, slopes.time_step, ground[0]);
+        self.contacts.choose(row, scratch, slopes.time_step, ground[0]);
         for (rate, pair) in self.contacts.opening_rates.iter_mut().zip(row.pairs()) {
             *rate = ground[1].opening(pair).velocity;
         }
@@ -204,18 +185,12 @@ impl Solution {
     }
 
     /// The same for clusters of structures of one storey.
-    fn correct_lines<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        scratch: &Scratch<Column::Memory>,
-        slopes: Slopes,
-    ) -> bool {
+    fn correct_lines<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &Scratch<Column::Memory>, slopes: Slopes) -> bool {
         let trials = &scratch.trials;
         let uncertain = |node: usize| slopes.velocity * trials[node].uncertain_acceleration();
         let mut lacks = false;
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.lacking[index] =
-                self.is_in_line(index) && self.contacts.lacks(index, pair, scratch, uncertain);
+            self.lacking[index] = self.is_in_line(index) && self.contacts.lacks(index, pair, scratch, uncertain);
             lacks |= self.lacking[index];
         }
         if !lacks {

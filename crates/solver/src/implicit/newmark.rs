@@ -25,10 +25,7 @@ pub struct Newmark {
 
 impl Newmark {
     /// Constant average acceleration, unconditionally stable for linear structures.
-    pub const AVERAGE_ACCELERATION: Self = Self {
-        beta: 0.25,
-        gamma: 0.5,
-    };
+    pub const AVERAGE_ACCELERATION: Self = Self { beta: 0.25, gamma: 0.5 };
     /// Linear acceleration, stable for Δt < 0.551 T.
     pub const LINEAR_ACCELERATION: Self = Self {
         beta: 1.0 / 6.0,
@@ -36,18 +33,8 @@ impl Newmark {
     };
 
     pub(crate) fn check(&self) -> Result<(), RunError> {
-        require(
-            (0.0..=0.5).contains(&self.beta),
-            "beta",
-            self.beta,
-            "0 to 0.5",
-        )?;
-        require(
-            (0.5..=1.0).contains(&self.gamma),
-            "gamma",
-            self.gamma,
-            "0.5 to 1",
-        )
+        require((0.0..=0.5).contains(&self.beta), "beta", self.beta, "0 to 0.5")?;
+        require((0.5..=1.0).contains(&self.gamma), "gamma", self.gamma, "0.5 to 1")
     }
 }
 
@@ -133,13 +120,7 @@ impl Family {
 
 impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(
-        &mut self,
-        row: &Row<Column>,
-        step: Step<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (dt, at_ends) = (step.clock.time_step, step.ends());
         let family = self.family;
         self.predict(row, dt, at_ends[0]);
@@ -157,9 +138,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             let weights = family.weights(before.is_none());
             ((dt, weights), [before.unwrap_or(start), start, end])
         });
-        let Scratch {
-            states, impacts, ..
-        } = scratch;
+        let Scratch { states, impacts, .. } = scratch;
         if step.collide(row, states, impacts, work, recorder)? && !family.in_equilibrium {
             self.change_accelerations(row);
         }
@@ -169,15 +148,8 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
 
 impl<Memory: Copy> Run<Memory> {
     /// Displacements and velocities at the end of a step without its acceleration.
-    fn predict<Column: RestoringForce<Memory = Memory>>(
-        &mut self,
-        row: &Row<Column>,
-        dt: f64,
-        ground: Ground<'_>,
-    ) {
-        let Family {
-            beta, gamma, alpha, ..
-        } = self.family;
+    fn predict<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, dt: f64, ground: Ground<'_>) {
+        let Family { beta, gamma, alpha, .. } = self.family;
         let states = &self.scratch.states;
         for ((node, state), trial) in states.iter().enumerate().zip(&mut self.scratch.trials) {
             trial.predicted = (

@@ -68,11 +68,7 @@ fn is_balanced<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> bool
 }
 
 /// The largest residual that is left.
-fn not_converged<Memory>(
-    trials: &[Trial<Memory>],
-    cluster: &impl Cluster,
-    iterations: u32,
-) -> Failure {
+fn not_converged<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster, iterations: u32) -> Failure {
     let residuals = cluster.nodes().map(|node| trials[node].relative_residual());
     Failure::NotConverged {
         iterations,
@@ -91,11 +87,7 @@ fn not_finite<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> Failu
 
 /// Velocity that a unit impulse gives to each structure in a step, its forces at the end of the step included \[1/kg\]:
 /// what it does to its neighbours across compliant pairs comes back to it.
-pub(crate) fn mobilities<Column: RestoringForce>(
-    nodes: &[Node<Column>],
-    trials: &[Trial<Column::Memory>],
-    mobilities: &mut [f64],
-) {
+pub(crate) fn mobilities<Column: RestoringForce>(nodes: &[Node<Column>], trials: &[Trial<Column::Memory>], mobilities: &mut [f64]) {
     // The diagonal of the inverse of a tridiagonal matrix: what elimination from the left takes off, then from the right.
     let mut taken = 0.0;
     for (index, (mobility, trial)) in mobilities.iter_mut().zip(trials).enumerate() {
@@ -107,8 +99,7 @@ pub(crate) fn mobilities<Column: RestoringForce>(
     taken = 0.0;
     for index in (0..nodes.len()).rev() {
         let trial = &trials[index];
-        mobilities[index] =
-            nodes[index].inverse_mass / (trial.diagonal - mobilities[index] - taken);
+        mobilities[index] = nodes[index].inverse_mass / (trial.diagonal - mobilities[index] - taken);
         if let Some(before) = index.checked_sub(1) {
             taken = trials[before].upper * trial.lower / (trial.diagonal - taken);
         }

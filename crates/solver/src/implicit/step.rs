@@ -31,10 +31,7 @@ pub(crate) struct Scratch<Memory> {
 }
 
 /// State of every structure at t = 0, accelerations from equilibrium.
-pub(crate) fn begin<Column: RestoringForce>(
-    row: &Row<Column>,
-    ground: Ground<'_>,
-) -> Scratch<Column::Memory> {
+pub(crate) fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scratch<Column::Memory> {
     let (states, memories) = row.initial(ground);
     let trial = |(state, memory): (&State, Column::Memory)| Trial {
         acceleration: state.acceleration,
@@ -123,8 +120,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     #[inline]
     fn solve<C: Cluster>(&mut self, mut cluster: C) -> Result<(), RunError> {
         let (trials, pairs) = (&mut *self.trials, &mut *self.pairs);
-        newton::solve(self.row, trials, pairs, &mut cluster, self.step, self.work)
-            .map_err(|failure| self.error(failure, &cluster))
+        newton::solve(self.row, trials, pairs, &mut cluster, self.step, self.work).map_err(|failure| self.error(failure, &cluster))
     }
 
     /// Equilibrium of structures that touch.
@@ -153,11 +149,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     }
 
     /// Equilibrium of buildings that touch.
-    fn solve_clusters(
-        &mut self,
-        clusters: &mut Clusters,
-        touching: &[bool],
-    ) -> Result<(), RunError> {
+    fn solve_clusters(&mut self, clusters: &mut Clusters, touching: &[bool]) -> Result<(), RunError> {
         let row = self.row;
         clusters.join(row.buildings(), marked(row, touching));
         for building in 0..row.buildings().len() {
@@ -202,10 +194,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
                 time,
                 time_step: self.step.0.time_step,
             },
-            Failure::NotConverged {
-                iterations,
-                residual,
-            } => RunError::NotConverged {
+            Failure::NotConverged { iterations, residual } => RunError::NotConverged {
                 first: cluster.nodes().min().unwrap_or(0),
                 last: cluster.nodes().max().unwrap_or(0),
                 time,
@@ -218,19 +207,13 @@ impl<Column: RestoringForce> Equation<'_, Column> {
 }
 
 /// A floor on either side of the pairs that are marked.
-pub(crate) fn marked<Column: RestoringForce>(
-    row: &Row<Column>,
-    marks: &[bool],
-) -> impl Iterator<Item = (usize, usize)> {
+pub(crate) fn marked<Column: RestoringForce>(row: &Row<Column>, marks: &[bool]) -> impl Iterator<Item = (usize, usize)> {
     let pairs = row.pairs().iter().zip(marks);
     pairs.filter_map(|(pair, marked)| marked.then_some((pair.left(), pair.right())))
 }
 
 /// Takes over the states at the end of a step.
-pub(crate) fn arrive<Memory: Copy>(
-    scratch: &mut Scratch<Memory>,
-    step: &Step<'_>,
-) -> Result<(), RunError> {
+pub(crate) fn arrive<Memory: Copy>(scratch: &mut Scratch<Memory>, step: &Step<'_>) -> Result<(), RunError> {
     let ends = scratch.ends.iter_mut().zip(&scratch.trials);
     for (structure, (end, trial)) in ends.enumerate() {
         *end = trial.state();
@@ -243,13 +226,7 @@ pub(crate) fn arrive<Memory: Copy>(
 
 /// What acts on a node, as much of it as a recorder reads.
 #[inline]
-pub(crate) fn load<Column: RestoringForce>(
-    reads_weighed: bool,
-    row: &Row<Column>,
-    node: usize,
-    states: &[State],
-    ground: f64,
-) -> Load {
+pub(crate) fn load<Column: RestoringForce>(reads_weighed: bool, row: &Row<Column>, node: usize, states: &[State], ground: f64) -> Load {
     let velocity = |index: usize| states[index].velocity;
     load_at(reads_weighed, row, node, states, ground, velocity)
 }
@@ -278,12 +255,7 @@ pub(crate) fn load_at<Column: RestoringForce>(
 
 /// Restoring and damping force of the storeys below and above a floor.
 #[inline(never)]
-fn storeys<Column: RestoringForce>(
-    row: &Row<Column>,
-    node: usize,
-    states: &[State],
-    velocity: impl Fn(usize) -> f64,
-) -> (f64, f64) {
+fn storeys<Column: RestoringForce>(row: &Row<Column>, node: usize, states: &[State], velocity: impl Fn(usize) -> f64) -> (f64, f64) {
     let damping = row.damping_at(node, velocity);
     (row.restoring_force(node, states), damping)
 }
@@ -301,11 +273,7 @@ pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     let (times, reads_weighed) = (step.times(), recorder.reads_weighed());
     let (pushes, incidence) = (&mut scratch.pushes, row.incidence());
     for (pair, known) in scratch.pairs.iter().enumerate() {
-        let force = if scratch.touching[pair] {
-            known.force
-        } else {
-            0.0
-        };
+        let force = if scratch.touching[pair] { known.force } else { 0.0 };
         for slot in incidence.slots_of(pair) {
             pushes.at(*slot).forces[1] = force;
         }

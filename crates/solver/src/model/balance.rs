@@ -32,11 +32,7 @@ pub struct Below<N> {
 
 /// Damping force \[N\] against the motion of a floor, of its own storey and the one above, in one scene or several side by side.
 #[inline(always)]
-pub fn damping_force<N: Number>(
-    floor: Dashpot<N>,
-    below: Option<Below<N>>,
-    above: Option<Dashpot<N>>,
-) -> N {
+pub fn damping_force<N: Number>(floor: Dashpot<N>, below: Option<Below<N>>, above: Option<Dashpot<N>>) -> N {
     let Dashpot { damping, velocity } = floor;
     let own = match below {
         None => damping * velocity,
@@ -80,10 +76,7 @@ impl<Column: RestoringForce> Row<Column> {
         };
         let below = match self.nodes()[node].support {
             Support::Ground => None,
-            Support::Floor(Floor {
-                below,
-                ground_damping,
-            }) => Some(Below {
+            Support::Floor(Floor { below, ground_damping }) => Some(Below {
                 ground_damping,
                 velocity: velocity(below),
             }),
@@ -118,10 +111,7 @@ impl<Column: RestoringForce> Row<Column> {
     /// What acts on a node in these states, as it enters the equation of its motion.
     #[inline]
     pub(crate) fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
-        let forces = (
-            self.restoring_force(node, states),
-            self.damping_force(node, states),
-        );
+        let forces = (self.restoring_force(node, states), self.damping_force(node, states));
         Load::at(&states[node], forces, ground)
     }
 

@@ -83,16 +83,10 @@ mod tests {
             (-0.02, -200.0, 1e5),
         ] {
             let response = column.respond(displacement, memory);
-            assert!(
-                (response.force - force).abs() < 1e-9,
-                "{displacement}: {response:?}"
-            );
+            assert!((response.force - force).abs() < 1e-9, "{displacement}: {response:?}");
             // At 10 mm it is at the knee: either tangent is right there.
             let knee = (displacement - 0.01).abs() < 1e-12;
-            assert!(
-                knee || (response.tangent - tangent).abs() < 1e-9,
-                "{displacement}: {response:?}"
-            );
+            assert!(knee || (response.tangent - tangent).abs() < 1e-9, "{displacement}: {response:?}");
             memory = response.memory;
         }
     }

@@ -59,10 +59,7 @@ impl Smoothness {
             let end = y + self.piece(y, (way.direction, way.h));
             // |y|ⁿ has a kink at 0, which would cost the method its order: the piece is cut there.
             y = if y * end < 0.0 {
-                self.piece(
-                    0.0,
-                    (way.direction, way.h - self.way_to_zero(y, way.direction)),
-                )
+                self.piece(0.0, (way.direction, way.h - self.way_to_zero(y, way.direction)))
             } else {
                 end
             };
@@ -134,10 +131,7 @@ impl RestoringForce for BoucWen {
 
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         let moved = displacement - memory.drift;
-        let follow = |scale: f64| {
-            self.smoothness
-                .follow(memory.elastic * scale, moved * scale)
-        };
+        let follow = |scale: f64| self.smoothness.follow(memory.elastic * scale, moved * scale);
         self.response((displacement, moved), memory.elastic, follow)
     }
 
@@ -149,12 +143,7 @@ impl RestoringForce for BoucWen {
 
 impl BoucWen {
     /// The response at a drift, after one that `moved` last and from an elastic part; `follow` finds y from k/`f_y`.
-    fn response(
-        &self,
-        (drift, moved): (f64, f64),
-        elastic: f64,
-        follow: impl Fn(f64) -> f64,
-    ) -> Response<Bent> {
+    fn response(&self, (drift, moved): (f64, f64), elastic: f64, follow: impl Fn(f64) -> f64) -> Response<Bent> {
         let (elastic, bend) = if self.yield_force.is_finite() {
             let scale = self.stiffness / self.yield_force;
             let y = follow(scale);
@@ -163,10 +152,7 @@ impl BoucWen {
         } else {
             (elastic + moved, 1.0)
         };
-        let (hard, soft) = (
-            self.hardening * self.stiffness,
-            (1.0 - self.hardening) * self.stiffness,
-        );
+        let (hard, soft) = (self.hardening * self.stiffness, (1.0 - self.hardening) * self.stiffness);
         Response {
             force: hard * drift + soft * elastic,
             tangent: hard + soft * bend,
@@ -195,10 +181,7 @@ mod tests {
             stiffness: 1e5,
             yield_force: 1e3,
             hardening: 0.1,
-            smoothness: Smoothness {
-                exponent,
-                unloading,
-            },
+            smoothness: Smoothness { exponent, unloading },
         }
     }
 
@@ -216,10 +199,7 @@ mod tests {
                     (memory, force) = (response.memory, response.force);
                 }
                 let wanted = 1e4 * 0.01 * s + 900.0 * wanted;
-                assert!(
-                    (force - wanted).abs() < 1e-4,
-                    "n = {exponent}, s = {s}: {force} {wanted}"
-                );
+                assert!((force - wanted).abs() < 1e-4, "n = {exponent}, s = {s}: {force} {wanted}");
             }
         }
     }
@@ -228,13 +208,9 @@ mod tests {
     fn issue_first_displacement_to_rounding() {
         // The exact method started 2.2e-8 of the yield force off.
         for s in [-60.0_f64, -2.0, 1e-30, 1e-9, 0.3, 1.0, 5.0, 1e9] {
-            for (exponent, wanted) in [(1, s.signum() * -libm::expm1(-s.abs())), (2, libm::tanh(s))]
-            {
+            for (exponent, wanted) in [(1, s.signum() * -libm::expm1(-s.abs())), (2, libm::tanh(s))] {
                 let y = column(exponent, 0.5).loaded(0.01 * s).memory.elastic / 0.01;
-                assert!(
-                    (y / wanted - 1.0).abs() < 1e-14,
-                    "n = {exponent}, s = {s}: {y} {wanted}"
-                );
+                assert!((y / wanted - 1.0).abs() < 1e-14, "n = {exponent}, s = {s}: {y} {wanted}");
             }
         }
     }
@@ -249,11 +225,7 @@ mod tests {
         // y + 1/0.4 decays like e^(−0.4·(−0.5)) with ds = −0.5: y = (y₀ + 2.5) e^(−0.2) − 2.5.
         let y = (y0 + 2.5) * libm::exp(-0.2) - 2.5;
         let wanted = 1e4 * 0.015 + 900.0 * y;
-        assert!(
-            (back.force - wanted).abs() < 1e-4,
-            "{} {wanted}",
-            back.force
-        );
+        assert!((back.force - wanted).abs() < 1e-4, "{} {wanted}", back.force);
     }
 
     #[test]

@@ -81,11 +81,7 @@ impl Buildings {
     }
 
     /// Lets every floor have a mark that a floor of its building has; true when one had it not.
-    pub(crate) fn share<Body>(
-        &self,
-        bodies: &mut [Body],
-        mark: impl Fn(&mut Body) -> &mut bool,
-    ) -> bool {
+    pub(crate) fn share<Body>(&self, bodies: &mut [Body], mark: impl Fn(&mut Body) -> &mut bool) -> bool {
         let mut grown = false;
         for floors in self.each() {
             if floors.iter().any(|floor| *mark(&mut bodies[*floor])) {
@@ -108,18 +104,11 @@ impl Buildings {
     }
 }
 
-fn find_above<Column>(
-    nodes: &[Node<Column>],
-    above: &mut Vec<Option<usize>>,
-) -> Result<(), ModelError> {
+fn find_above<Column>(nodes: &[Node<Column>], above: &mut Vec<Option<usize>>) -> Result<(), ModelError> {
     above.clear();
     above.resize(nodes.len(), None);
     for (index, node) in nodes.iter().enumerate() {
-        let Support::Floor(Floor {
-            below,
-            ground_damping,
-        }) = node.support
-        else {
+        let Support::Floor(Floor { below, ground_damping }) = node.support else {
             continue;
         };
         if !(ground_damping >= 0.0 && ground_damping.is_finite()) {

@@ -143,9 +143,7 @@ pub fn returned<N: Number>(
     let trial = stiffness * (displacement - plastic_displacement);
     let (above, below) = (trial.exceeds(yield_force), (-yield_force).exceeds(trial));
     // A trial that is not a number stays one and stops the run.
-    let branch = |beyond: [N; 2], elastic: N| {
-        N::select(above, beyond[0], N::select(below, beyond[1], elastic))
-    };
+    let branch = |beyond: [N; 2], elastic: N| N::select(above, beyond[0], N::select(below, beyond[1], elastic));
     let plastic_displacements = [displacement - at_yield, displacement + at_yield];
     Response {
         force: branch([yield_force, -yield_force], trial),
@@ -197,46 +195,27 @@ mod tests {
             let displacement = 0.001 * f64::from(step) * (1.0 - phase * phase) * phase.signum();
             let response = COLUMN.respond(displacement, memory);
             (memory, force) = (response.memory, response.force);
-            incremental =
-                (incremental + COLUMN.stiffness * (displacement - last)).clamp(-70e3, 70e3);
+            incremental = (incremental + COLUMN.stiffness * (displacement - last)).clamp(-70e3, 70e3);
             last = displacement;
-            assert!(
-                (force - incremental).abs() < 1e-6,
-                "step {step}: {force} against {incremental}"
-            );
+            assert!((force - incremental).abs() < 1e-6, "step {step}: {force} against {incremental}");
         }
-        assert!(
-            memory != 0.0 && force.is_finite(),
-            "the loop must have yielded"
-        );
+        assert!(memory != 0.0 && force.is_finite(), "the loop must have yielded");
     }
 
     #[test]
     fn limit_yield_never_reached_is_elastic() {
         let elastic = Elastic { stiffness: 2.056e6 };
         for yield_force in [1e9, f64::INFINITY] {
-            let column = Bilinear {
-                yield_force,
-                ..COLUMN
-            };
+            let column = Bilinear { yield_force, ..COLUMN };
             for displacement in [0.0, 1e-300, -0.033, 0.1 / 3.0, 17.0] {
-                let (lean, rich) = (
-                    elastic.respond(displacement, ()),
-                    column.respond(displacement, 0.0),
-                );
-                assert_eq!(
-                    (lean.force, lean.tangent, 0.0),
-                    (rich.force, rich.tangent, rich.memory)
-                );
+                let (lean, rich) = (elastic.respond(displacement, ()), column.respond(displacement, 0.0));
+                assert_eq!((lean.force, lean.tangent, 0.0), (rich.force, rich.tangent, rich.memory));
             }
         }
     }
 
     #[test]
     fn extreme_not_a_number_stays_one() {
-        assert!(
-            COLUMN.respond(f64::NAN, 0.0).force.is_nan(),
-            "a fault must not be clamped away"
-        );
+        assert!(COLUMN.respond(f64::NAN, 0.0).force.is_nan(), "a fault must not be clamped away");
     }
 }

@@ -34,27 +34,13 @@ impl Damping {
     ///
     /// # Errors
     /// [`ModelError`] unless 0 < first frequency < second, both finite.
-    pub fn rayleigh_from_ratios(
-        frequencies: [f64; 2],
-        ratios: [f64; 2],
-    ) -> Result<Self, ModelError> {
+    pub fn rayleigh_from_ratios(frequencies: [f64; 2], ratios: [f64; 2]) -> Result<Self, ModelError> {
         let omega = frequencies.map(|frequency| 2.0 * std::f64::consts::PI * frequency);
-        let rows = Matrix2::new(
-            0.5 / omega[0],
-            0.5 * omega[0],
-            0.5 / omega[1],
-            0.5 * omega[1],
-        );
-        let valid =
-            0.0 < frequencies[0] && frequencies[0] < frequencies[1] && frequencies[1].is_finite();
-        let solution = valid
-            .then(|| rows.lu().solve(&Vector2::from(ratios)))
-            .flatten();
+        let rows = Matrix2::new(0.5 / omega[0], 0.5 * omega[0], 0.5 / omega[1], 0.5 * omega[1]);
+        let valid = 0.0 < frequencies[0] && frequencies[0] < frequencies[1] && frequencies[1].is_finite();
+        let solution = valid.then(|| rows.lu().solve(&Vector2::from(ratios))).flatten();
         solution
-            .map(|x| Self::Rayleigh {
-                alpha: x[0],
-                beta: x[1],
-            })
+            .map(|x| Self::Rayleigh { alpha: x[0], beta: x[1] })
             .ok_or(ModelError::OutOfRange {
                 place: "rayleigh frequencies".into(),
                 found: frequencies[1],
@@ -85,13 +71,7 @@ mod tests {
 
     #[test]
     fn extreme_equal_frequencies_are_refused() {
-        assert!(
-            Damping::rayleigh_from_ratios([2.0, 2.0], [0.05, 0.05]).is_err(),
-            "no unique answer"
-        );
-        assert!(
-            Damping::rayleigh_from_ratios([0.0, 2.0], [0.05, 0.05]).is_err(),
-            "zero frequency"
-        );
+        assert!(Damping::rayleigh_from_ratios([2.0, 2.0], [0.05, 0.05]).is_err(), "no unique answer");
+        assert!(Damping::rayleigh_from_ratios([0.0, 2.0], [0.05, 0.05]).is_err(), "zero frequency");
     }
 }

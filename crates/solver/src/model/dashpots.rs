@@ -64,12 +64,7 @@ pub(crate) struct Eliminated {
 impl Eliminated {
     /// For a matrix with the diagonal `unit` and damping rates that count as `weigh` says; the equation of the floor above
     /// has been eliminated.
-    pub(crate) fn new(
-        (rates, on_ground): (&DampingRates, bool),
-        above: Option<&Self>,
-        unit: f64,
-        weigh: impl Fn(f64) -> f64,
-    ) -> Self {
+    pub(crate) fn new((rates, on_ground): (&DampingRates, bool), above: Option<&Self>, unit: f64, weigh: impl Fn(f64) -> f64) -> Self {
         let (storey, upper) = (weigh(rates.storey), weigh(rates.above));
         let (fixed, below) = if on_ground {
             (unit + storey, 0.0)
@@ -193,14 +188,10 @@ mod tests {
             dashpots.values.copy_from_slice(&known);
             for range in buildings.ranges() {
                 let x = dashpots.solve(range.clone(), step).to_vec();
-                let at = |floor: Option<usize>| {
-                    floor.and_then(|floor| x.get(floor)).copied().unwrap_or(0.0)
-                };
+                let at = |floor: Option<usize>| floor.and_then(|floor| x.get(floor)).copied().unwrap_or(0.0);
                 for floor in 0..x.len() {
                     let around = [at(floor.checked_sub(1)), x[floor], at(Some(floor + 1))];
-                    let rate = dashpots.floors[range.start + floor]
-                        .rates
-                        .deceleration(around);
+                    let rate = dashpots.floors[range.start + floor].rates.deceleration(around);
                     let (sum, known) = (x[floor] + 0.5 * step * rate, known[range.start + floor]);
                     assert!((sum - known).abs() < 1e-10, "{floor}: {sum} {known}");
                 }

@@ -103,8 +103,7 @@ impl<'a> Excitation<'a> {
         let Some(index) = sampling.last(time, self.samples.len(), &start) else {
             return resting(start(0));
         };
-        let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
-        else {
+        let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1)) else {
             return resting(f64::INFINITY);
         };
         let slope = (right - left) / self.time_step;
@@ -154,10 +153,7 @@ impl<'a> Excitation<'a> {
         if below as f64 + 1.0 - position < SNAP {
             return sample(below.saturating_add(1));
         }
-        match (
-            self.samples.get(below),
-            self.samples.get(below.saturating_add(1)),
-        ) {
+        match (self.samples.get(below), self.samples.get(below.saturating_add(1))) {
             (Some(left), Some(right)) => left + fraction * (right - left),
             _ => 0.0,
         }
@@ -193,10 +189,7 @@ mod tests {
             time_step: 0.01 / 3.0,
             n_steps: 2997,
         });
-        assert!(
-            fine.step_by(3).eq(ground.iter().copied()),
-            "every third node is a sample"
-        );
+        assert!(fine.step_by(3).eq(ground.iter().copied()), "every third node is a sample");
     }
 
     #[test]

@@ -37,12 +37,7 @@ pub(crate) enum Ground<'a> {
 
 impl<'a> Shaking<'a> {
     /// Of a row of so many nodes; `travel` where the motion does not arrive everywhere at once.
-    pub(crate) fn new(
-        n_nodes: usize,
-        travel: Option<Travel>,
-        excitation: Excitation<'a>,
-        clock: Clock,
-    ) -> Self {
+    pub(crate) fn new(n_nodes: usize, travel: Option<Travel>, excitation: Excitation<'a>, clock: Clock) -> Self {
         match travel {
             None => Self::Common(excitation.sampled(clock).collect()),
             Some(travel) => {
@@ -62,11 +57,7 @@ impl<'a> Shaking<'a> {
     pub(crate) fn at(&self, step: usize) -> Ground<'_> {
         match self {
             Self::Common(samples) => Ground::Common(samples[step]),
-            Self::Delayed(of) => Ground::Delayed {
-                of,
-                step,
-                part: 0.0,
-            },
+            Self::Delayed(of) => Ground::Delayed { of, step, part: 0.0 },
         }
     }
 
@@ -144,11 +135,7 @@ impl Ground<'_> {
     pub(crate) fn earlier(self, by: f64) -> Self {
         match self {
             Self::Common(_) => self,
-            Self::Delayed { of, step, part } => Self::Delayed {
-                of,
-                step,
-                part: part - by,
-            },
+            Self::Delayed { of, step, part } => Self::Delayed { of, step, part: part - by },
         }
     }
 }
@@ -161,11 +148,7 @@ impl Delayed<'_> {
             self.excitation.at_position(position)
         };
         let start = at(step);
-        if part > 0.0 {
-            start + part * (at(step + 1) - start)
-        } else {
-            start
-        }
+        if part > 0.0 { start + part * (at(step + 1) - start) } else { start }
     }
 
     fn grounds(&self, pair: &Pair, (step, part): (usize, f64)) -> [Motion; 2] {

@@ -54,10 +54,7 @@ impl Levels {
         }
         Self {
             nodes,
-            places: order
-                .iter()
-                .map(|(_, building, storey)| (*building, *storey))
-                .collect(),
+            places: order.iter().map(|(_, building, storey)| (*building, *storey)).collect(),
             heights: order.iter().map(|(level, ..)| *level).collect(),
         }
     }
@@ -128,10 +125,7 @@ mod tests {
         assert_eq!(levels.place(4), (2, 1));
         assert_eq!(levels.facing(0).collect::<Vec<_>>(), [(0, 1)]);
         assert_eq!(levels.facing(1).collect::<Vec<_>>(), [(1, 2)]);
-        assert_eq!(
-            Levels::new(&[2, 3]).facing(0).collect::<Vec<_>>(),
-            [(0, 1), (2, 3)]
-        );
+        assert_eq!(Levels::new(&[2, 3]).facing(0).collect::<Vec<_>>(), [(0, 1), (2, 3)]);
     }
 
     #[test]

@@ -22,9 +22,7 @@ impl RestoringForce for Mixed {
     #[inline]
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         match self {
-            Self::Sharp(column) => {
-                sharp(displacement, column.respond(displacement, memory.elastic))
-            }
+            Self::Sharp(column) => sharp(displacement, column.respond(displacement, memory.elastic)),
             Self::Smooth(column) => column.respond(displacement, memory),
         }
     }

@@ -85,8 +85,7 @@ pub fn modes<Column: Hysteretic>(storeys: &[Storey<Column>]) -> Result<Vec<Mode>
         });
     }
     let most = ITERATIONS_PER_FLOOR * storeys.len();
-    let eigen = SymmetricEigen::try_new(matrix, f64::EPSILON, most)
-        .expect("shifted QR iteration of a finite symmetric matrix converges");
+    let eigen = SymmetricEigen::try_new(matrix, f64::EPSILON, most).expect("shifted QR iteration of a finite symmetric matrix converges");
     let found = eigen.eigenvectors.column_iter();
     let mut modes: Vec<_> = found
         .map(|vector| {
@@ -119,9 +118,7 @@ fn scaled_stiffness<Column: Hysteretic>(storeys: &[Storey<Column>]) -> DMatrix<f
 
 /// The shape with 1 as its largest magnitude, and a positive roof, or highest floor that moves.
 fn normal(shape: Vec<f64>) -> Vec<f64> {
-    let largest = shape
-        .iter()
-        .fold(0.0, |most: f64, part| most.max(part.abs()));
+    let largest = shape.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
     let highest = shape.iter().rev().find(|part| **part != 0.0);
     let scale = highest.map_or(1.0, |part| part.signum()) * largest;
     shape.into_iter().map(|part| part / scale).collect()
@@ -169,12 +166,7 @@ fn check<Column: Hysteretic>(index: usize, storey: &Storey<Column>) -> Result<()
     let (mass, stiffness) = (storey.mass, storey.column.stiffness());
     require(mass > 0.0, "mass", mass, "a finite number > 0")?;
     require(stiffness >= 0.0, "stiffness", stiffness, NOT_NEGATIVE)?;
-    require(
-        storey.damping >= 0.0,
-        "damping",
-        storey.damping,
-        NOT_NEGATIVE,
-    )?;
+    require(storey.damping >= 0.0, "damping", storey.damping, NOT_NEGATIVE)?;
     let ground = storey.ground_damping;
     require(ground >= 0.0, "ground_damping", ground, NOT_NEGATIVE)
 }

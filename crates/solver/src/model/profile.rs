@@ -116,9 +116,7 @@ impl Profile {
             let elements = &self.elements[row.start..row.start + row.end - index];
             let (value, known) = (self.vector[index], &self.vector[index + 1..row.end]);
             let taken = elements[1..].iter().zip(known).rev();
-            self.vector[index] = taken.fold(value / elements[0], |value, (factor, known)| {
-                value - factor * known
-            });
+            self.vector[index] = taken.fold(value / elements[0], |value, (factor, known)| value - factor * known);
         }
     }
 }

@@ -50,11 +50,7 @@ pub struct Pair {
 impl Pair {
     /// Two points, the left one first, which nothing checks, with a gap g \[m\], ≥ 0.
     pub fn new(left: Point, right: Point, gap: f64, law: ContactLaw) -> Self {
-        let relation = Relation {
-            left,
-            right,
-            offset: gap,
-        };
+        let relation = Relation { left, right, offset: gap };
         Self { relation, law }
     }
 
@@ -112,10 +108,7 @@ impl Point {
     pub(crate) fn check<Column>(self, nodes: &[Node<Column>]) -> Result<(), PointFault> {
         let known = |floor: usize| {
             let n_nodes = nodes.len();
-            let fault = PointFault::NoNode {
-                found: floor,
-                n_nodes,
-            };
+            let fault = PointFault::NoNode { found: floor, n_nodes };
             nodes.get(floor).ok_or(fault)
         };
         let Share { base, other, lean } = match self {
@@ -164,10 +157,7 @@ impl Point {
     pub fn parts(self) -> impl Iterator<Item = (usize, f64)> + Clone {
         let parts = match self {
             Self::Floor(floor) => [Some((floor, 1.0)), None],
-            Self::Share(Share { base, other, lean }) => [
-                base.map(|floor| (floor, 1.0 - lean)),
-                other.map(|floor| (floor, lean)),
-            ],
+            Self::Share(Share { base, other, lean }) => [base.map(|floor| (floor, 1.0 - lean)), other.map(|floor| (floor, lean))],
         };
         parts.into_iter().flatten()
     }
@@ -194,10 +184,7 @@ impl Point {
     pub fn mobility(self, inverse_mass: impl Fn(usize) -> f64) -> f64 {
         match self {
             Self::Floor(floor) => inverse_mass(floor),
-            Self::Share(_) => self
-                .parts()
-                .map(|(floor, part)| part * part * inverse_mass(floor))
-                .sum(),
+            Self::Share(_) => self.parts().map(|(floor, part)| part * part * inverse_mass(floor)).sum(),
         }
     }
 }

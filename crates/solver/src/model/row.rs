@@ -72,10 +72,7 @@ impl<Column: RestoringForce> Row<Column> {
             let ahead = pair.relation.ahead(|node| nodes[node].initial_displacement);
             let overlap = ahead - pair.gap();
             if overlap > 0.0 {
-                return Err(ModelError::OverlapsAtStart {
-                    pair: index,
-                    overlap,
-                });
+                return Err(ModelError::OverlapsAtStart { pair: index, overlap });
             }
         }
         self.incidence.renew(nodes.len(), pairs);
@@ -90,11 +87,7 @@ impl<Column: RestoringForce> Row<Column> {
         for (side, point) in ["left", "right"].into_iter().zip(points) {
             point
                 .check(&self.nodes)
-                .map_err(|fault| ModelError::Point {
-                    pair: index,
-                    side,
-                    fault,
-                })?;
+                .map_err(|fault| ModelError::Point { pair: index, side, fault })?;
         }
         let [left, right] = points.map(Point::floor);
         let walls = [left, right].map(|floor| self.nodes[floor].is_wall());
@@ -149,9 +142,7 @@ impl<Column: RestoringForce> Row<Column> {
             }
             let below = node.support.below().map_or(found, |below| arrivals[below]);
             if found.total_cmp(&below).is_ne() {
-                return Err(refused(
-                    "that of the floor below: a building stands on one ground",
-                ));
+                return Err(refused("that of the floor below: a building stands on one ground"));
             }
         }
         let at_once = arrivals.iter().all(|arrival| *arrival == 0.0);
@@ -209,9 +200,7 @@ impl<Column> Row<Column> {
 
     /// When the ground motion arrives at a node \[s\].
     pub fn arrival(&self, node: usize) -> f64 {
-        self.arrivals
-            .as_ref()
-            .map_or(0.0, |arrivals| arrivals[node])
+        self.arrivals.as_ref().map_or(0.0, |arrivals| arrivals[node])
     }
 }
 
@@ -228,12 +217,7 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
             allowed,
         })
     };
-    require(
-        node.inverse_mass >= 0.0,
-        "inverse_mass",
-        node.inverse_mass,
-        NOT_NEGATIVE,
-    )?;
+    require(node.inverse_mass >= 0.0, "inverse_mass", node.inverse_mass, NOT_NEGATIVE)?;
     require(node.damping >= 0.0, "damping", node.damping, NOT_NEGATIVE)?;
     let stands = !node.is_wall() || node.initial_displacement == 0.0;
     require(
@@ -243,12 +227,7 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
         "a finite number; 0 for a wall",
     )?;
     let moves = !node.is_wall() || node.initial_velocity == 0.0;
-    require(
-        moves,
-        "initial_velocity",
-        node.initial_velocity,
-        "a finite number; 0 for a wall",
-    )
+    require(moves, "initial_velocity", node.initial_velocity, "a finite number; 0 for a wall")
 }
 
 fn check_pair(index: usize, pair: &Pair) -> Result<(), ModelError> {

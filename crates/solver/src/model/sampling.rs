@@ -70,12 +70,7 @@ impl Sampling {
     }
 
     /// The last sample that has arrived at a time, of which none comes after the one numbered `most`; nothing before the first.
-    pub(crate) fn last(
-        &self,
-        time: f64,
-        most: usize,
-        arrives: impl Fn(usize) -> f64,
-    ) -> Option<usize> {
+    pub(crate) fn last(&self, time: f64, most: usize, arrives: impl Fn(usize) -> f64) -> Option<usize> {
         if time < arrives(0) {
             return None;
         }
@@ -108,10 +103,7 @@ mod tests {
                 let arrival = 0.013_435;
                 let instant = sampling.instant(index, arrival);
                 let exact = index as f64 * step + arrival;
-                assert!(
-                    (instant - exact).abs() <= f64::EPSILON * (exact + sampling.unit),
-                    "{index}"
-                );
+                assert!((instant - exact).abs() <= f64::EPSILON * (exact + sampling.unit), "{index}");
                 let [first, _] = sampling.split(instant);
                 for back in [0.0, 1.0, 2.0] {
                     let zero = (first - back * sampling.unit).max(0.0);
@@ -119,11 +111,7 @@ mod tests {
                     let further = first - zero;
                     let again = sampling.on_clock(first, index, arrival) + further;
                     assert_eq!(shown.to_bits(), again.to_bits(), "{step} {index} {back}");
-                    assert_eq!(
-                        (zero + shown).to_bits(),
-                        instant.to_bits(),
-                        "{step} {index}"
-                    );
+                    assert_eq!((zero + shown).to_bits(), instant.to_bits(), "{step} {index}");
                 }
             }
         }

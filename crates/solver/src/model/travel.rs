@@ -121,10 +121,7 @@ impl Travel {
     /// Exact: the opening is a cubic between the instants at which samples arrive, and its largest magnitude lies at one of
     /// them or where its rate is zero in between.
     pub fn largest_opening(&self, nodes: [usize; 2], until: f64) -> Opening {
-        let mut largest = Opening {
-            distance: 0.0,
-            time: 0.0,
-        };
+        let mut largest = Opening { distance: 0.0, time: 0.0 };
         let mut take = |time: f64, distance: f64| {
             if distance.abs() > largest.distance.abs() {
                 largest = Opening { distance, time };
@@ -221,10 +218,7 @@ impl Travel {
     /// valid until the next sample arrives there.
     pub(crate) fn cubic_ground(&self, node: usize, instant: [f64; 2]) -> [f64; 4] {
         let ground = self.under(node, instant);
-        let Motion {
-            displacement,
-            velocity,
-        } = ground.motion();
+        let Motion { displacement, velocity } = ground.motion();
         [displacement, velocity, ground.bend, ground.sixth]
     }
 

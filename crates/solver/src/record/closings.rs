@@ -115,17 +115,13 @@ impl Closings {
         match span.path {
             Path::Cubic(_) => 1,
             // The ground below it is a cubic: nothing is left out of that.
-            Path::Series(series) if travels && series.power == Power::One => {
-                piece::looks(series.displacement, span.duration())
-            }
+            Path::Series(series) if travels && series.power == Power::One => piece::looks(series.displacement, span.duration()),
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "a number of looks, at least one"
             )]
-            Path::Series(_) | Path::Flight(_) => {
-                (span.duration() / self.look).ceil().max(1.0) as u32
-            }
+            Path::Series(_) | Path::Flight(_) => (span.duration() / self.look).ceil().max(1.0) as u32,
         }
     }
 }
@@ -169,18 +165,10 @@ impl Recorder for Closings {
             look += u32::from(look < looks && time <= bends);
             let time = time.min(bends);
             let end = node(time, span.at(time));
-            self.follow(
-                span.structure,
-                travel.as_ref(),
-                &Cubic { start, end }.into(),
-            );
+            self.follow(span.structure, travel.as_ref(), &Cubic { start, end }.into());
             start = end;
         }
-        self.follow(
-            span.structure,
-            travel.as_ref(),
-            &Cubic { start, end }.into(),
-        );
+        self.follow(span.structure, travel.as_ref(), &Cubic { start, end }.into());
         self.travel = travel;
     }
 
@@ -356,10 +344,7 @@ mod tests {
         let wanted = looked.fold(0.0, f64::max);
         let found = closings.of(0).expect("it moved");
         // Which is up to 2e-10 less than the top between its looks.
-        assert!(
-            (-1e-12..2e-10).contains(&(found.distance - wanted)),
-            "{found:?} {wanted}"
-        );
+        assert!((-1e-12..2e-10).contains(&(found.distance - wanted)), "{found:?} {wanted}");
         let there = ahead(found.time);
         assert!((there - found.distance).abs() < 1e-12, "{found:?} {there}");
     }
@@ -421,10 +406,7 @@ mod tests {
         let mut closings = Closings::new(vec![false, false], 1.0);
         closings.span(&step(0, [0.0, 1.0], |t| (-1.0 - t, -1.0)));
         closings.span(&step(1, [0.0, 1.0], |t| (t, 1.0)));
-        let wanted = Closing {
-            distance: -1.0,
-            time: 0.0,
-        };
+        let wanted = Closing { distance: -1.0, time: 0.0 };
         assert_eq!(closings.of(0), Some(wanted));
     }
 }

@@ -108,10 +108,7 @@ fn jerk(series: &Series<'_>, slope: f64) -> ([f64; CAPACITY], usize) {
     }
     let order = series.power.order();
     rates[order - 1] += order as f64 * slope;
-    (
-        rates,
-        order.max(series.acceleration.len().saturating_sub(1)),
-    )
+    (rates, order.max(series.acceleration.len().saturating_sub(1)))
 }
 
 #[cfg(test)]

@@ -23,17 +23,10 @@ const SNAP: f64 = 1e-9;
 impl Histories {
     /// For a row of `n_structures`, that is nodes, walls included, a state every `interval` \[s\], up to `duration` \[s\].
     pub fn new(n_structures: usize, interval: f64, duration: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a capacity, not a result"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a capacity, not a result")]
         let capacity = (duration / interval) as usize + 2;
         let structures = vec![History { states: Vec::new() }; n_structures];
-        let mut histories = Self {
-            interval,
-            structures,
-        };
+        let mut histories = Self { interval, structures };
         for history in &mut histories.structures {
             history.states.reserve_exact(capacity);
         }

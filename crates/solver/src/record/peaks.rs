@@ -83,14 +83,9 @@ impl StructurePeaks {
         let changes = reach(terms.clone().map(drift), x);
         let (force, tangent) = series.restoring_force;
         let bent = reach(series.bent.iter().skip(1).copied(), x);
-        let beyond = |start: f64, change: f64, peak: Peak| {
-            (1.0 + BEYOND) * (start.abs() + change) > peak.value.abs()
-        };
-        beyond(
-            displacement(0),
-            reach(terms.map(displacement), x),
-            self.displacement,
-        ) || beyond(drift(0), changes, self.drift())
+        let beyond = |start: f64, change: f64, peak: Peak| (1.0 + BEYOND) * (start.abs() + change) > peak.value.abs();
+        beyond(displacement(0), reach(terms.map(displacement), x), self.displacement)
+            || beyond(drift(0), changes, self.drift())
             || beyond(force, tangent.abs() * changes + bent, self.restoring_force)
     }
 
@@ -180,10 +175,7 @@ mod tests {
     /// A floor at t² − t on one that moves evenly at −0.5 m/s, for 2 s from `start` on: the floor turns at 0.5 s with
     /// −0.25 m, the storey at 0.25 s with −0.0625 m.
     fn span(path: Path<'_>) -> Span<'_> {
-        let motion = |displacement, velocity| Motion {
-            displacement,
-            velocity,
-        };
+        let motion = |displacement, velocity| Motion { displacement, velocity };
         let state = |displacement, velocity, restoring_force| State {
             displacement,
             velocity,

@@ -47,11 +47,7 @@ pub struct Impact {
 
 impl Impact {
     /// Of two points, from the velocities of floors before and after; pair, instant, impulse and rate of the grounds are open.
-    pub(crate) fn of(
-        relation: &Relation,
-        before: impl Fn(usize) -> f64,
-        after: impl Fn(usize) -> f64,
-    ) -> Self {
+    pub(crate) fn of(relation: &Relation, before: impl Fn(usize) -> f64, after: impl Fn(usize) -> f64) -> Self {
         let mut floors = [None; 4];
         for (place, (floor, part)) in floors.iter_mut().zip(relation.pushes()) {
             *place = Some(Struck {
@@ -111,20 +107,12 @@ pub struct Touch {
 
 impl Touch {
     /// The uncertainty of a touch from s, v and a.
-    pub(crate) fn uncertainty(
-        time: f64,
-        deformation: f64,
-        (rate, acceleration): (f64, f64),
-    ) -> f64 {
+    pub(crate) fn uncertainty(time: f64, deformation: f64, (rate, acceleration): (f64, f64)) -> f64 {
         let (rate, bend) = (rate.max(0.0), 2.0 * acceleration.abs() * deformation);
         let transversal = 2.0 * deformation / (rate + (rate * rate - bend).max(0.0).sqrt());
         let grazing = (2.0 * deformation / acceleration.abs()).sqrt();
         // Structures that are at zero, and have no gap, are known to be.
-        let reach = if deformation > 0.0 {
-            transversal.min(grazing)
-        } else {
-            0.0
-        };
+        let reach = if deformation > 0.0 { transversal.min(grazing) } else { 0.0 };
         reach + f64::EPSILON * time
     }
 }

@@ -1,8 +1,8 @@
 //! What runs are asked for, in one recorder.
 
 use crate::{
-    Closings, Collisions, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks,
-    Recorder, Span, Touch, TransferredMomentum,
+    Closings, Collisions, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks, Recorder, Span, Touch,
+    TransferredMomentum,
 };
 
 /// The recorders of a run of an [`AnyRow`](crate::AnyRow).

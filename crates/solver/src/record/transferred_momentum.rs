@@ -97,21 +97,14 @@ mod tests {
     }
 
     fn impact(time: f64, impulse: f64) -> Impact {
-        let velocities = Velocities {
-            left: 0.0,
-            right: 0.0,
-        };
+        let velocities = Velocities { left: 0.0, right: 0.0 };
         Impact {
             pair: 1,
             left: 1,
             right: 2,
             floors: [(1, -1.0), (2, 1.0), (0, 0.0), (0, 0.0)].map(|(floor, part)| {
                 let velocities = [0.0; 2];
-                let struck = Struck {
-                    floor,
-                    part,
-                    velocities,
-                };
+                let struck = Struck { floor, part, velocities };
                 (part != 0.0).then_some(struck)
             }),
             time,

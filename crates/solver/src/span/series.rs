@@ -152,14 +152,8 @@ impl Series<'_> {
 
     /// [States](Self::at) at the nodes of a rule, each with the [drift](Self::drift) of the storey below, by side and number.
     #[inline(always)]
-    #[expect(
-        clippy::inline_always,
-        reason = "an integrand that asks for no acceleration does not pay for it"
-    )]
-    fn states<const HALF: usize>(
-        &self,
-        nodes: Sides<HALF>,
-    ) -> impl Fn(usize, usize) -> (State, Motion) {
+    #[expect(clippy::inline_always, reason = "an integrand that asks for no acceleration does not pay for it")]
+    fn states<const HALF: usize>(&self, nodes: Sides<HALF>) -> impl Fn(usize, usize) -> (State, Motion) {
         let nodes = &nodes;
         let rise = rises(self.displacement, nodes);
         let velocity = values(self.velocity, nodes);

@@ -3,9 +3,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use crate::common::{
-    METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
-};
+use crate::common::{METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding};
 use crate::watch::Watch;
 use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
 
@@ -17,10 +15,7 @@ thread_local! {
     pub(crate) static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-#[expect(
-    unsafe_code,
-    reason = "an allocator is unsafe by nature; this one only counts"
-)]
+#[expect(unsafe_code, reason = "an allocator is unsafe by nature; this one only counts")]
 // SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
@@ -55,23 +50,14 @@ fn limit_a_step_allocates_nothing() {
         for (name, method) in METHODS {
             let count = |duration| {
                 let excitation = Excitation::new(0.01, &samples).unwrap();
-                let mut recorder = (
-                    Peaks::new(3),
-                    TransferredMomentum::new(3),
-                    Ledger::new(&row, excitation),
-                );
+                let mut recorder = (Peaks::new(3), TransferredMomentum::new(3), Ledger::new(&row, excitation));
                 let before = allocations();
-                let work = method
-                    .watch(&row, excitation, clock(0.005, duration), &mut recorder)
-                    .unwrap();
+                let work = method.watch(&row, excitation, clock(0.005, duration), &mut recorder).unwrap();
                 (allocations() - before, work)
             };
             let ((short, _), (long, work)) = (count(1.0), count(10.0));
             assert!(work.touching_steps > 0, "{name}: the row must collide");
-            assert_eq!(
-                short, long,
-                "{name}: ten times the steps, the same allocations"
-            );
+            assert_eq!(short, long, "{name}: ten times the steps, the same allocations");
             assert!(short > 0, "{name}: the counter must count");
         }
     }

@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Damping, Elastic, Exact, Excitation, Histories, Integrator, Mode, Node, Row, Storey, modes,
-};
+use pounding_solver::{Damping, Elastic, Exact, Excitation, Histories, Integrator, Mode, Node, Row, Storey, modes};
 
 use crate::common::{CENTRAL, LOCATED, clock, pairs};
 
@@ -51,11 +49,7 @@ fn storey(mass: f64, stiffness: f64) -> Storey<Elastic> {
 
 /// The determinant of K − ω²M of three storeys over k³, which is 0 at their frequencies.
 fn residual([m1, m2, m3]: [f64; 3], k: f64, squared: f64) -> f64 {
-    let (d1, d2, d3) = (
-        2.0 * k - m1 * squared,
-        2.0 * k - m2 * squared,
-        k - m3 * squared,
-    );
+    let (d1, d2, d3) = (2.0 * k - m1 * squared, 2.0 * k - m2 * squared, k - m3 * squared);
     (d1 * (d2 * d3 - k * k) - k * k * d3) / (k * k * k)
 }
 
@@ -64,17 +58,10 @@ fn residual([m1, m2, m3]: [f64; 3], k: f64, squared: f64) -> f64 {
 fn reference_a_measured_frame_of_three_storeys() {
     let (masses, stiffness) = ([1.8965, 1.8965, 1.7338], 2923.7);
     let found = modes(&masses.map(|mass| storey(mass, stiffness))).expect("good storeys");
-    for ((mode, computed), published) in found
-        .iter()
-        .zip([17.8936, 49.7469, 71.1188])
-        .zip([17.8939, 49.7476, 71.1199])
-    {
+    for ((mode, computed), published) in found.iter().zip([17.8936, 49.7469, 71.1188]).zip([17.8939, 49.7476, 71.1199]) {
         let omega = mode.angular_frequency;
         assert!((omega - computed).abs() <= 5e-5, "{omega}, {computed}");
-        assert!(
-            (omega / published - 1.0).abs() <= 2e-5,
-            "{omega}, {published}"
-        );
+        assert!((omega / published - 1.0).abs() <= 2e-5, "{omega}, {published}");
         let left = residual(masses, stiffness, omega * omega);
         assert!(left.abs() <= 1e-12, "{omega}: {left:e}");
     }
@@ -108,9 +95,6 @@ fn reference_a_base_isolated_building_of_chopra() {
     let root = (half * half - isolators * columns / (slab * mass)).sqrt();
     for (found, squared) in periods.iter().zip([half - root, half + root]) {
         let wanted = 2.0 * PI / squared.sqrt();
-        assert!(
-            (found / wanted - 1.0).abs() <= 1e-13,
-            "{found} against {wanted}"
-        );
+        assert!((found / wanted - 1.0).abs() <= 1e-13, "{found} against {wanted}");
     }
 }

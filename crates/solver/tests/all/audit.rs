@@ -2,15 +2,10 @@
 
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
-use pounding_solver::{
-    Bilinear, Clock, Excitation, Impact, Integrator, Node, Recorder, Row, Span, State,
-};
+use pounding_solver::{Bilinear, Clock, Excitation, Impact, Integrator, Node, Recorder, Row, Span, State};
 use std::fmt::Write;
 
-use crate::common::{
-    CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, histories, pairs,
-    yielding,
-};
+use crate::common::{CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, histories, pairs, yielding};
 use crate::watch::Watch;
 
 /// Checks every span and impact of a run on the grid of the ground motion.
@@ -37,11 +32,7 @@ impl Audit<'_> {
     /// Inertia, and damping, restoring, pounding and ground forces on a structure.
     fn forces(&self, structure: usize, time: f64, state: &State) -> (f64, [f64; 4]) {
         let node = &self.row.nodes()[structure];
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a small positive number"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
         let sample = (time / self.time_step + 1e-9) as usize;
         // Spans may end between two samples.
         let fraction = time / self.time_step - sample as f64;
@@ -87,17 +78,11 @@ impl Recorder for Audit<'_> {
                 (before.displacement - span.start.displacement).abs() == 0.0,
                 "displacements are continuous"
             );
-            assert!(
-                (before.restoring_force - span.start.restoring_force).abs() == 0.0,
-                "so are forces"
-            );
+            assert!((before.restoring_force - span.start.restoring_force).abs() == 0.0, "so are forces");
             let change = span.start.velocity - before.velocity;
             let impulse = std::mem::take(&mut self.impulses[index]);
             if impulse == 0.0 {
-                assert!(
-                    change == 0.0,
-                    "velocities jump only where an impact was reported"
-                );
+                assert!(change == 0.0, "velocities jump only where an impact was reported");
             } else if !self.row.nodes()[index].is_wall() {
                 let expected = impulse * self.row.nodes()[index].inverse_mass;
                 self.jump = self.jump.max((change - expected).abs() / expected.abs());
@@ -145,11 +130,7 @@ fn rows() -> Vec<Row<Bilinear>> {
         pairs[1].law = laws[1];
         Row::new(nodes, pairs).expect("the row is valid")
     };
-    let (weak, other, stiff) = (
-        yielding(WEAK),
-        yielding((120e3, 5e6, 90e3)),
-        yielding(STIFF),
-    );
+    let (weak, other, stiff) = (yielding(WEAK), yielding((120e3, 5e6, 90e3)), yielding(STIFF));
     vec![
         row(vec![weak, other, stiff], [STEREOMECHANICAL; 2]),
         row(vec![weak, stiff, other], [VISCOELASTIC; 2]),
@@ -162,9 +143,7 @@ fn rows() -> Vec<Row<Bilinear>> {
 #[test]
 fn limit_spans_and_impacts_keep_their_promises() {
     let time_step = 0.002;
-    let samples: Vec<f64> = (0..=5001)
-        .map(|i| libm::sin(f64::from(i) * 0.011) * 3.0)
-        .collect();
+    let samples: Vec<f64> = (0..=5001).map(|i| libm::sin(f64::from(i) * 0.011) * 3.0).collect();
     for row in rows() {
         let impulsive = row.pairs().iter().all(|pair| pair.law == STEREOMECHANICAL);
         for (name, method) in METHODS {
@@ -185,22 +164,13 @@ fn limit_spans_and_impacts_keep_their_promises() {
                 n_impacts: 0,
             };
             let excitation = Excitation::new(time_step, &samples).unwrap();
-            let work = method
-                .watch(&row, excitation, clock(time_step, 10.0), &mut audit)
-                .unwrap();
+            let work = method.watch(&row, excitation, clock(time_step, 10.0), &mut audit).unwrap();
             assert!(work.touching_steps > 0, "{name}: the row must collide");
-            assert!(
-                audit.n_impacts > 0 || !impulsive,
-                "{name}: impacts are reported"
-            );
+            assert!(audit.n_impacts > 0 || !impulsive, "{name}: impacts are reported");
             assert!(audit.jump < 1e-11, "{name}: jump {:e}", audit.jump);
             // A viscoelastic force is that of the rate before a jump of its neighbour: mixed rows are left out.
             let mixed = !impulsive && audit.n_impacts > 0;
-            assert!(
-                mixed || audit.residual < 1e-11,
-                "{name}: residual {:e}",
-                audit.residual
-            );
+            assert!(mixed || audit.residual < 1e-11, "{name}: residual {:e}", audit.residual);
         }
     }
 }
@@ -222,11 +192,7 @@ fn limit_no_overlap_is_without_a_force() {
     };
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
     between[1].relation.offset = 1e-7;
-    let row = Row::new(
-        vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
-        between,
-    )
-    .unwrap();
+    let row = Row::new(vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)], between).unwrap();
     for (name, method) in METHODS {
         let (histories, work) = histories(&row, method, &[0.0], clock(1e-3, 0.01));
         assert!(work.touching_steps > 2, "{name}: the row must collide");
@@ -269,10 +235,7 @@ fn reference_a_start_with_an_initial_velocity() {
 #[test]
 fn limit_work_is_counted() {
     let mut table = String::new();
-    for (what, row) in ["stereomechanical", "viscoelastic", "both laws"]
-        .into_iter()
-        .zip(rows())
-    {
+    for (what, row) in ["stereomechanical", "viscoelastic", "both laws"].into_iter().zip(rows()) {
         for (name, method) in METHODS {
             let (_, work) = histories(&row, method, &ground(), clock(0.005, 10.0));
             writeln!(table, "{what:<18}{name:<20}{work:?}").expect("a string takes all");
@@ -294,19 +257,9 @@ fn limit_a_wall_does_not_move() {
                     n_steps: 2000,
                 },
             );
-            for (index, node) in row
-                .nodes()
-                .iter()
-                .enumerate()
-                .filter(|(_, node)| node.is_wall())
-            {
-                let still = |state: &State| {
-                    state.displacement == 0.0 && state.velocity == 0.0 && state.acceleration == 0.0
-                };
-                assert!(
-                    histories.of(index).states.iter().all(still),
-                    "{name}: {node:?}"
-                );
+            for (index, node) in row.nodes().iter().enumerate().filter(|(_, node)| node.is_wall()) {
+                let still = |state: &State| state.displacement == 0.0 && state.velocity == 0.0 && state.acceleration == 0.0;
+                assert!(histories.of(index).states.iter().all(still), "{name}: {node:?}");
             }
         }
     }

@@ -1,9 +1,7 @@
 //! Numbers so large or small that series and counts overflow: found by fuzzing, and ended with an error.
 
 use pounding_contact::{ContactLaw, LinearSpring};
-use pounding_solver::{
-    Clock, Exact, Excitation, Integrator, Peaks, Row, RunError, SimultaneousImpacts, Work,
-};
+use pounding_solver::{Clock, Exact, Excitation, Integrator, Peaks, Row, RunError, SimultaneousImpacts, Work};
 
 use crate::common::{STIFF, VISCOELASTIC, WEAK, central, clock, elastic, pairs, yielding};
 use crate::watch::Watch;
@@ -43,10 +41,7 @@ fn issue_contact_too_stiff_for_numbers_ends_with_an_error() {
 fn issue_a_touch_too_fast_for_numbers_ends_with_an_error() {
     for velocity in [5.21e154, 1e200, 1e300] {
         let error = run(VISCOELASTIC, velocity).expect_err("a force beyond all numbers");
-        let known = matches!(
-            error,
-            RunError::OutOfNumbers { .. } | RunError::NoProgress { .. }
-        );
+        let known = matches!(error, RunError::OutOfNumbers { .. } | RunError::NoProgress { .. });
         assert!(known, "{velocity:e}: {error}");
     }
 }

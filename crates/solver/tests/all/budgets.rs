@@ -3,10 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
-use pounding_solver::{
-    Budget, Clock, Elastic, Exact, Excitation, Histories, Impact, Integrator, Recorder, Row,
-    RunError, Span, Work,
-};
+use pounding_solver::{Budget, Clock, Elastic, Exact, Excitation, Histories, Impact, Integrator, Recorder, Row, RunError, Span, Work};
 
 use crate::common::{METHODS, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs};
 
@@ -32,11 +29,7 @@ fn two(law: ContactLaw) -> Row<Elastic> {
     Row::new(nodes, pairs(2, 0.01, law)).expect("a row")
 }
 
-fn run(
-    method: Integrator,
-    row: &Row<Elastic>,
-    (clock, budget): (Clock, Budget),
-) -> Result<Work, RunError> {
+fn run(method: Integrator, row: &Row<Elastic>, (clock, budget): (Clock, Budget)) -> Result<Work, RunError> {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     method.run(row, excitation, clock.within(budget), &mut ())
@@ -62,19 +55,13 @@ fn issue_whoever_stops_ends_a_run_of_every_method() {
     let row = two(VISCOELASTIC);
     for (name, method) in METHODS.into_iter().chain([("exact", EXACT)]) {
         let ended = run(method, &row, (LONG, STOP));
-        assert!(
-            matches!(ended, Err(RunError::Stopped { .. })),
-            "{name}: {ended:?}"
-        );
+        assert!(matches!(ended, Err(RunError::Stopped { .. })), "{name}: {ended:?}");
         let hurried = Budget {
             seconds: Some(0.0),
             ..Budget::default()
         };
         let ended = run(method, &row, (LONG, hurried));
-        assert!(
-            matches!(ended, Err(RunError::TooLong { .. })),
-            "{name}: {ended:?}"
-        );
+        assert!(matches!(ended, Err(RunError::TooLong { .. })), "{name}: {ended:?}");
     }
 }
 
@@ -136,13 +123,7 @@ fn extreme_a_run_without_time_makes_no_piece() {
     };
     let mut histories = Histories::new(2, 0.01, 1.0);
     let ended = EXACT.run(&row, excitation, LONG.within(hurried), &mut histories);
-    assert_eq!(
-        ended.err(),
-        Some(RunError::TooLong {
-            time: 0.0,
-            seconds: 0.0
-        })
-    );
+    assert_eq!(ended.err(), Some(RunError::TooLong { time: 0.0, seconds: 0.0 }));
     assert!(histories.of(0).states.is_empty(), "it made a piece");
 }
 
@@ -152,27 +133,14 @@ fn issue_a_contact_damped_without_measure_is_refused_before_it_runs() {
     let clock = clock(0.01, 10.0);
     for ratio in [1e7, 1e8, 1e12, 1e300] {
         let ended = run(EXACT, &two(kelvin_voigt(ratio)), (clock, Budget::default()));
-        let refused = matches!(
-            ended,
-            Err(RunError::TooDamped {
-                left: 0,
-                right: 1,
-                ..
-            })
-        );
+        let refused = matches!(ended, Err(RunError::TooDamped { left: 0, right: 1, .. }));
         assert!(refused, "{ratio:e}: {ended:?}");
     }
     // One that needs few pieces runs, one that needs more than it may have ends.
     for (ratio, allowed, ends) in [(1e2, 1e7, true), (1e4, 1e7, true), (1e4, 5e3, false)] {
         let ended = run(EXACT, &two(kelvin_voigt(ratio)), (clock, pieces(allowed)));
-        let over = matches!(
-            ended,
-            Err(RunError::TooManyPieces { .. } | RunError::TooDamped { .. })
-        );
-        assert!(
-            if ends { ended.is_ok() } else { over },
-            "{ratio:e}, {allowed:e}: {ended:?}"
-        );
+        let over = matches!(ended, Err(RunError::TooManyPieces { .. } | RunError::TooDamped { .. }));
+        assert!(if ends { ended.is_ok() } else { over }, "{ratio:e}, {allowed:e}: {ended:?}");
     }
 }
 
@@ -205,8 +173,7 @@ fn limit_a_budget_changes_no_bit() {
 /// A row of 100 000 was taken up.
 #[test]
 fn issue_a_row_without_measure_is_refused_before_it_runs() {
-    let row =
-        |n: usize| Row::new(vec![elastic(WEAK); n], pairs(n, 0.1, VISCOELASTIC)).expect("a row");
+    let row = |n: usize| Row::new(vec![elastic(WEAK); n], pairs(n, 0.1, VISCOELASTIC)).expect("a row");
     let clock = clock(0.01, 10.0);
     let ended = run(EXACT, &row(100_000), (clock, Budget::default()));
     assert!(matches!(ended, Err(RunError::TooLarge { .. })), "{ended:?}");
@@ -221,19 +188,12 @@ fn issue_long_rows_at_rest_against_each_other_took_the_cube_of_their_number() {
     let n = 200;
     let structure = |index: usize| {
         let (mass, stiffness, strength) = WEAK;
-        elastic((
-            mass,
-            stiffness * (1.0 + 0.1 * (index * 7 % 13) as f64),
-            strength,
-        ))
+        elastic((mass, stiffness * (1.0 + 0.1 * (index * 7 % 13) as f64), strength))
     };
     let nodes = (0..n).map(structure).collect();
     let row = Row::new(nodes, pairs(n, 0.0, law)).expect("a row");
     let ended = run(EXACT, &row, (clock(0.01, 2.0), pieces(1e6)));
     // Within its budget it ends as any other does.
-    let fair = matches!(
-        ended,
-        Ok(_) | Err(RunError::TooManyPieces { .. } | RunError::NoProgress { .. })
-    );
+    let fair = matches!(ended, Ok(_) | Err(RunError::TooManyPieces { .. } | RunError::NoProgress { .. }));
     assert!(fair, "{ended:?}");
 }

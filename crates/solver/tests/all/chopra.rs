@@ -9,20 +9,12 @@ use crate::watch::Watch;
 const MASS: f64 = 0.2533;
 
 fn example() -> Row<Elastic> {
-    Row::new(
-        vec![Node::structure(MASS, 0.1592, Elastic { stiffness: 10.0 })],
-        vec![],
-    )
-    .expect("the row is valid")
+    Row::new(vec![Node::structure(MASS, 0.1592, Elastic { stiffness: 10.0 })], vec![]).expect("the row is valid")
 }
 
 /// The half-cycle sine load of 10 kip and 0.6 s as a ground acceleration.
 fn load(time_step: f64) -> Vec<f64> {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a small positive number"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
     let n = (0.6 / time_step).round() as usize;
     (0..=n)
         .map(|i| -10.0 / MASS * libm::sin(std::f64::consts::PI * i as f64 / n as f64))
@@ -35,28 +27,15 @@ fn displacements(method: Integrator, time_step: f64) -> Vec<f64> {
     let mut histories = Histories::new(1, 0.1, 1.0);
     let excitation = Excitation::new(time_step, &samples).expect("the load is finite");
     method
-        .watch(
-            &example(),
-            excitation,
-            clock(time_step, 1.0),
-            &mut histories,
-        )
+        .watch(&example(), excitation, clock(time_step, 1.0), &mut histories)
         .expect("the run ends");
-    histories
-        .of(0)
-        .states
-        .iter()
-        .map(|state| state.displacement)
-        .collect()
+    histories.of(0).states.iter().map(|state| state.displacement).collect()
 }
 
 fn assert_close(found: &[f64], printed: &[f64], allowed: f64) {
     assert_eq!(found.len(), printed.len(), "one value every 0.1 s");
     for (i, (found, printed)) in found.iter().zip(printed).enumerate() {
-        assert!(
-            (found - printed).abs() <= allowed,
-            "{i}: {found} against {printed}"
-        );
+        assert!((found - printed).abs() <= allowed, "{i}: {found} against {printed}");
     }
 }
 
@@ -65,9 +44,7 @@ const PRINTED: f64 = 1.5e-4;
 
 #[test]
 fn reference_chopra_example_5_2_central_difference() {
-    let printed = [
-        0.0, 0.0, 0.1914, 0.6293, 1.1825, 1.5808, 1.5411, 0.9140, -0.0247, -0.8968, -1.3725,
-    ];
+    let printed = [0.0, 0.0, 0.1914, 0.6293, 1.1825, 1.5808, 1.5411, 0.9140, -0.0247, -0.8968, -1.3725];
     assert_close(&displacements(CENTRAL, 0.1), &printed, PRINTED);
 }
 
@@ -99,16 +76,12 @@ fn reference_chopra_example_5_2_theoretical_solution() {
 
 /// Displacement at `time` of a structure that starts from (u₀, v₀) under a constant ground acceleration.
 fn step_response(node: &Node<Elastic>, ground: f64, time: f64) -> f64 {
-    let (omega2, decay) = (
-        node.column.stiffness * node.inverse_mass,
-        0.5 * node.damping * node.inverse_mass,
-    );
+    let (omega2, decay) = (node.column.stiffness * node.inverse_mass, 0.5 * node.damping * node.inverse_mass);
     let frequency = (omega2 - decay * decay).sqrt();
     let rest = -ground / omega2;
     let a = node.initial_displacement - rest;
     let b = (node.initial_velocity + decay * a) / frequency;
-    rest + libm::exp(-decay * time)
-        * (a * libm::cos(frequency * time) + b * libm::sin(frequency * time))
+    rest + libm::exp(-decay * time) * (a * libm::cos(frequency * time) + b * libm::sin(frequency * time))
 }
 
 #[test]

@@ -1,10 +1,7 @@
 //! One collision lasts from touch to parting, also where a clamped force lets go in between.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, KelvinVoigt, LawName};
-use pounding_solver::{
-    Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Ledger, Node, Recorder,
-    Row, Span,
-};
+use pounding_solver::{Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Ledger, Node, Recorder, Row, Span};
 
 use crate::common::{METHODS, STIFF, WEAK, clock, elastic, ground, pairs};
 use crate::watch::Watch;
@@ -38,11 +35,7 @@ fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
     let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, GAP, law)).expect("a row");
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("good samples");
-    let mut seen = (
-        Collisions::new(2, row.pairs()),
-        Pushes::default(),
-        Histories::new(2, 1e-4, 10.0),
-    );
+    let mut seen = (Collisions::new(2, row.pairs()), Pushes::default(), Histories::new(2, 1e-4, 10.0));
     method
         .watch(&row, excitation, clock(time_step, 10.0), &mut seen)
         .expect("the run ends");
@@ -53,10 +46,7 @@ fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
         .zip(right)
         .map(|(left, right)| left.displacement - right.displacement - GAP > 0.0)
         .collect();
-    let n_overlaps = overlaps
-        .windows(2)
-        .filter(|pair| !pair[0] && pair[1])
-        .count();
+    let n_overlaps = overlaps.windows(2).filter(|pair| !pair[0] && pair[1]).count();
     [collisions.all().len(), pushes.n, n_overlaps]
 }
 
@@ -65,10 +55,7 @@ fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
 fn issue_a_force_that_lets_go_before_the_parting_is_no_new_collision() {
     let [exact, pushes, overlaps] = counts(Integrator::Exact(Exact::default()), 1e-4);
     assert_eq!(exact, overlaps, "collisions are overlaps");
-    assert!(
-        pushes > exact,
-        "the clamp lets go: {pushes} pushes, {exact} collisions"
-    );
+    assert!(pushes > exact, "the clamp lets go: {pushes} pushes, {exact} collisions");
     for (name, method) in METHODS {
         let [found, _, overlaps] = counts(method, 1e-4);
         assert_eq!([found, overlaps], [exact; 2], "{name}");
@@ -95,22 +82,11 @@ fn issue_energy_given_back_after_a_clamp_was_taken_before() {
     let mut ground = vec![0.0; 200];
     ground[75..95].fill(-6.0);
     let excitation = Excitation::new(1e-3, &ground).expect("good samples");
-    for (name, method) in METHODS
-        .into_iter()
-        .chain([("exact", Integrator::Exact(Exact::default()))])
-    {
-        let mut seen = (
-            Ledger::new(&row, excitation),
-            Pushes::default(),
-            Collisions::new(2, row.pairs()),
-        );
-        method
-            .watch(&row, excitation, clock(1e-5, 0.2), &mut seen)
-            .expect("the run ends");
+    for (name, method) in METHODS.into_iter().chain([("exact", Integrator::Exact(Exact::default()))]) {
+        let mut seen = (Ledger::new(&row, excitation), Pushes::default(), Collisions::new(2, row.pairs()));
+        method.watch(&row, excitation, clock(1e-5, 0.2), &mut seen).expect("the run ends");
         let (ledger, pushes, collisions) = seen;
         assert_eq!((pushes.n, collisions.all().len()), (2, 1), "{name}");
-        ledger
-            .verdict()
-            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        ledger.verdict().unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }

@@ -3,21 +3,18 @@ use crate::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Elastic, Excitation, Floor, Hht, Histories, Hysteretic,
-    Integrator, Ledger, MoreauJean, Newmark, Node, Pair, Point, Relation, Rk4, Row, Verlet,
-    VerletImpacts, Work,
+    Bilinear, CentralDifference, Clock, Elastic, Excitation, Floor, Hht, Histories, Hysteretic, Integrator, Ledger, MoreauJean, Newmark,
+    Node, Pair, Point, Relation, Rk4, Row, Verlet, VerletImpacts, Work,
 };
 
 pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
 pub(crate) const STIFF: (f64, f64, f64) = (3e6, 1.316e9, 4e6);
 
-pub(crate) const STEREOMECHANICAL: ContactLaw =
-    ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 });
-pub(crate) const VISCOELASTIC: ContactLaw =
-    ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
-        impact_stiffness: 2.75e9,
-        impact_damping_ratio: 0.35,
-    });
+pub(crate) const STEREOMECHANICAL: ContactLaw = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 });
+pub(crate) const VISCOELASTIC: ContactLaw = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+    impact_stiffness: 2.75e9,
+    impact_damping_ratio: 0.35,
+});
 
 pub(crate) const fn central(contact_substeps: u32) -> Integrator {
     Integrator::CentralDifference(CentralDifference { contact_substeps })
@@ -49,21 +46,14 @@ pub(crate) const METHODS: [(&str, Integrator); 9] = [
 ];
 
 /// Methods of order one where nothing touches.
-pub(crate) const FIRST_ORDER: [(&str, Integrator); 2] = [
-    ("Moreau-Jean 3/4", moreau_jean(0.75)),
-    ("Moreau-Jean 1", moreau_jean(1.0)),
-];
+pub(crate) const FIRST_ORDER: [(&str, Integrator); 2] = [("Moreau-Jean 3/4", moreau_jean(0.75)), ("Moreau-Jean 1", moreau_jean(1.0))];
 
 pub(crate) const fn moreau_jean(theta: f64) -> Integrator {
     Integrator::MoreauJean(MoreauJean { theta })
 }
 
 pub(crate) fn elastic((mass, stiffness, _): (f64, f64, f64)) -> Node<Elastic> {
-    Node::structure(
-        mass,
-        0.5712 * mass + 0.001_447 * stiffness,
-        Elastic { stiffness },
-    )
+    Node::structure(mass, 0.5712 * mass + 0.001_447 * stiffness, Elastic { stiffness })
 }
 
 pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<Bilinear> {
@@ -77,9 +67,7 @@ pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<
 
 /// Pairs between all neighbours, with one gap and one law.
 pub(crate) fn pairs(n: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
-    (1..n)
-        .map(|right| Pair::of_floors(right - 1, right, gap, law))
-        .collect()
+    (1..n).map(|right| Pair::of_floors(right - 1, right, gap, law)).collect()
 }
 
 /// Ten seconds of a smooth ground motion sampled every 0.01 s, strong enough for many collisions.
@@ -88,67 +76,38 @@ pub(crate) fn ground() -> Vec<f64> {
         .map(|i| {
             let t = 0.01 * f64::from(i);
             let envelope = if t < 2.0 { 0.5 * t } else { 1.0 };
-            envelope
-                * (1.9 * libm::sin(5.1 * t)
-                    + 1.3 * libm::sin(9.7 * t + 1.0)
-                    + 0.9 * libm::cos(21.3 * t))
+            envelope * (1.9 * libm::sin(5.1 * t) + 1.3 * libm::sin(9.7 * t + 1.0) + 0.9 * libm::cos(21.3 * t))
         })
         .collect()
 }
 
 pub(crate) fn clock(time_step: f64, duration: f64) -> Clock {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a small positive number"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
     let n_steps = (duration / time_step).round() as usize;
     Clock { time_step, n_steps }
 }
 
 /// Histories at every node of the clock.
-pub(crate) fn histories<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    ground: &[f64],
-    clock: Clock,
-) -> (Histories, Work) {
+pub(crate) fn histories<Column: Hysteretic>(row: &Row<Column>, method: Integrator, ground: &[f64], clock: Clock) -> (Histories, Work) {
     let duration = clock.time_step * clock.n_steps as f64;
     let mut histories = Histories::new(row.nodes().len(), clock.time_step, duration);
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
-    let work = method
-        .watch(row, excitation, clock, &mut histories)
-        .expect("the run ends");
+    let work = method.watch(row, excitation, clock, &mut histories).expect("the run ends");
     (histories, work)
 }
 
 /// Slope of log(error) over log(Δt) by least squares.
 pub(crate) fn slope(steps: &[f64], errors: &[f64]) -> f64 {
-    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| {
-        if column == 0 {
-            libm::log(steps[row])
-        } else {
-            1.0
-        }
-    });
+    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| if column == 0 { libm::log(steps[row]) } else { 1.0 });
     let right = DVector::from_iterator(errors.len(), errors.iter().map(|error| libm::log(*error)));
-    rows.svd(true, true)
-        .solve(&right, 1e-12)
-        .expect("two unknowns, more steps")[0]
+    rows.svd(true, true).solve(&right, 1e-12).expect("two unknowns, more steps")[0]
 }
 
 /// Ledger of a run.
-pub(crate) fn book<'a, Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    samples: &'a [f64],
-    clock: Clock,
-) -> Ledger<'a> {
+pub(crate) fn book<'a, Column: Hysteretic>(row: &Row<Column>, method: Integrator, samples: &'a [f64], clock: Clock) -> Ledger<'a> {
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
     let mut ledger = Ledger::new(row, excitation);
-    method
-        .watch(row, excitation, clock, &mut ledger)
-        .expect("the run ends");
+    method.watch(row, excitation, clock, &mut ledger).expect("the run ends");
     ledger
 }
 
@@ -161,11 +120,7 @@ pub(crate) fn free(mass: f64, velocity: f64) -> Node<Elastic> {
 }
 
 /// A structure by its period, damping ratio, displacement and velocity at the start.
-pub(crate) fn moving(
-    mass: f64,
-    [period, ratio]: [f64; 2],
-    [displacement, velocity]: [f64; 2],
-) -> Node<Elastic> {
+pub(crate) fn moving(mass: f64, [period, ratio]: [f64; 2], [displacement, velocity]: [f64; 2]) -> Node<Elastic> {
     let omega = 2.0 * std::f64::consts::PI / period;
     let column = Elastic {
         stiffness: mass * omega * omega,
@@ -180,9 +135,7 @@ pub(crate) fn moving(
 /// A building of these floors from the ground up, (mass, stiffness of the storey below, damping of it), from a node on.
 pub(crate) fn building(first: usize, floors: &[(f64, f64, f64)]) -> Vec<Node<Elastic>> {
     let node = |(index, (mass, stiffness, damping)): (usize, &(f64, f64, f64))| {
-        let column = Elastic {
-            stiffness: *stiffness,
-        };
+        let column = Elastic { stiffness: *stiffness };
         let node = Node::structure(*mass, *damping, column);
         match index.checked_sub(1) {
             None => node,
@@ -200,18 +153,9 @@ pub(crate) fn between(lower: Option<usize>, upper: usize, part: f64) -> Point {
     Point::between(lower, upper, part).expect("it is not the ground")
 }
 
-pub(crate) fn meeting(
-    left: impl Into<Point>,
-    right: impl Into<Point>,
-    offset: f64,
-    law: ContactLaw,
-) -> Pair {
+pub(crate) fn meeting(left: impl Into<Point>, right: impl Into<Point>, offset: f64, law: ContactLaw) -> Pair {
     let (left, right) = (left.into(), right.into());
-    let relation = Relation {
-        left,
-        right,
-        offset,
-    };
+    let relation = Relation { left, right, offset };
     Pair { relation, law }
 }
 

@@ -1,9 +1,7 @@
 //! Limits of stability of a pair that stays in touch, against the methods themselves.
 
 use pounding_contact::{ContactLaw, KelvinVoigt};
-use pounding_solver::{
-    Clock, Elastic, Excitation, Histories, Integrator, Node, Oscillation, Pair, Row,
-};
+use pounding_solver::{Clock, Elastic, Excitation, Histories, Integrator, Node, Oscillation, Pair, Row};
 
 use crate::common::{AVERAGE, CENTRAL, HHT, LINEAR, MOREAU_JEAN, RK4, SUBSTEPPED, VERLET};
 use crate::watch::Watch;
@@ -27,11 +25,7 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
             impact_damping_ratio: damping_ratio,
         }),
     );
-    let row = Row::new(
-        vec![structure, Node::wall(Elastic { stiffness: 1.0 })],
-        vec![pair],
-    )
-    .expect("a good row");
+    let row = Row::new(vec![structure, Node::wall(Elastic { stiffness: 1.0 })], vec![pair]).expect("a good row");
     // Pressed slowly: a swing back would reach the clamp, where nothing is linear.
     let ramp = |step: usize| PUSH * (2.0 * step as f64 / N_STEPS as f64).min(1.0);
     let samples: Vec<_> = (0..N_STEPS + 2).map(ramp).collect();
@@ -41,17 +35,13 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
         n_steps: N_STEPS,
     };
     let mut histories = Histories::new(2, time_step, clock.time(N_STEPS));
-    if method
-        .watch(&row, excitation, clock, &mut histories)
-        .is_err()
-    {
+    if method.watch(&row, excitation, clock, &mut histories).is_err() {
         return f64::INFINITY;
     }
     let rest = -PUSH * MASS / STIFFNESS;
     let states = &histories.of(0).states;
     let last = states[states.len() - 100..].iter();
-    last.map(|state| (state.displacement / rest - 1.0).abs())
-        .fold(0.0, f64::max)
+    last.map(|state| (state.displacement / rest - 1.0).abs()).fold(0.0, f64::max)
 }
 
 #[test]

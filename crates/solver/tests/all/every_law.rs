@@ -4,8 +4,7 @@ use crate::common::{METHODS, RK4, STIFF, WEAK, clock, elastic, ground, pairs};
 use crate::watch::Watch;
 use pounding_contact::{Calibration, ContactLaw, FreeImpact, FreePair, LawName};
 use pounding_solver::{
-    Clock, Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Node, Recorder,
-    Row, Span, TransferredMomentum,
+    Clock, Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Node, Recorder, Row, Span, TransferredMomentum,
 };
 
 const MASSES: [f64; 2] = [75e3, 3e6];
@@ -51,9 +50,7 @@ fn collide(law: ContactLaw, method: Integrator, clock: Clock) -> Delivered {
         LastVelocities([SPEED, 0.0]),
     );
     let excitation = Excitation::new(1.0, &[0.0]).expect("as built");
-    method
-        .watch(&row, excitation, clock, &mut recorders)
-        .expect("as built");
+    method.watch(&row, excitation, clock, &mut recorders).expect("as built");
     let (momentum, collisions, LastVelocities([left, right])) = recorders;
     Delivered {
         restitution: (right - left) / SPEED,
@@ -78,11 +75,7 @@ fn reference_the_exact_method_delivers_every_law() {
         let [collision] = found.collisions.all() else {
             panic!("{law:?}: {} collisions", found.collisions.all().len());
         };
-        close(
-            collision.peak_force.unwrap(),
-            known.peak_force,
-            "peak force",
-        );
+        close(collision.peak_force.unwrap(), known.peak_force, "peak force");
         // A free pair that loses nothing is pressed hardest half way.
         if e >= 1.0 {
             let half = 0.5 * (collision.end - collision.start);
@@ -105,10 +98,7 @@ fn order_every_method_tends_to_what_a_law_delivers() {
                 // Of order one, with random parts: the first overlap is seen up to a step late.
                 let n_steps = FreeImpact::of(&law, &PAIR).unwrap().duration / time_step;
                 let error = error(time_step);
-                assert!(
-                    error < 5.0 / n_steps,
-                    "{name}, {law:?}: {error} in {n_steps} steps"
-                );
+                assert!(error < 5.0 / n_steps, "{name}, {law:?}: {error} in {n_steps} steps");
             }
         }
     }
@@ -127,13 +117,9 @@ impl Recorder for LastVelocities {
 
 /// Displacements of two shaken structures that collide, every 0.01 s.
 fn shaken(law: ContactLaw, method: Integrator, time_step: f64) -> (Vec<f64>, usize) {
-    let row =
-        Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.002, law)).expect("as built");
+    let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.002, law)).expect("as built");
     let duration = 1.5;
-    let mut recorders = (
-        Histories::new(2, 0.01, duration),
-        Collisions::new(2, row.pairs()),
-    );
+    let mut recorders = (Histories::new(2, 0.01, duration), Collisions::new(2, row.pairs()));
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("as built");
     method

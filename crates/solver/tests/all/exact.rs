@@ -2,13 +2,11 @@
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Clock, Collisions, Elastic, Exact, Excitation, Histories, Hysteretic, Integrator, Node, Pair,
-    Peaks, Row, RunError, SimultaneousImpacts, TransferredMomentum, Work,
+    Clock, Collisions, Elastic, Exact, Excitation, Histories, Hysteretic, Integrator, Node, Pair, Peaks, Row, RunError,
+    SimultaneousImpacts, TransferredMomentum, Work,
 };
 
-use crate::common::{
-    STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs, yielding,
-};
+use crate::common::{STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs, yielding};
 use crate::watch::Watch;
 
 const FREE: Elastic = Elastic { stiffness: 0.0 };
@@ -25,12 +23,7 @@ struct Outcome {
     work: Work,
 }
 
-fn run<Column: Hysteretic>(
-    settings: Exact,
-    row: &Row<Column>,
-    ground: &[f64],
-    clock: Clock,
-) -> Outcome {
+fn run<Column: Hysteretic>(settings: Exact, row: &Row<Column>, ground: &[f64], clock: Clock) -> Outcome {
     let n = row.nodes().len();
     let duration = clock.time(clock.n_steps);
     let mut recorders = (
@@ -79,11 +72,7 @@ fn published_bouncing_ball_past_its_accumulation_point() {
         let at = first * (1.0 + 2.0 * restitution * (1.0 - passed) / (1.0 - restitution));
         let k = usize::try_from(k).unwrap();
         close(bounces[k].start, at, 1e-14);
-        close(
-            bounces[k].impulse,
-            2.0 * (1.0 + restitution) * gravity * first * passed,
-            1e-11,
-        );
+        close(bounces[k].impulse, 2.0 * (1.0 + restitution) * gravity * first * passed, 1e-11);
     }
     let rest = bounces.last().unwrap();
     close(rest.start, over, 1e-12);
@@ -109,26 +98,19 @@ fn extreme_neighbours_that_press_and_bounce_for_ever_end_the_run() {
         let excitation = Excitation::new(0.01, &[10.0; 1001]).unwrap();
         let mut collisions = Collisions::new(2, row.pairs());
         let clock = clock(0.01, 10.0);
-        let outcome =
-            Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut collisions);
+        let outcome = Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut collisions);
         (outcome, collisions.all().len())
     };
     let (outcome, impacts) = throw(1.0);
     let error = outcome.expect_err("it never rests");
-    let RunError::BouncesWithoutEnd {
-        left, right, time, ..
-    } = error
-    else {
+    let RunError::BouncesWithoutEnd { left, right, time, .. } = error else {
         panic!("{error}");
     };
     assert_eq!((left, right, impacts), (0, 1, 100_001));
     close(time, 100_001.0 * 2e-9, 1e-10);
     // What the message advises comes to rest.
     let (outcome, impacts) = throw(0.999);
-    assert!(
-        outcome.is_ok() && impacts < 20_000,
-        "{impacts} impacts, {outcome:?}"
-    );
+    assert!(outcome.is_ok() && impacts < 20_000, "{impacts} impacts, {outcome:?}");
 }
 
 #[test]
@@ -151,10 +133,7 @@ fn reference_three_ball_cradle() {
         let outcome = run(settings, &row, &[0.0], clock(0.01, 1.0));
         [0, 1, 2].map(|i| outcome.histories.of(i).states.last().unwrap().velocity)
     };
-    for (found, wanted) in ends(SimultaneousImpacts::Together)
-        .into_iter()
-        .zip([-1.0, 2.0, 2.0])
-    {
+    for (found, wanted) in ends(SimultaneousImpacts::Together).into_iter().zip([-1.0, 2.0, 2.0]) {
         assert!((found - wanted).abs() < 1e-15, "{found} {wanted}");
     }
     let sequential = ends(SimultaneousImpacts::Sequential);
@@ -171,11 +150,7 @@ fn reference_symmetric_double_hit() {
         ..Node::structure(mass, 0.0, FREE)
     };
     let row = Row::new(
-        vec![
-            ball(5.0, -0.5, 3.0),
-            ball(1e-3, 0.0, 0.0),
-            ball(5.0, 0.5, -3.0),
-        ],
+        vec![ball(5.0, -0.5, 3.0), ball(1e-3, 0.0, 0.0), ball(5.0, 0.5, -3.0)],
         pairs(3, 0.0, stereomechanical(0.5)),
     )
     .unwrap();
@@ -184,10 +159,7 @@ fn reference_symmetric_double_hit() {
     for (found, wanted) in ends.into_iter().zip([-1.5, 0.0, 1.5]) {
         assert!((found - wanted).abs() < 1e-15, "{ends:?}");
     }
-    assert!(
-        ends[1] == 0.0 && ends[0] + ends[2] == 0.0,
-        "mirror-symmetric to the bit: {ends:?}"
-    );
+    assert!(ends[1] == 0.0 && ends[0] + ends[2] == 0.0, "mirror-symmetric to the bit: {ends:?}");
     assert_eq!(outcome.collisions.all().len(), 2);
 }
 
@@ -205,11 +177,7 @@ fn reference_free_viscoelastic_impact() {
                 initial_velocity: speed,
                 ..Node::structure(left, 0.0, FREE)
             };
-            let row = Row::new(
-                vec![moving, Node::structure(right, 0.0, FREE)],
-                pairs(2, gap, law),
-            )
-            .unwrap();
+            let row = Row::new(vec![moving, Node::structure(right, 0.0, FREE)], pairs(2, gap, law)).unwrap();
             let outcome = run(Exact::default(), &row, &[0.0], clock(0.01, 6.0));
             let ends = [0, 1].map(|i| outcome.histories.of(i).states.last().unwrap().velocity);
             close((ends[1] - ends[0]) / speed, e, 1e-13);
@@ -260,10 +228,7 @@ fn reference_free_vibration_of_every_damping() {
                 (libm::cosh(w * t), libm::sinh(w * t) / w)
             } else {
                 let x = squared * t * t;
-                (
-                    1.0 - x / 2.0 + x * x / 24.0,
-                    t * (1.0 - x / 6.0 + x * x / 120.0),
-                )
+                (1.0 - x / 2.0 + x * x / 24.0, t * (1.0 - x / 6.0 + x * x / 120.0))
             };
             let decay = libm::exp(-zeta * omega * t);
             let wanted = decay * (u0 * c + (v0 + zeta * omega * u0) * s);
@@ -286,11 +251,7 @@ fn reference_free_vibration_of_every_damping() {
 
 #[test]
 fn limit_tolerance_halves_nothing_but_digits_asked_for() {
-    let row = Row::new(
-        vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)],
-        pairs(3, 0.02, VISCOELASTIC),
-    )
-    .unwrap();
+    let row = Row::new(vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)], pairs(3, 0.02, VISCOELASTIC)).unwrap();
     let at = |tolerance| {
         let settings = Exact {
             tolerance,
@@ -299,10 +260,7 @@ fn limit_tolerance_halves_nothing_but_digits_asked_for() {
         run(settings, &row, &ground(), clock(0.01, 10.0))
     };
     let (fine, coarse) = (at(1e-16), at(1e-8));
-    assert!(
-        coarse.work.segments < fine.work.segments,
-        "digits cost work"
-    );
+    assert!(coarse.work.segments < fine.work.segments, "digits cost work");
     close(coarse.momentum.of(1), fine.momentum.of(1), 1e-5);
     close(at(1e-15).momentum.of(1), fine.momentum.of(1), 1e-11);
 }
@@ -320,13 +278,7 @@ fn limit_mirrored_rows_give_mirrored_histories() {
         });
         assert!(one.collisions.all().len() > 3, "they collide");
         for (a, b) in [(0, 1), (1, 0)] {
-            for (a, b) in one
-                .histories
-                .of(a)
-                .states
-                .iter()
-                .zip(&other.histories.of(b).states)
-            {
+            for (a, b) in one.histories.of(a).states.iter().zip(&other.histories.of(b).states) {
                 assert_eq!((a.displacement, a.velocity), (-b.displacement, -b.velocity));
             }
         }

@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Bilinear, Clock, Collisions, Exact, Excitation, Histories, Impact, Integrator, Ledger,
-    Recorder, Row, RunError, Span, TransferredMomentum,
+    Bilinear, Clock, Collisions, Exact, Excitation, Histories, Impact, Integrator, Ledger, Recorder, Row, RunError, Span,
+    TransferredMomentum,
 };
 use proptest::prelude::*;
 
@@ -22,8 +22,7 @@ fn run(case: &Case, units: Units) -> Option<Outcome> {
     let n = row.nodes().len();
     let acceleration = units.length / (units.time * units.time);
     let ground: Vec<_> = case.ground.iter().map(|a| a * acceleration).collect();
-    let excitation =
-        Excitation::new(0.01 * units.time, &ground).expect("the ground motion is finite");
+    let excitation = Excitation::new(0.01 * units.time, &ground).expect("the ground motion is finite");
     let time_step = CLOCK.time_step * units.time;
     let clock = Clock { time_step, ..CLOCK };
     let duration = clock.time(clock.n_steps);
@@ -31,10 +30,7 @@ fn run(case: &Case, units: Units) -> Option<Outcome> {
         TransferredMomentum::new(n),
         Histories::new(n, time_step, duration),
         (Ledger::new(&row, excitation), Overlap::new(&row)),
-        (
-            Collisions::new(n, row.pairs()),
-            Histories::new(n, time_step / 32.0, duration),
-        ),
+        (Collisions::new(n, row.pairs()), Histories::new(n, time_step / 32.0, duration)),
     );
     match Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut recorders) {
         Ok(_) => {}
@@ -43,10 +39,7 @@ fn run(case: &Case, units: Units) -> Option<Outcome> {
         Err(error) => panic!("the run ends early: {error}"),
     }
     let (momentum, histories, (ledger, overlap), (collisions, dense)) = recorders;
-    let laws = ledger
-        .verdict()
-        .map(|_| ())
-        .map_err(|error| error.to_string());
+    let laws = ledger.verdict().map(|_| ()).map_err(|error| error.to_string());
     Some(Outcome {
         momentum: (0..n).map(|index| momentum.of(index)).collect(),
         histories,
@@ -132,9 +125,7 @@ fn overlap_between_events(case: &Case, dense: &Histories) -> f64 {
             continue;
         }
         let states = dense.of(left).states.iter().zip(&dense.of(left + 1).states);
-        let reach = states
-            .clone()
-            .map(|(a, b)| a.displacement.abs() + b.displacement.abs());
+        let reach = states.clone().map(|(a, b)| a.displacement.abs() + b.displacement.abs());
         let scale = reach.fold(*gap, f64::max).max(1e-12);
         let overlaps = states.map(|(a, b)| (a.displacement - b.displacement - gap) / scale);
         largest = largest.max(overlaps.fold(0.0, f64::max));
@@ -145,13 +136,8 @@ fn overlap_between_events(case: &Case, dense: &Histories) -> f64 {
 /// Largest difference of two histories relative to the largest displacement, with a factor on the second.
 fn distance(a: &Histories, b: &Histories, (left, right): (usize, usize), factor: f64) -> f64 {
     let (a, b) = (&a.of(left).states, &b.of(right).states);
-    let largest = a
-        .iter()
-        .fold(0.0, |m: f64, state| m.max(state.displacement.abs()));
-    let differences = a
-        .iter()
-        .zip(b)
-        .map(|(a, b)| (a.displacement - factor * b.displacement).abs());
+    let largest = a.iter().fold(0.0, |m: f64, state| m.max(state.displacement.abs()));
+    let differences = a.iter().zip(b).map(|(a, b)| (a.displacement - factor * b.displacement).abs());
     differences.fold(0.0, f64::max) / largest.max(1e-12)
 }
 
@@ -258,11 +244,7 @@ fn superpose(case: &Case, other: &Case) -> Result<(), TestCaseError> {
         ground: case.ground.clone(),
         ..other.clone()
     };
-    let (alone, beside, joined) = (
-        ended!(run(case, SI)),
-        ended!(run(&other, SI)),
-        ended!(run(&joined, SI)),
-    );
+    let (alone, beside, joined) = (ended!(run(case, SI)), ended!(run(&other, SI)), ended!(run(&joined, SI)));
     let n = case.structures.len();
     for index in 0..n {
         prop_assert_eq!(alone.histories.of(index), joined.histories.of(index));
@@ -277,12 +259,7 @@ fn superpose(case: &Case, other: &Case) -> Result<(), TestCaseError> {
 #[test]
 fn issue_a_piece_lasts_as_long_whatever_others_do() {
     let far = Case {
-        structures: vec![[
-            100.0,
-            0.158_375_968_098_102_23,
-            0.197_359_394_736_922_63,
-            f64::INFINITY,
-        ]],
+        structures: vec![[100.0, 0.158_375_968_098_102_23, 0.197_359_394_736_922_63, f64::INFINITY]],
         contacts: Vec::new(),
         velocities: vec![0.0],
         ground: vec![
@@ -312,23 +289,10 @@ fn issue_a_piece_lasts_as_long_whatever_others_do() {
     };
     let pair = Case {
         structures: vec![
-            [
-                109.116_972_365_469_12,
-                0.076_212_568_156_493_77,
-                0.0,
-                f64::INFINITY,
-            ],
-            [
-                13_509_602.725_892_49,
-                0.507_764_349_832_866_3,
-                0.0,
-                0.017_111_160_139_678_127,
-            ],
+            [109.116_972_365_469_12, 0.076_212_568_156_493_77, 0.0, f64::INFINITY],
+            [13_509_602.725_892_49, 0.507_764_349_832_866_3, 0.0, 0.017_111_160_139_678_127],
         ],
-        contacts: vec![(
-            5.215_754_543_734_229e-6,
-            ContactLaw::NonlinearViscoelastic(spring),
-        )],
+        contacts: vec![(5.215_754_543_734_229e-6, ContactLaw::NonlinearViscoelastic(spring))],
         velocities: vec![-0.387_636_964_617_318_84, 0.020_296_529_101_826_218],
         ground: Vec::new(),
     };

@@ -43,11 +43,7 @@ impl Case {
                     below: nodes.len().saturating_sub(1),
                     ground_damping: 0.1 * mass,
                 };
-                nodes.push(if storey > 0 {
-                    node.on_floor(floor)
-                } else {
-                    node
-                });
+                nodes.push(if storey > 0 { node.on_floor(floor) } else { node });
                 arrivals.push(self.delay * index as f64);
             }
         }
@@ -87,11 +83,7 @@ fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> 
     let floor = floor.prop_map(|(mass, period, yields)| [mass, period, yields]);
     let building = prop::collection::vec(floor, 1..=3);
     let part = prop_oneof![Just(1.0), 0.05..0.95_f64];
-    let point = (
-        any::<prop::sample::Index>(),
-        any::<prop::sample::Index>(),
-        part,
-    );
+    let point = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), part);
     let points = [point.clone(), point];
     let gap = prop_oneof![Just(0.0), 0.0..0.02_f64];
     let pairs = prop::collection::vec((points, gap, law()), 1..=6);
@@ -123,10 +115,7 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
         Err(RunError::ClosedIn { .. }) if case.delay > 0.0 => return Ok(()),
         // Compliant pairs without a gap, pressed together from the start: as in chains of floors.
         Err(RunError::NoSeries { .. } | RunError::OutOfNumbers { .. })
-            if case
-                .pairs
-                .iter()
-                .any(|(_, gap, law)| *gap == 0.0 && law.is_compliant()) =>
+            if case.pairs.iter().any(|(_, gap, law)| *gap == 0.0 && law.is_compliant()) =>
         {
             return Ok(());
         }

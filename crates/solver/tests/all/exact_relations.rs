@@ -1,24 +1,16 @@
 //! The exact method on rows whose pairs are no chain: several at a floor, and points between two floors.
 
-use pounding_contact::{
-    ContactLaw, HertzDamp, KelvinVoigt, LinearSpring, NonlinearViscoelastic, Stereomechanical,
-};
+use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt, LinearSpring, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Impact, Integrator, Ledger, Node, Pair, Point, Recorder, Relation,
-    Row, Share, Span, Support,
+    Clock, Elastic, Excitation, Impact, Integrator, Ledger, Node, Pair, Point, Recorder, Relation, Row, Share, Span, Support,
 };
 
-use crate::common::{
-    AVERAGE, CENTRAL, between, book, building, clock, floors_and_columns, free, ground, meeting,
-    slope,
-};
+use crate::common::{AVERAGE, CENTRAL, between, book, building, clock, floors_and_columns, free, ground, meeting, slope};
 use crate::storeys_exact::{EXACT, distance, histories, same};
 use crate::watch::Watch;
 
 const JUMPS: ContactLaw = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.6 });
-const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring {
-    impact_stiffness: 3e8,
-});
+const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 3e8 });
 const VISCOUS: ContactLaw = ContactLaw::KelvinVoigt(KelvinVoigt {
     impact_stiffness: 3e8,
     impact_damping_ratio: 0.2,
@@ -109,20 +101,12 @@ fn reference_a_slab_hits_a_column() {
         (
             0.6,
             142_898.383_371_824_5,
-            [
-                0.023_672_055_427_251_73,
-                0.228_637_413_394_919_2,
-                0.428_695_150_115_473_4,
-            ],
+            [0.023_672_055_427_251_73, 0.228_637_413_394_919_2, 0.428_695_150_115_473_4],
         ),
         (
             0.648,
             139_159.022_947_351,
-            [
-                0.036_136_590_175_496_68,
-                0.195_935_904_309_870_2,
-                0.450_875_234_349_417_2,
-            ],
+            [0.036_136_590_175_496_68, 0.195_935_904_309_870_2, 0.450_875_234_349_417_2],
         ),
     ];
     for (part, impulse, velocities) in cases {
@@ -145,11 +129,10 @@ fn reference_a_slab_presses_a_column() {
     let slab = Node::structure(3e5, 0.0, Elastic { stiffness: 2e7 });
     let mut nodes = vec![moving(slab, 0.5)];
     let mut floors = building(1, &[(2.5e5, 1.2e8, 0.0), (2e5, 9e7, 0.0)]);
-    floors[1] =
-        Node::structure(2e5, 0.0, Elastic { stiffness: 9e7 }).on_floor(pounding_solver::Floor {
-            below: 1,
-            ground_damping: 0.0,
-        });
+    floors[1] = Node::structure(2e5, 0.0, Elastic { stiffness: 9e7 }).on_floor(pounding_solver::Floor {
+        below: 1,
+        ground_damping: 0.0,
+    });
     nodes.extend(floors);
     let pairs = vec![meeting(0, between(Some(1), 2, 0.648), 0.0, law)];
     let seen = watch(&Row::new(nodes, pairs).unwrap(), 0.16);
@@ -190,29 +173,14 @@ fn limit_relations_balance_momentum_and_energy() {
     for law in LAWS {
         let row = floors_and_columns(law);
         let ledger = book(&row, EXACT, &samples, clock(0.01, 6.0));
-        assert!(
-            ledger.identity() < 1e-12,
-            "{law:?}: {:e}",
-            ledger.identity()
-        );
-        assert!(
-            ledger.momentum() < 1e-12,
-            "{law:?}: {:e}",
-            ledger.momentum()
-        );
-        assert!(
-            ledger.residual() < 1e-12,
-            "{law:?}: {:e}",
-            ledger.residual()
-        );
+        assert!(ledger.identity() < 1e-12, "{law:?}: {:e}", ledger.identity());
+        assert!(ledger.momentum() < 1e-12, "{law:?}: {:e}", ledger.momentum());
+        assert!(ledger.residual() < 1e-12, "{law:?}: {:e}", ledger.residual());
         ledger.verdict().unwrap();
         for pair in 0..row.pairs().len() {
             let terms = ledger.of_pair(pair);
             assert!(terms.impulse > 0.0, "{law:?}: {pair} {terms:?}");
-            assert!(
-                terms.imbalance.abs() < 1e-9 * terms.impulse,
-                "{law:?} {terms:?}"
-            );
+            assert!(terms.imbalance.abs() < 1e-9 * terms.impulse, "{law:?} {terms:?}");
         }
     }
 }
@@ -252,11 +220,7 @@ fn mirror(row: &Row<Elastic>) -> Row<Elastic> {
         }),
     };
     let pair = |pair: &Pair| {
-        let Relation {
-            left,
-            right,
-            offset,
-        } = pair.relation;
+        let Relation { left, right, offset } = pair.relation;
         meeting(point(right), point(left), offset, pair.law)
     };
     let pairs = row.pairs().iter().map(pair).collect();
@@ -294,11 +258,7 @@ fn limit_a_point_that_hardly_leans_is_a_floor() {
                 lean,
             };
             let level = lean == 0.0;
-            let right = if level {
-                Point::Floor(4)
-            } else {
-                Point::Share(share)
-            };
+            let right = if level { Point::Floor(4) } else { Point::Share(share) };
             let pairs = vec![meeting(1, right, 0.004, law), meeting(2, 5, 0.006, law)];
             with(&row, pairs)
         };
@@ -311,11 +271,7 @@ fn limit_a_point_that_hardly_leans_is_a_floor() {
 fn limit_a_relation_that_never_touches_changes_nothing() {
     for law in LAWS {
         let row = floors_and_columns(law);
-        let mut pairs = vec![
-            meeting(0, 3, 0.002, law),
-            meeting(1, 4, 0.004, law),
-            meeting(2, 5, 0.006, law),
-        ];
+        let mut pairs = vec![meeting(0, 3, 0.002, law), meeting(1, 4, 0.004, law), meeting(2, 5, 0.006, law)];
         // In the order of a chain: nodes that follow each other.
         let order = [0, 3, 1, 4, 2, 5];
         let chain: Vec<_> = interleaved(&row);
@@ -351,11 +307,7 @@ fn interleaved(row: &Row<Elastic>) -> Vec<Node<Elastic>> {
 fn limit_two_halves_of_a_contact_are_the_whole() {
     let law = |impact_stiffness| ContactLaw::LinearSpring(LinearSpring { impact_stiffness });
     let hertz = |impact_stiffness| ContactLaw::Hertz(pounding_contact::Hertz { impact_stiffness });
-    let laws: [[ContactLaw; 2]; 3] = [
-        [law(3e8), law(1.5e8)],
-        [hertz(3e9), hertz(1.5e9)],
-        [JUMPS, JUMPS],
-    ];
+    let laws: [[ContactLaw; 2]; 3] = [[law(3e8), law(1.5e8)], [hertz(3e9), hertz(1.5e9)], [JUMPS, JUMPS]];
     for [whole, half] in laws {
         let row = floors_and_columns(whole);
         let point = between(Some(3), 4, 0.65);
@@ -398,14 +350,8 @@ fn limit_slabs_that_rest_against_columns() {
     let row = floors_and_columns(law);
     let excitation = Excitation::new(0.01, &samples).unwrap();
     let mut ledger = Ledger::new(&row, excitation);
-    let work = EXACT
-        .watch(&row, excitation, clock(0.01, 5.0), &mut ledger)
-        .unwrap();
-    assert!(
-        ledger.residual() < 1e-12,
-        "{:e} {work:?}",
-        ledger.residual()
-    );
+    let work = EXACT.watch(&row, excitation, clock(0.01, 5.0), &mut ledger).unwrap();
+    assert!(ledger.residual() < 1e-12, "{:e} {work:?}", ledger.residual());
     ledger.verdict().unwrap();
 }
 

@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Bilinear, Clock, Collisions, Elastic, Exact, Excitation, FloorAccelerations, Histories,
-    Integrator, Ledger, Node, Pair, Peaks, Row, Work,
+    Bilinear, Clock, Collisions, Elastic, Exact, Excitation, FloorAccelerations, Histories, Integrator, Ledger, Node, Pair, Peaks, Row,
+    Work,
 };
 use proptest::prelude::*;
 
@@ -34,8 +34,7 @@ struct Case {
 fn cases() -> impl Strategy<Value = Case> {
     let yields = prop_oneof![2 => Just(f64::INFINITY), 1 => 0.005..0.05_f64];
     let structure = (0.07..2.0_f64, 0.0..0.3_f64, yields).prop_map(|(t, xi, u)| [t, xi, u]);
-    let restitution = (0.2..0.9_f64)
-        .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }));
+    let restitution = (0.2..0.9_f64).prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }));
     (
         prop::collection::vec(structure, 1..4),
         0.005..0.05_f64,
@@ -97,15 +96,9 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
         Collisions::new(n_nodes, row.pairs()),
         Histories::new(n_nodes, LOOK, clock.time(clock.n_steps)),
     );
-    let work = EXACT
-        .watch(&row, excitation, clock, &mut recorder)
-        .expect("the row can be run");
+    let work = EXACT.watch(&row, excitation, clock, &mut recorder).expect("the row can be run");
     let (peaks, accelerations, collisions, histories) = recorder;
-    let (later, before) = if apart == Apart::Late {
-        (LATER, 100)
-    } else {
-        (0.0, 0)
-    };
+    let (later, before) = if apart == Apart::Late { (LATER, 100) } else { (0.0, 0) };
     let mut numbers = Vec::new();
     for structure in 0..n {
         let of = peaks.of(structure);
@@ -151,13 +144,9 @@ fn limit_a_free_structure_takes_a_piece_for_a_sample() {
     };
     let (numbers, work) = run(&case, Apart::Nothing);
     let displacements = &numbers[3..];
-    let turns = displacements
-        .windows(3)
-        .filter(|u| (u[1] - u[0]) * (u[2] - u[1]) < 0.0);
+    let turns = displacements.windows(3).filter(|u| (u[1] - u[0]) * (u[2] - u[1]) < 0.0);
     assert!(turns.count() > 2, "{numbers:?}");
-    let most = displacements
-        .iter()
-        .fold(0.0, |most: f64, u| most.max(u.abs()));
+    let most = displacements.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
     let (peak, time) = (numbers[0].abs(), numbers[1]);
     assert!(peak > most && peak < 1.01 * most, "{peak} {most}");
     assert!((time / STEP).fract() > 1e-3, "{time}");
@@ -183,9 +172,7 @@ fn extreme_a_touch_between_two_samples_is_not_flown_over() {
             Collisions::new(2, row.pairs()),
             Histories::new(2, STEP, clock.time(clock.n_steps)),
         );
-        EXACT
-            .watch(&row, excitation, clock, &mut recorder)
-            .expect("the row can be run");
+        EXACT.watch(&row, excitation, clock, &mut recorder).expect("the row can be run");
         recorder
     };
     let (peaks, _, histories) = run(1.0);
@@ -202,11 +189,7 @@ fn extreme_a_touch_between_two_samples_is_not_flown_over() {
 fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
     // Strong shaking that dies away before the gap closes: the structures were far out in flight, and touch near rest.
     let shaking = |n: i32| {
-        if n < 160 {
-            3.0 * libm::sin(0.08 * f64::from(n))
-        } else {
-            0.0
-        }
+        if n < 160 { 3.0 * libm::sin(0.08 * f64::from(n)) } else { 0.0 }
     };
     let ground: Vec<f64> = (0..900).map(shaking).collect();
     let uncertainty = |arrival: f64| {
@@ -220,9 +203,7 @@ fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
         };
         let excitation = Excitation::new(STEP, &ground).expect("the record is finite");
         let mut collisions = Collisions::new(2, row.pairs()).travelled(row.travel(excitation));
-        EXACT
-            .watch(&row, excitation, clock, &mut collisions)
-            .expect("the row can be run");
+        EXACT.watch(&row, excitation, clock, &mut collisions).expect("the row can be run");
         let touches = collisions.all().iter().filter_map(|one| one.uncertainty);
         touches.collect::<Vec<_>>()
     };
@@ -238,9 +219,7 @@ fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
 /// The books of a flight close to rounding: works are integrals over its series, which only they expand.
 #[test]
 fn reference_the_ledger_of_a_flight() {
-    let ground: Vec<f64> = (0..400)
-        .map(|n| 3.0 * libm::sin(0.13 * f64::from(n)))
-        .collect();
+    let ground: Vec<f64> = (0..400).map(|n| 3.0 * libm::sin(0.13 * f64::from(n))).collect();
     let excitation = Excitation::new(STEP, &ground).expect("the record is finite");
     let column = Elastic { stiffness: 1e7 };
     let row = Row::new(vec![Node::structure(1e5, 2e4, column)], Vec::new()).expect("valid");
@@ -249,8 +228,6 @@ fn reference_the_ledger_of_a_flight() {
         n_steps: 399,
     };
     let mut ledger = Ledger::new(&row, excitation);
-    EXACT
-        .watch(&row, excitation, clock, &mut ledger)
-        .expect("the row can be run");
+    EXACT.watch(&row, excitation, clock, &mut ledger).expect("the row can be run");
     assert!(ledger.residual() < 1e-13, "{}", ledger.residual());
 }

@@ -116,9 +116,7 @@ impl Random {
         let pairs = (1..n).map(|right| self.pair(right, compliant)).collect();
         let strength = self.magnitude(0.1, 20.0);
         let n_samples = 20 + self.below(200);
-        let ground = (0..n_samples)
-            .map(|_| strength * self.between(-1.0, 1.0))
-            .collect();
+        let ground = (0..n_samples).map(|_| strength * self.between(-1.0, 1.0)).collect();
         (Row::new(nodes, pairs).expect("the row is valid"), ground)
     }
 }
@@ -135,10 +133,7 @@ fn check(seed: u64) {
         .watch(&row, excitation, clock, &mut ledger)
         .unwrap_or_else(|error| panic!("row {seed}: {error}"));
     let balances = [ledger.residual(), ledger.identity(), ledger.momentum()];
-    assert!(
-        balances.iter().all(|balance| *balance < 1e-10),
-        "row {seed}: {balances:?}"
-    );
+    assert!(balances.iter().all(|balance| *balance < 1e-10), "row {seed}: {balances:?}");
     assert_eq!(ledger.verdict().err(), None, "row {seed}");
 }
 
@@ -164,9 +159,7 @@ fn issue_neighbours_that_move_alike_touched_and_parted_for_ever() {
 #[test]
 fn issue_rounding_of_a_force_near_zero_is_that_of_its_amplitude() {
     // Neighbours whose forces vanish together met without an end.
-    [1_391, 21_209, 20_195, 20_205, 20_633, 21_370]
-        .into_iter()
-        .for_each(check);
+    [1_391, 21_209, 20_195, 20_205, 20_633, 21_370].into_iter().for_each(check);
 }
 
 /// A light structure between two others parts from one at the instant at which the other lets go of it: a deformation of −3e-22 m was raised to
@@ -186,11 +179,7 @@ fn issue_a_parting_at_another_event_was_gone_past() {
     let nodes = vec![
         node(683_390.819_104_801_4, 0.054_029_371_412_105_114, 0.0),
         node(173.765_426_887_458_76, 0.325_640_712_577_910_5, 0.0),
-        node(
-            7_217_314.971_280_169,
-            0.508_338_192_654_488_1,
-            0.739_369_469_950_855,
-        ),
+        node(7_217_314.971_280_169, 0.508_338_192_654_488_1, 0.739_369_469_950_855),
     ];
     let hard = ContactLaw::HertzDamp(HertzDamp {
         impact_stiffness: 3_430_631_202.669_827_5,
@@ -200,10 +189,7 @@ fn issue_a_parting_at_another_event_was_gone_past() {
         impact_stiffness: 51_814_033_768.210_17,
         impact_damping_ratio: 0.560_137_978_749_812_2,
     });
-    let pairs = vec![
-        pair(0, 1.616_459_560_867_003_8e-6, hard),
-        pair(1, 0.0, soft),
-    ];
+    let pairs = vec![pair(0, 1.616_459_560_867_003_8e-6, hard), pair(1, 0.0, soft)];
     let row = Row::new(nodes, pairs).expect("the row is valid");
     let ground = [7.446_364_965_487_091, -6.484_581_154_281_688];
     let excitation = Excitation::new(0.01, &ground).expect("the record is finite");

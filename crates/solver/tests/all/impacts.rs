@@ -36,11 +36,7 @@ fn reference_a_mass_hit_from_both_sides_is_turned_round() {
     // Both relative velocities are turned round, and the light mass stays where it is.
     for (name, method) in METHODS {
         for restitution in [0.0, 0.65, 1.0] {
-            let row = side_by_side(
-                &[(1e6, 0.5), (1e5, 0.0), (1e6, -0.5)],
-                0.01,
-                &[restitution; 2],
-            );
+            let row = side_by_side(&[(1e6, 0.5), (1e5, 0.0), (1e6, -0.5)], 0.01, &[restitution; 2]);
             let found = velocities(&row, method, (0.0007, 0.07));
             let expected = [-0.5 * restitution, 0.0, 0.5 * restitution];
             for (found, expected) in found.iter().zip(expected) {
@@ -63,10 +59,7 @@ fn reference_three_equal_masses_in_contact() {
         let found = velocities(&gaps, method, (0.01, 0.1));
         row[0].1 = 0.0;
         for (found, expected) in found.iter().zip([-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]) {
-            assert!(
-                (found - expected).abs() < 1e-12,
-                "{name}: {found} against {expected}"
-            );
+            assert!((found - expected).abs() < 1e-12, "{name}: {found} against {expected}");
         }
     }
 }
@@ -78,18 +71,12 @@ fn reference_a_located_impact_of_free_masses_is_exact() {
     for dt in [0.1, 0.03, 0.0007] {
         let mut recorder = (Histories::new(2, dt, 0.3), Collisions::new(2, row.pairs()));
         let excitation = Excitation::new(1.0, &[0.0]).unwrap();
-        LOCATED
-            .watch(&row, excitation, clock(dt, 0.3), &mut recorder)
-            .unwrap();
+        LOCATED.watch(&row, excitation, clock(dt, 0.3), &mut recorder).unwrap();
         let (histories, collisions) = recorder;
         let [collision] = collisions.all() else {
             panic!("one impact: {:?}", collisions.all());
         };
-        assert!(
-            (collision.start - instant).abs() < 1e-16,
-            "{} against {instant}",
-            collision.start
-        );
+        assert!((collision.start - instant).abs() < 1e-16, "{} against {instant}", collision.start);
         let after = 0.7 * (2.0 - 0.4 * 3.0) / 5.0;
         for (step, state) in histories.of(0).states.iter().enumerate() {
             let time = step as f64 * dt;
@@ -132,13 +119,8 @@ fn extreme_a_ball_that_comes_to_rest_ends_the_run() {
             let (dt, duration) = (1e-3, 4.0);
             let (histories, _) = histories(&row, method, &[-10.0; 500], clock(dt, duration));
             let deepest = histories.of(0).states.iter();
-            let deepest = deepest
-                .map(|state| state.displacement - 0.01)
-                .fold(0.0, f64::max);
-            assert!(
-                deepest < 0.5 * 10.0 * dt * duration,
-                "{name}, e = {restitution}: {deepest}"
-            );
+            let deepest = deepest.map(|state| state.displacement - 0.01).fold(0.0, f64::max);
+            assert!(deepest < 0.5 * 10.0 * dt * duration, "{name}, e = {restitution}: {deepest}");
         }
     }
 }

@@ -5,18 +5,15 @@ use pounding_solver::{Bilinear, Hht, Hysteretic, Integrator, LedgerError, Newmar
 use proptest::prelude::*;
 
 use crate::common::{
-    CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VISCOELASTIC, WEAK, book,
-    clock, elastic, free, ground, moreau_jean, pairs, yielding,
+    CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VISCOELASTIC, WEAK, book, clock, elastic, free, ground,
+    moreau_jean, pairs, yielding,
 };
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
 
 /// The methods with settings that weigh the ends of a step unevenly.
 fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
-    let damped = Newmark {
-        beta: 0.3025,
-        gamma: 0.6,
-    };
+    let damped = Newmark { beta: 0.3025, gamma: 0.6 };
     METHODS.into_iter().chain([
         ("HHT -1/3", Integrator::Hht(Hht { alpha: -1.0 / 3.0 })),
         ("Moreau-Jean 3/4", moreau_jean(0.75)),
@@ -25,10 +22,7 @@ fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
 }
 
 /// Rows of one to three structures, in motion from the start, and one beside a wall.
-pub(crate) fn rows<Column: Hysteretic>(
-    structure: impl Fn((f64, f64, f64)) -> Node<Column>,
-    law: ContactLaw,
-) -> Vec<Row<Column>> {
+pub(crate) fn rows<Column: Hysteretic>(structure: impl Fn((f64, f64, f64)) -> Node<Column>, law: ContactLaw) -> Vec<Row<Column>> {
     let moving = |properties, velocity| Node {
         initial_velocity: velocity,
         initial_displacement: -0.001,
@@ -36,18 +30,13 @@ pub(crate) fn rows<Column: Hysteretic>(
     };
     let (weak, middle, stiff) = (moving(WEAK, 0.2), moving(MIDDLE, -0.1), moving(STIFF, 0.05));
     let wall = Node::wall(weak.column);
-    [
-        vec![weak],
-        vec![weak, stiff],
-        vec![weak, middle, stiff],
-        vec![wall, weak, middle],
-    ]
-    .into_iter()
-    .map(|nodes| {
-        let n = nodes.len();
-        Row::new(nodes, pairs(n, 0.02, law)).expect("the row is valid")
-    })
-    .collect()
+    [vec![weak], vec![weak, stiff], vec![weak, middle, stiff], vec![wall, weak, middle]]
+        .into_iter()
+        .map(|nodes| {
+            let n = nodes.len();
+            Row::new(nodes, pairs(n, 0.02, law)).expect("the row is valid")
+        })
+        .collect()
 }
 
 fn check_identity<Column: Hysteretic>(row: &Row<Column>, what: &str) {
@@ -107,10 +96,7 @@ fn limit_a_yield_force_never_reached_books_the_same() {
 fn limit_nothing_that_moves_is_nothing_to_book() {
     let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
     let ledger = book(&row, CENTRAL, &[0.0], clock(0.01, 1.0));
-    assert_eq!(
-        (ledger.scale(), ledger.identity(), ledger.residual()),
-        (0.0, 0.0, 0.0)
-    );
+    assert_eq!((ledger.scale(), ledger.identity(), ledger.residual()), (0.0, 0.0, 0.0));
     assert!(ledger.error(&ledger) == 0.0, "no distance from itself");
 }
 
@@ -120,11 +106,7 @@ fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
     // where they meet, the same force acted for half a sub-step on one and for half a step on the other.
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
     between[1].relation.offset = 1e-6;
-    let row = Row::new(
-        vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
-        between,
-    )
-    .unwrap();
+    let row = Row::new(vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)], between).unwrap();
     let ledger = book(&row, SUBSTEPPED, &[0.0], clock(1e-3, 0.01));
     assert!(ledger.of_pair(1).impulse > 0.0, "they must meet");
     assert!(ledger.verdict().is_ok(), "{:?}", ledger.verdict());
@@ -134,16 +116,9 @@ fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
 #[test]
 fn extreme_a_step_far_too_long_for_the_contact_is_found() {
     // In one step the structure flies half a metre into its neighbour and is thrown back with far more energy.
-    let row = Row::new(
-        vec![free(75e3, 1.0), free(75e3, -1.0)],
-        pairs(2, 0.1, VISCOELASTIC),
-    )
-    .unwrap();
+    let row = Row::new(vec![free(75e3, 1.0), free(75e3, -1.0)], pairs(2, 0.1, VISCOELASTIC)).unwrap();
     let verdict = book(&row, CENTRAL, &[0.0], clock(0.1, 1.0)).verdict();
-    assert!(
-        matches!(verdict, Err(LedgerError::GainInContact { pair: 0, .. })),
-        "{verdict:?}"
-    );
+    assert!(matches!(verdict, Err(LedgerError::GainInContact { pair: 0, .. })), "{verdict:?}");
 }
 
 proptest! {

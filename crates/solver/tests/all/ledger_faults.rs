@@ -5,13 +5,11 @@ use std::fmt::Write;
 
 use insta::assert_snapshot;
 use pounding_solver::{
-    Bilinear, BoucWen, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path,
-    Push, Recorder, Row, SimultaneousImpacts, Smoothness, Span,
+    Bilinear, BoucWen, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path, Push, Recorder, Row, SimultaneousImpacts,
+    Smoothness, Span,
 };
 
-use crate::common::{
-    AVERAGE, CENTRAL, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
-};
+use crate::common::{AVERAGE, CENTRAL, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding};
 use crate::watch::Watch;
 
 /// Passes a run on to a ledger with a fault put in.
@@ -40,17 +38,10 @@ impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S
                 let forces = [start, end].map(|state| state.force_from_left);
                 (forces, faulty.impulse_from_left)
             };
-            Push {
-                forces,
-                impulse,
-                ..*push
-            }
+            Push { forces, impulse, ..*push }
         });
         let pushes: Vec<_> = pushes.collect();
-        self.ledger.span(&Span {
-            pushes: &pushes,
-            ..faulty
-        });
+        self.ledger.span(&Span { pushes: &pushes, ..faulty });
     }
 
     fn impact(&mut self, impact: &Impact) {
@@ -65,11 +56,7 @@ impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S
 type Found = ([f64; 3], Result<(), LedgerError>);
 
 /// That of two structures.
-fn found(
-    method: Integrator,
-    span: impl Fn(&mut Span<'_>),
-    impact: impl Fn(&mut Impact) -> bool,
-) -> Found {
+fn found(method: Integrator, span: impl Fn(&mut Span<'_>), impact: impl Fn(&mut Impact) -> bool) -> Found {
     found_between([yielding(WEAK), yielding(STIFF)], method, span, impact)
 }
 
@@ -80,11 +67,7 @@ fn found_between(
     impact: impl Fn(&mut Impact) -> bool,
 ) -> Found {
     let samples = ground();
-    let law = if method == AVERAGE {
-        STEREOMECHANICAL
-    } else {
-        VISCOELASTIC
-    };
+    let law = if method == AVERAGE { STEREOMECHANICAL } else { VISCOELASTIC };
     let row = Row::new(nodes.to_vec(), pairs(2, 0.02, law)).expect("the row is valid");
     let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
     let mut faulty = Faulty {
@@ -119,14 +102,8 @@ fn weigh(change: impl Fn(&mut pounding_solver::Weighed)) -> impl Fn(&mut Span<'_
 fn limit_a_good_run_shows_nothing() {
     for method in [CENTRAL, AVERAGE] {
         let ([identity, momentum, residual], verdict) = found(method, |_| (), keep);
-        assert!(
-            identity < 1e-12 && momentum < 1e-12,
-            "{identity:e}, {momentum:e}"
-        );
-        assert!(
-            residual < 1e-4 && verdict.is_ok(),
-            "{residual:e}, {verdict:?}"
-        );
+        assert!(identity < 1e-12 && momentum < 1e-12, "{identity:e}, {momentum:e}");
+        assert!(residual < 1e-4 && verdict.is_ok(), "{residual:e}, {verdict:?}");
     }
 }
 
@@ -198,10 +175,7 @@ fn limit_a_looser_tolerance_leaves_no_more_than_its_bound() {
                 .watch(&row, excitation, clock(0.001, 5.0), &mut ledger)
                 .expect("the run ends");
             let (found, bound) = (ledger.residual(), ledger.bound().expect("it is exact"));
-            assert!(
-                found <= bound,
-                "{law:?}, {tolerance:e}: {found:e} {bound:e}"
-            );
+            assert!(found <= bound, "{law:?}, {tolerance:e}: {found:e} {bound:e}");
         }
     }
 }
@@ -242,11 +216,7 @@ fn limit_a_wrong_energy_shows_in_the_physical_balance() {
 #[test]
 fn issue_an_end_that_is_wrong_once_is_found() {
     let wall = Node::wall(yielding(WEAK).column);
-    for nodes in [
-        [yielding(WEAK), yielding(STIFF)],
-        [yielding(WEAK), wall],
-        [wall, yielding(WEAK)],
-    ] {
+    for nodes in [[yielding(WEAK), yielding(STIFF)], [yielding(WEAK), wall], [wall, yielding(WEAK)]] {
         for (method, wrong) in (0..8).flat_map(|wrong| [(CENTRAL, wrong), (EXACT, wrong)]) {
             let seen = Cell::new(0);
             let once = |span: &mut Span<'_>| {

@@ -1,17 +1,15 @@
 //! The lean model equals the rich one, bit for bit, where both apply.
 
 use crate::common::{
-    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VERLET,
-    VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
+    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VERLET, VISCOELASTIC, WEAK, clock, elastic, ground,
+    histories, pairs, yielding,
 };
 use crate::watch::Watch;
 use pounding_solver::{Bilinear, Hht, Histories, Integrator, Node, Row, State};
 
 /// Every state of every structure.
 fn bits(histories: &Histories, n: usize) -> Vec<Vec<State>> {
-    (0..n)
-        .map(|index| histories.of(index).states.clone())
-        .collect()
+    (0..n).map(|index| histories.of(index).states.clone()).collect()
 }
 
 #[test]
@@ -31,25 +29,14 @@ fn limit_a_gap_too_wide_equals_no_pair() {
 
 #[test]
 fn limit_a_yield_force_never_reached_equals_elastic() {
-    let lean = Row::new(
-        vec![elastic(WEAK), elastic(STIFF)],
-        pairs(2, 0.02, VISCOELASTIC),
-    )
-    .unwrap();
+    let lean = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.02, VISCOELASTIC)).unwrap();
     for yield_force in [1e12, f64::INFINITY] {
         let strong = |(mass, stiffness, _)| yielding((mass, stiffness, yield_force));
-        let rich = Row::new(
-            vec![strong(WEAK), strong(STIFF)],
-            pairs(2, 0.02, VISCOELASTIC),
-        )
-        .unwrap();
+        let rich = Row::new(vec![strong(WEAK), strong(STIFF)], pairs(2, 0.02, VISCOELASTIC)).unwrap();
         for (name, method) in METHODS {
             let (lean, work) = histories(&lean, method, &ground(), clock(0.005, 10.0));
             let (rich, _) = histories(&rich, method, &ground(), clock(0.005, 10.0));
-            assert!(
-                work.touching_steps > 20,
-                "{name}: the structures must collide, {work:?}"
-            );
+            assert!(work.touching_steps > 20, "{name}: the structures must collide, {work:?}");
             assert_eq!(bits(&lean, 2), bits(&rich, 2), "{name}");
         }
     }
@@ -61,11 +48,7 @@ fn limit_a_structure_out_of_reach_changes_nothing() {
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
         near_and_far[1].relation.offset = 10.0;
-        let three = Row::new(
-            vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)],
-            near_and_far,
-        )
-        .unwrap();
+        let three = Row::new(vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)], near_and_far).unwrap();
         let two = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law)).unwrap();
         let one = Row::new(vec![yielding(WEAK)], vec![]).unwrap();
         for (name, method) in METHODS {
@@ -103,11 +86,7 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
                     // 1e-12 of the forces (300 m/s² in contact) then differs; ten seconds multiply that.
                     let allowed = match method {
                         Integrator::MoreauJean(_) if law == VISCOELASTIC => 1e-11,
-                        Integrator::Newmark(_) | Integrator::Hht(_)
-                            if n == 3 && law == VISCOELASTIC =>
-                        {
-                            1e-12
-                        }
+                        Integrator::Newmark(_) | Integrator::Hht(_) if n == 3 && law == VISCOELASTIC => 1e-12,
                         Integrator::CentralDifference(_)
                         | Integrator::Newmark(_)
                         | Integrator::Hht(_)
@@ -116,10 +95,7 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
                         | Integrator::MoreauJean(_)
                         | Integrator::Exact(_) => 0.0,
                     };
-                    assert!(
-                        apart <= allowed,
-                        "{name}, {law:?}, structure {index} of {n}: {apart:e}"
-                    );
+                    assert!(apart <= allowed, "{name}, {law:?}, structure {index} of {n}: {apart:e}");
                 }
             }
         }
@@ -136,25 +112,18 @@ fn limit_a_wall_is_a_neighbour_of_infinite_mass() {
             yield_force: f64::INFINITY,
             hardening: 0.0,
         });
-        let [wall, heavy] = [wall, heavy]
-            .map(|right| Row::new(vec![yielding(WEAK), right], pairs(2, 0.02, law)).unwrap());
+        let [wall, heavy] = [wall, heavy].map(|right| Row::new(vec![yielding(WEAK), right], pairs(2, 0.02, law)).unwrap());
         // Only methods without a critical time step can follow so stiff a neighbour.
         for method in [AVERAGE, HHT, MOREAU_JEAN] {
             let run = |row| histories(row, method, &ground(), clock(0.002, 10.0));
             let ((wall, work), (heavy, _)) = (run(&wall), run(&heavy));
             assert!(work.touching_steps > 0, "the structure must reach the wall");
             assert!(
-                wall.of(1)
-                    .states
-                    .iter()
-                    .all(|state| state.displacement == 0.0),
+                wall.of(1).states.iter().all(|state| state.displacement == 0.0),
                 "a wall stands still"
             );
             for (a, b) in wall.of(0).states.iter().zip(&heavy.of(0).states) {
-                assert!(
-                    (a.displacement - b.displacement).abs() < 1e-9,
-                    "{method:?}: {a:?} against {b:?}"
-                );
+                assert!((a.displacement - b.displacement).abs() < 1e-9, "{method:?}: {a:?} against {b:?}");
             }
         }
     }
@@ -176,16 +145,10 @@ fn limit_histories_do_not_depend_on_their_interval() {
     let mut sparse = Histories::new(1, 0.04, 4.0);
     let samples = ground();
     let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
-    CENTRAL
-        .watch(&row, excitation, clock(0.01, 4.0), &mut sparse)
-        .unwrap();
+    CENTRAL.watch(&row, excitation, clock(0.01, 4.0), &mut sparse).unwrap();
     assert_eq!(sparse.of(0).states.len(), 101);
     assert!(
-        sparse
-            .of(0)
-            .states
-            .iter()
-            .eq(nodes.of(0).states.iter().step_by(4)),
+        sparse.of(0).states.iter().eq(nodes.of(0).states.iter().step_by(4)),
         "every fourth node"
     );
 }
@@ -240,10 +203,7 @@ fn limit_sub_steps_change_nothing_while_nothing_touches() {
         Row::new(nodes, pairs(2, gap, VISCOELASTIC)).unwrap()
     };
     let run = |method, gap| histories(&row(gap), method, &ground(), clock(0.005, 10.0));
-    assert_eq!(
-        bits(&run(SUBSTEPPED, 10.0).0, 2),
-        bits(&run(CENTRAL, 10.0).0, 2)
-    );
+    assert_eq!(bits(&run(SUBSTEPPED, 10.0).0, 2), bits(&run(CENTRAL, 10.0).0, 2));
 }
 
 #[test]
@@ -259,9 +219,7 @@ fn limit_sub_steps_all_the_time_are_a_smaller_step() {
         let samples = [-1.0; 10];
         let mut histories = Histories::new(2, 0.004, 0.016);
         let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
-        let work = method
-            .watch(&row, excitation, clock(dt, 0.016), &mut histories)
-            .unwrap();
+        let work = method.watch(&row, excitation, clock(dt, 0.016), &mut histories).unwrap();
         (histories, work)
     };
     let ((coarse, work), (fine, _)) = (run(SUBSTEPPED, 0.004), run(CENTRAL, 0.001));

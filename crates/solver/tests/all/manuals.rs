@@ -1,10 +1,7 @@
 //! Worked examples of the manuals of other programs, in the units of those manuals.
 
 use pounding_contact::{ContactLaw, KelvinVoigt, LinearSpring, Stereomechanical};
-use pounding_solver::{
-    Clock, Collision, Collisions, Elastic, Exact, Excitation, Histories, Integrator, Node, Pair,
-    Peaks, Row, State,
-};
+use pounding_solver::{Clock, Collision, Collisions, Elastic, Exact, Excitation, Histories, Integrator, Node, Pair, Peaks, Row, State};
 
 use crate::common::pairs;
 
@@ -32,13 +29,7 @@ fn run(nodes: Vec<Node<Elastic>>, pairs: Vec<Pair>, (pull, end): (f64, f64)) -> 
     Integrator::Exact(Exact::default())
         .run(&row, excitation, clock, &mut recorders)
         .expect("the run ends");
-    let last = |node: usize| {
-        *histories
-            .of(node)
-            .states
-            .last()
-            .expect("a state at the end")
-    };
+    let last = |node: usize| *histories.of(node).states.last().expect("a state at the end");
     let peak = |node: usize| {
         let peak = peaks.of(node).displacement;
         (peak.value, peak.time)
@@ -68,10 +59,7 @@ fn newton(restitution: f64) -> ContactLaw {
 
 /// Whether a number is one that was printed with a few digits.
 fn is(found: f64, printed: f64, half_a_digit: f64) {
-    assert!(
-        (found - printed).abs() <= half_a_digit,
-        "{found} against {printed}"
-    );
+    assert!((found - printed).abs() <= half_a_digit, "{found} against {printed}");
 }
 
 /// A ball falls 2 m and rises by e² of that. It meets the floor at t₁ and is highest at t₁(1 + e).
@@ -79,29 +67,14 @@ fn is(found: f64, printed: f64, half_a_digit: f64) {
 fn reference_restitution_by_drops() {
     let (height, gravity) = (2.0, 9.81);
     let first = f64::sqrt(2.0 * height / gravity);
-    for (restitution, share) in [
-        (0.0, 0.0),
-        (0.3, 0.09),
-        (0.5, 0.25),
-        (0.8, 0.64),
-        (0.95, 0.9025),
-        (1.0, 1.0),
-    ] {
+    for (restitution, share) in [(0.0, 0.0), (0.3, 0.09), (0.5, 0.25), (0.8, 0.64), (0.95, 0.9025), (1.0, 1.0)] {
         let end = first * (1.0 + restitution) + if restitution > 0.0 { 0.0 } else { 0.1 };
-        let ran = run(
-            vec![mass(3.0, 0.0), wall()],
-            pairs(2, height, newton(restitution)),
-            (gravity, end),
-        );
+        let ran = run(vec![mass(3.0, 0.0), wall()], pairs(2, height, newton(restitution)), (gravity, end));
         is(ran.collisions[0].start, first, 1e-15);
         is((height - ran.last[0].displacement) / height, share, 1e-14);
     }
     // With e = 0.8 it rests at t₁(1 + e)/(1 − e).
-    let ran = run(
-        vec![mass(3.0, 0.0), wall()],
-        pairs(2, height, newton(0.8)),
-        (gravity, 6.0),
-    );
+    let ran = run(vec![mass(3.0, 0.0), wall()], pairs(2, height, newton(0.8)), (gravity, 6.0));
     let rest = ran.collisions.last().expect("it rests");
     is(rest.start, 5.746_96, 5e-6);
 }
@@ -111,11 +84,7 @@ fn reference_restitution_by_drops() {
 #[test]
 fn reference_a_ball_on_a_spring_of_ansys_vm65() {
     let (inertia, stiffness, drop, gravity) = (0.5, 1973.92, 1.0, 386.0);
-    let ran = run(
-        vec![mass(inertia, 0.0), wall()],
-        pairs(2, drop, spring(stiffness)),
-        (gravity, 0.12),
-    );
+    let ran = run(vec![mass(inertia, 0.0), wall()], pairs(2, drop, spring(stiffness)), (gravity, 0.12));
     let touch = ran.collisions[0];
     is(touch.start, 0.071_982, 5e-7);
     is(touch.approach_speed.expect("it is known"), 27.785, 5e-4);
@@ -155,11 +124,7 @@ fn reference_a_block_on_a_spring_scale_of_ansys_vm83() {
         initial_displacement: 0.25,
         ..mass(25.0 / gravity, 100.0)
     };
-    let ran = run(
-        vec![mass(50.0 / gravity, 0.0), pan],
-        pairs(2, 71.75, newton(0.0)),
-        (gravity, 0.75),
-    );
+    let ran = run(vec![mass(50.0 / gravity, 0.0), pan], pairs(2, 71.75, newton(0.0)), (gravity, 0.75));
     let [(block, at), (pan, with)] = [ran.peaks[0], ran.peaks[1]];
     is(block, 79.446_222, 5e-7);
     is(pan, 7.696_222, 5e-7);
@@ -175,11 +140,7 @@ fn reference_an_oscillator_at_a_stop_of_code_aster_sdnd101() {
         initial_velocity: 1.0,
         ..mass(100.0, 1e4)
     };
-    let ran = run(
-        vec![striking, wall()],
-        pairs(2, 0.0, spring(1e6)),
-        (0.0, 0.05),
-    );
+    let ran = run(vec![striking, wall()], pairs(2, 0.0, spring(1e6)), (0.0, 0.05));
     let one = ran.collisions[0];
     let omega = f64::sqrt(1.01e6 / 100.0);
     is(one.end - one.start, std::f64::consts::PI / omega, 1e-15);
@@ -196,10 +157,7 @@ fn reference_a_mass_on_a_damped_stop_of_code_aster_108() {
         impact_stiffness: 100.0,
         impact_damping_ratio: 0.25,
     });
-    for (law, lasts, force) in [
-        (spring(100.0), 0.345_144, 74.8074),
-        (damped, 0.325_389, 58.5029),
-    ] {
+    for (law, lasts, force) in [(spring(100.0), 0.345_144, 74.8074), (damped, 0.325_389, 58.5029)] {
         let falling = Node {
             initial_velocity: 1.0,
             ..mass(1.0, 0.0)

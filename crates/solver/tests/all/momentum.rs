@@ -3,16 +3,12 @@
 use crate::common::{METHODS, STEREOMECHANICAL, VISCOELASTIC, clock, pairs};
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Collisions, Elastic, Excitation, Histories, Integrator, Node, Row, TransferredMomentum,
-};
+use pounding_solver::{Collisions, Elastic, Excitation, Histories, Integrator, Node, Row, TransferredMomentum};
 use proptest::prelude::*;
 
 /// Two free masses; the left one flies at `speed` towards the right one.
 fn free_pair(masses: [f64; 2], speed: f64, law: ContactLaw) -> Row<Elastic> {
-    let mut nodes = masses
-        .map(|mass| Node::structure(mass, 0.0, Elastic { stiffness: 0.0 }))
-        .to_vec();
+    let mut nodes = masses.map(|mass| Node::structure(mass, 0.0, Elastic { stiffness: 0.0 })).to_vec();
     nodes[0].initial_velocity = speed;
     Row::new(nodes, pairs(2, 0.01, law)).expect("the row is valid")
 }
@@ -27,33 +23,11 @@ fn collide(row: &Row<Elastic>, method: Integrator, time_step: f64) -> ([f64; 2],
         TransferredMomentum::new(2),
     );
     method
-        .watch(
-            row,
-            Excitation::new(1.0, &[0.0]).expect("no shaking"),
-            clock,
-            &mut recorder,
-        )
+        .watch(row, Excitation::new(1.0, &[0.0]).expect("no shaking"), clock, &mut recorder)
         .expect("the run ends");
-    let velocity = |index| {
-        recorder
-            .0
-            .of(index)
-            .states
-            .last()
-            .expect("states were recorded")
-            .velocity
-    };
-    let impulse = recorder
-        .1
-        .all()
-        .iter()
-        .map(|collision| collision.impulse)
-        .sum();
-    (
-        [velocity(0), velocity(1)],
-        impulse,
-        [recorder.2.of(0), recorder.2.of(1)],
-    )
+    let velocity = |index| recorder.0.of(index).states.last().expect("states were recorded").velocity;
+    let impulse = recorder.1.all().iter().map(|collision| collision.impulse).sum();
+    ([velocity(0), velocity(1)], impulse, [recorder.2.of(0), recorder.2.of(1)])
 }
 
 #[test]
@@ -68,10 +42,7 @@ fn reference_the_law_of_impact_is_delivered() {
                 "{name}, e = {restitution}: {left} {right}"
             );
             let expected = (1.0 + restitution) * 75e3 * 3e6 / 3.075e6 * 0.5;
-            assert!(
-                (impulse / expected - 1.0).abs() < 1e-12,
-                "{name}, e = {restitution}: {impulse}"
-            );
+            assert!((impulse / expected - 1.0).abs() < 1e-12, "{name}, e = {restitution}: {impulse}");
         }
     }
 }
@@ -86,12 +57,7 @@ fn reference_the_viscoelastic_element_tends_to_its_exact_restitution() {
             ((right - left) / 0.5 - e).abs()
         };
         assert!(error(1e-5) < 2e-3, "{name}: {}", error(1e-5));
-        assert!(
-            error(1e-6) < 0.3 * error(1e-5),
-            "{name}: {} then {}",
-            error(1e-5),
-            error(1e-6)
-        );
+        assert!(error(1e-6) < 0.3 * error(1e-5), "{name}: {} then {}", error(1e-5), error(1e-6));
     }
 }
 
@@ -130,30 +96,14 @@ fn limit_forces_from_both_sides_cancel_in_the_transferred_momentum() {
                 initial_velocity: velocity,
                 ..Node::structure(mass, 0.0, Elastic { stiffness: 0.0 })
             };
-            let row = Row::new(
-                vec![free(1e6, 0.5), free(1e5, 0.0), free(1e6, -0.5)],
-                pairs(3, 0.01, law),
-            )
-            .unwrap();
+            let row = Row::new(vec![free(1e6, 0.5), free(1e5, 0.0), free(1e6, -0.5)], pairs(3, 0.01, law)).unwrap();
             let mut recorder = (TransferredMomentum::new(3), Collisions::new(3, row.pairs()));
             let excitation = Excitation::new(1.0, &[0.0]).unwrap();
-            method
-                .watch(&row, excitation, clock(0.001, 0.05), &mut recorder)
-                .unwrap();
+            method.watch(&row, excitation, clock(0.001, 0.05), &mut recorder).unwrap();
             let (momentum, collisions) = recorder;
-            assert!(
-                collisions.all().len() >= 2,
-                "{name}: both neighbours must hit"
-            );
-            assert!(
-                momentum.of(1) < 1e-9 * momentum.of(0),
-                "{name}: {}",
-                momentum.of(1)
-            );
-            assert!(
-                (momentum.of(0) / momentum.of(2) - 1.0).abs() < 1e-9,
-                "{name}"
-            );
+            assert!(collisions.all().len() >= 2, "{name}: both neighbours must hit");
+            assert!(momentum.of(1) < 1e-9 * momentum.of(0), "{name}: {}", momentum.of(1));
+            assert!((momentum.of(0) / momentum.of(2) - 1.0).abs() < 1e-9, "{name}");
         }
     }
 }

@@ -1,10 +1,7 @@
 //! Moreau–Jean stepping in rows at the edges of what can be.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Bilinear, Clock, Excitation, Integrator, Ledger, LedgerError, MoreauJean, Node, Pair, Row,
-    RunError,
-};
+use pounding_solver::{Bilinear, Clock, Excitation, Integrator, Ledger, LedgerError, MoreauJean, Node, Pair, Row, RunError};
 use proptest::prelude::*;
 
 use crate::common::ground;
@@ -16,19 +13,11 @@ fn impulsive(restitution: f64) -> ContactLaw {
 }
 
 /// Balances of a run, and what breaks the laws of mechanics.
-fn run(
-    row: &Row<Bilinear>,
-    theta: f64,
-    ground: &[f64],
-    clock: Clock,
-) -> Result<([f64; 2], Result<(), LedgerError>), RunError> {
+fn run(row: &Row<Bilinear>, theta: f64, ground: &[f64], clock: Clock) -> Result<([f64; 2], Result<(), LedgerError>), RunError> {
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
     let mut ledger = Ledger::new(row, excitation);
     Integrator::MoreauJean(MoreauJean { theta }).watch(row, excitation, clock, &mut ledger)?;
-    Ok((
-        [ledger.identity(), ledger.momentum()],
-        ledger.verdict().map(|_| ()),
-    ))
+    Ok(([ledger.identity(), ledger.momentum()], ledger.verdict().map(|_| ())))
 }
 
 /// Mass, damping and stiffness of every structure; gap and restitution of every pair.
@@ -41,9 +30,7 @@ fn row(structures: &[[f64; 4]], contacts: &[(f64, f64)]) -> Row<Bilinear> {
         };
         Node::structure(mass, damping, column)
     };
-    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| {
-        Pair::of_floors(left, left + 1, gap, impulsive(restitution))
-    };
+    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| Pair::of_floors(left, left + 1, gap, impulsive(restitution));
     Row::new(
         structures.iter().map(node).collect(),
         contacts.iter().enumerate().map(pair).collect(),
@@ -75,12 +62,8 @@ fn issue_impulses_that_rounding_alone_still_changed() {
         for theta in [0.5, 0.7, 1.0] {
             for time_step in [1e-2, 1e-3, 1e-4] {
                 let clock = crate::common::clock(time_step, 3.0);
-                let (balances, laws) = run(&row, theta, &ground(), clock)
-                    .unwrap_or_else(|error| panic!("{name}, theta {theta}: {error}"));
-                assert!(
-                    balances.iter().all(|balance| *balance < 1e-11),
-                    "{name}: {balances:?}"
-                );
+                let (balances, laws) = run(&row, theta, &ground(), clock).unwrap_or_else(|error| panic!("{name}, theta {theta}: {error}"));
+                assert!(balances.iter().all(|balance| *balance < 1e-11), "{name}: {balances:?}");
                 assert_eq!(laws, Ok(()), "{name}, theta {theta}, step {time_step}");
             }
         }
@@ -88,9 +71,7 @@ fn issue_impulses_that_rounding_alone_still_changed() {
 }
 
 fn any_restitution() -> BoxedStrategy<ContactLaw> {
-    prop_oneof![Just(0.0), Just(1.0), 0.0..=1.0_f64]
-        .prop_map(impulsive)
-        .boxed()
+    prop_oneof![Just(0.0), Just(1.0), 0.0..=1.0_f64].prop_map(impulsive).boxed()
 }
 
 proptest! {

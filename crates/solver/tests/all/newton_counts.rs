@@ -25,8 +25,7 @@ fn law(name: LawName, factor: f64) -> Option<ContactLaw> {
 
 /// Two shaken structures, over two seconds.
 fn run(law: ContactLaw, method: Integrator) -> Result<Work, RunError> {
-    let row =
-        Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.002, law)).expect("as built");
+    let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.002, law)).expect("as built");
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("as built");
     method.watch(&row, excitation, clock(1e-3, 2.0), &mut ())

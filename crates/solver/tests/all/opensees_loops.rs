@@ -19,9 +19,7 @@ fn column(name: &str) -> Vec<(f64, f64)> {
         let field = line.split(',').nth(place).expect("a field");
         field.parse().expect("a number")
     };
-    lines
-        .map(|line| (number(line, 0), number(line, place)))
-        .collect()
+    lines.map(|line| (number(line, 0), number(line, place))).collect()
 }
 
 /// Largest distance of the forces \[N\].
@@ -63,10 +61,7 @@ fn reference_bouc_wen_columns_are_those_of_opensees() {
             stiffness: STIFFNESS,
             yield_force: YIELD_FORCE,
             hardening: HARDENING,
-            smoothness: Smoothness {
-                exponent,
-                unloading,
-            },
+            smoothness: Smoothness { exponent, unloading },
         };
         let table = column(name);
         let found = distance(ours, &table);
@@ -76,13 +71,7 @@ fn reference_bouc_wen_columns_are_those_of_opensees() {
             exponent,
             unloading: unloading + 0.01,
         };
-        let far = distance(
-            BoucWen {
-                smoothness: other,
-                ..ours
-            },
-            &table,
-        );
+        let far = distance(BoucWen { smoothness: other, ..ours }, &table);
         assert!(far > 1.0, "{name}: {far} N");
     }
 }

@@ -2,23 +2,16 @@
 
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
-use pounding_solver::{
-    Bilinear, Elastic, Exact, Excitation, Hysteretic, Integrator, Node, Recorder, Row,
-    TransferredMomentum,
-};
+use pounding_solver::{Bilinear, Elastic, Exact, Excitation, Hysteretic, Integrator, Node, Recorder, Row, TransferredMomentum};
 
 use crate::common::{
-    FIRST_ORDER, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground,
-    histories, pairs, slope, yielding,
+    FIRST_ORDER, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, slope, yielding,
 };
 use crate::watch::Watch;
 
 /// Displacement of a damped structure released at u₀ under a load that rises linearly: closed form.
 fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {
-    let (omega2, c) = (
-        node.column.stiffness * node.inverse_mass,
-        node.damping * node.inverse_mass,
-    );
+    let (omega2, c) = (node.column.stiffness * node.inverse_mass, node.damping * node.inverse_mass);
     let decay = 0.5 * c;
     let frequency = (omega2 - decay * decay).sqrt();
     // u = p t + q + e^(−dt) (a cos ωt + b sin ωt) solves ü + c u̇ + ω² u = −rate·t.
@@ -26,10 +19,7 @@ fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {
     let q = -c * p / omega2;
     let a = initial - q;
     let b = (decay * a - p) / frequency;
-    p * time
-        + q
-        + libm::exp(-decay * time)
-            * (a * libm::cos(frequency * time) + b * libm::sin(frequency * time))
+    p * time + q + libm::exp(-decay * time) * (a * libm::cos(frequency * time) + b * libm::sin(frequency * time))
 }
 
 /// The order that theory promises where nothing touches or yields.
@@ -58,26 +48,21 @@ fn order_without_contact_is_the_promised_one() {
         let steps = [0.01, 0.005, 0.0025, 0.00125];
         let errors = steps.map(|dt| {
             let (histories, _) = histories(&row, method, &samples, clock(dt, 4.0));
-            let errors = histories.of(0).states.iter().enumerate().map(|(i, state)| {
-                (state.displacement - ramp(&node, 0.01, 1.0, i as f64 * dt)).abs()
-            });
+            let errors = histories
+                .of(0)
+                .states
+                .iter()
+                .enumerate()
+                .map(|(i, state)| (state.displacement - ramp(&node, 0.01, 1.0, i as f64 * dt)).abs());
             errors.fold(0.0, f64::max)
         });
         let order = slope(&steps, &errors);
-        assert!(
-            (order - promised(method)).abs() < 0.2,
-            "{name}: order {order}, errors {errors:?}"
-        );
+        assert!((order - promised(method)).abs() < 0.2, "{name}: order {order}, errors {errors:?}");
     }
 }
 
 /// A quantity of a run at one time step.
-fn measure<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    time_step: f64,
-    recorder: &mut impl Recorder,
-) {
+fn measure<Column: Hysteretic>(row: &Row<Column>, method: Integrator, time_step: f64, recorder: &mut impl Recorder) {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     // Up to the end of the first collisions only: later ones would multiply the errors of the first.
@@ -94,13 +79,7 @@ fn quantity(row: &Row<impl Hysteretic>, method: Integrator, time_step: f64) -> f
     );
     measure(row, method, time_step, &mut recorder);
     if row.pairs().is_empty() {
-        recorder
-            .1
-            .of(0)
-            .states
-            .last()
-            .expect("states were recorded")
-            .displacement
+        recorder.1.of(0).states.last().expect("states were recorded").displacement
     } else {
         recorder.0.of(0)
     }
@@ -108,9 +87,7 @@ fn quantity(row: &Row<impl Hysteretic>, method: Integrator, time_step: f64) -> f
 
 /// Order of the quantity, and its errors against a reference.
 fn observed(row: &Row<impl Hysteretic>, method: Integrator, reference: f64) -> (f64, Vec<f64>) {
-    let steps: Vec<f64> = (0..8)
-        .map(|halvings| 0.002 / f64::from(1 << halvings))
-        .collect();
+    let steps: Vec<f64> = (0..8).map(|halvings| 0.002 / f64::from(1 << halvings)).collect();
     let errors: Vec<f64> = steps
         .iter()
         .map(|dt| (quantity(row, method, *dt) / reference - 1.0).abs())
@@ -124,8 +101,7 @@ fn elastic_rows() -> Vec<(String, Row<Elastic>)> {
         let nodes = vec![elastic(WEAK), elastic(STIFF)];
         Row::new(nodes, pairs(2, 0.02, law)).expect("the row is valid")
     };
-    LAWS.map(|(name, law)| (format!("{name} elastic"), row(law)))
-        .to_vec()
+    LAWS.map(|(name, law)| (format!("{name} elastic"), row(law))).to_vec()
 }
 
 fn yielding_rows() -> Vec<(String, Row<Bilinear>)> {
@@ -135,23 +111,15 @@ fn yielding_rows() -> Vec<(String, Row<Bilinear>)> {
     };
     let alone = Row::new(vec![yielding(WEAK)], vec![]).expect("the row is valid");
     let touching = LAWS.map(|(name, law)| (format!("{name} nonlinear"), row(law)));
-    std::iter::once(("yielding".to_string(), alone))
-        .chain(touching)
-        .collect()
+    std::iter::once(("yielding".to_string(), alone)).chain(touching).collect()
 }
 
-const LAWS: [(&str, ContactLaw); 2] = [
-    ("stereomechanical", STEREOMECHANICAL),
-    ("viscoelastic", VISCOELASTIC),
-];
+const LAWS: [(&str, ContactLaw); 2] = [("stereomechanical", STEREOMECHANICAL), ("viscoelastic", VISCOELASTIC)];
 
 /// A line of the printed table.
 fn line(what: &str, name: &str, (order, errors): &(f64, Vec<f64>)) -> String {
     let errors: Vec<_> = errors.iter().map(|error| format!("{error:.0e}")).collect();
-    format!(
-        "{what:<28} {name:<18} order {order:>4.1}   errors {}\n",
-        errors.join(" ")
-    )
+    format!("{what:<28} {name:<18} order {order:>4.1}   errors {}\n", errors.join(" "))
 }
 
 #[test]

@@ -1,8 +1,6 @@
 //! Random rows under random records, and what a property test asks of them.
 
-use pounding_contact::{
-    Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
-};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{Bilinear, Node, Pair, Row};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -66,15 +64,9 @@ impl Case {
                 ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
             }
         };
-        let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| {
-            Pair::of_floors(left, left + 1, gap * units.length, law)
-        };
+        let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair::of_floors(left, left + 1, gap * units.length, law);
         Row::new(
-            self.structures
-                .iter()
-                .zip(&self.velocities)
-                .map(node)
-                .collect(),
+            self.structures.iter().zip(&self.velocities).map(node).collect(),
             self.contacts.iter().enumerate().map(pair).collect(),
         )
         .expect("the row is valid")
@@ -103,24 +95,18 @@ fn calibrated() -> BoxedStrategy<ContactLaw> {
         let stiffness = libm::pow(10.0, exponent);
         let exact = |e| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
         // Springs have no other e than 1.
-        exact(e)
-            .or_else(|_| exact(1.0))
-            .expect("the stiffness is positive")
+        exact(e).or_else(|_| exact(1.0)).expect("the stiffness is positive")
     };
-    (prop::sample::select(names), 6.0..11.0_f64, 0.1..1.0_f64)
-        .prop_map(law)
-        .boxed()
+    (prop::sample::select(names), 6.0..11.0_f64, 0.1..1.0_f64).prop_map(law).boxed()
 }
 
 pub(crate) fn any_law() -> BoxedStrategy<ContactLaw> {
-    let viscoelastic = (power_of_ten(7.0..11.0), 0.0..1.5_f64).prop_map(
-        |(impact_stiffness, impact_damping_ratio)| {
-            ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
-                impact_stiffness,
-                impact_damping_ratio,
-            })
-        },
-    );
+    let viscoelastic = (power_of_ten(7.0..11.0), 0.0..1.5_f64).prop_map(|(impact_stiffness, impact_damping_ratio)| {
+        ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+            impact_stiffness,
+            impact_damping_ratio,
+        })
+    });
     prop_oneof![2 => stereomechanical(), 2 => viscoelastic, 3 => calibrated()].boxed()
 }
 
@@ -129,22 +115,10 @@ pub(crate) fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Val
     let structure = || {
         let yields = prop_oneof![Just(f64::INFINITY), power_of_ten(-4.0..-1.0)];
         let ratio = prop_oneof![Just(0.0), 0.0..1.2_f64];
-        (
-            power_of_ten(2.0..8.0),
-            power_of_ten(-1.3..0.5),
-            ratio,
-            yields,
-        )
+        (power_of_ten(2.0..8.0), power_of_ten(-1.3..0.5), ratio, yields)
             .prop_map(|(mass, period, ratio, yields)| [mass, period, ratio, yields])
     };
-    let gap = || {
-        prop_oneof![
-            Just(0.0),
-            power_of_ten(-8.0..-3.0),
-            0.0..0.1_f64,
-            0.0..1.0_f64
-        ]
-    };
+    let gap = || prop_oneof![Just(0.0), power_of_ten(-8.0..-3.0), 0.0..0.1_f64, 0.0..1.0_f64];
     (1..=6_usize).prop_flat_map(move |n| {
         let structures = prop::collection::vec(structure(), n);
         let contacts = prop::collection::vec((gap(), law()), n - 1);

@@ -3,13 +3,11 @@
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Floor, Hht, Integrator, ModelError, Newmark, Node, Oscillation,
-    Pair, Rk4, Row, RunError,
+    Clock, Elastic, Excitation, Floor, Hht, Integrator, ModelError, Newmark, Node, Oscillation, Pair, Rk4, Row, RunError,
 };
 
 use crate::common::{
-    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, RK4, STEREOMECHANICAL, VERLET, WEAK, central,
-    elastic, ground, moreau_jean, pairs,
+    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, RK4, STEREOMECHANICAL, VERLET, WEAK, central, elastic, ground, moreau_jean, pairs,
 };
 use crate::watch::Watch;
 
@@ -20,9 +18,7 @@ fn row(nodes: Vec<Node<Elastic>>, pairs: Vec<Pair>) -> ModelError {
 fn run(row: &Row<Elastic>, method: Integrator, clock: Clock) -> RunError {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
-    method
-        .watch(row, excitation, clock, &mut ())
-        .expect_err("the run must end early")
+    method.watch(row, excitation, clock, &mut ()).expect_err("the run must end early")
 }
 
 #[test]
@@ -72,10 +68,7 @@ fn limit_a_renewed_row_is_a_new_one() {
     let plain = (vec![weak; 3], pairs(3, 0.02, STEREOMECHANICAL));
     let renewed = towers().renewed(plain.0.clone(), plain.1.clone());
     assert_eq!(renewed, Row::new(plain.0, plain.1));
-    let bad = vec![Node {
-        damping: f64::NAN,
-        ..weak
-    }];
+    let bad = vec![Node { damping: f64::NAN, ..weak }];
     let refused = towers().renewed(bad.clone(), vec![]);
     let wanted = row(bad, vec![]).to_string();
     assert_eq!(refused.expect_err("no number").to_string(), wanted);
@@ -89,39 +82,9 @@ fn extreme_settings_out_of_range() {
         time_step: 0.01,
         n_steps: 10,
     };
-    messages.push(
-        run(
-            &row,
-            CENTRAL,
-            Clock {
-                time_step: 0.0,
-                ..clock
-            },
-        )
-        .to_string(),
-    );
-    messages.push(
-        run(
-            &row,
-            Integrator::Newmark(Newmark {
-                beta: 0.25,
-                gamma: 0.4,
-            }),
-            clock,
-        )
-        .to_string(),
-    );
-    messages.push(
-        run(
-            &row,
-            Integrator::Newmark(Newmark {
-                beta: -0.1,
-                gamma: 0.5,
-            }),
-            clock,
-        )
-        .to_string(),
-    );
+    messages.push(run(&row, CENTRAL, Clock { time_step: 0.0, ..clock }).to_string());
+    messages.push(run(&row, Integrator::Newmark(Newmark { beta: 0.25, gamma: 0.4 }), clock).to_string());
+    messages.push(run(&row, Integrator::Newmark(Newmark { beta: -0.1, gamma: 0.5 }), clock).to_string());
     for method in [
         central(0),
         central(1001),
@@ -170,10 +133,7 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
         let work = method.watch(&row, excitation, clock(0.999 * critical), &mut ());
         assert!(work.is_ok(), "{name}, just below the limit: {work:?}");
         let error = run(&row, method, clock(1.01 * critical));
-        assert!(
-            matches!(error, RunError::Diverged { .. }),
-            "{name}: {error}"
-        );
+        assert!(matches!(error, RunError::Diverged { .. }), "{name}: {error}");
     }
     assert_snapshot!(run(&row, CENTRAL, clock(1.01 * 2.0 / omega)));
     for method in [AVERAGE, HHT, MOREAU_JEAN] {
@@ -212,10 +172,7 @@ fn extreme_a_number_that_overflows_ends_the_run() {
             &mut (),
         );
         let error = outcome.expect_err("infinite displacements are no answer");
-        assert!(
-            matches!(error, RunError::Diverged { .. }),
-            "{name}: {error}"
-        );
+        assert!(matches!(error, RunError::Diverged { .. }), "{name}: {error}");
     }
 }
 

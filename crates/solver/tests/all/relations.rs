@@ -2,8 +2,7 @@
 
 use pounding_contact::{ContactLaw, Hertz, LinearSpring, Stereomechanical};
 use pounding_solver::{
-    Elastic, Excitation, Floor, Impact, Integrator, Levels, Node, Pair, Point, Recorder, Relation,
-    Row, RunError, Span, Storey,
+    Elastic, Excitation, Floor, Impact, Integrator, Levels, Node, Pair, Point, Recorder, Relation, Row, RunError, Span, Storey,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -18,11 +17,7 @@ fn restitution(restitution: f64) -> ContactLaw {
 
 fn pair([left, right]: [Point; 2], offset: f64, law: ContactLaw) -> Pair {
     Pair {
-        relation: Relation {
-            left,
-            right,
-            offset,
-        },
+        relation: Relation { left, right, offset },
         law,
     }
 }
@@ -100,10 +95,7 @@ fn reference_slabs_that_share_a_floor() {
     for _ in 0..2 {
         let row = Row::new(nodes.clone(), pairs.clone()).expect("a valid row");
         for (name, method) in METHODS {
-            let Seen {
-                impacts,
-                velocities: v,
-            } = step(&row, method, 1e-6);
+            let Seen { impacts, velocities: v } = step(&row, method, 1e-6);
             assert_eq!(impacts.len(), 1, "{name}: {impacts:?}");
             close(impacts[0].impulse, 278_089.887_640_449_4, 1e-13, name);
             close(v[0] - (0.4 * v[2] + 0.6 * v[3]), -0.65, 1e-14, name);
@@ -116,20 +108,9 @@ fn reference_slabs_that_share_a_floor() {
 
 #[test]
 fn reference_a_slab_hits_a_column() {
-    let straight = [
-        0.023_672_055_427_251_73,
-        0.228_637_413_394_919_2,
-        0.428_695_150_115_473_4,
-    ];
-    let fixed = [
-        0.036_136_590_175_496_68,
-        0.195_935_904_309_870_2,
-        0.450_875_234_349_417_2,
-    ];
-    for (part, impulse, velocities) in [
-        (0.6, 142_898.383_371_824_5, straight),
-        (0.648, 139_159.022_947_351, fixed),
-    ] {
+    let straight = [0.023_672_055_427_251_73, 0.228_637_413_394_919_2, 0.428_695_150_115_473_4];
+    let fixed = [0.036_136_590_175_496_68, 0.195_935_904_309_870_2, 0.450_875_234_349_417_2];
+    for (part, impulse, velocities) in [(0.6, 142_898.383_371_824_5, straight), (0.648, 139_159.022_947_351, fixed)] {
         let nodes = vec![free(3e5, 0.5), free(2.5e5, 0.0), above(1, 2e5, 0.0)];
         let points = [Point::Floor(0), between(1, 2, part)];
         let pairs = vec![pair(points, 0.0, restitution(0.65))];
@@ -223,17 +204,14 @@ impl Case {
 
 /// Two to four buildings of up to three storeys, with up to seven pairs; masses differ by up to 10⁴.
 fn cases() -> impl Strategy<Value = Case> {
-    let floor = (4.0..8.0_f64, 0.1..2.0_f64, -1.0..1.0_f64)
-        .prop_map(|(mass, period, velocity)| [libm::pow(10.0, mass), period, velocity]);
+    let floor = (4.0..8.0_f64, 0.1..2.0_f64, -1.0..1.0_f64).prop_map(|(mass, period, velocity)| [libm::pow(10.0, mass), period, velocity]);
     let height = || prop_oneof![2 => 0.02..1.0_f64, 1 => Just(1.0), 1 => Just(0.5)];
     let e = prop_oneof![Just(0.0), 0.0..1.0_f64, Just(1.0)];
     let contact = (0..3_usize, height(), height(), e);
     let gap = prop_oneof![Just(0.0), 0.0..0.01_f64];
     (vec(vec(floor, 1..4), 2..5), vec(contact, 1..8), gap).prop_map(|(buildings, contacts, gap)| {
         let n = buildings.len() - 1;
-        let contacts = contacts
-            .into_iter()
-            .map(|(left, low, high, e)| (left % n, [low, high], e));
+        let contacts = contacts.into_iter().map(|(left, low, high, e)| (left % n, [low, high], e));
         Case {
             contacts: contacts.collect(),
             buildings,
@@ -245,10 +223,7 @@ fn cases() -> impl Strategy<Value = Case> {
 /// By how much two runs differ, relative to the velocities.
 fn off(found: &[f64], wanted: &[f64]) -> f64 {
     let scale = wanted.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
-    let each = found
-        .iter()
-        .zip(wanted)
-        .map(|(one, other)| (one - other).abs() / scale);
+    let each = found.iter().zip(wanted).map(|(one, other)| (one - other).abs() / scale);
     each.fold(0.0, f64::max)
 }
 
@@ -406,10 +381,7 @@ fn issue_walls_that_close_in_on_pairs_of_any_points_are_named() {
     let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
     for (name, method) in METHODS {
         let ended = method.watch(&row, excitation, clock(1e-3, 10.0), &mut ());
-        assert!(
-            matches!(ended, Err(RunError::ClosedIn { .. })),
-            "{name}: {ended:?}"
-        );
+        assert!(matches!(ended, Err(RunError::ClosedIn { .. })), "{name}: {ended:?}");
     }
 }
 
@@ -428,10 +400,8 @@ fn limit_two_soft_contacts_are_one_contact() {
         });
         vec![structure(0.4), structure(-0.2), upper]
     };
-    let spring: fn(f64) -> ContactLaw =
-        |impact_stiffness| ContactLaw::LinearSpring(LinearSpring { impact_stiffness });
-    let hertz: fn(f64) -> ContactLaw =
-        |impact_stiffness| ContactLaw::Hertz(Hertz { impact_stiffness });
+    let spring: fn(f64) -> ContactLaw = |impact_stiffness| ContactLaw::LinearSpring(LinearSpring { impact_stiffness });
+    let hertz: fn(f64) -> ContactLaw = |impact_stiffness| ContactLaw::Hertz(Hertz { impact_stiffness });
     let (ground, clock) = (ground(), clock(1e-3, 3.0));
     for law in [spring, hertz] {
         for point in [Point::Floor(1), between(1, 2, 0.3)] {

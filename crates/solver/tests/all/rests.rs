@@ -1,9 +1,7 @@
 //! Impacts that neighbours at rest against each other follow: each counts once, with the rest.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Row, SimultaneousImpacts,
-};
+use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Row, SimultaneousImpacts};
 
 use crate::common::{METHODS, clock, pairs};
 
@@ -35,10 +33,7 @@ fn issue_an_impact_and_the_rest_after_it_count_once() {
     let [first, second] = exact[..] else {
         panic!("two meetings: {exact:?}");
     };
-    assert!(
-        (first.start - libm::sqrt(0.02 / 10.0)).abs() < 1e-3,
-        "{first:?}"
-    );
+    assert!((first.start - libm::sqrt(0.02 / 10.0)).abs() < 1e-3, "{first:?}");
     assert!((first.end - 0.495).abs() < 1e-3, "{first:?}");
     assert!((second.end - 1.5).abs() < 1e-12, "{second:?}");
     assert!(exact.iter().all(|one| one.peak_force.is_none()));
@@ -48,9 +43,7 @@ fn issue_an_impact_and_the_rest_after_it_count_once() {
         for (one, exact) in found.iter().zip(&exact) {
             let off = (one.impulse / exact.impulse - 1.0).abs();
             assert!(off < 0.01, "{name}: {one:?}, exact {exact:?}");
-            let late = (one.start - exact.start)
-                .abs()
-                .max((one.end - exact.end).abs());
+            let late = (one.start - exact.start).abs().max((one.end - exact.end).abs());
             assert!(late < 3e-3, "{name}: {one:?}, exact {exact:?}");
         }
     }
@@ -63,11 +56,7 @@ fn issue_the_last_bounce_has_the_rest_after_it() {
     let until_half: Vec<_> = exact.iter().filter(|one| one.start < 0.5).collect();
     let (last, bounces) = until_half.split_last().expect("the mass reaches the wall");
     assert!(bounces.len() > 20, "{exact:?}");
-    assert!(
-        bounces
-            .iter()
-            .all(|one| one.end.total_cmp(&one.start).is_eq())
-    );
+    assert!(bounces.iter().all(|one| one.end.total_cmp(&one.start).is_eq()));
     assert!((last.end - 0.495).abs() < 1e-3, "{last:?}");
     assert!(exact.iter().all(|one| one.peak_force.is_none()));
     for pair in exact.windows(2) {

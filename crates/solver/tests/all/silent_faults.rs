@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, ModifiedLinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    BoucWen, Clock, Collisions, Elastic, Exact, Excitation, Hysteretic, Impact, Integrator, Ledger,
-    Node, Pair, Peaks, Recorder, Row, RunError, Smoothness, Span, TransferredMomentum,
+    BoucWen, Clock, Collisions, Elastic, Exact, Excitation, Hysteretic, Impact, Integrator, Ledger, Node, Pair, Peaks, Recorder, Row,
+    RunError, Smoothness, Span, TransferredMomentum,
 };
 use proptest::prelude::*;
 
@@ -22,23 +22,14 @@ fn impulsive(restitution: f64) -> ContactLaw {
 
 /// Pairs of neighbours from the left, by gap and law.
 fn pairs(contacts: &[(f64, ContactLaw)]) -> Vec<Pair> {
-    let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| {
-        Pair::of_floors(left, left + 1, gap, law)
-    };
+    let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair::of_floors(left, left + 1, gap, law);
     contacts.iter().enumerate().map(pair).collect()
 }
 
 /// A structure by mass \[kg\], period \[s\] and damping ratio, with columns of its stiffness.
-fn structure<Column>(
-    (mass, period, ratio): (f64, f64, f64),
-    column: impl Fn(f64) -> Column,
-) -> Node<Column> {
+fn structure<Column>((mass, period, ratio): (f64, f64, f64), column: impl Fn(f64) -> Column) -> Node<Column> {
     let omega = 2.0 * std::f64::consts::PI / period;
-    Node::structure(
-        mass,
-        2.0 * ratio * omega * mass,
-        column(mass * omega * omega),
-    )
+    Node::structure(mass, 2.0 * ratio * omega * mass, column(mass * omega * omega))
 }
 
 fn elastic(values: (f64, f64, f64)) -> Node<Elastic> {
@@ -56,9 +47,7 @@ const LOOKS: u32 = 8;
 
 impl Recorder for Shown {
     fn span(&mut self, span: &Span<'_>) {
-        let inside = (1..LOOKS).map(|look| {
-            span.at(span.start_time + f64::from(look) / f64::from(LOOKS) * span.duration())
-        });
+        let inside = (1..LOOKS).map(|look| span.at(span.start_time + f64::from(look) / f64::from(LOOKS) * span.duration()));
         for state in inside.chain([span.start, span.end]) {
             let net = &mut self.nodes[span.structure];
             *net = net.max(state.pounding_force().abs());
@@ -83,10 +72,7 @@ fn peaks_are_the_largest<Column: Hysteretic>(
     };
     let mut recorders = (shown, Collisions::new(n, row.pairs()), Peaks::new(n));
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
-    if method
-        .watch(row, excitation, clock, &mut recorders)
-        .is_err()
-    {
+    if method.watch(row, excitation, clock, &mut recorders).is_err() {
         // What does not run shows nothing.
         return Ok(Vec::new());
     }
@@ -152,10 +138,7 @@ fn issue_a_force_that_jumps_at_an_impact_is_a_peak() {
             continue;
         }
         let found = largest(method, 1e-4);
-        assert!(
-            (found / exact - 1.0).abs() < 0.02,
-            "{name}: {found}, {exact}"
-        );
+        assert!((found / exact - 1.0).abs() < 0.02, "{name}: {found}, {exact}");
     }
 }
 
@@ -164,10 +147,7 @@ fn bouc_wen(exponent: u32, unloading: f64) -> impl Fn(f64) -> BoucWen {
         stiffness,
         hardening: 0.05,
         yield_force: 0.006 * stiffness,
-        smoothness: Smoothness {
-            exponent,
-            unloading,
-        },
+        smoothness: Smoothness { exponent, unloading },
     }
 }
 
@@ -183,19 +163,12 @@ fn issue_columns_that_yield_smoothly_leave_a_standstill_the_way_they_go() {
             let between = vec![wall(), structure((2e5, 0.4, 0.05), &column), wall()];
             let law = impulsive(restitution);
             let between = Row::new(between, pairs(&[(0.002, law); 2])).expect("it is valid");
-            let row = vec![
-                structure((2e5, 0.4, 0.05), &column),
-                structure((1e5, 0.7, 0.02), &column),
-                wall(),
-            ];
+            let row = vec![structure((2e5, 0.4, 0.05), &column), structure((1e5, 0.7, 0.02), &column), wall()];
             let row = Row::new(row, pairs(&[(0.004, law), (0.0, law)])).expect("it is valid");
             for row in [between, row] {
                 let ledger = crate::common::book(&row, EXACT, &samples, clock(0.01, 10.0));
                 let residual = ledger.residual();
-                assert!(
-                    residual < 1e-12,
-                    "n {exponent}, e {restitution}: {residual:e}"
-                );
+                assert!(residual < 1e-12, "n {exponent}, e {restitution}: {residual:e}");
             }
         }
     }
@@ -208,30 +181,16 @@ fn issue_a_resting_floor_keeps_a_velocity_that_passes_zero() {
     let samples = ground();
     for restitution in [0.0, 0.3, 0.65] {
         for arrival in [0.02, 0.05, 0.09] {
-            let nodes = vec![
-                elastic((3e5, 0.3, 0.05)),
-                elastic((3e5, 0.5, 0.05)),
-                elastic((1e5, 0.2, 0.02)),
-            ];
-            let row = Row::new(
-                nodes,
-                pairs(&[(0.01, impulsive(restitution)), (0.005, impulsive(0.0))]),
-            )
-            .and_then(|row| row.delayed(vec![0.0, arrival, 0.0]))
-            .expect("it is valid");
+            let nodes = vec![elastic((3e5, 0.3, 0.05)), elastic((3e5, 0.5, 0.05)), elastic((1e5, 0.2, 0.02))];
+            let row = Row::new(nodes, pairs(&[(0.01, impulsive(restitution)), (0.005, impulsive(0.0))]))
+                .and_then(|row| row.delayed(vec![0.0, arrival, 0.0]))
+                .expect("it is valid");
             let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
             let mut ledger = Ledger::new(&row, excitation);
             let ended = EXACT.watch(&row, excitation, clock(0.01, 10.0), &mut ledger);
-            assert!(
-                ended.is_ok(),
-                "e {restitution}, {arrival} s: {}",
-                ended.unwrap_err()
-            );
+            assert!(ended.is_ok(), "e {restitution}, {arrival} s: {}", ended.unwrap_err());
             let residual = ledger.residual();
-            assert!(
-                residual < 1e-12,
-                "e {restitution}, {arrival} s: {residual:e}"
-            );
+            assert!(residual < 1e-12, "e {restitution}, {arrival} s: {residual:e}");
         }
     }
 }
@@ -257,16 +216,10 @@ fn issue_what_walls_enclose_without_a_gap_rests() {
                 .expect("nothing moves");
             let (momentum, peaks) = recorders;
             // The walls push and pull what the ground's acceleration asks for: ∫ |m·a_g| dt, summed over each of its signs.
-            let push: f64 = row.nodes()[1..n_nodes - 1]
-                .iter()
-                .map(|node| 1.0 / node.inverse_mass)
-                .sum();
+            let push: f64 = row.nodes()[1..n_nodes - 1].iter().map(|node| 1.0 / node.inverse_mass).sum();
             let wanted = push * integral_of_magnitude(&samples[..=200]);
             let found = momentum.of(0) + momentum.of(n_nodes - 1);
-            assert!(
-                (found / wanted - 1.0).abs() < 1e-12,
-                "{n}, e {restitution}: {found}, {wanted}"
-            );
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{n}, e {restitution}: {found}, {wanted}");
             for node in 0..n_nodes {
                 let moved = peaks.of(node).displacement.value.abs() > 0.0;
                 assert!(!moved, "{n}, e {restitution}");
@@ -295,17 +248,11 @@ fn extreme_walls_that_close_in_are_named() {
     for gap in [0.0, 0.002] {
         let wall = || Node::wall(Elastic { stiffness: 1.0 });
         let nodes = vec![wall(), elastic((2e5, 0.8, 0.02)), wall()];
-        let row = Row::new(
-            nodes,
-            pairs(&[(0.0, impulsive(0.5)), (gap, impulsive(0.0))]),
-        )
-        .and_then(|row| row.delayed(vec![0.0, 0.05, 0.1]))
-        .expect("it is valid");
+        let row = Row::new(nodes, pairs(&[(0.0, impulsive(0.5)), (gap, impulsive(0.0))]))
+            .and_then(|row| row.delayed(vec![0.0, 0.05, 0.1]))
+            .expect("it is valid");
         let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
         let ended = EXACT.watch(&row, excitation, clock(0.01, 10.0), &mut ());
-        assert!(
-            matches!(ended, Err(RunError::ClosedIn { .. })),
-            "{gap}: {ended:?}"
-        );
+        assert!(matches!(ended, Err(RunError::ClosedIn { .. })), "{gap}: {ended:?}");
     }
 }

@@ -2,9 +2,7 @@
 
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, HertzDamp, ModifiedKelvin, PantWijeyewickrema};
-use pounding_solver::{
-    Elastic, Exact, Excitation, Histories, Integrator, Node, Row, RunError, Work,
-};
+use pounding_solver::{Elastic, Exact, Excitation, Histories, Integrator, Node, Row, RunError, Work};
 
 use crate::common::{METHODS, RK4, clock, free, pairs};
 use crate::watch::Watch;
@@ -39,10 +37,7 @@ fn pressed(
     (law, mass, approach_speed): (ContactLaw, f64, f64),
     (method, time_step): (Integrator, f64),
 ) -> Result<(Work, Vec<f64>), RunError> {
-    let nodes = vec![
-        free(mass, approach_speed),
-        Node::wall(Elastic { stiffness: 0.0 }),
-    ];
+    let nodes = vec![free(mass, approach_speed), Node::wall(Elastic { stiffness: 0.0 })];
     let row = Row::new(nodes, pairs(2, 0.0, law)).expect("as built");
     let mut histories = Histories::new(2, 0.01, DURATION);
     let ground = [-3.0; 32];
@@ -50,10 +45,7 @@ fn pressed(
     let clock = clock(time_step, DURATION);
     let work = method.watch(&row, excitation, clock, &mut histories)?;
     let states = &histories.of(0).states;
-    Ok((
-        work,
-        states.iter().map(|state| state.displacement).collect(),
-    ))
+    Ok((work, states.iter().map(|state| state.displacement).collect()))
 }
 
 /// Largest difference relative to the largest displacement.

@@ -12,23 +12,16 @@ use crate::watch::Watch;
 fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
     let (mass, stiffness) = (1e5, 5e7);
     let column = Elastic { stiffness };
-    let damping = Rayleigh {
-        alpha: 0.0,
-        beta: 0.0,
-    };
+    let damping = Rayleigh { alpha: 0.0, beta: 0.0 };
     let (row, levels) = row(&[uniform(5, mass, column)], damping, |_, _, _| None);
     let omega: f64 = 2.0 * (stiffness / mass).sqrt() * libm::sin(std::f64::consts::PI / 22.0);
     let shape: Vec<f64> = (1..=5)
         .map(|storey| libm::sin(f64::from(storey) * std::f64::consts::PI / 11.0))
         .collect();
-    let nodes = row
-        .nodes()
-        .iter()
-        .zip(&shape)
-        .map(|(node, shape)| pounding_solver::Node {
-            initial_displacement: 0.01 * shape,
-            ..*node
-        });
+    let nodes = row.nodes().iter().zip(&shape).map(|(node, shape)| pounding_solver::Node {
+        initial_displacement: 0.01 * shape,
+        ..*node
+    });
     let row = pounding_solver::Row::new(nodes.collect(), vec![]).expect("a valid row");
     let ground = [0.0, 0.0];
     let excitation = Excitation::new(1.0, &ground).expect("a valid excitation");
@@ -37,9 +30,7 @@ fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
         n_steps: 2000,
     };
     let mut histories = Histories::new(5, 0.1, 2.0);
-    Integrator::Rk4(Rk4)
-        .watch(&row, excitation, clock, &mut histories)
-        .expect("a run");
+    Integrator::Rk4(Rk4).watch(&row, excitation, clock, &mut histories).expect("a run");
     for (index, node) in levels.of(0).iter().enumerate() {
         for (n, state) in histories.of(*node).states.iter().enumerate() {
             let wanted = 0.01 * shape[index] * libm::cos(omega * 0.1 * n as f64);
@@ -56,13 +47,8 @@ fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
 #[test]
 fn limit_floors_face_their_neighbours() {
     let column = Elastic { stiffness: 5e7 };
-    let law = ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 1e8,
-    });
-    let damping = Rayleigh {
-        alpha: 0.1,
-        beta: 1e-3,
-    };
+    let law = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 1e8 });
+    let damping = Rayleigh { alpha: 0.1, beta: 1e-3 };
     let towers = [uniform(3, 1e5, column), uniform(2, 3e5, column)];
     let (row, levels) = row(&towers, damping, |_, _, [left, right]| {
         Some(Pair::of_floors(left, right, 0.01, law))

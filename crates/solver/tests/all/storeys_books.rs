@@ -1,8 +1,6 @@
 //! Energies of buildings of several storeys, booked from spans and impacts, and what these promise.
 
-use pounding_solver::{
-    Hysteresis, Hysteretic, Impact, Node, Recorder, Response, RestoringForce, Row, Span, Support,
-};
+use pounding_solver::{Hysteresis, Hysteretic, Impact, Node, Recorder, Response, RestoringForce, Row, Span, Support};
 
 /// Columns of any loop, from rest at zero drift.
 #[derive(Debug, Clone, Copy)]
@@ -78,17 +76,11 @@ impl<'a> Books<'a> {
             Support::Ground => 0.0,
             Support::Floor(floor) => floor.ground_damping,
         };
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a count of samples"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of samples")]
         let sample = (0.5 * (span.start_time + span.end_time) / 0.01) as usize;
         let [before, after] = [sample, sample + 1].map(|index| self.ground.get(index));
         let ground = |time: f64| match (before, after) {
-            (Some(before), Some(after)) => {
-                before + (after - before) * (time / 0.01 - sample as f64)
-            }
+            (Some(before), Some(after)) => before + (after - before) * (time / 0.01 - sample as f64),
             _ => 0.0,
         };
         span.integrate(|time, state| {
@@ -107,13 +99,8 @@ impl<'a> Books<'a> {
         let [time, displacement, velocity, impulse] = self.ends[span.structure];
         let jump = span.start.velocity - velocity - impulse * node.inverse_mass;
         self.jump = self.jump.max(jump.abs() / (1e-3 + velocity.abs()));
-        let tears = [
-            span.start.displacement - displacement,
-            span.start_time - time,
-        ];
-        self.tear = tears
-            .iter()
-            .fold(self.tear, |most, tear| most.max(tear.abs()));
+        let tears = [span.start.displacement - displacement, span.start_time - time];
+        self.tear = tears.iter().fold(self.tear, |most, tear| most.max(tear.abs()));
         self.ends[span.structure] = [span.end_time, span.end.displacement, span.end.velocity, 0.0];
         let Columns(loops) = node.column;
         if loops.yield_force.is_finite() {
@@ -153,10 +140,7 @@ impl<'a> Books<'a> {
             (self.jump / 1e-9, "a velocity jumps without an impulse"),
             (self.tear / 1e-300, "spans do not join"),
             (self.beyond / 1e-9, "a column is beyond its limit"),
-            (
-                self.pull[0] / (1e-9 * self.pull[1] + 1e-12),
-                "a contact pulls",
-            ),
+            (self.pull[0] / (1e-9 * self.pull[1] + 1e-12), "a contact pulls"),
         ];
         // A number that is none breaks the first law, and is kept: nothing is larger than it.
         let worse = |a: (f64, &'static str), b: (f64, &'static str)| if b.0 > a.0 { b } else { a };
@@ -174,13 +158,7 @@ impl Recorder for Books<'_> {
         let (start, end) = (span.start.velocity, span.end.velocity);
         let works = self.works(span);
         let [ground, damping, columns, pounding] = works;
-        let terms = [
-            0.5 * mass * (end - start) * (end + start),
-            ground,
-            damping,
-            columns,
-            pounding,
-        ];
+        let terms = [0.5 * mass * (end - start) * (end + start), ground, damping, columns, pounding];
         for (sum, term) in self.terms.iter_mut().zip(terms) {
             *sum += term;
             self.scale += term.abs();

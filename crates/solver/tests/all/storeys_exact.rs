@@ -4,18 +4,14 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Exact, Excitation, Histories, Hysteretic, Integrator, Node, Pair, Rk4, Row,
-    SimultaneousImpacts, Support, Work,
+    Clock, Elastic, Exact, Excitation, Histories, Hysteretic, Integrator, Node, Pair, Rk4, Row, SimultaneousImpacts, Support, Work,
 };
 
 use crate::common::{STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, yielding};
 use crate::towers::{Rayleigh, Tower, row, uniform};
 use crate::watch::Watch;
 
-pub(crate) const DAMPING: Rayleigh = Rayleigh {
-    alpha: 0.5,
-    beta: 1.5e-3,
-};
+pub(crate) const DAMPING: Rayleigh = Rayleigh { alpha: 0.5, beta: 1.5e-3 };
 
 pub(crate) const EXACT: Integrator = exact(1e-16);
 
@@ -27,25 +23,15 @@ pub(crate) const fn exact(tolerance: f64) -> Integrator {
 }
 
 /// Histories at the samples of ten seconds of shaking, or fewer.
-pub(crate) fn histories<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    (clock, samples): (Clock, &[f64]),
-) -> (Histories, Work) {
+pub(crate) fn histories<Column: Hysteretic>(row: &Row<Column>, method: Integrator, (clock, samples): (Clock, &[f64])) -> (Histories, Work) {
     let mut histories = Histories::new(row.nodes().len(), 0.01, clock.time(clock.n_steps));
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
-    let work = method
-        .watch(row, excitation, clock, &mut histories)
-        .expect("the run ends");
+    let work = method.watch(row, excitation, clock, &mut histories).expect("the run ends");
     (histories, work)
 }
 
 /// Largest difference of the displacements of nodes of two runs over the largest displacement.
-pub(crate) fn distance(
-    a: &Histories,
-    b: &Histories,
-    nodes: impl Iterator<Item = (usize, usize)>,
-) -> f64 {
+pub(crate) fn distance(a: &Histories, b: &Histories, nodes: impl Iterator<Item = (usize, usize)>) -> f64 {
     let (mut most, mut off) = (0.0_f64, 0.0_f64);
     for (left, right) in nodes {
         for (a, b) in a.of(left).states.iter().zip(&b.of(right).states) {
@@ -61,10 +47,7 @@ pub(crate) fn same(n_nodes: usize) -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// The same gap and law between all floors that face each other.
-pub(crate) fn facing(
-    gap: f64,
-    law: ContactLaw,
-) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
+pub(crate) fn facing(gap: f64, law: ContactLaw) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
     move |_, _, [left, right]| Some(Pair::of_floors(left, right, gap, law))
 }
 
@@ -72,12 +55,7 @@ pub(crate) fn facing(
 fn towers() -> [Tower<Elastic>; 2] {
     let column = |stiffness| Elastic { stiffness };
     [
-        vec![
-            (9e4, column(4e7)),
-            (8e4, column(3e7)),
-            (7e4, column(2.5e7)),
-            (5e4, column(1.5e7)),
-        ],
+        vec![(9e4, column(4e7)), (8e4, column(3e7)), (7e4, column(2.5e7)), (5e4, column(1.5e7))],
         vec![(3e5, column(6e8)), (2e5, column(5e8)), (2e5, column(4e8))],
     ]
 }
@@ -105,11 +83,7 @@ fn by_modes(row: &Row<Elastic>, damping: Rayleigh, samples: &[f64]) -> Vec<DVect
         let (omega, part) = (square.sqrt(), shape.dot(&roots));
         let half = 0.5 * (damping.alpha + damping.beta * square);
         let damped = (square - half * half).sqrt();
-        let (decay, sine, cosine) = (
-            libm::exp(-half * 0.01),
-            libm::sin(damped * 0.01),
-            libm::cos(damped * 0.01),
-        );
+        let (decay, sine, cosine) = (libm::exp(-half * 0.01), libm::sin(damped * 0.01), libm::cos(damped * 0.01));
         let (mut q, mut rate) = (0.0, 0.0);
         for (step, ends) in samples.windows(2).enumerate() {
             // The particular solution A + Bt of q̈ + 2hq̇ + ω²q = −Γ a_g.
@@ -168,13 +142,7 @@ fn reference_towers_at_rest_against_each_other_are_one_tower() {
         let off = off(&found, levels.of(building), &wanted);
         assert!(off < 1e-12, "building {building}: {off:e}");
     }
-    let forces = |node: usize| {
-        found
-            .of(node)
-            .states
-            .last()
-            .map(|state| state.force_from_right)
-    };
+    let forces = |node: usize| found.of(node).states.last().map(|state| state.force_from_right);
     for node in levels.of(0) {
         let pushed = forces(*node).is_some_and(|force| force < -1.0);
         assert!(pushed, "{node}: {:?}", forces(*node));
@@ -196,10 +164,7 @@ fn order_stepping_tends_to_the_exact_pounding() {
             distance(&best, &found, same(n))
         });
         assert!(work.events > 0, "{work:?}");
-        assert!(
-            errors[1] < finest && errors[1] < 0.3 * errors[0],
-            "{errors:?}"
-        );
+        assert!(errors[1] < finest && errors[1] < 0.3 * errors[0], "{errors:?}");
     }
 }
 
@@ -295,17 +260,8 @@ fn limit_a_tower_out_of_reach_changes_nothing() {
 fn limit_rigid_upper_storeys_are_one_mass() {
     let samples = ground();
     let column = |stiffness| Elastic { stiffness };
-    let damping = Rayleigh {
-        alpha: 0.5,
-        beta: 0.0,
-    };
-    let stiff = |factor: f64| {
-        vec![
-            (5e4, column(2e7)),
-            (3e4, column(2e7 * factor)),
-            (2e4, column(2e7 * factor)),
-        ]
-    };
+    let damping = Rayleigh { alpha: 0.5, beta: 0.0 };
+    let stiff = |factor: f64| vec![(5e4, column(2e7)), (3e4, column(2e7 * factor)), (2e4, column(2e7 * factor))];
     let single = Node::structure(1e5, 0.5e5, column(2e7));
     let single = Row::new(vec![single], vec![]).expect("a valid row");
     let (wanted, _) = histories(&single, EXACT, (clock(0.01, 5.0), &samples));
@@ -314,8 +270,5 @@ fn limit_rigid_upper_storeys_are_one_mass() {
         let (found, _) = histories(&row, EXACT, (clock(0.01, 5.0), &samples));
         distance(&wanted, &found, (0..1).map(|_| (0, 2)))
     });
-    assert!(
-        errors[1] < 1e-4 && errors[1] < 0.02 * errors[0],
-        "{errors:?}"
-    );
+    assert!(errors[1] < 1e-4 && errors[1] < 0.02 * errors[0], "{errors:?}");
 }

@@ -1,8 +1,6 @@
 //! The ledger finds what a method reports wrongly of a building: each fault is put into a good run, and each must show.
 
-use pounding_solver::{
-    Excitation, Hysteretic, Impact, Ledger, LedgerError, Path, Push, Recorder, Span,
-};
+use pounding_solver::{Excitation, Hysteretic, Impact, Ledger, LedgerError, Path, Push, Recorder, Span};
 
 use crate::common::{RK4, clock, ground};
 use crate::storeys_ledger::{DAMPING, TOWERS, bilinear, elastic, plastic, smooth};
@@ -21,10 +19,7 @@ fn step(span: &Span<'_>) -> Span<'static> {
     let Path::Cubic(weighed) = span.path else {
         panic!("a step: {span:?}");
     };
-    let pushes = span.pushes.iter().map(|push| Push {
-        series: &[],
-        ..*push
-    });
+    let pushes = span.pushes.iter().map(|push| Push { series: &[], ..*push });
     Span {
         structure: span.structure,
         start_time: span.start_time,
@@ -74,8 +69,7 @@ fn found<Column: Hysteretic>(
         lower: None,
         fault,
     };
-    RK4.watch(&row, excitation, clock(0.001, 5.0), &mut faulty)
-        .expect("the run ends");
+    RK4.watch(&row, excitation, clock(0.001, 5.0), &mut faulty).expect("the run ends");
     let ledger = faulty.ledger;
     (
         [ledger.identity(), ledger.momentum(), ledger.residual()],
@@ -107,10 +101,7 @@ fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
         }
     };
     let ([identity, momentum, residual], _) = found(elastic, forgets);
-    assert!(
-        identity > 1e-2 && momentum > 1e-2,
-        "{identity:e}, {momentum:e}"
-    );
+    assert!(identity > 1e-2 && momentum > 1e-2, "{identity:e}, {momentum:e}");
     assert!(residual < 1e-4, "the motion is right: {residual:e}");
     let slightly = |spans: &mut [Span<'static>; 2]| {
         if let Path::Cubic(lower) = &mut spans[0].path {
@@ -118,10 +109,7 @@ fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
         }
     };
     let ([identity, momentum, _], _) = found(elastic, slightly);
-    assert!(
-        identity > 1e-8 && momentum > 1e-8,
-        "{identity:e}, {momentum:e}"
-    );
+    assert!(identity > 1e-8 && momentum > 1e-8, "{identity:e}, {momentum:e}");
 }
 
 /// The method reports another drift than the one its columns saw.
@@ -156,10 +144,7 @@ fn limit_columns_that_give_energy_in_yielding_are_named() {
         found(bilinear, backwards).1,
         found(smooth, backwards).1,
     ] {
-        let named = matches!(
-            verdict,
-            Err(LedgerError::GainInYielding { structure: 1, .. })
-        );
+        let named = matches!(verdict, Err(LedgerError::GainInYielding { structure: 1, .. }));
         assert!(named, "{verdict:?}");
     }
 }

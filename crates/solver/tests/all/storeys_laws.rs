@@ -2,8 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Excitation, Histories, Hysteresis, Hysteretic, Knee, Levels, Node, Pair, Row, RunError,
-    Smoothness, Storey, Support,
+    Clock, Excitation, Histories, Hysteresis, Hysteretic, Knee, Levels, Node, Pair, Row, RunError, Smoothness, Storey, Support,
 };
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -144,10 +143,7 @@ fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
         n_steps: 60,
     };
     let excitation = Excitation::new(0.01, &case.ground).expect("the ground motion is finite");
-    let mut recorders = (
-        Books::new(&row, &case.ground),
-        Histories::new(row.nodes().len(), 0.01 / 16.0, 0.6),
-    );
+    let mut recorders = (Books::new(&row, &case.ground), Histories::new(row.nodes().len(), 0.01 / 16.0, 0.6));
     EXACT.watch(&row, excitation, clock, &mut recorders)?;
     let (books, dense) = recorders;
     let overlap = overlap(&row, &dense) / 1e-11;
@@ -165,20 +161,14 @@ fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
 #[test]
 fn limit_random_rows_keep_the_laws_of_mechanics() {
     let asked = |name: &str| std::env::var(name).ok()?.parse::<u32>().ok();
-    let (count, seed) = (
-        asked("PROPTEST_CASES").unwrap_or(100),
-        asked("SEED").unwrap_or(0),
-    );
+    let (count, seed) = (asked("PROPTEST_CASES").unwrap_or(100), asked("SEED").unwrap_or(0));
     let seed = seed.to_le_bytes().repeat(8);
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
     let strategy = cases();
     let (mut ended, mut broken) = (Vec::new(), Vec::new());
     for number in 0..count {
-        let case = strategy
-            .new_tree(&mut runner)
-            .expect("a case is made without rejection")
-            .current();
+        let case = strategy.new_tree(&mut runner).expect("a case is made without rejection").current();
         match run(&case) {
             Err(error) => ended.push(format!("{number}: {error}")),
             Ok((worst, law)) if worst.is_nan() || worst > 1.0 => {
@@ -202,12 +192,7 @@ fn reference_energies_of_elastic_towers_balance() {
         column: Columns(Hysteresis::elastic(stiffness)),
     };
     let buildings = vec![
-        vec![
-            storey(9e4, 4e7),
-            storey(8e4, 3e7),
-            storey(7e4, 2.5e7),
-            storey(5e4, 1.5e7),
-        ],
+        vec![storey(9e4, 4e7), storey(8e4, 3e7), storey(7e4, 2.5e7), storey(5e4, 1.5e7)],
         vec![storey(3e5, 6e8), storey(2e5, 5e8), storey(2e5, 4e8)],
         vec![storey(6e4, 2e7), storey(6e4, 2e7)],
     ];

@@ -2,8 +2,7 @@
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Ledger, LedgerError, Node, Pair, Row,
-    RunError, Smoothness, modes,
+    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Ledger, LedgerError, Node, Pair, Row, RunError, Smoothness, modes,
 };
 
 use proptest::prelude::*;
@@ -13,10 +12,7 @@ use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, sl
 use crate::towers::{Rayleigh, Tower, row};
 use crate::watch::Watch;
 
-pub(crate) const DAMPING: Rayleigh = Rayleigh {
-    alpha: 0.4,
-    beta: 1.2e-3,
-};
+pub(crate) const DAMPING: Rayleigh = Rayleigh { alpha: 0.4, beta: 1.2e-3 };
 
 /// Mass \[kg\], stiffness \[N/m\] and yield force \[N\] of storeys.
 pub(crate) type Storeys = &'static [(f64, f64, f64)];
@@ -25,12 +21,7 @@ pub(crate) type Storeys = &'static [(f64, f64, f64)];
 pub(crate) const TOWERS: [Storeys; 3] = [
     &[(1e5, 6e7, 4e5), (1e5, 5e7, 3e5), (7e4, 4e7, 2e5)],
     &[(3e5, 6e8, 2e6), (2e5, 4e8, 1e6)],
-    &[
-        (8e4, 3e7, 2e5),
-        (8e4, 3e7, 2e5),
-        (8e4, 2e7, 1.5e5),
-        (5e4, 2e7, 1e5),
-    ],
+    &[(8e4, 3e7, 2e5), (8e4, 3e7, 2e5), (8e4, 2e7, 1.5e5), (5e4, 2e7, 1e5)],
 ];
 
 pub(crate) fn elastic(stiffness: f64, _: f64) -> Elastic {
@@ -66,13 +57,9 @@ pub(crate) fn smooth(stiffness: f64, yield_force: f64) -> BoucWen {
 }
 
 /// The towers side by side, in motion from the start, touching by a law where there is one.
-pub(crate) fn towers<Column: Hysteretic>(
-    column: impl Fn(f64, f64) -> Column,
-    law: Option<ContactLaw>,
-) -> Row<Column> {
+pub(crate) fn towers<Column: Hysteretic>(column: impl Fn(f64, f64) -> Column, law: Option<ContactLaw>) -> Row<Column> {
     let build = |storeys: &Storeys| -> Tower<Column> {
-        let floor =
-            |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
+        let floor = |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
         storeys.iter().map(floor).collect()
     };
     let buildings: Vec<_> = TOWERS.iter().map(build).collect();
@@ -100,11 +87,7 @@ pub(crate) fn strong() -> Vec<f64> {
 
 const LAWS: [Option<ContactLaw>; 3] = [None, Some(STEREOMECHANICAL), Some(VISCOELASTIC)];
 
-fn check_balances<Column: Hysteretic>(
-    what: &str,
-    column: impl Fn(f64, f64) -> Column,
-    yields: bool,
-) {
+fn check_balances<Column: Hysteretic>(what: &str, column: impl Fn(f64, f64) -> Column, yields: bool) {
     let samples = strong();
     for law in LAWS {
         let row = towers(&column, law);
@@ -182,11 +165,7 @@ fn limit_storeys_that_do_not_yield_book_the_same() {
 }
 
 /// Columns with a yield force far out of reach.
-fn book_never<Column: Hysteretic>(
-    column: impl Fn(f64, f64) -> Column,
-    law: Option<ContactLaw>,
-    samples: &[f64],
-) -> Ledger<'_> {
+fn book_never<Column: Hysteretic>(column: impl Fn(f64, f64) -> Column, law: Option<ContactLaw>, samples: &[f64]) -> Ledger<'_> {
     let row = towers(|k, _| column(k, f64::INFINITY), law);
     book(&row, RK4, samples, clock(0.002, 5.0))
 }
@@ -195,10 +174,7 @@ fn book_never<Column: Hysteretic>(
 #[test]
 fn limit_free_vibration_of_a_tower_keeps_its_energy() {
     let floors = vec![(1e5, elastic(6e7, 0.0)), (8e4, elastic(4e7, 0.0))];
-    let damping = Rayleigh {
-        alpha: 0.0,
-        beta: 0.0,
-    };
+    let damping = Rayleigh { alpha: 0.0, beta: 0.0 };
     let (still, _) = row(&[floors], damping, |_, _, _| None);
     let mut nodes = still.nodes().to_vec();
     (nodes[0].initial_displacement, nodes[1].initial_displacement) = (0.01, -0.02);
@@ -212,11 +188,7 @@ fn limit_free_vibration_of_a_tower_keeps_its_energy() {
     assert!((held / energy - 1.0).abs() < 1e-6, "{terms:?}");
     assert_eq!(ledger.of_building(0), terms);
     // Floors alone do not balance: what one gives the other gets.
-    assert!(
-        ledger.of(0).balance().abs() > 1e-3 * energy,
-        "{:?}",
-        ledger.of(0)
-    );
+    assert!(ledger.of(0).balance().abs() > 1e-3 * energy, "{:?}", ledger.of(0));
     assert!(terms.balance().abs() < 1e-6 * energy, "{terms:?}");
 }
 
@@ -242,10 +214,7 @@ fn reference_the_critical_time_step_of_a_tower() {
     assert!(run(0.999).is_ok(), "below {least}: {:?}", run(0.999));
     let above = run(1.01);
     assert!(matches!(above, Err(RunError::Diverged { .. })), "{above:?}");
-    assert_eq!(
-        RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()),
-        None
-    );
+    assert_eq!(RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()), None);
 }
 
 /// Towers of random storeys: mass \[kg\], period of the floor on its columns \[s\], yield force over mass \[m/s²\].

@@ -3,10 +3,7 @@
 use std::collections::BTreeMap;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Bilinear, Elastic, Excitation, Impact, Levels, Node, Recorder, Row, Span, State,
-    TransferredMomentum,
-};
+use pounding_solver::{Bilinear, Elastic, Excitation, Impact, Levels, Node, Recorder, Row, Span, State, TransferredMomentum};
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -85,10 +82,7 @@ fn meeting(n: usize, gap: f64, restitution: f64) -> (Row<Elastic>, Levels) {
         uniform(3, 3e5, elastic(4e8)),
         uniform(5, 2e5, elastic(1e8)),
     ];
-    let still = Rayleigh {
-        alpha: 0.0,
-        beta: 0.0,
-    };
+    let still = Rayleigh { alpha: 0.0, beta: 0.0 };
     let (row, levels) = row(&towers[..n], still, facing(gap, law));
     let row = moving(&row, &levels, &[0.6, 0.0, -0.5][..n]);
     (row, levels)
@@ -109,8 +103,7 @@ fn limit_moreau_jean_between_towers_creates_no_energy() {
                     };
                     let clock = clock(time_step, 2.0);
                     run(&row, moreau_jean(theta), (&ground, clock), &mut steps);
-                    let place =
-                        format!("{n} towers, theta {theta}, e {restitution}, step {time_step}");
+                    let place = format!("{n} towers, theta {theta}, e {restitution}, step {time_step}");
                     assert!(!steps.impacts.is_empty(), "{place}: they must meet");
                     check_energy(&row, &levels, (&steps, theta), &place);
                     check_law(&row, &steps, restitution, &place);
@@ -126,15 +119,8 @@ fn limit_moreau_jean_between_towers_creates_no_energy() {
 /// With more θ a step weighs the force at its end, which an impulse then does not meet half way: it gains or loses to the
 /// first order in the step, hit or not.
 fn check_energy(row: &Row<Elastic>, levels: &Levels, (steps, theta): (&Steps, f64), place: &str) {
-    let energies: Vec<_> = steps
-        .states
-        .iter()
-        .map(|states| energy(row, levels, states))
-        .collect();
-    let gained = energies
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(f64::NEG_INFINITY, f64::max);
+    let energies: Vec<_> = steps.states.iter().map(|states| energy(row, levels, states)).collect();
+    let gained = energies.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::NEG_INFINITY, f64::max);
     let instants = steps.impacts.values();
     let most = instants.map(|at_once| created(at_once).0);
     let most = most.fold(f64::NEG_INFINITY, f64::max);
@@ -157,10 +143,7 @@ fn check_law(row: &Row<Elastic>, steps: &Steps, restitution: f64, place: &str) {
             let allowed = 1e-10 * (1.0 + approach);
             assert!(*approach >= -allowed, "{place}: {impact:?}");
             assert!(after < allowed, "{place}: {after:e}");
-            assert!(
-                after > -restitution * approach - allowed,
-                "{place}: {after:e} of {approach:e}"
-            );
+            assert!(after > -restitution * approach - allowed, "{place}: {after:e} of {approach:e}");
         }
         for (impact, _) in at_once {
             for (node, jump) in [
@@ -168,10 +151,7 @@ fn check_law(row: &Row<Elastic>, steps: &Steps, restitution: f64, place: &str) {
                 (impact.right, impact.after.right - impact.before.right),
             ] {
                 let wanted = net[node] * row.nodes()[node].inverse_mass;
-                assert!(
-                    (jump - wanted).abs() < 1e-12 * (1.0 + wanted.abs()),
-                    "{place}: {jump}"
-                );
+                assert!((jump - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{place}: {jump}");
             }
         }
     }
@@ -190,8 +170,7 @@ fn order_moreau_jean_between_towers_converges_to_velocity_jumps() {
         };
         let truth = total(RK4, 2e-7);
         for theta in [0.5, 1.0] {
-            let errors =
-                [1e-4, 1e-5, 1e-6].map(|step| off(&total(moreau_jean(theta), step), &truth));
+            let errors = [1e-4, 1e-5, 1e-6].map(|step| off(&total(moreau_jean(theta), step), &truth));
             assert!(errors[2] < 1e-2, "{theta}, e {restitution}: {errors:?}");
         }
     }

@@ -1,9 +1,6 @@
 //! Recorders of one run of towers, one against the other.
 
-use pounding_solver::{
-    Bilinear, Collisions, Excitation, FloorAccelerations, Histories, Ledger, Peaks, Row, Support,
-    TransferredMomentum,
-};
+use pounding_solver::{Bilinear, Collisions, Excitation, FloorAccelerations, Histories, Ledger, Peaks, Row, Support, TransferredMomentum};
 
 use crate::allocations::allocations;
 use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, clock, ground};
@@ -34,16 +31,9 @@ fn limit_recorders_of_one_run_agree_on_every_level() {
             let of_pair = collisions.all().iter().filter(|it| it.pair == index);
             let impulse: f64 = of_pair.map(|it| it.impulse).sum();
             let booked = ledger.of_pair(index).impulse;
-            assert!(
-                (impulse / booked - 1.0).abs() < 1e-12,
-                "{index}: {impulse} {booked}"
-            );
+            assert!((impulse / booked - 1.0).abs() < 1e-12, "{index}: {impulse} {booked}");
             // Floors at the ends of a level have one neighbour.
-            let alone = |node| {
-                row.pairs()
-                    .iter()
-                    .filter(move |it| it.left() == node || it.right() == node)
-            };
+            let alone = |node| row.pairs().iter().filter(move |it| it.left() == node || it.right() == node);
             for node in [pair.left(), pair.right()] {
                 let got = momentum.of(node);
                 let once = alone(node).count() > 1 || (got / booked - 1.0).abs() < 1e-12;
@@ -70,11 +60,8 @@ fn check_peaks(row: &Row<Bilinear>, peaks: &Peaks, histories: &Histories) {
             Support::Ground => None,
             Support::Floor(floor) => Some(floor.below),
         };
-        let drift =
-            |n: usize| displacement(node, n) - below.map_or(0.0, |below| displacement(below, n));
-        let largest = (0..histories.of(node).states.len())
-            .map(|n| drift(n).abs())
-            .fold(0.0, f64::max);
+        let drift = |n: usize| displacement(node, n) - below.map_or(0.0, |below| displacement(below, n));
+        let largest = (0..histories.of(node).states.len()).map(|n| drift(n).abs()).fold(0.0, f64::max);
         let peak = peaks.of(node).drift();
         assert_eq!(peak.value.abs().to_bits(), largest.to_bits(), "{node}");
         let own = peaks.of(node).storey_drift.is_some();
@@ -100,8 +87,7 @@ fn limit_recorders_of_towers_allocate_nothing_in_a_step() {
             Ledger::new(&row, excitation),
         );
         let before = allocations();
-        RK4.watch(&row, excitation, clock(0.005, duration), &mut recorder)
-            .unwrap();
+        RK4.watch(&row, excitation, clock(0.005, duration), &mut recorder).unwrap();
         allocations() - before
     };
     let (short, long) = (count(1.0), count(5.0));

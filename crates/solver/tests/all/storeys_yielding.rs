@@ -1,8 +1,7 @@
 //! Storeys that yield, harden and bend, by the exact method.
 
 use pounding_solver::{
-    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Impact, Integrator, Recorder, Response,
-    RestoringForce, Rk4, Row, Smoothness, Span,
+    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Impact, Integrator, Recorder, Response, RestoringForce, Rk4, Row, Smoothness, Span,
 };
 
 use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
@@ -10,19 +9,10 @@ use crate::storeys_exact::{DAMPING, EXACT, distance, exact, facing, histories, s
 use crate::towers::{Tower, row};
 use crate::watch::Watch;
 
-const KNEES: [Smoothness; 5] = [
-    knee(1, 0.5),
-    knee(2, 0.5),
-    knee(3, 0.8),
-    knee(5, 0.2),
-    knee(20, 0.6),
-];
+const KNEES: [Smoothness; 5] = [knee(1, 0.5), knee(2, 0.5), knee(3, 0.8), knee(5, 0.2), knee(20, 0.6)];
 
 const fn knee(exponent: u32, unloading: f64) -> Smoothness {
-    Smoothness {
-        exponent,
-        unloading,
-    }
+    Smoothness { exponent, unloading }
 }
 
 fn bending(smoothness: Smoothness) -> impl Fn(f64, f64) -> BoucWen {
@@ -53,11 +43,7 @@ fn plastic(stiffness: f64, yield_force: f64) -> Bilinear {
 /// Two towers whose every storey yields, of columns made from stiffness and yield force.
 fn towers<Column>(column: impl Fn(f64, f64) -> Column) -> [Tower<Column>; 2] {
     [
-        vec![
-            (9e4, column(4e7, 2.5e5)),
-            (8e4, column(3e7, 2e5)),
-            (7e4, column(2.5e7, 1.2e5)),
-        ],
+        vec![(9e4, column(4e7, 2.5e5)), (8e4, column(3e7, 2e5)), (7e4, column(2.5e7, 1.2e5))],
         vec![(2e5, column(3e8, 5e5)), (2e5, column(2e8, 3e5))],
     ]
 }
@@ -76,10 +62,7 @@ fn order_stepping_tends_to_exact_yielding() {
     fn check<Column: Hysteretic>(name: &str, column: impl Fn(f64, f64) -> Column) {
         let (row, _) = row(&towers(column), DAMPING, |_, _, _| None);
         let errors = [5e-4, 5e-5].map(|step| stepped(&row, (step, 3.0)));
-        assert!(
-            errors[1] < 1e-6 && errors[1] < 0.1 * errors[0],
-            "{name}: {errors:?}"
-        );
+        assert!(errors[1] < 1e-6 && errors[1] < 0.1 * errors[0], "{name}: {errors:?}");
     }
     check("plastic", plastic);
     check("bilinear", hardening(0.1));
@@ -96,10 +79,7 @@ fn order_stepping_tends_to_exact_pounding_of_yielding_towers() {
         for (law, finest, duration) in [(VISCOELASTIC, 1e-5, 3.0), (STEREOMECHANICAL, 1e-4, 1.25)] {
             let (row, _) = row(&towers, DAMPING, facing(0.01, law));
             let errors = [2e-4, 2e-5].map(|step| stepped(&row, (step, duration)));
-            assert!(
-                errors[1] < finest && errors[1] < 0.3 * errors[0],
-                "{name}, {law:?}: {errors:?}"
-            );
+            assert!(errors[1] < finest && errors[1] < 0.3 * errors[0], "{name}, {law:?}: {errors:?}");
         }
     }
     check("plastic", plastic);
@@ -114,8 +94,7 @@ fn limit_half_the_tolerance_changes_nothing_that_counts() {
         let towers = towers(column);
         for law in [STEREOMECHANICAL, VISCOELASTIC] {
             let (row, _) = row(&towers, DAMPING, facing(0.01, law));
-            let run =
-                |tolerance| histories(&row, exact(tolerance), (clock(0.01, 10.0), &samples)).0;
+            let run = |tolerance| histories(&row, exact(tolerance), (clock(0.01, 10.0), &samples)).0;
             let (whole, half) = (run(1e-12), run(5e-13));
             let off = distance(&whole, &half, same(row.nodes().len()));
             assert!(off < 1e-7, "{name}, {law:?}: {off:e}");
@@ -130,9 +109,7 @@ fn limit_half_the_tolerance_changes_nothing_that_counts() {
 
 #[test]
 fn limit_lean_columns_have_the_bits_of_rich_ones() {
-    fn states<Column: Hysteretic>(
-        column: impl Fn(f64, f64) -> Column,
-    ) -> Vec<Vec<pounding_solver::State>> {
+    fn states<Column: Hysteretic>(column: impl Fn(f64, f64) -> Column) -> Vec<Vec<pounding_solver::State>> {
         let samples = ground();
         let (row, _) = row(&towers(column), DAMPING, facing(0.01, VISCOELASTIC));
         let (found, _) = histories(&row, EXACT, (clock(0.01, 5.0), &samples));
@@ -143,14 +120,8 @@ fn limit_lean_columns_have_the_bits_of_rich_ones() {
     let elastic = states(|stiffness, _| Elastic { stiffness });
     assert_eq!(elastic, states(|stiffness, _| plastic(stiffness, never)));
     assert_eq!(elastic, states(|stiffness, _| plastic(stiffness, 1e12)));
-    assert_eq!(
-        elastic,
-        states(|stiffness, _| hardening(0.1)(stiffness, never))
-    );
-    assert_eq!(
-        elastic,
-        states(|stiffness, _| bending(KNEES[1])(stiffness, never))
-    );
+    assert_eq!(elastic, states(|stiffness, _| hardening(0.1)(stiffness, never)));
+    assert_eq!(elastic, states(|stiffness, _| bending(KNEES[1])(stiffness, never)));
     assert_eq!(states(plastic), states(hardening(0.0)));
     assert_ne!(elastic, states(plastic), "the towers must yield");
 }
@@ -187,18 +158,12 @@ fn reference_forces_follow_the_loop() {
         let (row, _) = row(&towers(column), DAMPING, facing(0.01, STEREOMECHANICAL));
         let mut loops = Loops {
             row: &row,
-            memories: row
-                .nodes()
-                .iter()
-                .map(|node| node.column.untouched())
-                .collect(),
+            memories: row.nodes().iter().map(|node| node.column.untouched()).collect(),
             off: 0.0,
             most: 0.0,
         };
         let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
-        EXACT
-            .watch(&row, excitation, clock(0.01, 10.0), &mut loops)
-            .expect("the run ends");
+        EXACT.watch(&row, excitation, clock(0.01, 10.0), &mut loops).expect("the run ends");
         loops.off / loops.most
     }
     assert!(off(plastic) < 1e-12, "{:e}", off(plastic));

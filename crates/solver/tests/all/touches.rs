@@ -29,43 +29,28 @@ fn limit_a_touch_moves_by_its_uncertainty() {
     let exact = Integrator::Exact(Exact::default());
     let touch = |gap: f64, law| {
         let collision = first(gap, law, exact).expect("it touches");
-        (
-            collision.start,
-            collision.uncertainty.expect("a gap closed"),
-        )
+        (collision.start, collision.uncertainty.expect("a gap closed"))
     };
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         for above in [1.0, 3.0, 100.0] {
             // The peak is so many roundings beyond the gap.
             let gap = 1.0 - above * rounding;
             let (start, uncertainty) = touch(gap, law);
-            let (later, earlier) = (
-                touch(gap + 0.9 * rounding, law).0,
-                touch(gap - rounding, law).0,
-            );
+            let (later, earlier) = (touch(gap + 0.9 * rounding, law).0, touch(gap - rounding, law).0);
             let moved = (later - start).max(start - earlier);
             assert!(
                 (0.6..1.1).contains(&(moved / uncertainty)),
                 "{above} roundings: {uncertainty:e} s stated, {moved:e} s moved"
             );
-            assert!(
-                (start - libm::asin(gap)).abs() < 1.1 * uncertainty,
-                "{above} roundings: {start} s"
-            );
+            assert!((start - libm::asin(gap)).abs() < 1.1 * uncertainty, "{above} roundings: {start} s");
             // √(2s/a) just below the peak, s/v far below it.
             let known = rounding / (2.0 * above * rounding).sqrt();
-            assert!(
-                (0.9..2.1).contains(&(uncertainty / known)),
-                "{uncertainty:e} {known:e}"
-            );
+            assert!((0.9..2.1).contains(&(uncertainty / known)), "{uncertainty:e} {known:e}");
         }
         for gap in [0.01, 0.5, 0.99] {
             let (start, uncertainty) = touch(gap, law);
             assert!(uncertainty < 1e-12 && uncertainty > 0.0, "{uncertainty:e}");
-            assert!(
-                (start - libm::asin(gap)).abs() < uncertainty,
-                "{gap} m: {start} s"
-            );
+            assert!((start - libm::asin(gap)).abs() < uncertainty, "{gap} m: {start} s");
             for moved in [gap + rounding * gap, gap - rounding * gap] {
                 let distance = (touch(moved, law).0 - start).abs();
                 assert!(distance < 1.1 * uncertainty, "{distance:e} {uncertainty:e}");

@@ -2,13 +2,12 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Collision, Collisions, Elastic, Exact, Excitation, Histories, Hysteretic, Impact, Integrator,
-    ModelError, Node, Recorder, Row, Span, State,
+    Collision, Collisions, Elastic, Exact, Excitation, Histories, Hysteretic, Impact, Integrator, ModelError, Node, Recorder, Row, Span,
+    State,
 };
 
 use crate::common::{
-    METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground,
-    histories, pairs, yielding,
+    METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
 };
 use crate::storeys_ledger::{DAMPING, TOWERS};
 use crate::towers::{Tower, row};
@@ -28,9 +27,7 @@ pub(crate) fn all() -> impl Iterator<Item = (&'static str, Integrator)> {
 pub(crate) fn towers(law: ContactLaw) -> (Row<Elastic>, Vec<usize>) {
     let build = |storeys: &&[(f64, f64, f64)]| -> Tower<Elastic> {
         let floor = |(mass, stiffness, _): &(f64, f64, f64)| {
-            let column = Elastic {
-                stiffness: *stiffness,
-            };
+            let column = Elastic { stiffness: *stiffness };
             (*mass, column)
         };
         storeys.iter().map(floor).collect()
@@ -54,17 +51,11 @@ fn limit_arrivals_at_once_are_the_row_without_any() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("it is valid");
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
-        let lean = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law))
-            .expect("it is valid");
+        let lean = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law)).expect("it is valid");
         let rich = lean.clone().delayed(vec![0.0; 2]).expect("it is valid");
         assert_eq!(lean, rich);
         assert!(rich.travel(excitation).is_none());
-        assert!(
-            lean.delayed(vec![0.0, 0.1])
-                .expect("it is valid")
-                .travel(excitation)
-                .is_some()
-        );
+        assert!(lean.delayed(vec![0.0, 0.1]).expect("it is valid").travel(excitation).is_some());
     }
 }
 
@@ -77,8 +68,7 @@ fn limit_a_building_out_of_reach_that_is_shaken_later_changes_nothing() {
         let nodes = vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)];
         let three = Row::new(nodes, near_and_far).expect("it is valid");
         let three = three.delayed(vec![0.0, 0.0, 0.377]).expect("it is valid");
-        let two = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law))
-            .expect("it is valid");
+        let two = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law)).expect("it is valid");
         let one = Row::new(vec![yielding(WEAK)], vec![]).expect("it is valid");
         let one = one.delayed(vec![0.377]).expect("it is valid");
         for (name, method) in all() {
@@ -102,14 +92,10 @@ fn limit_towers_beside_one_that_is_shaken_later_keep_their_bits() {
         }
         let far = Row::new(row.nodes().to_vec(), far).expect("it is valid");
         let arrivals = of.iter().map(|of| if *of == 2 { 0.123 } else { 0.0 });
-        let late = far
-            .clone()
-            .delayed(arrivals.collect())
-            .expect("it is valid");
+        let late = far.clone().delayed(arrivals.collect()).expect("it is valid");
         let near: Vec<_> = (0..of.len()).filter(|node| of[*node] < 2).collect();
         for (name, method) in all() {
-            let [at_once, late] =
-                [&far, &late].map(|row| histories(row, method, &ground(), clock(0.002, 3.0)).0);
+            let [at_once, late] = [&far, &late].map(|row| histories(row, method, &ground(), clock(0.002, 3.0)).0);
             assert_eq!(bits(&at_once, &near), bits(&late, &near), "{name}");
         }
     }
@@ -167,12 +153,9 @@ fn collisions<Column: Hysteretic>(
     (time_step, duration): (f64, f64),
 ) -> Vec<Collision> {
     let excitation = Excitation::new(0.01, samples).expect("it is valid");
-    let mut recorder =
-        Collisions::new(row.nodes().len(), row.pairs()).travelled(row.travel(excitation));
+    let mut recorder = Collisions::new(row.nodes().len(), row.pairs()).travelled(row.travel(excitation));
     let clock = clock(time_step, duration);
-    method
-        .watch(row, excitation, clock, &mut recorder)
-        .expect("the run ends");
+    method.watch(row, excitation, clock, &mut recorder).expect("the run ends");
     recorder.all().to_vec()
 }
 
@@ -199,10 +182,7 @@ fn reference_grounds_that_move_apart_make_rigid_structures_touch() {
         assert!((first.start - 0.25).abs() < 2e-4, "{name}: {first:?}");
         // Moreau–Jean stepping lets columns and dampers act within the step, ωΔt = 6 %.
         let open = if method == MOREAU_JEAN { 0.07 } else { 1e-3 };
-        assert!(
-            (first.impulse / impulse - 1.0).abs() < open,
-            "{name}: {first:?}"
-        );
+        assert!((first.impulse / impulse - 1.0).abs() < open, "{name}: {first:?}");
     }
     // The motion coming from the right, they part; and shaken at once they never meet.
     let away = row.clone().delayed(vec![0.1, 0.0]).expect("it is valid");
@@ -241,10 +221,7 @@ fn reference_a_wall_moves_with_its_own_ground() {
     for (index, state) in carried.of(0).states.iter().enumerate().skip(27) {
         let time = 0.01 * index as f64;
         let wanted = 0.02 - (0.1 * time - 0.005);
-        assert!(
-            (state.displacement - wanted).abs() < 1e-13,
-            "{time}: {state:?}"
-        );
+        assert!((state.displacement - wanted).abs() < 1e-13, "{time}: {state:?}");
         assert!((state.velocity + 0.1).abs() < 1e-12, "{time}: {state:?}");
     }
     let row = beside(vec![wall, node], vec![0.1, 0.0]);
@@ -254,9 +231,7 @@ fn reference_a_wall_moves_with_its_own_ground() {
 #[test]
 fn reference_the_ground_is_the_double_integral_of_the_record() {
     // a_g = t to 1 s, then back to 0 at 2 s: u_g = t³/6, then 1/6 + s/2 + s²/2 − s³/6, then 1 + (t − 2).
-    let samples: Vec<f64> = (0..=20)
-        .map(|i| 0.1 * f64::from(if i <= 10 { i } else { 20 - i }))
-        .collect();
+    let samples: Vec<f64> = (0..=20).map(|i| 0.1 * f64::from(if i <= 10 { i } else { 20 - i })).collect();
     let excitation = Excitation::new(0.1, &samples).expect("it is valid");
     let row = rigid([1e5, 1e5], STEREOMECHANICAL, 1.0);
     let travel = row
@@ -300,10 +275,7 @@ fn issue_an_opening_keeps_its_digits_where_grounds_move_far() {
         // ½ (t − τ₁)² − ½ (t − τ₂)².
         let wanted = (arrivals[1] - arrivals[0]) * (time - 0.5 * (arrivals[0] + arrivals[1]));
         let found = travel.opening([0, 1], time).displacement;
-        assert!(
-            (found / wanted - 1.0).abs() < 2e-14,
-            "{time}: {found} {wanted}"
-        );
+        assert!((found / wanted - 1.0).abs() < 2e-14, "{time}: {found} {wanted}");
     }
 }
 
@@ -323,10 +295,7 @@ fn reference_the_largest_opening_is_none_that_a_fine_search_exceeds() {
         let at = |time: f64| travel.opening([0, 1], time);
         let searched = (0..=120_000).map(|step| at(1e-4 * f64::from(step)).displacement.abs());
         let searched = searched.fold(0.0, f64::max);
-        assert!(
-            (at(found.time).displacement - found.distance).abs() < 1e-15,
-            "{found:?}"
-        );
+        assert!((at(found.time).displacement - found.distance).abs() < 1e-15, "{found:?}");
         let excess = found.distance.abs() / searched - 1.0;
         assert!((0.0..1e-6).contains(&excess), "{arrivals:?}: {excess:e}");
     }
@@ -337,13 +306,7 @@ fn extreme_arrivals_that_are_none_are_refused() {
     let (row, _) = towers(STEREOMECHANICAL);
     let n = row.nodes().len();
     let few = row.clone().delayed(vec![0.1; 3]);
-    assert_eq!(
-        few,
-        Err(ModelError::Arrivals {
-            found: 3,
-            n_nodes: n
-        })
-    );
+    assert_eq!(few, Err(ModelError::Arrivals { found: 3, n_nodes: n }));
     for bad in [-0.1, f64::NAN, f64::INFINITY] {
         let mut arrivals = vec![0.0; n];
         arrivals[1] = bad;

@@ -3,10 +3,7 @@
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Elastic, Hysteretic, Laws, Ledger, Node, Row};
 
-use crate::common::{
-    METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book, clock, elastic, ground, pairs,
-    yielding,
-};
+use crate::common::{METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book, clock, elastic, ground, pairs, yielding};
 use crate::travel::{EXACT, all, towers};
 use crate::watch::Watch;
 
@@ -33,13 +30,9 @@ fn impulsive(restitution: f64) -> ContactLaw {
 fn check(ledger: &Ledger<'_>, n_pairs: usize, what: &str) {
     assert!(ledger.identity() < 1e-11, "{what}: {:e}", ledger.identity());
     assert!(ledger.momentum() < 1e-11, "{what}: {:e}", ledger.momentum());
-    let terms = ledger
-        .verdict()
-        .unwrap_or_else(|error| panic!("{what}: {error}"));
+    let terms = ledger.verdict().unwrap_or_else(|error| panic!("{what}: {error}"));
     let pairs = (0..n_pairs).map(|pair| ledger.of_pair(pair));
-    let (impact, contact) = pairs.fold((0.0, 0.0), |(impact, contact), pair| {
-        (impact + pair.impact, contact + pair.contact)
-    });
+    let (impact, contact) = pairs.fold((0.0, 0.0), |(impact, contact), pair| (impact + pair.impact, contact + pair.contact));
     let apart = (terms.impact - impact).abs() + (terms.contact - contact).abs();
     assert!(apart < 1e-10 * ledger.scale(), "{what}: {apart:e}");
     assert!(impact + contact >= 0.0, "{what}: {impact:e} {contact:e}");
@@ -48,12 +41,7 @@ fn check(ledger: &Ledger<'_>, n_pairs: usize, what: &str) {
 #[test]
 fn reference_energy_of_exact_runs_balances_while_grounds_move_apart() {
     let samples = ground();
-    for law in [
-        impulsive(0.0),
-        STEREOMECHANICAL,
-        impulsive(0.9),
-        VISCOELASTIC,
-    ] {
+    for law in [impulsive(0.0), STEREOMECHANICAL, impulsive(0.9), VISCOELASTIC] {
         for (index, row) in rows(law).iter().enumerate() {
             let what = format!("{law:?}, row {index}");
             let ledger = book(row, EXACT, &samples, clock(0.01, 5.0));
@@ -73,13 +61,10 @@ fn reference_every_method_reports_what_it_did_while_grounds_move_apart() {
         for (name, method) in METHODS {
             for (index, row) in rows(law).iter().enumerate() {
                 let what = format!("{name}, {law:?}, row {index}");
-                let excitation =
-                    pounding_solver::Excitation::new(0.01, &samples).expect("it is valid");
+                let excitation = pounding_solver::Excitation::new(0.01, &samples).expect("it is valid");
                 let mut ledger = Ledger::new(row, excitation).held_to(Laws::All);
                 let clock = clock(2e-4, 3.0);
-                method
-                    .watch(row, excitation, clock, &mut ledger)
-                    .expect("the run ends");
+                method.watch(row, excitation, clock, &mut ledger).expect("the run ends");
                 check(&ledger, row.pairs().len(), &what);
             }
         }
@@ -98,12 +83,6 @@ fn limit_grounds_that_move_alike_open_nothing() {
     }
 }
 
-fn opening<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: pounding_solver::Integrator,
-    samples: &[f64],
-) -> f64 {
-    book(row, method, samples, clock(0.002, 3.0))
-        .terms()
-        .opening
+fn opening<Column: Hysteretic>(row: &Row<Column>, method: pounding_solver::Integrator, samples: &[f64]) -> f64 {
+    book(row, method, samples, clock(0.002, 3.0)).terms().opening
 }

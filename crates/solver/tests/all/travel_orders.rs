@@ -3,10 +3,7 @@
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Elastic, Histories, Integrator, Row};
 
-use crate::common::{
-    LOCATED, METHODS, RK4, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground,
-    histories, pairs, slope,
-};
+use crate::common::{LOCATED, METHODS, RK4, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, slope};
 use crate::travel::{EXACT, towers};
 
 /// Up to the first collisions only: later ones would multiply their errors.
@@ -14,9 +11,7 @@ const DURATION: f64 = 2.0;
 
 /// A soft pair, which overlaps for many steps: what a step makes of a stiff one is the matter of other tests.
 fn soft() -> ContactLaw {
-    ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 2e7,
-    })
+    ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 2e7 })
 }
 
 fn row(law: ContactLaw) -> Row<Elastic> {
@@ -78,10 +73,7 @@ fn order_of_runge_kutta_through_soft_contact_ends_at_the_exact_method() {
 fn order(row: &Row<Elastic>, method: Integrator) -> (f64, Vec<f64>) {
     let every = [10, 20, 40, 80];
     let found = errors(row, method, &every);
-    (
-        slope(&every.map(|every| 0.01 / every as f64), &found),
-        found,
-    )
+    (slope(&every.map(|every| 0.01 / every as f64), &found), found)
 }
 
 #[test]

@@ -4,8 +4,8 @@ use crate::towers::{self, Rayleigh};
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    BoucWen, Budget, Clock, Elastic, Exact, Excitation, Hysteretic, Integrator, Ledger, MoreauJean,
-    Node, Pair, Row, RunError, SimultaneousImpacts, Smoothness,
+    BoucWen, Budget, Clock, Elastic, Exact, Excitation, Hysteretic, Integrator, Ledger, MoreauJean, Node, Pair, Row, RunError,
+    SimultaneousImpacts, Smoothness,
 };
 
 const CLOCK: Clock = Clock {
@@ -48,9 +48,7 @@ fn issue_an_impact_at_the_very_start_was_left_out_of_the_balances() {
     ];
     for method in methods {
         let mut ledger = Ledger::new(&row, rest);
-        method
-            .watch(&row, rest, CLOCK, &mut ledger)
-            .expect("the run ends");
+        method.watch(&row, rest, CLOCK, &mut ledger).expect("the run ends");
         for balance in [ledger.identity(), ledger.momentum()] {
             assert!(balance < 1e-12, "{method:?}: {balance:e}");
         }
@@ -140,10 +138,7 @@ fn issue_a_tower_that_moves_as_one_bends() {
             stiffness,
             hardening: 0.1,
             yield_force: 2e6,
-            smoothness: Smoothness {
-                exponent,
-                unloading: 0.5,
-            },
+            smoothness: Smoothness { exponent, unloading: 0.5 },
         });
     }
 }
@@ -152,8 +147,5 @@ fn issue_a_tower_that_moves_as_one_bends() {
 fn extreme_a_structure_too_stiff_for_the_exact_method_is_refused_at_once() {
     let rest = Excitation::new(0.1, &[0.0]).expect("a record");
     let run = Integrator::Exact(Exact::default()).watch(&row(1e300), rest, CLOCK, &mut ());
-    assert!(
-        matches!(run, Err(RunError::TooStiff { structure: 0, .. })),
-        "{run:?}"
-    );
+    assert!(matches!(run, Err(RunError::TooStiff { structure: 0, .. })), "{run:?}");
 }

@@ -3,20 +3,14 @@
 use std::f64::consts::PI;
 
 use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
-use pounding_solver::{
-    Clock, Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Row,
-};
+use pounding_solver::{Clock, Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Row};
 
 use crate::common::moving;
 
 const PLASTIC: ContactLaw = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
 
 /// Collisions of a row of neighbours with these laws and no gaps, by the exact method with its ledger.
-fn collisions(
-    nodes: &[Node<Elastic>],
-    laws: &[ContactLaw],
-    (step, ground): (f64, &[f64]),
-) -> Vec<Collision> {
+fn collisions(nodes: &[Node<Elastic>], laws: &[ContactLaw], (step, ground): (f64, &[f64])) -> Vec<Collision> {
     let pair = |(left, law): (usize, &ContactLaw)| Pair::of_floors(left, left + 1, 0.0, *law);
     let pairs = laws.iter().enumerate().map(pair).collect();
     let row = Row::new(nodes.to_vec(), pairs).expect("the row is valid");
@@ -53,12 +47,7 @@ fn push() -> Vec<f64> {
 #[test]
 fn issue_what_a_push_holds_against_a_wall_does_not_move() {
     let at_rest = |mass: f64, period: f64| moving(mass, [period, 0.05], [0.0; 2]);
-    let nodes = [
-        wall(),
-        at_rest(1e5, 0.5),
-        at_rest(2e5, 0.7),
-        at_rest(5e4, 0.9),
-    ];
+    let nodes = [wall(), at_rest(1e5, 0.5), at_rest(2e5, 0.7), at_rest(5e4, 0.9)];
     for n in 2..=4 {
         let laws = vec![PLASTIC; n - 1];
         let found = counts(&nodes[..n], &laws, (0.02, &push()));
@@ -86,10 +75,7 @@ fn issue_chains_that_hit_a_wall_stand_still() {
 #[test]
 fn issue_what_hits_a_wall_at_a_sample_stands_still() {
     let period = 0.154_868_210_286_883_66;
-    let nodes = [
-        moving(1e5, [period, 0.05], [-0.028_056_178_580_986_683, 0.0]),
-        wall(),
-    ];
+    let nodes = [moving(1e5, [period, 0.05], [-0.028_056_178_580_986_683, 0.0]), wall()];
     let ground = (0.005, &[0.0; 200][..]);
     assert_eq!(counts(&nodes, &[PLASTIC], ground), [1]);
 }

@@ -1,7 +1,5 @@
 //! Runs whose recorder is known at run time alone: every type of recorder would compile all methods for all columns anew.
-use pounding_solver::{
-    Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Row, RunError, Span, Touch, Work,
-};
+use pounding_solver::{Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Row, RunError, Span, Touch, Work};
 
 /// Any recorder.
 struct Any<'a>(&'a mut dyn Recorder);

@@ -114,10 +114,7 @@ impl Comparison {
     /// abs(computed − published)/abs(published) \[–\], infinite for a published 0 and another number; nothing where none is computed.
     pub(crate) fn relative_difference(&self) -> Option<f64> {
         let computed = self.computed?;
-        Some(relative_difference(
-            self.published.published.value,
-            computed,
-        ))
+        Some(relative_difference(self.published.published.value, computed))
     }
 }
 
@@ -137,9 +134,7 @@ impl PublishedValues {
     /// [`StudyError`] naming the file, and the line where there is one.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let mut values = Vec::new();
-        for name in [
-            "table-2", "table-4", "table-5", "table-6", "table-7", "text",
-        ] {
+        for name in ["table-2", "table-4", "table-5", "table-6", "table-7", "text"] {
             values.extend(read_csv(&folder.join(name).with_extension("csv"))?);
         }
         Ok(Self {
@@ -158,10 +153,7 @@ impl PublishedValues {
         let mut found: BTreeMap<Key<'_>, (f64, &str)> = BTreeMap::new();
         for (table, values) in computed {
             for value in values {
-                found.insert(
-                    (table, &value.row, &value.quantity),
-                    (value.value, value.unit),
-                );
+                found.insert((table, &value.row, &value.quantity), (value.value, value.unit));
             }
         }
         let reasons: BTreeMap<Key<'_>, &Reason> = self
@@ -171,20 +163,13 @@ impl PublishedValues {
             .collect();
         let compare = |published: &Published| {
             let key = (&*published.table, &*published.row, &*published.quantity);
-            let computed = found
-                .get(&key)
-                .filter(|(_, unit)| *unit == published.unit)
-                .map(|(value, _)| *value);
+            let computed = found.get(&key).filter(|(_, unit)| *unit == published.unit).map(|(value, _)| *value);
             let known = reasons.get(&key);
             let verdict = match known {
                 Some(reason) if reason.verdict == Verdict::NotComparable => Verdict::NotComparable,
-                _ => computed.map_or(Verdict::Differs, |value| {
-                    Verdict::of(published.published.value, value)
-                }),
+                _ => computed.map_or(Verdict::Differs, |value| Verdict::of(published.published.value, value)),
             };
-            let digits = computed.map_or(PrintedDigits::Other, |value| {
-                PrintedDigits::of(&published.published, value)
-            });
+            let digits = computed.map_or(PrintedDigits::Other, |value| PrintedDigits::of(&published.published, value));
             let reason = known.map(|known| known.reason.clone()).unwrap_or_default();
             Comparison {
                 published: published.clone(),
@@ -209,18 +194,10 @@ impl PublishedValues {
         } in comparisons
         {
             let key = |reason: &&Reason| {
-                (&reason.table, &reason.row, &reason.quantity)
-                    == (&published.table, &published.row, &published.quantity)
+                (&reason.table, &reason.row, &reason.quantity) == (&published.table, &published.row, &published.quantity)
             };
-            let known = self
-                .reasons
-                .iter()
-                .find(key)
-                .map_or(Verdict::Reproduced, |reason| reason.verdict);
-            let number = format!(
-                "table {}, {}, {}",
-                published.table, published.row, published.quantity
-            );
+            let known = self.reasons.iter().find(key).map_or(Verdict::Reproduced, |reason| reason.verdict);
+            let number = format!("table {}, {}, {}", published.table, published.row, published.quantity);
             if known != *verdict {
                 surprises.push(format!(
                     "{number}: found \"{}\", studies/published/reasons.csv says \"{}\"",
@@ -232,10 +209,7 @@ impl PublishedValues {
                     "{number}: found other digits than printed, \
                      studies/published/reasons.csv gives no reason"
                 ));
-            } else if *digits != PrintedDigits::Other
-                && *verdict == Verdict::Reproduced
-                && !reason.is_empty()
-            {
+            } else if *digits != PrintedDigits::Other && *verdict == Verdict::Reproduced && !reason.is_empty() {
                 surprises.push(format!(
                     "{number}: found as printed, studies/published/reasons.csv gives a reason why not"
                 ));
@@ -243,14 +217,8 @@ impl PublishedValues {
         }
         for reason in &self.reasons {
             let key = (&reason.table, &reason.row, &reason.quantity);
-            if !self
-                .values
-                .iter()
-                .any(|value| (&value.table, &value.row, &value.quantity) == key)
-            {
-                surprises.push(format!(
-                    "reasons.csv names a number that is not published: {key:?}"
-                ));
+            if !self.values.iter().any(|value| (&value.table, &value.row, &value.quantity) == key) {
+                surprises.push(format!("reasons.csv names a number that is not published: {key:?}"));
             }
         }
         surprises
@@ -320,11 +288,7 @@ mod tests {
             (0.0, 1e-300, Verdict::Differs),
             (1.0, f64::NAN, Verdict::Differs),
         ] {
-            assert_eq!(
-                Verdict::of(published, computed),
-                verdict,
-                "{published} against {computed}"
-            );
+            assert_eq!(Verdict::of(published, computed), verdict, "{published} against {computed}");
         }
     }
 }

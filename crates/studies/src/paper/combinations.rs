@@ -46,20 +46,13 @@ impl Combination {
     fn words(self, choice: Choice) -> &'static str {
         match (choice, self.start) {
             (Choice::Start, None) => "of each scene",
-            (Choice::Start, Some(start)) => choice.words(Program {
-                start,
-                ..self.program
-            }),
+            (Choice::Start, Some(start)) => choice.words(Program { start, ..self.program }),
             (_, _) => choice.words(self.program),
         }
     }
 
     /// The printed numbers beside those of this combination.
-    fn compared(
-        self,
-        completed: &[Completed],
-        published: &PublishedValues,
-    ) -> Result<Vec<Comparison>, StudyError> {
+    fn compared(self, completed: &[Completed], published: &PublishedValues) -> Result<Vec<Comparison>, StudyError> {
         let mut values = BTreeMap::new();
         for study in completed {
             let id = study.file.id.trim_start_matches("table-");
@@ -78,10 +71,7 @@ impl Combination {
 ///
 /// # Errors
 /// [`StudyError`] when scenes do not give what their table shows.
-pub(super) fn combinations(
-    completed: &[Completed],
-    published: &PublishedValues,
-) -> Result<String, StudyError> {
+pub(super) fn combinations(completed: &[Completed], published: &PublishedValues) -> Result<String, StudyError> {
     let mut header = Choice::ALL.map(Choice::name).to_vec();
     let counts = COUNTED.map(|table| match table {
         "text" => "digits_of_text".into(),
@@ -92,23 +82,18 @@ pub(super) fn combinations(
     let row = |combination: &Combination| {
         let compared = combination.compared(completed, published)?;
         let count = |table: Option<&str>| {
-            let printed = compared.iter().filter(|one| {
-                one.digits != PrintedDigits::Other
-                    && table.is_none_or(|table| one.published.table == table)
-            });
+            let printed = compared
+                .iter()
+                .filter(|one| one.digits != PrintedDigits::Other && table.is_none_or(|table| one.published.table == table));
             printed.count().to_string()
         };
-        let totals = compared
-            .iter()
-            .filter(|one| ["6", "7"].contains(&&*one.published.table));
+        let totals = compared.iter().filter(|one| ["6", "7"].contains(&&*one.published.table));
         let largest = totals
             .filter_map(Comparison::relative_difference)
             // Infinite where 0 is printed and something touches; those digits are not counted either.
             .filter(|difference| difference.is_finite())
             .fold(0.0, f64::max);
-        let mut row = Choice::ALL
-            .map(|choice| combination.words(choice).to_string())
-            .to_vec();
+        let mut row = Choice::ALL.map(|choice| combination.words(choice).to_string()).to_vec();
         row.extend(COUNTED.map(|table| count(Some(table))));
         row.extend([count(None), format!("{largest:.1e}")]);
         Ok::<_, StudyError>(row)

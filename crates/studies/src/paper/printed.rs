@@ -18,8 +18,7 @@ impl TryFrom<String> for Printed {
 
     fn try_from(text: String) -> Result<Self, NotPrinted> {
         let (whole, decimals) = text.split_once('.').unwrap_or((&text, "0"));
-        let is_number =
-            |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         if !is_number(whole.trim_start_matches('-')) || !is_number(decimals) {
             return Err(NotPrinted(text));
         }
@@ -100,27 +99,13 @@ mod tests {
             ("1.0", f64::NAN, PrintedDigits::Other),
         ] {
             let number = Printed::try_from(printed.to_string()).expect("a number");
-            assert_eq!(
-                PrintedDigits::of(&number, computed),
-                digits,
-                "{printed}, {computed}"
-            );
+            assert_eq!(PrintedDigits::of(&number, computed), digits, "{printed}, {computed}");
         }
     }
 
     #[test]
     fn extreme_texts_that_are_no_printed_numbers() {
-        for text in [
-            "",
-            "-",
-            "1e3",
-            "inf",
-            "nan",
-            "1.",
-            ".5",
-            "1.2.3",
-            "thirty-six",
-        ] {
+        for text in ["", "-", "1e3", "inf", "nan", "1.", ".5", "1.2.3", "thirty-six"] {
             assert!(Printed::try_from(text.to_string()).is_err(), "{text}");
         }
     }

@@ -37,15 +37,9 @@ impl<'a> Slips<'a> {
     ///
     /// # Errors
     /// [`StudyError`] when scenes do not give what their table shows.
-    pub(super) fn new(
-        completed: &[Completed],
-        exact: Exact<'a>,
-        published: &'a [Published],
-    ) -> Result<Self, StudyError> {
+    pub(super) fn new(completed: &[Completed], exact: Exact<'a>, published: &'a [Published]) -> Result<Self, StudyError> {
         let changed = |change: &(dyn Fn(Program) -> Program + Sync)| {
-            let of_totals = completed
-                .iter()
-                .filter(|study| STUDIES.contains(&&*study.file.id));
+            let of_totals = completed.iter().filter(|study| STUDIES.contains(&&*study.file.id));
             let again = of_totals.map(|study| study.by_program(change));
             quantities(&again.collect::<Result<Vec<_>, _>>()?)
         };
@@ -80,29 +74,16 @@ impl<'a> Slips<'a> {
     /// The printed number of a row; those of two structures stand in the text.
     fn published(&self, table: &str, row: &Value) -> Option<&Printed> {
         let (table, name) = match table {
-            "2" => (
-                "text",
-                format!("two structures stereomechanical {}", row.row),
-            ),
+            "2" => ("text", format!("two structures stereomechanical {}", row.row)),
             "4" => ("text", format!("two structures viscoelastic {}", row.row)),
             _ => (table, row.row.clone()),
         };
-        let is = |one: &&Published| {
-            one.table == table && one.row == name && one.quantity == row.quantity
-        };
+        let is = |one: &&Published| one.table == table && one.row == name && one.quantity == row.quantity;
         self.published.iter().find(is).map(|one| &one.published)
     }
 
     fn table(&self) -> String {
-        let mut header = [
-            "table",
-            "row",
-            "quantity",
-            "unit",
-            "published",
-            "papers_program",
-        ]
-        .to_vec();
+        let mut header = ["table", "row", "quantity", "unit", "published", "papers_program"].to_vec();
         let columns = Choice::ALL.map(|choice| described(choice).replace(' ', "_"));
         header.extend(columns.iter().map(String::as_str));
         header.extend(["as_described", "exact_of_loads", "exact"]);
@@ -116,24 +97,14 @@ impl<'a> Slips<'a> {
                 let published = self.published(table, row).map_or("", Printed::text);
                 let keys = [table, &row.row, &row.quantity, row.unit, published].map(String::from);
                 let cell = |number: Option<f64>| number.map(digits).unwrap_or_default();
-                rows.push(
-                    keys.into_iter()
-                        .chain(numbers.into_iter().map(cell))
-                        .collect(),
-                );
+                rows.push(keys.into_iter().chain(numbers.into_iter().map(cell)).collect());
             }
         }
-        to_csv(
-            &header.iter().map(ToString::to_string).collect::<Vec<_>>(),
-            &rows,
-        )
+        to_csv(&header.iter().map(ToString::to_string).collect::<Vec<_>>(), &rows)
     }
 
     fn figure_png(&self) -> Result<Vec<u8>, StudyError> {
-        let panels = [
-            ("6", "Table 6, stereomechanical impact"),
-            ("7", "Table 7, viscoelastic element"),
-        ];
+        let panels = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
         let figure = Figure {
             height_in: 4.2,
             columns: 2,
@@ -150,52 +121,24 @@ impl<'a> Slips<'a> {
         let rows = self.rows(table).filter_map(|row| {
             let published = self.published(table, row)?.value;
             // Nothing is a multiple of what structures transfer that nothing touches.
-            let moved = |values: &Quantities| {
-                find(values, table, row)
-                    .is_some_and(|value| (value / published - 1.0).abs() > SHOWN)
-            };
+            let moved = |values: &Quantities| find(values, table, row).is_some_and(|value| (value / published - 1.0).abs() > SHOWN);
             let shown = self.without.iter().chain([&self.described]).any(moved);
             (published > 0.0 && shown).then_some((row, published))
         });
         let rows: Vec<(&Value, f64)> = rows.collect();
         let points = |values: &Quantities| -> Vec<(f64, f64)> {
-            let of_row = |(y, (row, printed)): (usize, &(&Value, f64))| {
-                Some((find(values, table, row)? / printed, y as f64))
-            };
+            let of_row = |(y, (row, printed)): (usize, &(&Value, f64))| Some((find(values, table, row)? / printed, y as f64));
             rows.iter().enumerate().filter_map(of_row).collect()
         };
-        let curve = |values: &Quantities, shade, mark, words: &str| {
-            Curve::new(Kind::Points, shade, points(values))
-                .marked(mark)
-                .named(words)
-        };
+        let curve =
+            |values: &Quantities, shade, mark, words: &str| Curve::new(Kind::Points, shade, points(values)).marked(mark).named(words);
         let mut curves = Vec::new();
         for ((choice, mark), values) in Choice::ALL.into_iter().zip(MARKS).zip(&self.without) {
-            curves.push(curve(
-                values,
-                Shade::Blue,
-                mark,
-                &capital(&described(choice)),
-            ));
+            curves.push(curve(values, Shade::Blue, mark, &capital(&described(choice))));
         }
-        curves.push(curve(
-            &self.described,
-            Shade::Green,
-            Mark::Disc,
-            "As described",
-        ));
-        curves.push(curve(
-            self.exact.running_on,
-            Shade::Ink,
-            Mark::Stroke,
-            "Exact",
-        ));
-        curves.push(curve(
-            &self.printed,
-            Shade::Vermilion,
-            Mark::Cross,
-            "Paper's program",
-        ));
+        curves.push(curve(&self.described, Shade::Green, Mark::Disc, "As described"));
+        curves.push(curve(self.exact.running_on, Shade::Ink, Mark::Stroke, "Exact"));
+        curves.push(curve(&self.printed, Shade::Vermilion, Mark::Cross, "Paper's program"));
         let names = rows.iter().map(|(row, _)| row.row.replace("layout ", ""));
         Panel {
             title: title.into(),

@@ -24,26 +24,17 @@ impl PapersProgram {
     /// The program that gives the printed numbers of a scene; nothing where another method is named.
     pub(crate) fn of(&self, scene: &Scene) -> Option<Program> {
         let is_used = self.first_load_used.contains(&scene.name);
-        let start = if is_used {
-            Start::FirstLoadUsed
-        } else {
-            Start::FirstLoadSkipped
-        };
+        let start = if is_used { Start::FirstLoadUsed } else { Start::FirstLoadSkipped };
         let stepped = matches!(scene.method, Method::CentralDifference { .. });
         stepped.then(|| Program::printed(start))
     }
 
     /// What the program cannot run, or does not know, of a study: what was found, and what is allowed.
-    pub(crate) fn refusal(
-        &self,
-        scenes: &[Scene],
-        prepared: &[Simulation],
-    ) -> Option<(String, &'static str)> {
+    pub(crate) fn refusal(&self, scenes: &[Scene], prepared: &[Simulation]) -> Option<(String, &'static str)> {
         for name in &self.first_load_used {
             let runs = |scene: &Scene| scene.name == *name && self.of(scene).is_some();
             if !scenes.iter().any(runs) {
-                let allowed =
-                    "in `first_load_used` names of scenes of the study by central differences";
+                let allowed = "in `first_load_used` names of scenes of the study by central differences";
                 return Some((format!("\"{name}\""), allowed));
             }
         }
@@ -62,17 +53,10 @@ impl PapersProgram {
 
 fn can_run(scene: &Scene, prepared: &Simulation) -> bool {
     let at_rest = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => {
-            sdof.initial_displacement_m == 0.0 && sdof.initial_velocity_m_per_s == 0.0
-        }
+        Structure::Sdof(sdof) => sdof.initial_displacement_m == 0.0 && sdof.initial_velocity_m_per_s == 0.0,
         Structure::Building(_) | Structure::Wall => false,
     };
-    let is_known = |pair: &Pair| {
-        matches!(
-            pair.law,
-            ContactLaw::Stereomechanical(_) | ContactLaw::NonlinearViscoelastic(_)
-        )
-    };
+    let is_known = |pair: &Pair| matches!(pair.law, ContactLaw::Stereomechanical(_) | ContactLaw::NonlinearViscoelastic(_));
     let divides = |step: f64| {
         let parts = prepared.record().time_step() / step;
         parts > 0.5 && (parts - parts.round()).abs() < 1e-9

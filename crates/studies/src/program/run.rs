@@ -3,9 +3,7 @@
 use pounding_motion::Record;
 use pounding_scene::{RunResult, Simulation};
 use pounding_solver::OnRow;
-use pounding_solver::{
-    Clock, Hysteretic, Recorder, Recorders, Row, RunError, TransferredMomentum, Work,
-};
+use pounding_solver::{Clock, Hysteretic, Recorder, Recorders, Row, RunError, TransferredMomentum, Work};
 
 use super::choices::Program;
 use super::stepping::Run;
@@ -16,11 +14,7 @@ impl Program {
     ///
     /// # Errors
     /// [`pounding_scene::Error::Run`] when the run diverges.
-    pub(crate) fn run(
-        self,
-        prepared: &Simulation,
-        interval: Option<f64>,
-    ) -> Result<RunResult, pounding_scene::Error> {
+    pub(crate) fn run(self, prepared: &Simulation, interval: Option<f64>) -> Result<RunResult, pounding_scene::Error> {
         prepared.recorded(interval, |recorders| {
             let Recorders {
                 peaks,

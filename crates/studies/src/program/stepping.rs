@@ -6,8 +6,7 @@
 use pounding_contact::{Overlap, reduced_mass};
 use pounding_motion::Record;
 use pounding_solver::{
-    Clock, Impact, Pair, Path, Push, Recorder, RestoringForce, Row, RunError, Span, State, Struck,
-    TransferredMomentum, Velocities, Weighed,
+    Clock, Impact, Pair, Path, Push, Recorder, RestoringForce, Row, RunError, Span, State, Struck, TransferredMomentum, Velocities, Weighed,
 };
 
 use super::choices::{Impacts, Length, MiddleForce, MiddleVelocity, Program, Start};
@@ -190,11 +189,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             };
             self.bodies[pair.left()].velocities[1] = after.left;
             self.bodies[pair.right()].velocities[1] = after.right;
-            let struck = |floor, part, velocities| Struck {
-                floor,
-                part,
-                velocities,
-            };
+            let struck = |floor, part, velocities| Struck { floor, part, velocities };
             self.hits.push(Impact {
                 pair: index,
                 left: pair.left(),
@@ -224,12 +219,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     /// Gives the neighbours of a pair its force; one that the pair to its left has pushed already gets both or this one alone.
-    fn add_force(
-        &mut self,
-        pair: &Pair,
-        force: f64,
-        on: impl Fn(&mut Body<Column::Memory>) -> &mut f64,
-    ) {
+    fn add_force(&mut self, pair: &Pair, force: f64, on: impl Fn(&mut Body<Column::Memory>) -> &mut f64) {
         *on(&mut self.bodies[pair.right()]) += force;
         let left = on(&mut self.bodies[pair.left()]);
         *left = match self.program.forces {
@@ -245,18 +235,12 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     fn reduced_mass(&self, pair: &Pair) -> f64 {
-        let [left, right] =
-            [pair.left(), pair.right()].map(|structure| self.row.nodes()[structure].inverse_mass);
+        let [left, right] = [pair.left(), pair.right()].map(|structure| self.row.nodes()[structure].inverse_mass);
         reduced_mass(left, right)
     }
 
     /// Reports the motion since the step before, and the impacts of this step.
-    fn report<R: Recorder>(
-        &mut self,
-        [start_time, end_time]: [f64; 2],
-        seen: &mut R,
-        momentum: &mut TransferredMomentum,
-    ) {
+    fn report<R: Recorder>(&mut self, [start_time, end_time]: [f64; 2], seen: &mut R, momentum: &mut TransferredMomentum) {
         let (dt, row) = (self.time_step, self.row);
         for (structure, (body, node)) in self.bodies.iter_mut().zip(row.nodes()).enumerate() {
             let [before, here, next] = body.displacements;
@@ -321,13 +305,7 @@ fn list_pushes<Column: RestoringForce>(
             continue;
         }
         let on_left = of.left() == structure;
-        let forces = ends.map(|state| {
-            if on_left {
-                -state.force_from_right
-            } else {
-                state.force_from_left
-            }
-        });
+        let forces = ends.map(|state| if on_left { -state.force_from_right } else { state.force_from_left });
         pushes.push(Push {
             pair,
             on_left,
@@ -358,28 +336,16 @@ mod tests {
     /// Without its slips the program is the central difference method wherever forces are compliant.
     #[test]
     fn limit_as_described_it_is_the_central_difference_method() {
-        for (study, scene) in [
-            ("table-4", 0),
-            ("table-4", 1),
-            ("table-7", 0),
-            ("table-7", 4),
-        ] {
+        for (study, scene) in [("table-4", 0), ("table-4", 1), ("table-7", 0), ("table-7", 4)] {
             let prepared = prepared(study, scene);
             let by_program = Program::DESCRIBED.run(&prepared, None);
             let by_program = by_program.expect("a run");
             let by_method = prepared.run(None).expect("a run");
             for floor in 0..prepared.floors().all().len() {
                 let [one, other] = [&by_program, &by_method].map(|run| run.momentum.of(floor));
-                let [first, second] =
-                    [&by_program, &by_method].map(|run| run.peaks.of(floor).displacement.value);
-                assert!(
-                    (first / second - 1.0).abs() < 1e-9,
-                    "{study}: {first} {second}"
-                );
-                assert!(
-                    (one - other).abs() <= 1e-9 * other,
-                    "{study}: {one} {other}"
-                );
+                let [first, second] = [&by_program, &by_method].map(|run| run.peaks.of(floor).displacement.value);
+                assert!((first / second - 1.0).abs() < 1e-9, "{study}: {first} {second}");
+                assert!((one - other).abs() <= 1e-9 * other, "{study}: {one} {other}");
             }
         }
     }

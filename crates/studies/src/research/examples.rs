@@ -20,9 +20,7 @@ impl Examples {
     /// [`StudyError`] naming the file that cannot be read.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let ends = |path: &Path, end: &str| path.extension().is_some_and(|found| found == end);
-        let is_scene = |path: &PathBuf| {
-            (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists()
-        };
+        let is_scene = |path: &PathBuf| (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists();
         let paths = files_in(folder)?.into_iter().filter(is_scene);
         let scenes = paths.map(|path| Ok::<_, StudyError>((path.clone(), Scene::read(&path)?)));
         Ok(Self {
@@ -40,10 +38,7 @@ impl Examples {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of names.
-    pub fn files(
-        &self,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+    pub fn files(&self, done: &(dyn Fn() + Sync)) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
         let made = parallel::try_each(&self.scenes, |(path, scene)| {
             let files = of_scene(path, scene).map_err(|error| error.in_file(path));
             done();
@@ -59,9 +54,7 @@ fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, St
     let effects = Effects::of(&prepared)?;
     let report = Report::of(&prepared, true)?.with_effects(Some(effects));
     let is_figure = |name: &str| Path::new(name).extension().is_some_and(|end| end == "png");
-    let shown = |name: &str| {
-        is_figure(name) || ["impacts.csv", "effects.csv", "animation.svg"].contains(&name)
-    };
+    let shown = |name: &str| is_figure(name) || ["impacts.csv", "effects.csv", "animation.svg"].contains(&name);
     let name = path.file_stem().unwrap_or_default();
     let files = report.files().into_iter().filter(|(file, _)| shown(file));
     Ok(files

@@ -48,12 +48,9 @@ impl Competitor {
     fn marks(self) -> [Mark; 4] {
         match self {
             Self::Ours => [Mark::Disc, Mark::Square, Mark::Diamond, Mark::Inverted],
-            Self::Loop | Self::Scipy | Self::Sundials | Self::OpenSees => [
-                Mark::Ring,
-                Mark::HollowSquare,
-                Mark::HollowTriangle,
-                Mark::HollowDiamond,
-            ],
+            Self::Loop | Self::Scipy | Self::Sundials | Self::OpenSees => {
+                [Mark::Ring, Mark::HollowSquare, Mark::HollowTriangle, Mark::HollowDiamond]
+            }
         }
     }
 }
@@ -65,10 +62,7 @@ impl Competitor {
 ///
 /// # Errors
 /// [`PlotError`] for numbers that cannot be drawn.
-pub fn work_precision_figure(
-    panels: &[(&str, Vec<WorkPrecision>)],
-    unit: &str,
-) -> Result<Vec<u8>, PlotError> {
+pub fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
     let mut names: Vec<(Competitor, &str)> = Vec::new();
     for one in panels.iter().flat_map(|(_, methods)| methods) {
         let name = (one.competitor, one.label.as_str());
@@ -78,12 +72,7 @@ pub fn work_precision_figure(
     }
     let panel = |(index, (title, methods)): (usize, &(&str, Vec<WorkPrecision>))| Panel {
         title: (*title).into(),
-        y: Axis::over(
-            if index == 0 { "Relative error" } else { "" },
-            ROUNDING,
-            WORTHLESS,
-        )
-        .log(),
+        y: Axis::over(if index == 0 { "Relative error" } else { "" }, ROUNDING, WORTHLESS).log(),
         curves: methods.iter().map(|one| curve(one, &names)).collect(),
         legend: Legend::Shared,
         ..Panel::default()
@@ -98,9 +87,7 @@ pub fn work_precision_figure(
 
 fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {
     let own = names.iter().filter(|(whose, _)| *whose == one.competitor);
-    let place = own
-        .map(|(_, label)| *label)
-        .position(|label| label == one.label);
+    let place = own.map(|(_, label)| *label).position(|label| label == one.label);
     let marks = one.competitor.marks();
     let mark = marks[place.unwrap_or(0) % marks.len()];
     let visible = one.points.iter().filter(|(_, error)| *error < WORTHLESS);

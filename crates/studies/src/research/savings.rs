@@ -2,10 +2,7 @@
 
 use crate::StudyError;
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-use pounding_scene::{
-    Contact, Damping, Extras, FileUse, Method, RecordUse, RunBudget, Scene, Sdof, Simulation,
-    Source, Structure,
-};
+use pounding_scene::{Contact, Damping, Extras, FileUse, Method, RecordUse, RunBudget, Scene, Sdof, Simulation, Source, Structure};
 use std::path::Path;
 use strum::EnumCount;
 
@@ -67,12 +64,7 @@ impl Burdened {
     ///
     /// # Errors
     /// [`StudyError`] when the record cannot be read.
-    pub fn new(
-        n: usize,
-        method: Method,
-        burden: Burden,
-        record: &Path,
-    ) -> Result<Self, StudyError> {
+    pub fn new(n: usize, method: Method, burden: Burden, record: &Path) -> Result<Self, StudyError> {
         let contacts = match burden {
             Burden::Pairs => Some(10.0),
             Burden::Touching => Some(0.05),
@@ -91,16 +83,7 @@ impl Burdened {
             })),
             duration_s: Some(DURATION),
             structures: (0..n).map(structure).collect(),
-            contacts: contacts.map(|gap_m| {
-                vec![
-                    Contact {
-                        gap_m,
-                        law,
-                        levels: None
-                    };
-                    n - 1
-                ]
-            }),
+            contacts: contacts.map(|gap_m| vec![Contact { gap_m, law, levels: None }; n - 1]),
             neighbour: None,
             arrivals_s: None,
             method,
@@ -116,9 +99,7 @@ impl Burdened {
     /// [`pounding_scene::Error::Run`] when the run ends early.
     pub fn run(&self) -> Result<(), pounding_scene::Error> {
         match self.burden {
-            Burden::None | Burden::Yielding | Burden::Pairs | Burden::Touching => {
-                self.prepared.run_unjudged(Extras::default()).map(|_| ())
-            }
+            Burden::None | Burden::Yielding | Burden::Pairs | Burden::Touching => self.prepared.run_unjudged(Extras::default()).map(|_| ()),
             Burden::Histories => {
                 let asked = Extras {
                     interval: Some(INTERVAL),

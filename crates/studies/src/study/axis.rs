@@ -108,18 +108,13 @@ impl Axis {
     /// What cannot be changed so, in words.
     pub(crate) fn push(self, pushed: &mut Pushed, value: f64) -> Result<(), String> {
         if sdof(&pushed.scene, 1).is_none() || pushed.scene.contacts.iter().flatten().count() == 0 {
-            return Err(format!(
-                "{}, of a scene without two structures and a contact",
-                self.key()
-            ));
+            return Err(format!("{}, of a scene without two structures and a contact", self.key()));
         }
         match self {
             Self::Row | Self::Cradle if value < 2.0 => {
                 return Err(format!("{value} {}, allowed 2 or more", self.key()));
             }
-            Self::YieldForce
-                if sdof(&pushed.scene, 0).is_some_and(|one| one.yield_force_n.is_none()) =>
-            {
+            Self::YieldForce if sdof(&pushed.scene, 0).is_some_and(|one| one.yield_force_n.is_none()) => {
                 return Err(format!("{}, of elastic structures", self.key()));
             }
             Self::RecordScale => pushed.scale(value)?,
@@ -127,8 +122,7 @@ impl Axis {
                 pushed.shake(|index, at, sample| if index == at { value } else { sample })?;
             }
             Self::Step => {
-                pushed
-                    .shake(|index, at, sample| if index < at { sample } else { sample + value })?;
+                pushed.shake(|index, at, sample| if index < at { sample } else { sample + value })?;
             }
             Self::Restitution => calibrate(&mut pushed.scene, value)?,
             Self::Law => replace_law(&mut pushed.scene, value)?,
@@ -142,11 +136,7 @@ impl Axis {
                 pushed.scale(0.0)?;
             }
             Self::TimeStep => {
-                let fastest = pushed
-                    .scene
-                    .structures
-                    .iter()
-                    .filter_map(Structure::fastest);
+                let fastest = pushed.scene.structures.iter().filter_map(Structure::fastest);
                 let critical = fastest.map(|one| 2.0 / one.angular_frequency);
                 pushed.time_step = value * critical.fold(f64::INFINITY, f64::min);
             }
@@ -233,8 +223,7 @@ impl Pushed {
             .unwrap_or(0);
         let samples = self.record.samples().iter().enumerate();
         let samples = samples.map(|(index, sample)| change(index, at, *sample));
-        self.record = Record::new(step, samples.collect(), self.record.source())
-            .map_err(|error| error.to_string())?;
+        self.record = Record::new(step, samples.collect(), self.record.source()).map_err(|error| error.to_string())?;
         Ok(())
     }
 
@@ -278,11 +267,7 @@ fn gaps(scene: &mut Scene, gap: f64) {
 
 /// A row of so many structures, each a copy of one of the two.
 fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a small whole number"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
     let n = n as usize;
     let two = scene.structures.clone();
     scene.structures = (0..n).map(|index| two[which(index)].clone()).collect();
@@ -295,8 +280,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
 fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
     let pair = pair(scene);
     for contact in scene.contacts.iter_mut().flatten() {
-        let name = LawName::from_name(contact.law.name())
-            .ok_or_else(|| format!("no law named {}", contact.law.name()))?;
+        let name = LawName::from_name(contact.law.name()).ok_or_else(|| format!("no law named {}", contact.law.name()))?;
         let form = contact.law.form(pair.reduced_mass, SPEED);
         let stiffness = form.map_or(1.0, |form| form.spring.coefficient);
         contact.law = name
@@ -319,10 +303,7 @@ fn stiffen(scene: &mut Scene, factor: f64) -> Result<(), String> {
 
 /// Puts another law between the structures.
 fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
-    let law = LawName::ALL
-        .into_iter()
-        .zip(1_u32..)
-        .find(|(_, other)| f64::from(*other) >= number);
+    let law = LawName::ALL.into_iter().zip(1_u32..).find(|(_, other)| f64::from(*other) >= number);
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
     let stiffness = usual_stiffness(name);
     let restitution = if name.is_elastic() { 1.0 } else { 0.65 };

@@ -47,12 +47,8 @@ impl Change {
     /// What was found and what is allowed, where it is not allowed.
     pub(crate) fn fault(self) -> Option<(String, &'static str)> {
         match self {
-            Self::Storeys(count) if !(2..=MOST_STOREYS).contains(&count) => {
-                Some((format!("storeys: {count}"), "2 to 20"))
-            }
-            Self::Weaker(part) if !(part > 0.0 && part < 1.0) => {
-                Some((format!("weaker: {part}"), "a number between 0 and 1"))
-            }
+            Self::Storeys(count) if !(2..=MOST_STOREYS).contains(&count) => Some((format!("storeys: {count}"), "2 to 20")),
+            Self::Weaker(part) if !(part > 0.0 && part < 1.0) => Some((format!("weaker: {part}"), "a number between 0 and 1")),
             Self::Storeys(_) | Self::Weaker(_) => None,
         }
     }
@@ -73,9 +69,7 @@ impl Change {
     pub(crate) fn of_record(self, record: Record) -> Record {
         match self {
             Self::Storeys(_) => record,
-            Self::Weaker(part) => record
-                .scaled(part)
-                .expect("less than a record of finite numbers is finite"),
+            Self::Weaker(part) => record.scaled(part).expect("less than a record of finite numbers is finite"),
         }
     }
 }

@@ -36,9 +36,7 @@ impl Completed {
             .study
             .scenes
             .iter()
-            .map(|scene| {
-                Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
-            })
+            .map(|scene| Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path)))
             .collect::<Result<Vec<_>, _>>()?;
         let program = file.study.program.as_ref();
         let refusal = program.and_then(|program| program.refusal(&file.study.scenes, &prepared));
@@ -62,10 +60,7 @@ impl Completed {
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be run.
-    pub(crate) fn by_program(
-        &self,
-        change: impl Fn(Program) -> Program + Sync,
-    ) -> Result<Self, StudyError> {
+    pub(crate) fn by_program(&self, change: impl Fn(Program) -> Program + Sync) -> Result<Self, StudyError> {
         Self::of_prepared(self.file.clone(), self.prepared.clone(), change, &|| ())
     }
 
@@ -89,11 +84,7 @@ impl Completed {
             done();
             outcome.map_err(|error| error.in_file(&file.path))
         })?;
-        Ok(Self {
-            file,
-            prepared,
-            outcomes,
-        })
+        Ok(Self { file, prepared, outcomes })
     }
 
     /// Scenes with what they left behind.
@@ -107,12 +98,7 @@ impl Completed {
     }
 
     /// An error about this study's file.
-    pub(crate) fn refuse(
-        &self,
-        place: &'static str,
-        found: String,
-        allowed: &'static str,
-    ) -> StudyError {
+    pub(crate) fn refuse(&self, place: &'static str, found: String, allowed: &'static str) -> StudyError {
         self.file.refuse(place, found, allowed)
     }
 }

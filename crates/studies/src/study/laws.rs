@@ -47,19 +47,11 @@ impl AtlasSettings {
 
     /// e at which a law is compared with others.
     pub(crate) fn restitution(&self, law: LawName) -> f64 {
-        if law.is_elastic() {
-            1.0
-        } else {
-            self.restitution
-        }
+        if law.is_elastic() { 1.0 } else { self.restitution }
     }
 
     /// The certificate of a law calibrated exactly.
-    pub(crate) fn certificate(
-        &self,
-        law: LawName,
-        restitution: f64,
-    ) -> Result<Certificate, CertificateError> {
+    pub(crate) fn certificate(&self, law: LawName, restitution: f64) -> Result<Certificate, CertificateError> {
         let wanted = CertificateRequest {
             law,
             stiffness: self.stiffness(law),

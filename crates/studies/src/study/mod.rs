@@ -81,16 +81,9 @@ impl StudyFile {
         }
         let mut names = BTreeSet::new();
         if let Some(twice) = study.scenes.iter().find(|scene| !names.insert(&scene.name)) {
-            return Err(refuse(
-                format!("\"{}\" twice", twice.name),
-                "names that differ",
-            ));
+            return Err(refuse(format!("\"{}\" twice", twice.name), "names that differ"));
         }
-        let id = path
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let id = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         Ok(Self {
             id,
             path: path.to_path_buf(),
@@ -110,10 +103,7 @@ impl StudyFile {
         let mut paths = Vec::new();
         for entry in std::fs::read_dir(folder).map_err(unreadable)? {
             let path = entry.map_err(unreadable)?.path();
-            if path
-                .extension()
-                .is_some_and(|extension| extension == "json")
-            {
+            if path.extension().is_some_and(|extension| extension == "json") {
                 paths.push(path);
             }
         }
@@ -122,12 +112,7 @@ impl StudyFile {
     }
 
     /// An error about it.
-    pub(crate) fn refuse(
-        &self,
-        place: &'static str,
-        found: String,
-        allowed: &'static str,
-    ) -> StudyError {
+    pub(crate) fn refuse(&self, place: &'static str, found: String, allowed: &'static str) -> StudyError {
         StudyError::Study {
             path: self.path.clone(),
             place,

@@ -93,12 +93,6 @@ impl BeyondSettings {
         }
         let rest = self.rest_s;
         let sound = rest.is_finite() && rest >= 0.0;
-        (!sound).then(|| {
-            (
-                "output.beyond.rest_s",
-                rest.to_string(),
-                "a finite number >= 0 s",
-            )
-        })
+        (!sound).then(|| ("output.beyond.rest_s", rest.to_string(), "a finite number >= 0 s"))
     }
 }

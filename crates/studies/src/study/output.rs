@@ -99,20 +99,12 @@ impl Output {
 
     /// The ladder of a trade study.
     pub(crate) fn ladder(&self) -> Option<&Ladder> {
-        if let Self::Trade(ladder) = self {
-            Some(ladder)
-        } else {
-            None
-        }
+        if let Self::Trade(ladder) = self { Some(ladder) } else { None }
     }
 
     /// The ground motions beyond the paper's.
     pub(crate) fn beyond(&self) -> Option<&BeyondSettings> {
-        if let Self::Beyond(settings) = self {
-            Some(settings)
-        } else {
-            None
-        }
+        if let Self::Beyond(settings) = self { Some(settings) } else { None }
     }
 
     /// Whether the output shows what happened step by step.
@@ -141,10 +133,7 @@ impl Output {
     /// Whether the output shows what a method did in a step, such as the force of an impact as impulse over time step.
     pub(crate) fn shows_steps(&self) -> bool {
         match self {
-            Self::Claims
-            | Self::PoundingForcesTable { .. }
-            | Self::PoundingFigure
-            | Self::FirstCollisionFigure => true,
+            Self::Claims | Self::PoundingForcesTable { .. } | Self::PoundingFigure | Self::FirstCollisionFigure => true,
             Self::DisplacementFigure
             | Self::ShearForceFigure { .. }
             | Self::StructuresTable

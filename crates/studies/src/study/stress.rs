@@ -93,9 +93,7 @@ impl Edges {
     pub(crate) fn cells(&self, file: &StudyFile, extent: Extent) -> Result<Vec<Cell>, StudyError> {
         let scene = |name: &String| {
             let scenes = file.study.scenes.iter();
-            let found = scenes
-                .map(|scene| &scene.name)
-                .position(|other| other == name);
+            let found = scenes.map(|scene| &scene.name).position(|other| other == name);
             found.map(|index| (index, name.clone())).ok_or_else(|| {
                 let allowed = "names of scenes of the study";
                 file.refuse("output.extremes", format!("\"{name}\""), allowed)
@@ -139,18 +137,9 @@ impl Values {
 
 impl Cell {
     /// The scene with its changes; the time step comes last, since it follows from the structures.
-    pub(crate) fn pushed(
-        &self,
-        base: &Simulation,
-        scene: &Scene,
-        time_step: f64,
-    ) -> Result<Pushed, String> {
+    pub(crate) fn pushed(&self, base: &Simulation, scene: &Scene, time_step: f64) -> Result<Pushed, String> {
         let mut pushed = Pushed::new(scene, base.record(), time_step);
-        let (last, first): (Vec<_>, Vec<_>) = self
-            .changes
-            .iter()
-            .copied()
-            .partition(|(axis, _)| *axis == Axis::TimeStep);
+        let (last, first): (Vec<_>, Vec<_>) = self.changes.iter().copied().partition(|(axis, _)| *axis == Axis::TimeStep);
         for (axis, value) in first.into_iter().chain(last) {
             axis.push(&mut pushed, value)?;
         }

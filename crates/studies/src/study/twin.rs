@@ -18,9 +18,7 @@ pub(crate) fn building(sdof: &Sdof, count: usize) -> Building {
     let shear = |storey: usize| (storey..=count).sum::<usize>() as f64;
     let columns = |storey: usize| Columns {
         stiffness_n_per_m: sdof.stiffness_n_per_m * shear(storey) / count as f64,
-        yield_force_n: sdof
-            .yield_force_n
-            .map(|force| force * shear(storey) / shear(1)),
+        yield_force_n: sdof.yield_force_n.map(|force| force * shear(storey) / shear(1)),
         ..sdof.columns()
     };
     let storey = |storey: usize| {
@@ -82,9 +80,7 @@ mod tests {
             same(masses.sum(), sdof.mass_kg);
             let first = &twin.storeys[0].columns;
             assert_eq!(first.yield_force_n, sdof.yield_force_n);
-            let drift = |columns: &Columns| {
-                columns.yield_force_n.expect("they yield") / columns.stiffness_n_per_m
-            };
+            let drift = |columns: &Columns| columns.yield_force_n.expect("they yield") / columns.stiffness_n_per_m;
             for storey in &twin.storeys {
                 same(drift(&storey.columns), drift(first));
             }

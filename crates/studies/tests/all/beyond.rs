@@ -67,13 +67,7 @@ fn rows(files: &Files, table: &str) -> Vec<Row> {
 
 #[test]
 fn reference_tables_of_two_motions() {
-    for table in [
-        "motions.csv",
-        "claims.csv",
-        "verdicts.csv",
-        "scenes.csv",
-        "direction.csv",
-    ] {
+    for table in ["motions.csv", "claims.csv", "verdicts.csv", "scenes.csv", "direction.csv"] {
         assert_snapshot!(table, text(&TWO, table));
     }
 }
@@ -81,9 +75,7 @@ fn reference_tables_of_two_motions() {
 #[test]
 fn limit_bytes_do_not_depend_on_threads() {
     for n_threads in [1, 2] {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(n_threads)
-            .build();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build();
         let pool = pool.expect("threads");
         let again = pool.install(|| files(&run(&listing(two_motions))));
         assert!(*TWO == again, "{n_threads} threads give the same bytes");
@@ -99,17 +91,14 @@ fn limit_the_papers_case_is_the_paper_run_exactly() {
         exact.method = Method::EXACT;
         let prepared = Simulation::new(&exact, study.base()).expect("a sound scene");
         let outcome = prepared.run(None).expect("an exact run");
-        let own = rows.iter().filter(|row| {
-            row["table"] == "6" && row["scene"] == scene.name && row["direction"] == "reversed"
-        });
+        let own = rows
+            .iter()
+            .filter(|row| row["table"] == "6" && row["scene"] == scene.name && row["direction"] == "reversed");
         let own = own.filter(|row| row["motion"].contains("paper"));
         for (index, row) in own.enumerate() {
             let momentum = digits(outcome.momentum.of(index) / 1e3);
             let displacement = digits(1e3 * outcome.peaks.of(index).displacement.value);
-            let found = (
-                &*row["transferred_momentum_kn_s"],
-                &*row["peak_displacement_mm"],
-            );
+            let found = (&*row["transferred_momentum_kn_s"], &*row["peak_displacement_mm"]);
             assert_eq!(found, (&*momentum, &*displacement), "{row:?}");
         }
     }
@@ -153,11 +142,7 @@ fn limit_weaker_shaking_is_a_weaker_record() {
     }));
     let (made, plain) = (files(&made), files(&weakened(0.35)));
     for table in ["scenes.csv", "verdicts.csv", "direction.csv"] {
-        assert_eq!(
-            text(&made, &format!("weaker/{table}")),
-            text(&plain, table),
-            "{table}"
-        );
+        assert_eq!(text(&made, &format!("weaker/{table}")), text(&plain, table), "{table}");
     }
 }
 
@@ -202,10 +187,7 @@ fn limit_a_mirrored_row_under_the_reversed_motion_mirrors() {
         if ["table-2", "table-4", "table-6", "table-7"].contains(&&*file.id) {
             for scene in &mut file.study.scenes {
                 scene.structures.reverse();
-                scene
-                    .contacts
-                    .iter_mut()
-                    .for_each(|contacts| contacts.reverse());
+                scene.contacts.iter_mut().for_each(|contacts| contacts.reverse());
             }
         }
     }
@@ -213,29 +195,20 @@ fn limit_a_mirrored_row_under_the_reversed_motion_mirrors() {
     let plain = rows(&TWO, "scenes.csv");
     assert_eq!(mirrored.len(), plain.len());
     for row in &plain {
-        let same = |other: &&Row| {
-            ["table", "scene", "motion"]
-                .iter()
-                .all(|key| other[*key] == row[*key])
-        };
+        let same = |other: &&Row| ["table", "scene", "motion"].iter().all(|key| other[*key] == row[*key]);
         let in_scene: Vec<_> = mirrored.iter().filter(same).collect();
         let n_structures = in_scene.len() / 2;
         let number: usize = row["structure"].parse().expect("a number");
-        let twin = in_scene.iter().find(|other| {
-            other["direction"] != row["direction"]
-                && other["structure"] == (n_structures + 1 - number).to_string()
-        });
+        let twin = in_scene
+            .iter()
+            .find(|other| other["direction"] != row["direction"] && other["structure"] == (n_structures + 1 - number).to_string());
         let twin = twin.expect("the structure at the other end");
         for (column, value) in row {
             let unsigned = |value: &String| value.trim_start_matches('-').to_string();
             match &**column {
                 "direction" | "structure" => {}
                 "peak_displacement_mm" | "peak_shear_kn" | "residual_displacement_mm" => {
-                    assert_eq!(
-                        unsigned(value),
-                        unsigned(&twin[column]),
-                        "{column}, {row:?}"
-                    );
+                    assert_eq!(unsigned(value), unsigned(&twin[column]), "{column}, {row:?}");
                     let signs = [value, &twin[column]].map(|value| value.starts_with('-'));
                     let nothing = value.is_empty() || value == "0";
                     assert!(nothing || signs[0] != signs[1], "{column}, {row:?}");
@@ -320,20 +293,12 @@ fn reference_a_folder_of_records() {
     let folder = folder("beyond-records");
     let peak = |scaled: bool| {
         let study = BeyondStudy::of_records(&studies(), &folder, scaled).expect("a record");
-        assert_eq!(
-            study.n_cases(),
-            6,
-            "one record, both directions, three kinds of scene"
-        );
+        assert_eq!(study.n_cases(), 6, "one record, both directions, three kinds of scene");
         let made = study.run(&|| ()).expect("runs that do not fail");
         let left_out = made.left_out().iter();
         let names: Vec<_> = left_out.map(|(name, _)| name.split(' ').next()).collect();
         assert_eq!(names, [Some("notes.txt"), Some("station.UD")]);
-        assert!(
-            made.left_out()[1].1.contains("vertical"),
-            "{:?}",
-            made.left_out()
-        );
+        assert!(made.left_out()[1].1.contains("vertical"), "{:?}", made.left_out());
         let files = files(&made);
         let rows = rows(&files, "motions.csv");
         assert_eq!(rows.len(), 1, "the paper's record is no part of it");
@@ -350,8 +315,5 @@ fn extreme_a_folder_without_records() {
     fs::remove_file(folder.join("push.csv")).expect("a file");
     let refused = BeyondStudy::of_records(&studies(), &folder, true);
     let message = refused.expect_err("nothing shakes").to_string();
-    assert!(
-        message.contains("none that shakes the scenes; the first, notes.txt:"),
-        "{message}"
-    );
+    assert!(message.contains("none that shakes the scenes; the first, notes.txt:"), "{message}");
 }

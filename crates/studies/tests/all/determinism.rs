@@ -9,16 +9,9 @@ use pounding_studies::Studies;
 /// Every file of a reproduction on so many threads.
 fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(n_threads)
-        .build()
-        .expect("threads");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
     let made = pool.install(|| {
-        assert_eq!(
-            rayon::current_num_threads(),
-            n_threads,
-            "the pool is the one in use"
-        );
+        assert_eq!(rayon::current_num_threads(), n_threads, "the pool is the one in use");
         Studies::read(&studies)
             .expect("readable studies")
             .only(|file| !["trade", "laws", "extremes", "beyond"].contains(&file.id.as_str()))
@@ -42,17 +35,10 @@ fn limit_bytes_do_not_depend_on_threads_or_on_the_run() {
     );
     for n_threads in [2, 1] {
         let again = files(n_threads);
-        assert!(
-            once.keys().eq(again.keys()),
-            "{n_threads} threads make the same files"
-        );
+        assert!(once.keys().eq(again.keys()), "{n_threads} threads make the same files");
         for (path, bytes) in &once {
             // No assert_eq: it would print the picture.
-            assert!(
-                *bytes == again[path],
-                "{} with {n_threads} threads",
-                path.display()
-            );
+            assert!(*bytes == again[path], "{} with {n_threads} threads", path.display());
         }
     }
 }

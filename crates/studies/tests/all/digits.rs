@@ -15,10 +15,7 @@ fn reference_both_routes_have_the_impacts_of_36_digits() {
     let scene: Scene = serde_json::from_slice(&scene).expect("a scene");
     let simulation = Simulation::new(&scene, folder.as_path()).expect("a valid scene");
     let mut table = csv::Reader::from_path(folder.join("towers.csv")).expect("a table");
-    let wanted: Vec<(f64, f64)> = table
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .expect("times and impulses");
+    let wanted: Vec<(f64, f64)> = table.deserialize().collect::<Result<_, _>>().expect("times and impulses");
     assert_eq!(wanted.len(), 211);
     let exact = simulation.run(None).expect("an exact run");
     let exact = exact.collisions.all().iter();

@@ -42,11 +42,6 @@ fn issue_the_peak_of_a_force_that_jumps_at_an_impact() {
     let run = Simulation::new(&scene, &*folder())
         .and_then(|scene| scene.run(None))
         .expect("it runs");
-    let peak = run
-        .collisions
-        .all()
-        .iter()
-        .filter_map(|one| one.peak_force)
-        .fold(0.0, f64::max);
+    let peak = run.collisions.all().iter().filter_map(|one| one.peak_force).fold(0.0, f64::max);
     assert!((peak - 11.494e6).abs() < 500.0, "{peak}");
 }

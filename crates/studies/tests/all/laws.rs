@@ -22,9 +22,7 @@ fn study() -> (Completed, AtlasSettings) {
     let Output::Laws(settings) = file.study.output.clone() else {
         panic!("a study of laws");
     };
-    file.study
-        .scenes
-        .retain(|scene| scene.name.starts_with("two structures"));
+    file.study.scenes.retain(|scene| scene.name.starts_with("two structures"));
     let settings = AtlasSettings {
         restitutions: vec![0.05, 0.65, 1.0],
         approach_speeds_m_per_s: vec![0.03, 0.3],
@@ -65,19 +63,13 @@ fn limit_every_table_names_every_law() {
         "time-step.csv",
         "scenes.csv",
     ] {
-        let mut named: Vec<_> = rows(&FILES, table)
-            .iter()
-            .map(|row| row["law"].clone())
-            .collect();
+        let mut named: Vec<_> = rows(&FILES, table).iter().map(|row| row["law"].clone()).collect();
         named.dedup();
         // One scene after the other.
         assert_eq!(named[..laws.len()], laws, "{table}");
     }
     // Springs alone lose nothing, the impulsive law has no force, and four names share one.
-    let mut compared: Vec<_> = LawName::ALL
-        .into_iter()
-        .filter(|law| !law.is_elastic())
-        .collect();
+    let mut compared: Vec<_> = LawName::ALL.into_iter().filter(|law| !law.is_elastic()).collect();
     compared.retain(|law| law.stiffness().is_some());
     compared.dedup_by_key(|law| law.about().force);
     for row in rows(&FILES, "dependence.csv") {
@@ -96,27 +88,17 @@ fn reference_the_exact_calibration_delivers_what_was_asked() {
             assert!((found - asked).abs() <= 1e-9, "{row:?}");
             compared += 1;
         } else {
-            assert!(
-                row["failed"].ends_with("this law has no damping"),
-                "{row:?}"
-            );
+            assert!(row["failed"].ends_with("this law has no damping"), "{row:?}");
         }
     }
-    assert_eq!(
-        compared,
-        3 * LawName::ALL.len() - 4,
-        "two springs have e = 1 alone"
-    );
+    assert_eq!(compared, 3 * LawName::ALL.len() - 4, "two springs have e = 1 alone");
 }
 
 #[test]
 fn limit_laws_agree_until_the_first_touch() {
     for row in rows(&FILES, "dependence.csv") {
         if row["quantity"] == "time_of_first_collision" {
-            assert_eq!(
-                (&*row["spread"], &*row["stereomechanical_over_mean"]),
-                ("0", "1")
-            );
+            assert_eq!((&*row["spread"], &*row["stereomechanical_over_mean"]), ("0", "1"));
         }
     }
 }
@@ -124,19 +106,14 @@ fn limit_laws_agree_until_the_first_touch() {
 #[test]
 fn reference_free_impacts_and_what_depends_on_the_law() {
     let on_threads = |n_threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(n_threads)
-            .build();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build();
         pool.expect("threads").install(|| files(&study()))
     };
     for table in ["free-impact.csv", "dependence.csv"] {
         assert_snapshot!(table, text(&FILES, table));
     }
     for n_threads in [1, 2] {
-        assert!(
-            *FILES == on_threads(n_threads),
-            "{n_threads} threads give the same bytes"
-        );
+        assert!(*FILES == on_threads(n_threads), "{n_threads} threads give the same bytes");
     }
 }
 
@@ -146,10 +123,7 @@ fn extreme_a_scene_that_cannot_run_says_why_under_every_law() {
     completed.file.study.scenes[0].duration_s = Some(-1.0);
     let files = files(&(completed, settings));
     let failed = rows(&files, "scenes.csv");
-    let failed: Vec<_> = failed
-        .iter()
-        .filter(|row| !row["failed"].is_empty())
-        .collect();
+    let failed: Vec<_> = failed.iter().filter(|row| !row["failed"].is_empty()).collect();
     assert_eq!(failed.len(), LawName::ALL.len(), "a row for each");
     for row in failed {
         assert!(row["failed"].contains("duration_s: found -1"), "{row:?}");
@@ -193,28 +167,17 @@ fn reference_a_second_route_gives_the_same_scenes_under_every_law() {
         let what = format!("{}, {law:?}", scene.name);
         let prepared = Simulation::new(&under(law, scene), file.base()).expect("a sound scene");
         let exact = prepared.run(None).expect("an exact run");
-        let second =
-            pounding_studies::second_route(&prepared, Fineness::FINE).expect("a second run");
+        let second = pounding_studies::second_route(&prepared, Fineness::FINE).expect("a second run");
         let met: usize = second.collisions.iter().map(Vec::len).sum();
         assert_eq!(exact.collisions.all().len(), met, "{what}: collisions");
         // As the study of accuracy allows, which knows the condition of every result.
-        let allowed = if law == LawName::Stereomechanical {
-            1e-12
-        } else {
-            1e-9
-        };
+        let allowed = if law == LawName::Stereomechanical { 1e-12 } else { 1e-9 };
         for (index, other) in second.structures.iter().enumerate() {
             let close = |one: f64, other: f64| (one - other).abs() <= allowed * other.abs();
             let momentum = exact.momentum.of(index);
             let displacement = exact.peaks.of(index).displacement.value;
-            assert!(
-                close(momentum, other.transferred_momentum),
-                "{what}: momentum"
-            );
-            assert!(
-                close(displacement, other.displacement.value),
-                "{what}: displacement"
-            );
+            assert!(close(momentum, other.transferred_momentum), "{what}: momentum");
+            assert!(close(displacement, other.displacement.value), "{what}: displacement");
         }
     });
 }

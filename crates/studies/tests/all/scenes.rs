@@ -18,10 +18,7 @@ fn study(id: &str) -> Value {
     let text = fs::read_to_string(studies().join(id).with_extension("json")).expect("a study");
     let mut study: Value = serde_json::from_str(&text).expect("JSON");
     for scene in study["scenes"].as_array_mut().expect("scenes") {
-        let file = scene["record"]["file"]
-            .as_str()
-            .expect("a path")
-            .to_string();
+        let file = scene["record"]["file"].as_str().expect("a path").to_string();
         scene["record"]["file"] = json!(studies().join(file).to_str().expect("a path in UTF-8"));
     }
     study
@@ -29,13 +26,10 @@ fn study(id: &str) -> Value {
 
 /// Reads a study from a file, runs it and makes its table or figure.
 fn make(test: &str, study: &Value) -> Result<(), StudyError> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("scenes")
-        .join(test);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scenes").join(test);
     fs::create_dir_all(&folder).expect("the folder can be made");
     let path = folder.join("study.json");
-    fs::write(&path, serde_json::to_string_pretty(study).expect("JSON"))
-        .expect("the study can be written");
+    fs::write(&path, serde_json::to_string_pretty(study).expect("JSON")).expect("the study can be written");
     let completed = Completed::run(StudyFile::read(&path)?, &|| ())?;
     Table::of(&completed)?;
     figure_png(&completed)?;
@@ -44,13 +38,9 @@ fn make(test: &str, study: &Value) -> Result<(), StudyError> {
 
 /// The message for a study that is refused, from the name of its file on.
 fn refused(test: &str, study: &Value) -> String {
-    let message = make(test, study)
-        .expect_err("a study that is refused")
-        .to_string();
+    let message = make(test, study).expect_err("a study that is refused").to_string();
     let message = message.replace('\\', "/");
-    let (_, message) = message
-        .split_once(&format!("scenes/{test}/"))
-        .expect("the file is named");
+    let (_, message) = message.split_once(&format!("scenes/{test}/")).expect("the file is named");
     message.into()
 }
 
@@ -104,8 +94,7 @@ fn extreme_text_of_a_scene_that_is_not_there() {
 #[test]
 fn extreme_peak_force_of_an_impulsive_law() {
     let mut study = study("text");
-    study["output"]["text_table"]["peak_forces"] =
-        json!(["two structures stereomechanical elastic"]);
+    study["output"]["text_table"]["peak_forces"] = json!(["two structures stereomechanical elastic"]);
     assert_snapshot!(refused("impulsive", &study), @r#"study.json: output.text_table.peak_forces: found "two structures stereomechanical elastic", allowed scenes with a compliant contact law"#);
 }
 
@@ -133,10 +122,7 @@ fn extreme_scene_that_diverges_is_named() {
         panic!("the error should name its file: {error}");
     };
     assert!(path.ends_with("study.json"), "{}", path.display());
-    let pounding_scene::Error::Run {
-        scene, structures, ..
-    } = &**source
-    else {
+    let pounding_scene::Error::Run { scene, structures, .. } = &**source else {
         panic!("the run should have ended early: {error}");
     };
     assert_eq!(scene, "viscoelastic elastic");
@@ -161,18 +147,13 @@ fn extreme_time_step_at_the_limit() {
             Some(Rk4::critical_time_step(2.0 / limit, damping)),
         ),
         (json!({"hht": {"time_step_s": 0, "alpha": -0.3}}), None),
-        (
-            json!({"moreau_jean": {"time_step_s": 0, "theta": 0.5}}),
-            None,
-        ),
+        (json!({"moreau_jean": {"time_step_s": 0, "theta": 0.5}}), None),
     ] {
         let run = |time_step: f64| {
             let mut study = study("figure-1");
             let scene = &mut study["scenes"][0];
             scene["method"] = method.clone();
-            let settings = scene["method"]
-                .as_object_mut()
-                .expect("a method has settings");
+            let settings = scene["method"].as_object_mut().expect("a method has settings");
             for settings in settings.values_mut() {
                 settings["time_step_s"] = json!(time_step);
             }
@@ -224,12 +205,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     named.study.scenes[0].method = advice.best().method;
     assert_eq!(asked.file.study.scenes[0].method, advice.best().method);
     let named = Completed::run(named, &|| ()).expect("a good study");
-    let csv = |completed| {
-        Table::of(completed)
-            .expect("a table")
-            .expect("one")
-            .to_csv()
-    };
+    let csv = |completed| Table::of(completed).expect("a table").expect("one").to_csv();
     assert_eq!(csv(&asked), csv(&named));
 }
 
@@ -278,10 +254,7 @@ fn extreme_a_run_that_creates_energy_names_pair_and_structures() {
     let StudyError::Scene(pounding_scene::Error::InFile { source, .. }) = &error else {
         panic!("the error should name its file: {error}");
     };
-    let pounding_scene::Error::Broken {
-        structures, source, ..
-    } = &**source
-    else {
+    let pounding_scene::Error::Broken { structures, source, .. } = &**source else {
         panic!("a law should be broken: {error}");
     };
     let LedgerError::GainInContact { pair, .. } = source else {

@@ -12,9 +12,7 @@ fn scenes() -> Vec<(Scene, Simulation)> {
         let study = StudyFile::read(&folder.join(file)).expect("a study").study;
         study.scenes
     };
-    let scenes = ["text.json", "table-6.json", "table-7.json"]
-        .into_iter()
-        .flat_map(of);
+    let scenes = ["text.json", "table-6.json", "table-7.json"].into_iter().flat_map(of);
     let prepared = |scene: Scene| {
         let prepared = Simulation::new(&scene, &folder).expect("a valid scene");
         (scene, prepared)
@@ -41,17 +39,11 @@ fn order_a_tighter_tolerance_and_other_steps_change_nothing() {
         steps_per_sample: 3,
     };
     for (scene, prepared) in scenes() {
-        let [coarse, fine] = [coarse, Fineness::FINE]
-            .map(|fineness| pounding_studies::second_route(&prepared, fineness).unwrap());
+        let [coarse, fine] = [coarse, Fineness::FINE].map(|fineness| pounding_studies::second_route(&prepared, fineness).unwrap());
         let error = difference(&coarse, &fine);
         assert!(error < 1e-10, "{}: {error:e}", scene.name);
         for (one, other) in coarse.collisions.iter().zip(&fine.collisions) {
-            assert_eq!(
-                one.len(),
-                other.len(),
-                "{}: number of collisions",
-                scene.name
-            );
+            assert_eq!(one.len(), other.len(), "{}: number of collisions", scene.name);
         }
     }
 }
@@ -60,18 +52,10 @@ fn order_a_tighter_tolerance_and_other_steps_change_nothing() {
 fn limit_transferred_momentum_is_the_sum_of_impulses() {
     for (scene, prepared) in scenes() {
         let response = pounding_studies::second_route(&prepared, Fineness::FINE).unwrap();
-        let impulses = |pair: usize| -> f64 {
-            response.collisions[pair]
-                .iter()
-                .map(|collision| collision.impulse)
-                .sum()
-        };
+        let impulses = |pair: usize| -> f64 { response.collisions[pair].iter().map(|collision| collision.impulse).sum() };
         let last = response.structures.len() - 1;
         for (structure, pair) in [(0, 0), (last, last - 1)] {
-            let (found, sum) = (
-                response.structures[structure].transferred_momentum,
-                impulses(pair),
-            );
+            let (found, sum) = (response.structures[structure].transferred_momentum, impulses(pair));
             assert!(
                 (found - sum).abs() <= 1e-14 * sum,
                 "{}, structure {structure}: {found} against {sum} N·s",
@@ -91,12 +75,7 @@ fn limit_the_yield_force_is_the_largest_restoring_force() {
             };
             let limit = structure.yield_force_n.unwrap_or(f64::INFINITY);
             let stiff = structure.stiffness_n_per_m * found.displacement.value.abs();
-            close(
-                found.restoring_force.value.abs(),
-                stiff.min(limit),
-                0.0,
-                &scene.name,
-            );
+            close(found.restoring_force.value.abs(), stiff.min(limit), 0.0, &scene.name);
         }
     }
 }

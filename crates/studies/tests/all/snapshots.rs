@@ -42,108 +42,23 @@ fn reference_agreement_claims_and_converged_tables() {
 
 /// Totals \[kN·s\] without one choice of the paper's program, by others who found it: table, scene, column, and the three structures.
 const KNOWN: [(&str, &str, &str, [f64; 3]); 17] = [
-    (
-        "6",
-        "layout A elastic",
-        "papers_program",
-        [456.95, 1170.77, 725.36],
-    ),
-    (
-        "6",
-        "layout C elastic",
-        "papers_program",
-        [1694.59, 3397.04, 1702.45],
-    ),
-    (
-        "7",
-        "layout A elastic",
-        "papers_program",
-        [207.06, 467.27, 293.94],
-    ),
-    (
-        "7",
-        "layout B elastic",
-        "papers_program",
-        [409.72, 681.92, 272.21],
-    ),
-    (
-        "7",
-        "layout A elastic",
-        "loads_as_recorded",
-        [207.74, 469.18, 295.11],
-    ),
-    (
-        "7",
-        "layout B elastic",
-        "loads_as_recorded",
-        [409.74, 681.98, 272.24],
-    ),
-    (
-        "6",
-        "layout C elastic",
-        "length_of_loads",
-        [1326.9, 2614.7, 1287.8],
-    ),
-    (
-        "7",
-        "layout A elastic",
-        "length_of_loads",
-        [199.27, 459.48, 293.94],
-    ),
-    (
-        "7",
-        "layout B elastic",
-        "length_of_loads",
-        [409.71, 679.31, 269.60],
-    ),
-    (
-        "6",
-        "layout A elastic",
-        "forces_added",
-        [463.69, 1157.18, 715.15],
-    ),
-    (
-        "6",
-        "layout C elastic",
-        "forces_added",
-        [1694.59, 3397.04, 1702.45],
-    ),
-    (
-        "7",
-        "layout A elastic",
-        "forces_added",
-        [200.54, 498.89, 338.65],
-    ),
-    (
-        "7",
-        "layout B elastic",
-        "forces_added",
-        [409.72, 681.92, 272.21],
-    ),
-    (
-        "6",
-        "layout A elastic",
-        "velocities_before_both",
-        [407.27, 1213.69, 817.25],
-    ),
-    (
-        "6",
-        "layout C elastic",
-        "velocities_before_both",
-        [1694.59, 3397.04, 1702.45],
-    ),
-    (
-        "6",
-        "layout A elastic",
-        "impacts_on_approach",
-        [584.62, 1300.46, 751.79],
-    ),
-    (
-        "6",
-        "layout C elastic",
-        "impacts_on_approach",
-        [1408.1, 2803.1, 1395.0],
-    ),
+    ("6", "layout A elastic", "papers_program", [456.95, 1170.77, 725.36]),
+    ("6", "layout C elastic", "papers_program", [1694.59, 3397.04, 1702.45]),
+    ("7", "layout A elastic", "papers_program", [207.06, 467.27, 293.94]),
+    ("7", "layout B elastic", "papers_program", [409.72, 681.92, 272.21]),
+    ("7", "layout A elastic", "loads_as_recorded", [207.74, 469.18, 295.11]),
+    ("7", "layout B elastic", "loads_as_recorded", [409.74, 681.98, 272.24]),
+    ("6", "layout C elastic", "length_of_loads", [1326.9, 2614.7, 1287.8]),
+    ("7", "layout A elastic", "length_of_loads", [199.27, 459.48, 293.94]),
+    ("7", "layout B elastic", "length_of_loads", [409.71, 679.31, 269.60]),
+    ("6", "layout A elastic", "forces_added", [463.69, 1157.18, 715.15]),
+    ("6", "layout C elastic", "forces_added", [1694.59, 3397.04, 1702.45]),
+    ("7", "layout A elastic", "forces_added", [200.54, 498.89, 338.65]),
+    ("7", "layout B elastic", "forces_added", [409.72, 681.92, 272.21]),
+    ("6", "layout A elastic", "velocities_before_both", [407.27, 1213.69, 817.25]),
+    ("6", "layout C elastic", "velocities_before_both", [1694.59, 3397.04, 1702.45]),
+    ("6", "layout A elastic", "impacts_on_approach", [584.62, 1300.46, 751.79]),
+    ("6", "layout C elastic", "impacts_on_approach", [1408.1, 2803.1, 1395.0]),
 ];
 
 fn assert_known(slips: &str) {
@@ -160,10 +75,7 @@ fn assert_known(slips: &str) {
             let is = |row: &&csv::StringRecord| &row[0] == table && row[1] == name;
             let found = &rows.iter().find(is).expect("a row of this name")[column];
             let found: f64 = found.parse().expect("a number");
-            assert!(
-                (found - known).abs() <= allowed,
-                "{table}, {name}: {found}, {known}"
-            );
+            assert!((found - known).abs() <= allowed, "{table}, {name}: {found}, {known}");
         }
     }
 }

@@ -10,13 +10,7 @@ use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-const SURVEYS: [&str; 5] = [
-    "fragility",
-    "pounding-spectra",
-    "required-gap",
-    "sensitivity",
-    "stiffness-ratio",
-];
+const SURVEYS: [&str; 5] = ["fragility", "pounding-spectra", "required-gap", "sensitivity", "stiffness-ratio"];
 
 fn top() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -36,10 +30,7 @@ fn run(id: &str, cut: impl FnOnce(&mut Vec<Scene>, &mut Survey)) -> Files {
     }
     let surveys = SurveyStudy::all(&files).expect("motions that can be read");
     let survey = surveys.iter().find(|survey| survey.id() == id);
-    survey
-        .expect("a survey")
-        .run()
-        .expect("runs that do not fail")
+    survey.expect("a survey").run().expect("runs that do not fail")
 }
 
 fn text<'a>(files: &'a Files, path: &str) -> &'a str {
@@ -93,10 +84,7 @@ fn reference_required_gaps_of_some_pairs() {
         }
     });
     hold(&files, "required-gap/widths.csv");
-    assert_snapshot!(
-        "wider-and-worse.csv",
-        text(&files, "required-gap/wider-and-worse.csv")
-    );
+    assert_snapshot!("wider-and-worse.csv", text(&files, "required-gap/wider-and-worse.csv"));
 }
 
 #[test]

@@ -21,15 +21,8 @@ fn trade(time_steps_s: &[f64], tolerances: &[f64]) -> Trade {
 }
 
 fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(n_threads)
-        .build()
-        .expect("threads");
-    pool.install(|| {
-        trade(&[0.01, 0.001], &[1e-8, 1e-16])
-            .files()
-            .expect("figures that can be drawn")
-    })
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
+    pool.install(|| trade(&[0.01, 0.001], &[1e-8, 1e-16]).files().expect("figures that can be drawn"))
 }
 
 #[test]
@@ -42,8 +35,7 @@ fn reference_work_and_errors_on_a_short_ladder() {
         "reference.csv",
         "collisions.csv",
     ] {
-        let text =
-            std::str::from_utf8(&files[&Path::new("trade").join(name)]).expect("CSV is text");
+        let text = std::str::from_utf8(&files[&Path::new("trade").join(name)]).expect("CSV is text");
         assert_snapshot!(name, text);
     }
     for name in ["reference.csv", "collisions.csv"] {

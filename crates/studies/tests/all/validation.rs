@@ -1,18 +1,13 @@
 //! Responses to the El Centro record that Chopra, *Dynamics of Structures*, prints (Fig. 6.4.1 and section 7.4).
 
 use pounding_motion::Record;
-use pounding_solver::{
-    Bilinear, Clock, Damping, Excitation, Histories, Integrator, Newmark, Node, Row,
-};
+use pounding_solver::{Bilinear, Clock, Damping, Excitation, Histories, Integrator, Newmark, Node, Row};
 
 /// One inch \[m\].
 const INCH: f64 = 0.0254;
 
 fn record() -> Record {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../studies/records/el-centro-1940-ns-chopra.csv"
-    );
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/records/el-centro-1940-ns-chopra.csv");
     let text = std::fs::read(path).expect("the record is committed");
     pounding_motion::read(&text)
         .expect("the record is readable")
@@ -32,14 +27,9 @@ fn peak(period: f64, ratio: f64, yield_force: f64) -> f64 {
         yield_force,
         hardening: 0.0,
     };
-    let node = Node::structure(
-        1.0,
-        Damping::Ratio(ratio).coefficient(1.0, stiffness),
-        column,
-    );
+    let node = Node::structure(1.0, Damping::Ratio(ratio).coefficient(1.0, stiffness), column);
     let row = Row::new(vec![node], vec![]).expect("the row is valid");
-    let excitation =
-        Excitation::new(record.time_step(), record.samples()).expect("the record is valid");
+    let excitation = Excitation::new(record.time_step(), record.samples()).expect("the record is valid");
     let clock = Clock {
         time_step: 0.001,
         n_steps: 31_180,
@@ -49,9 +39,7 @@ fn peak(period: f64, ratio: f64, yield_force: f64) -> f64 {
         .run(&row, excitation, clock, &mut histories)
         .expect("the run ends");
     let states = histories.of(0).states.iter();
-    states
-        .map(|state| state.displacement.abs())
-        .fold(0.0, f64::max)
+    states.map(|state| state.displacement.abs()).fold(0.0, f64::max)
 }
 
 #[test]
@@ -76,9 +64,7 @@ fn reference_elastoplastic_peaks_of_chopra_section_7_4() {
     let (period, ratio) = (0.5, 0.05);
     let elastic = peak(period, ratio, f64::INFINITY);
     let omega = 2.0 * std::f64::consts::PI / period;
-    for (strength, printed, printed_ductility) in
-        [(0.5, 1.62, 1.44), (0.25, 1.75, 3.11), (0.125, 2.07, 7.36)]
-    {
+    for (strength, printed, printed_ductility) in [(0.5, 1.62, 1.44), (0.25, 1.75, 3.11), (0.125, 2.07, 7.36)] {
         let yield_displacement = strength * elastic;
         let found = peak(period, ratio, omega * omega * yield_displacement);
         assert!(
@@ -87,10 +73,7 @@ fn reference_elastoplastic_peaks_of_chopra_section_7_4() {
             found / INCH
         );
         let ductility = found / yield_displacement;
-        assert!(
-            (ductility / printed_ductility - 1.0).abs() < 0.01,
-            "{strength}: {ductility}"
-        );
+        assert!((ductility / printed_ductility - 1.0).abs() < 0.01, "{strength}: {ductility}");
     }
 }
 
@@ -105,8 +88,7 @@ fn limit_the_solver_samples_as_the_record_does() {
     };
     let row = Row::new(vec![Node::structure(1.0, 0.3, column)], vec![]).expect("the row is valid");
     let run = |record: &Record| {
-        let excitation =
-            Excitation::new(record.time_step(), record.samples()).expect("the record is valid");
+        let excitation = Excitation::new(record.time_step(), record.samples()).expect("the record is valid");
         let clock = Clock {
             time_step: 0.005,
             n_steps: 6_000,

@@ -17,28 +17,22 @@ fn campaign(seed: u64) -> Campaign {
 
 /// Scenes by their numbers on so many threads.
 fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(n_threads)
-        .build()
-        .expect("threads");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
     pool.install(|| campaign(7).run(scenes, &|_| ()))
 }
 
 /// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, and number 44 takes
 /// more pieces than its budget; the rest are further apart than is allowed, most by what the second route differs from itself.
 const AGREE: [usize; 63] = [
-    0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33,
-    34, 35, 36, 37, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65,
-    66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 80, 81, 82, 83,
+    0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 39, 40, 43, 45, 47, 48,
+    49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 80, 81, 82, 83,
 ];
 
 #[test]
 fn reference_random_scenes_are_the_same_by_both_routes() {
     let checked = checked(&AGREE, 2);
     let summary = Summary(&checked);
-    let apart = checked
-        .iter()
-        .filter(|one| !matches!(one.verdict, Verdict::Agrees));
+    let apart = checked.iter().filter(|one| !matches!(one.verdict, Verdict::Agrees));
     let apart: Vec<String> = apart.flat_map(Checked::lines).collect();
     assert!(apart.is_empty(), "{}\n{summary}", apart.join("\n"));
     let touches: usize = checked.iter().map(|one| one.touches).sum();
@@ -63,13 +57,8 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
         // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
-        let found =
-            |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
-        let apart: Vec<String> = checked
-            .iter()
-            .filter(found)
-            .flat_map(Checked::lines)
-            .collect();
+        let found = |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
+        let apart: Vec<String> = checked.iter().filter(found).flat_map(Checked::lines).collect();
         assert!(apart.is_empty(), "seed {seed}: {apart:#?}");
     }
 }
@@ -106,21 +95,13 @@ fn limit_no_force_of_a_history_is_larger_than_its_peak() {
             for floor in 0..scene.floors().all().len() {
                 let printed = run.peaks.of(floor);
                 let states = &histories.of(floor).states;
-                let largest = |of: fn(&State) -> f64| {
-                    states
-                        .iter()
-                        .map(|state| of(state).abs())
-                        .fold(0.0, f64::max)
-                };
+                let largest = |of: fn(&State) -> f64| states.iter().map(|state| of(state).abs()).fold(0.0, f64::max);
                 let pushed = largest(State::pounding_force);
                 n_pushed += usize::from(pushed > 0.0);
                 for (shown, peak) in [
                     (pushed, printed.pounding_force),
                     (largest(|state| state.displacement), printed.displacement),
-                    (
-                        largest(|state| state.restoring_force),
-                        printed.restoring_force,
-                    ),
+                    (largest(|state| state.restoring_force), printed.restoring_force),
                 ] {
                     let printed = peak.value.abs();
                     assert!(
@@ -131,10 +112,7 @@ fn limit_no_force_of_a_history_is_larger_than_its_peak() {
             }
         }
     }
-    assert!(
-        n_runs > 35 && n_pushed > 100,
-        "{n_runs} runs, {n_pushed} floors that are pushed"
-    );
+    assert!(n_runs > 35 && n_pushed > 100, "{n_runs} runs, {n_pushed} floors that are pushed");
 }
 
 #[test]

@@ -40,8 +40,7 @@ impl Sums {
         let (low, carried) = octave.squares;
         let squares = (BigUint::from(carried) << 128_u32) + low;
         // (leading + fraction)², summed.
-        let squares =
-            squares + (2 * leading) * &fractions + BigUint::from(leading) * leading * count;
+        let squares = squares + (2 * leading) * &fractions + BigUint::from(leading) * leading * count;
         let sum = BigInt::from(fractions + BigUint::from(leading) * count) << shift;
         self.count += count;
         self.sum += if is_negative { -sum } else { sum };
@@ -58,11 +57,7 @@ impl Sums {
     pub(super) fn mean(&self) -> Option<f64> {
         let (mean, exponent) = rounded(self.sum.magnitude(), &self.count.into())?;
         let mean = scaled(mean, exponent + LEAST_EXPONENT);
-        Some(if self.sum < BigInt::default() {
-            -mean
-        } else {
-            mean
-        })
+        Some(if self.sum < BigInt::default() { -mean } else { mean })
     }
 
     /// The standard deviation, with n − 1; nothing of fewer than two numbers.
@@ -76,10 +71,7 @@ impl Sums {
         // The root of an even power of two is one.
         let odd = exponent.rem_euclid(2);
         let variance = scaled(variance, odd);
-        Some(scaled(
-            variance.sqrt(),
-            (exponent - odd) / 2 + LEAST_EXPONENT,
-        ))
+        Some(scaled(variance.sqrt(), (exponent - odd) / 2 + LEAST_EXPONENT))
     }
 }
 

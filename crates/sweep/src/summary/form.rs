@@ -71,9 +71,7 @@ impl Form {
         }
         let by = chosen.into_iter().map(|one| By {
             name: one.name.clone(),
-            values: (0..one.count)
-                .map(|place| value(&one.name, place))
-                .collect(),
+            values: (0..one.count).map(|place| value(&one.name, place)).collect(),
             runs: one.runs,
         });
         Ok(Self {
@@ -117,24 +115,17 @@ impl Form {
 fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, SummaryError> {
     let mut chosen: Vec<&Listed> = Vec::new();
     for found in by {
-        let is_named =
-            |one: &&Listed| one.name == *found || one.name.split(" = ").any(|part| part == found);
-        let one = listed
-            .iter()
-            .find(is_named)
-            .ok_or_else(|| SummaryError::By {
-                found: found.clone(),
-                allowed: listing(listed.iter().map(|one| &one.name)),
-            })?;
+        let is_named = |one: &&Listed| one.name == *found || one.name.split(" = ").any(|part| part == found);
+        let one = listed.iter().find(is_named).ok_or_else(|| SummaryError::By {
+            found: found.clone(),
+            allowed: listing(listed.iter().map(|one| &one.name)),
+        })?;
         if chosen.iter().any(|other| other.name == one.name) {
             return Err(SummaryError::Twice(found.clone()));
         }
         chosen.push(one);
     }
-    let cells = chosen
-        .iter()
-        .map(|one| one.count)
-        .fold(1, u64::saturating_mul);
+    let cells = chosen.iter().map(|one| one.count).fold(1, u64::saturating_mul);
     if cells > MOST_CELLS {
         return Err(SummaryError::Cells {
             found: cells,
@@ -145,11 +136,7 @@ fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, Su
 }
 
 /// Sets thresholds of a quantity, or of a column.
-fn count_above(
-    found: &str,
-    thresholds: &[f64],
-    columns: &mut [Summed],
-) -> Result<(), SummaryError> {
+fn count_above(found: &str, thresholds: &[f64], columns: &mut [Summed]) -> Result<(), SummaryError> {
     let is_named = |column: &&mut Summed| column.quantity == found || column.name == found;
     let mut is_known = false;
     for column in columns.iter_mut().filter(is_named) {

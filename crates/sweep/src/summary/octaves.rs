@@ -115,9 +115,7 @@ impl From<Octave> for Kept {
         Self {
             sum: octave.sum,
             squares: octave.squares,
-            bins: bins
-                .map(|(place, bin)| (place, bin.count, bin.least, bin.largest))
-                .collect(),
+            bins: bins.map(|(place, bin)| (place, bin.count, bin.least, bin.largest)).collect(),
         }
     }
 }
@@ -133,11 +131,7 @@ impl TryFrom<Kept> for Octave {
         };
         for (place, count, least, largest) in kept.bins {
             let bin = octave.bins.get_mut(place).ok_or("a bin beyond an octave")?;
-            *bin = Bin {
-                count,
-                least,
-                largest,
-            };
+            *bin = Bin { count, least, largest };
         }
         Ok(octave)
     }
@@ -263,9 +257,5 @@ fn bar_of(bin: &Filled) -> [f64; 2] {
 fn filled(key: u16, count: u64, ends: [u64; 2]) -> Filled {
     let number = |fraction| f64::from_bits((u64::from(key) << FRACTION_BITS) | fraction);
     let [least, largest] = ends.map(|fraction| number(fraction & FRACTION));
-    Filled {
-        count,
-        least,
-        largest,
-    }
+    Filled { count, least, largest }
 }

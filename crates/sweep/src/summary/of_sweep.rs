@@ -64,12 +64,7 @@ impl Sweep {
 
     /// Runs a range of runs, so many at a time, and sums them up; nothing where somebody says stop before they are done. `done` is told
     /// how many runs each time were.
-    pub(crate) fn summed_up(
-        &self,
-        form: &Form,
-        (runs, at_a_time): (Range<u64>, u64),
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Option<Tally> {
+    pub(crate) fn summed_up(&self, form: &Form, (runs, at_a_time): (Range<u64>, u64), done: &(dyn Fn(u64) + Sync)) -> Option<Tally> {
         let mut tally = Tally::default();
         let mut run = runs.start;
         while run < runs.end {

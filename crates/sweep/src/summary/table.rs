@@ -81,12 +81,7 @@ impl SummaryTable {
     pub fn csv(&self) -> String {
         let header: Vec<&str> = self.header().collect();
         let rows = self.lines().map(|(cell, line)| {
-            let mut row: Vec<Cell> = self
-                .form
-                .values_of(cell)
-                .into_iter()
-                .map(Cell::from)
-                .collect();
+            let mut row: Vec<Cell> = self.form.values_of(cell).into_iter().map(Cell::from).collect();
             let (low, high) = line.bounds.unzip();
             row.extend([line.column.into(), line.statistic.into()]);
             row.extend([line.at, line.value, low, high].map(Cell::exact));
@@ -161,12 +156,7 @@ impl SummaryTable {
         self.form.columns.iter().any(|of| is_of_all(&of.name))
     }
 
-    fn of_column(
-        &self,
-        (cell, is_known): (&CellTally, bool),
-        (of, column): (&Summed, &ColumnTally),
-        to: &mut Vec<Line>,
-    ) {
+    fn of_column(&self, (cell, is_known): (&CellTally, bool), (of, column): (&Summed, &ColumnTally), to: &mut Vec<Line>) {
         let name = name_of(of);
         let mut line = |statistic, at, value, bounds| {
             to.push(Line {
@@ -197,12 +187,7 @@ impl SummaryTable {
                 probability,
                 bounds,
             } = one;
-            line(
-                "exceedance",
-                Some(threshold),
-                Some(probability),
-                Some(bounds),
-            );
+            line("exceedance", Some(threshold), Some(probability), Some(bounds));
         }
         for (near, far, count) in numbers.histogram() {
             let bounds = Some((near.min(far), near.max(far)));
@@ -252,12 +237,7 @@ impl SummaryTable {
     }
 
     fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
-        let columns = self
-            .form
-            .columns
-            .iter()
-            .zip(&cell.columns)
-            .zip(self.known());
+        let columns = self.form.columns.iter().zip(&cell.columns).zip(self.known());
         let summed = |((of, column), is_known): ((&Summed, &ColumnTally), bool)| {
             let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
             SummedColumn {
@@ -296,11 +276,7 @@ fn of_runs(cell: &CellTally) -> Vec<Line> {
 
 /// How often each threshold was exceeded; a run without the number does not. Nothing where no run of the sweep has one, or all of the
 /// cell failed.
-fn exceedances(
-    (cell, is_known): (&CellTally, bool),
-    of: &Summed,
-    column: &ColumnTally,
-) -> Vec<Exceedance> {
+fn exceedances((cell, is_known): (&CellTally, bool), of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
     let runs = cell.runs - cell.failed;
     if !is_known || runs == 0 {
         return Vec::new();

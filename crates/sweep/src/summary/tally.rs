@@ -58,17 +58,11 @@ impl Tally {
             for checked in &batch.checked[places.clone()] {
                 cell.check(*checked);
             }
-            for ((column, of), numbers) in cell
-                .columns
-                .iter_mut()
-                .zip(&form.columns)
-                .zip(&batch.columns)
-            {
+            for ((column, of), numbers) in cell.columns.iter_mut().zip(&form.columns).zip(&batch.columns) {
                 column.add(of, &numbers[places.clone()]);
             }
             let failed = batch.failed[places].iter().enumerate();
-            let failed =
-                failed.filter_map(|(index, reason)| Some((run + index as u64, reason.as_deref()?)));
+            let failed = failed.filter_map(|(index, reason)| Some((run + index as u64, reason.as_deref()?)));
             for (run, reason) in failed {
                 self.fail(form, run, reason);
             }
@@ -82,9 +76,7 @@ impl Tally {
         let mut reader = reader.has_headers(false).from_reader(rows);
         let mut record = csv::StringRecord::new();
         for run in runs {
-            if !matches!(reader.read_record(&mut record), Ok(true))
-                || !self.add_row(form, run, &record)
-            {
+            if !matches!(reader.read_record(&mut record), Ok(true)) || !self.add_row(form, run, &record) {
                 return false;
             }
         }
@@ -140,8 +132,7 @@ impl Tally {
             }
         }
         let reasons = other.reasons.iter();
-        self.reasons
-            .extend(reasons.map(|(run, reason)| (*run, reason.clone())));
+        self.reasons.extend(reasons.map(|(run, reason)| (*run, reason.clone())));
         self.keep_first_reasons();
     }
 

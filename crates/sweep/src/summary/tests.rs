@@ -29,10 +29,7 @@ fn form(thresholds: &[f64]) -> Form {
             values: vec!["0.1".into(), "0.2".into()],
             runs: 3,
         }],
-        columns: vec![
-            column("peak", true, thresholds),
-            column("other", false, &[0.0]),
-        ],
+        columns: vec![column("peak", true, thresholds), column("other", false, &[0.0])],
         quantiles: vec![0.0, 0.16, 0.5, 0.84, 0.99, 1.0],
         rows: false,
     }
@@ -48,11 +45,7 @@ fn batch(start: u64, numbers: &[[f64; 2]]) -> Batch {
     let reason = |both: &[f64; 2]| is_failed(both).then(|| "it fails".into());
     batch.failed = numbers.iter().map(reason).collect();
     let checked = |both: &[f64; 2]| {
-        if is_failed(both) {
-            Checked::No
-        } else {
-            Checked::Beside
-        }
+        if is_failed(both) { Checked::No } else { Checked::Beside }
     };
     batch.checked = numbers.iter().map(checked).collect();
     batch
@@ -68,13 +61,7 @@ fn numbers() -> impl Strategy<Value = Vec<[f64; 2]>> {
         1 => Just(0.0),
     ];
     // A run that failed has no numbers.
-    let both = (number.clone(), number).prop_map(|(one, other): (f64, f64)| {
-        if one.is_nan() {
-            [f64::NAN; 2]
-        } else {
-            [one, other]
-        }
-    });
+    let both = (number.clone(), number).prop_map(|(one, other): (f64, f64)| if one.is_nan() { [f64::NAN; 2] } else { [one, other] });
     prop::collection::vec(both, 1..200)
 }
 
@@ -211,15 +198,9 @@ proptest! {
 fn extreme_the_scatter_of_numbers_far_from_zero() {
     let numbers = [1e15 + 1.0, 1e15 + 2.0, 1e15 + 3.0];
     let sums = Sums::of(&added(&numbers));
-    assert_eq!(
-        (sums.mean(), sums.deviation()),
-        (Some(1e15 + 2.0), Some(1.0))
-    );
+    assert_eq!((sums.mean(), sums.deviation()), (Some(1e15 + 2.0), Some(1.0)));
     let huge = Sums::of(&added(&[f64::MAX, -f64::MAX, f64::MAX]));
-    assert!(
-        huge.mean()
-            .is_some_and(|mean| (mean / (f64::MAX / 3.0) - 1.0).abs() < 1e-15)
-    );
+    assert!(huge.mean().is_some_and(|mean| (mean / (f64::MAX / 3.0) - 1.0).abs() < 1e-15));
     assert_eq!(Sums::of(&added(&[])).mean(), None);
     assert_eq!(Sums::of(&added(&[1.0])).deviation(), None);
     assert_eq!(Sums::of(&added(&[1.0, 1.0])).deviation(), Some(0.0));
@@ -229,13 +210,7 @@ fn extreme_the_scatter_of_numbers_far_from_zero() {
 #[test]
 fn reference_bars_of_a_histogram() {
     let bars = added(&[0.0, -0.0, 1.0, 1.1, 1.125, 2.0, -3.0]).histogram();
-    let wanted = [
-        (-3.0, -3.25, 1),
-        (0.0, 0.0, 2),
-        (1.0, 1.125, 2),
-        (1.125, 1.25, 1),
-        (2.0, 2.25, 1),
-    ];
+    let wanted = [(-3.0, -3.25, 1), (0.0, 0.0, 2), (1.0, 1.125, 2), (1.125, 1.25, 1), (2.0, 2.25, 1)];
     assert_eq!(bars, wanted);
 }
 
@@ -245,12 +220,7 @@ fn extreme_rows_of_another_form() {
     let form = form(&[]);
     let add = |rows: &str| Tally::default().add_rows(&form, 0..2, rows.as_bytes());
     assert!(add("0,a,false,1,2,beside,\n1,a,false,,,,reason\n"));
-    for wrong in [
-        "",
-        "0,1\n",
-        "0,a,false,1,2,beside,\n",
-        "0,1,2,,\n1,1,2,,\n2,1,2,,\n",
-    ] {
+    for wrong in ["", "0,1\n", "0,a,false,1,2,beside,\n", "0,1,2,,\n1,1,2,,\n2,1,2,,\n"] {
         assert!(!add(wrong), "{wrong}");
     }
 }

@@ -36,9 +36,7 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     // The exact runs of all rows tell the same of the part that is within.
     let exact = table(&sweep(&folder, &words(json!("exact"))), 0..300);
     let numbers = |row: &[String]| {
-        let numbers = row[4..7]
-            .iter()
-            .map(|field| field.parse().unwrap_or(f64::NAN));
+        let numbers = row[4..7].iter().map(|field| field.parse().unwrap_or(f64::NAN));
         numbers.collect::<Vec<f64>>()
     };
     let within = |(a, b): &(&Vec<String>, &Vec<String>)| {
@@ -48,10 +46,7 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     };
     let rows = table(&by_hand, 0..300);
     let within = rows.iter().zip(&exact).filter(within).count() as f64 / 300.0;
-    assert!(
-        (within - accuracy.within).abs() < 0.08,
-        "{within} {accuracy:?}"
-    );
+    assert!((within - accuracy.within).abs() < 0.08, "{within} {accuracy:?}");
     // No step of the ladder is as close as that, and columns that yield go alone.
     let exact = sweep(&folder, &words(json!({"accuracy": 1e-7})));
     let accuracy = exact.accuracy().expect("it was asked for");

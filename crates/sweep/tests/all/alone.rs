@@ -40,24 +40,14 @@ fn scenes() -> [(Option<&'static str>, Value); 12] {
         (Some("this method"), elastic(stepping("rk4"))),
         (
             Some("sub-steps"),
-            with(
-                scene(),
-                "/method/central_difference/contact_substeps",
-                json!(4),
-            ),
+            with(scene(), "/method/central_difference/contact_substeps", json!(4)),
         ),
-        (
-            Some("1e-12"),
-            elastic(json!({"exact": {"tolerance": 1e-14}})),
-        ),
+        (Some("1e-12"), elastic(json!({"exact": {"tolerance": 1e-14}}))),
         (
             Some("one structure after the other"),
             with(scene(), "/arrivals_s", json!([0.0, 0.1])),
         ),
-        (
-            Some("Bouc–Wen"),
-            with(scene(), smooth, json!({"exponent": 2})),
-        ),
+        (Some("Bouc–Wen"), with(scene(), smooth, json!({"exponent": 2}))),
         (Some("elastic structures"), with(scene(), "/method", exact)),
     ]
 }
@@ -72,10 +62,7 @@ fn issue_why_runs_go_alone_is_told() {
     };
     let mut cases: Vec<_> = scenes().map(|(why, scene)| (why, words(scene))).into();
     let first = json!({"pairs": ["first_start_s"]});
-    cases.push((
-        Some("`first_start_s`"),
-        with(words(scene()), "/outputs", first),
-    ));
+    cases.push((Some("`first_start_s`"), with(words(scene()), "/outputs", first)));
     let most = json!({"pieces": 1_000_000_000});
     cases.push((Some("`pieces`"), with(words(scene()), "/budget", most)));
     for (why, words) in cases {
@@ -84,9 +71,7 @@ fn issue_why_runs_go_alone_is_told() {
         let failed = batch.failed;
         assert!(failed.iter().all(Option::is_none), "{why:?}: {failed:?}");
         assert_eq!(batch.beside > 0, why.is_none(), "{why:?}: {said:?}");
-        let told = said
-            .as_deref()
-            .is_some_and(|said| said.contains(why.unwrap_or("?")));
+        let told = said.as_deref().is_some_and(|said| said.contains(why.unwrap_or("?")));
         assert_eq!(told, why.is_some(), "{why:?}: {said:?}");
     }
 }

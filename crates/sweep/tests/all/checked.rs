@@ -36,10 +36,7 @@ fn issue_a_sweep_is_fast_without_a_word() {
             "pairs": ["collisions", "peak_force_n", "total_impulse_n_s"],
         },
     });
-    for method in [
-        json!({"central_difference": {"time_step_s": 0.002}}),
-        json!({"exact": {}}),
-    ] {
+    for method in [json!({"central_difference": {"time_step_s": 0.002}}), json!({"exact": {}})] {
         let plain = sweep(&folder, &words(&method, &json!({})));
         let batch = plain.batch(0..700);
         assert!(batch.beside > 690, "{method}: {}", batch.beside);
@@ -53,14 +50,8 @@ fn issue_a_sweep_is_fast_without_a_word() {
         let fast = sweep(&folder, &words(&method, &all));
         let number_of = |row: &Vec<String>| row[..row.len() - 2].to_vec();
         let [plain, fast] = [plain, fast].map(|sweep| table(&sweep, 0..700));
-        let names: Vec<_> = plain
-            .iter()
-            .map(|row| row[row.len() - 2].as_str())
-            .collect();
-        assert!(
-            names.contains(&"beside") && names.contains(&"both"),
-            "{method}"
-        );
+        let names: Vec<_> = plain.iter().map(|row| row[row.len() - 2].as_str()).collect();
+        assert!(names.contains(&"beside") && names.contains(&"both"), "{method}");
         assert!(fast.iter().all(|row| row[row.len() - 2].is_empty()));
         let numbers = |rows: &[Vec<String>]| rows.iter().map(number_of).collect::<Vec<_>>();
         assert_eq!(numbers(&plain), numbers(&fast), "{method}");
@@ -74,7 +65,8 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     let coarse = json!({"central_difference": {"time_step_s": 0.005}});
     let failed = |more: &Value| {
         let mut words = words(&coarse, more);
-        let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+        let structure =
+            |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
         let shaking = json!({"amplitude_m_per_s2": 4.0, "frequency_hz": 1.75, "duration_s": 3.0, "time_step_s": 0.01});
         let scene = &mut words["scene"];
         scene["record"] = json!({"generated": {"harmonic": shaking}});
@@ -88,10 +80,7 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     let (together, beside) = failed(&json!({}));
     assert_eq!(none, 0);
     let refused = alone.iter().flatten().count();
-    assert!(
-        beside > 0 && refused > 0,
-        "{beside} side by side, {refused} refused"
-    );
+    assert!(beside > 0 && refused > 0, "{beside} side by side, {refused} refused");
     assert_eq!(alone, together);
 }
 

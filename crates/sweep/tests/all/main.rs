@@ -21,9 +21,7 @@ pub(crate) static STOPPED: AtomicBool = AtomicBool::new(true);
 
 /// A folder for one test.
 fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("sweep")
-        .join(test);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep").join(test);
     if folder.exists() {
         fs::remove_dir_all(&folder).expect("the folder of the last run can go");
     }
@@ -51,11 +49,7 @@ fn sweep(folder: &Path, words: &Value) -> Sweep {
 }
 
 /// The same, until somebody says stop.
-pub(crate) fn read(
-    folder: &Path,
-    words: &Value,
-    stop: Option<&'static AtomicBool>,
-) -> Result<Sweep, SweepError> {
+pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, SweepError> {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
     Sweep::read(&path, stop)
@@ -70,12 +64,9 @@ fn opened(sweep: &Sweep, out: &Path, shard: Shard) -> Parts {
 /// The rows of a table, field by field.
 fn table(sweep: &Sweep, runs: std::ops::Range<u64>) -> Vec<Vec<String>> {
     let bytes = sweep.rows(&sweep.batch(runs));
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_reader(&bytes[..]);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(&bytes[..]);
     let rows = reader.records().map(|row| row.expect("a row"));
-    rows.map(|row| row.iter().map(String::from).collect())
-        .collect()
+    rows.map(|row| row.iter().map(String::from).collect()).collect()
 }
 
 /// A sweep of everything at once: a law, gaps, masses, a period and the scale of the record.
@@ -144,10 +135,7 @@ fn limit_a_row_is_the_run_of_the_scene_written_by_hand() {
     assert_eq!(sweep.n_runs(), 2 * 2 * 3 * 4);
     let (columns, mut ran) = (sweep.columns(), 0);
     for fields in &table(&sweep, 0..sweep.n_runs()) {
-        let row = Row {
-            columns: &columns,
-            fields,
-        };
+        let row = Row { columns: &columns, fields };
         let prepared = Simulation::new(&row.by_hand(), Path::new("")).expect("it can be modelled");
         let outcome = match prepared.run(None) {
             Ok(outcome) => outcome,
@@ -165,14 +153,8 @@ fn limit_a_row_is_the_run_of_the_scene_written_by_hand() {
             ("right: peak_displacement_m", Some(right.displacement.value)),
             ("right: ductility", None),
             ("left – right: collisions", Some(pair.collisions as f64)),
-            (
-                "left – right: first_start_s",
-                pair.first.map(|first| first.start),
-            ),
-            (
-                "left – right: peak_force_n",
-                pair.peak_force.map(|peak| peak.value),
-            ),
+            ("left – right: first_start_s", pair.first.map(|first| first.start)),
+            ("left – right: peak_force_n", pair.peak_force.map(|peak| peak.value)),
             ("left – right: total_impulse_n_s", Some(pair.total_impulse)),
         ] {
             let found = row.number(name);
@@ -202,10 +184,7 @@ fn reference_the_order_of_runs() {
     let rows = table(&sweep, 0..sweep.n_runs());
     let runs: Vec<_> = rows.iter().map(|row| row[0].clone()).collect();
     assert!(runs.into_iter().eq((0..24).map(|run| run.to_string())));
-    let picked: Vec<_> = rows
-        .iter()
-        .map(|row| [&*row[2], &*row[3], &*row[5]])
-        .collect();
+    let picked: Vec<_> = rows.iter().map(|row| [&*row[2], &*row[3], &*row[5]]).collect();
     assert_eq!(
         picked[..4],
         [
@@ -265,21 +244,13 @@ fn extreme_runs_that_fail_are_rows() {
         let begins = |row: &&Vec<String>| row.last().is_some_and(|reason| reason.contains(begin));
         rows.iter().filter(begins).count()
     };
-    assert!(
-        reasons("structures[1].sdof.period_s") + reasons("mass_kg: found -") > 5,
-        "{rows:?}"
-    );
+    assert!(reasons("structures[1].sdof.period_s") + reasons("mass_kg: found -") > 5, "{rows:?}");
     assert!(reasons("allowed less than") > 20, "{rows:?}");
     assert!(reasons("overlap by") > 20, "{rows:?}");
-    let ran = rows
-        .iter()
-        .filter(|row| row.last().is_some_and(String::is_empty))
-        .count();
+    let ran = rows.iter().filter(|row| row.last().is_some_and(String::is_empty)).count();
     assert!((20..40).contains(&ran), "{ran}");
     // A row that failed has its values, and no results.
-    let failed = rows
-        .iter()
-        .find(|row| row.last().is_some_and(|reason| !reason.is_empty()));
+    let failed = rows.iter().find(|row| row.last().is_some_and(|reason| !reason.is_empty()));
     let failed = failed.expect("some failed");
     // Behind run, record, direction and three fields.
     let results = 6..failed.len() - 1;
@@ -321,10 +292,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         let merged = merge(&out, &folders, Existing::Kept);
         if index < 3 {
             let message = merged.expect_err("shards are missing").to_string();
-            assert!(
-                message.contains(&format!("{} to 299 are missing", index * 100)),
-                "{message}"
-            );
+            assert!(message.contains(&format!("{} to 299 are missing", index * 100)), "{message}");
         } else {
             assert_eq!(merged.expect("all are there").runs, 300);
             assert_eq!(fs::read(&out).expect("a file"), wanted);
@@ -417,10 +385,7 @@ fn limit_rows_of_runs_side_by_side_are_those_of_runs_alone() {
         let found = columns.iter().position(|name| name.ends_with(ends));
         found.expect("a column")
     };
-    assert_eq!(
-        [&together, &alone].map(|sweep| sweep.batch(0..600).beside),
-        [600, 0]
-    );
+    assert_eq!([&together, &alone].map(|sweep| sweep.batch(0..600).beside), [600, 0]);
     let mut collisions = 0.0;
     for (together_row, alone_row) in table(&together, 0..600).iter().zip(&table(&alone, 0..600)) {
         for column in [
@@ -431,18 +396,10 @@ fn limit_rows_of_runs_side_by_side_are_those_of_runs_alone() {
             "total_impulse_n_s",
             "failed",
         ] {
-            let both = [
-                &together_row[place(&together, column)],
-                &alone_row[place(&alone, column)],
-            ];
+            let both = [&together_row[place(&together, column)], &alone_row[place(&alone, column)]];
             assert_eq!(both[0], both[1], "{column} of run {}", together_row[0]);
         }
-        collisions += together_row[place(&together, "collisions")]
-            .parse::<f64>()
-            .unwrap_or(0.0);
+        collisions += together_row[place(&together, "collisions")].parse::<f64>().unwrap_or(0.0);
     }
-    assert!(
-        collisions > 100.0,
-        "{collisions} collisions are too few to tell"
-    );
+    assert!(collisions > 100.0, "{collisions} collisions are too few to tell");
 }

@@ -52,11 +52,7 @@ fn both(name: &str, method: &Value, yields: bool) -> [Sweep; 2] {
     }
     let beside = ["peak_displacement_m", "ductility"];
     // The time of a peak is not known side by side.
-    let alone = [
-        "peak_displacement_m",
-        "ductility",
-        "peak_displacement_time_s",
-    ];
+    let alone = ["peak_displacement_m", "ductility", "peak_displacement_time_s"];
     [&beside[..], &alone[..]].map(|structures| sweep(&folder, &words(method, yields, structures)))
 }
 
@@ -65,19 +61,11 @@ fn numbers(sweep: &Sweep) -> (Vec<f64>, usize) {
     let batch = sweep.batch(0..sweep.n_runs());
     assert_eq!(batch.failed, vec![None; 24], "no run fails");
     let names = sweep.columns();
-    let of_columns = names
-        .iter()
-        .skip_while(|name| !name.contains("peak_displacement_m"));
+    let of_columns = names.iter().skip_while(|name| !name.contains("peak_displacement_m"));
     let columns = of_columns.zip(&batch.columns);
     let common = columns.filter(|(name, _)| !name.contains("time_s"));
-    let numbers: Vec<_> = common
-        .flat_map(|(_, column)| column.iter().copied())
-        .collect();
-    assert_eq!(
-        numbers.len(),
-        9 * 24,
-        "two numbers of each structure, five of the pair"
-    );
+    let numbers: Vec<_> = common.flat_map(|(_, column)| column.iter().copied()).collect();
+    assert_eq!(numbers.len(), 9 * 24, "two numbers of each structure, five of the pair");
     (numbers, batch.beside)
 }
 
@@ -92,16 +80,12 @@ fn limit_stepping_runs_with_motions_of_their_own_have_the_bits_of_runs_alone() {
 
 #[test]
 fn reference_exact_runs_with_motions_of_their_own_are_those_alone() {
-    let [together, alone] =
-        both("own-exact", &json!({"exact": {}}), false).map(|sweep| numbers(&sweep));
+    let [together, alone] = both("own-exact", &json!({"exact": {}}), false).map(|sweep| numbers(&sweep));
     assert_eq!([together.1, alone.1], [24, 0]);
     for (one, other) in together.0.iter().zip(&alone.0) {
         // Openings are differences of centimetres.
         let apart = (one - other).abs() / other.abs().max(1e-2);
-        assert!(
-            one.is_nan() && other.is_nan() || apart < 1e-9,
-            "{one:e} {other:e}"
-        );
+        assert!(one.is_nan() && other.is_nan() || apart < 1e-9, "{one:e} {other:e}");
     }
     let touches = alone.0.iter().filter(|number| **number > 1e4).count();
     assert!(touches > 12, "{touches} forces");
@@ -134,8 +118,5 @@ fn issue_kinds_of_laws_that_alternate_go_side_by_side() {
     .map(|pairs| sweep(&folder, &words(pairs)).batch(0..6));
     assert_eq!([together.beside, alone.beside], [6, 0]);
     assert_eq!(together.columns, alone.columns[..2], "the same bits");
-    assert!(
-        together.columns[0].iter().all(|count| *count > 0.0),
-        "all touch"
-    );
+    assert!(together.columns[0].iter().all(|count| *count > 0.0), "all touch");
 }

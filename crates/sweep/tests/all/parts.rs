@@ -30,30 +30,19 @@ fn prepared(test: &str) -> Prepared {
     let out = folder.join("runs.csv");
     let parts = Parts::folder_of(&out);
     assert_eq!(
-        opened(&sweep, &out, Shard::WHOLE)
-            .fill(&sweep, &|_| ())
-            .expect("a disk"),
+        opened(&sweep, &out, Shard::WHOLE).fill(&sweep, &|_| ()).expect("a disk"),
         10,
         "all are there"
     );
     let other = folder.join("other.csv");
     merge(&other, std::slice::from_ref(&parts), Existing::Kept).expect("a table");
     let table = fs::read(other).expect("a table");
-    Prepared {
-        sweep,
-        out,
-        parts,
-        table,
-    }
+    Prepared { sweep, out, parts, table }
 }
 
 impl Prepared {
     fn merged(&self) -> Result<Vec<u8>, SweepError> {
-        merge(
-            &self.out,
-            std::slice::from_ref(&self.parts),
-            Existing::Replaced,
-        )?;
+        merge(&self.out, std::slice::from_ref(&self.parts), Existing::Replaced)?;
         Ok(fs::read(&self.out).expect("a table"))
     }
 
@@ -91,10 +80,7 @@ fn issue_no_byte_of_a_part_or_manifest_changes_unseen() {
                 fs::write(path, &bytes).expect("a disk");
                 match prepared.merged() {
                     Ok(table) => assert!(path == &manifest && table == prepared.table, "{place}"),
-                    Err(error) => assert!(
-                        error.to_string().contains(&path.display().to_string()),
-                        "{error}"
-                    ),
+                    Err(error) => assert!(error.to_string().contains(&path.display().to_string()), "{error}"),
                 }
             }
         }
@@ -120,11 +106,7 @@ fn issue_parts_are_not_mixed() {
     let path = |number: usize| prepared.parts.join(format!("part-{number:09}.csv"));
     fs::copy(path(5), path(3)).expect("a disk");
     let text = fs::read_to_string(path(6)).expect("a part");
-    fs::write(
-        path(6),
-        text.replacen("pounding sweep ", "pounding sweep 0", 1),
-    )
-    .expect("a disk");
+    fs::write(path(6), text.replacen("pounding sweep ", "pounding sweep 0", 1)).expect("a disk");
     assert!(prepared.merged().is_err());
     let (said, before) = prepared.mended();
     assert_eq!((said.len(), before), (2, 8), "{said:?}");
@@ -225,20 +207,12 @@ fn issue_one_process_works_on_a_table() {
     let open = |shard| Parts::open(&prepared.sweep, &prepared.out, shard, true);
     let [one, two] = [1, 2].map(|index| Shard::new(index, 2).expect("a shard"));
     let whole = open(Shard::WHOLE).expect("parts");
-    for refused in [
-        open(one).map(|_| ()),
-        open(Shard::WHOLE).map(|_| ()),
-        prepared.merged().map(|_| ()),
-    ] {
+    for refused in [open(one).map(|_| ()), open(Shard::WHOLE).map(|_| ()), prepared.merged().map(|_| ())] {
         let said = refused.expect_err("somebody is at work").to_string();
-        assert!(
-            said.contains(&format!("found process {}", std::process::id())),
-            "{said}"
-        );
+        assert!(said.contains(&format!("found process {}", std::process::id())), "{said}");
     }
     drop(whole);
-    let shards =
-        [open(one), open(two), open(two)].map(|shard| shard.expect("shards work together"));
+    let shards = [open(one), open(two), open(two)].map(|shard| shard.expect("shards work together"));
     assert!(matches!(open(Shard::WHOLE), Err(SweepError::Lock(_))));
     drop(shards);
     assert!(open(Shard::WHOLE).is_ok());
@@ -261,10 +235,7 @@ fn issue_more_rows_than_parts_hold_are_refused() {
     };
     let mut many = words(1_000_000_000_000_000);
     let refused = open(&many).expect_err("no folder holds their parts");
-    let SweepError::TooManyParts {
-        allowed, has_rows, ..
-    } = refused
-    else {
+    let SweepError::TooManyParts { allowed, has_rows, .. } = refused else {
         panic!("{refused}")
     };
     assert!(has_rows, "nothing sums them up");
@@ -277,13 +248,8 @@ fn issue_more_rows_than_parts_hold_are_refused() {
 /// Scenes side by side moved to another crate, whose sources no longer counted: a sweep was continued by lanes that computed otherwise.
 #[test]
 fn issue_a_sweep_is_known_by_the_sources_of_every_crate_that_computes() {
-    let (manifest, hashed) = (
-        include_str!("../../Cargo.toml"),
-        include_str!("../../build.rs"),
-    );
-    let crates = manifest
-        .lines()
-        .filter_map(|line| line.strip_prefix("pounding-"));
+    let (manifest, hashed) = (include_str!("../../Cargo.toml"), include_str!("../../build.rs"));
+    let crates = manifest.lines().filter_map(|line| line.strip_prefix("pounding-"));
     let names = crates.filter_map(|line| line.split('.').next());
     // Files hold bytes, whatever they mean.
     let mut names: Vec<&str> = names.filter(|name| *name != "files").collect();

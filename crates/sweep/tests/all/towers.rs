@@ -34,39 +34,22 @@ pub(crate) fn words(outputs: &Value) -> Value {
 #[test]
 fn issue_towers_run_side_by_side() {
     let folder = folder("towers");
-    let structures = json!([
-        "peak_displacement_m",
-        "peak_drift_m",
-        "ductility",
-        "drift_ratio"
-    ]);
+    let structures = json!(["peak_displacement_m", "peak_drift_m", "ductility", "drift_ratio"]);
     let pairs = ["collisions", "peak_force_n", "total_impulse_n_s"];
-    let fast = sweep(
-        &folder,
-        &words(&json!({"structures": structures, "pairs": pairs})),
-    );
+    let fast = sweep(&folder, &words(&json!({"structures": structures, "pairs": pairs})));
     let batch = fast.batch(0..150);
     assert!(batch.beside > 140, "{}", batch.beside);
     assert!(batch.failed.iter().all(Option::is_none));
     let touches = batch.columns.iter().any(|column| column.contains(&3.0));
     assert!(touches, "some gap closes three times");
     // When the first collision begins is not known side by side.
-    let asked = [
-        "collisions",
-        "peak_force_n",
-        "total_impulse_n_s",
-        "first_start_s",
-    ];
-    let slow = sweep(
-        &folder,
-        &words(&json!({"structures": structures, "pairs": asked})),
-    );
+    let asked = ["collisions", "peak_force_n", "total_impulse_n_s", "first_start_s"];
+    let slow = sweep(&folder, &words(&json!({"structures": structures, "pairs": asked})));
     assert_eq!(slow.batch(0..150).beside, 0);
     let names = slow.columns();
     let common = |row: Vec<String>| {
         let cells = row.into_iter().zip(&names);
-        let common =
-            cells.filter(|(_, name)| !name.contains("first_start_s") && *name != "checked");
+        let common = cells.filter(|(_, name)| !name.contains("first_start_s") && *name != "checked");
         common.map(|(cell, _)| cell).collect::<Vec<_>>()
     };
     let alone: Vec<_> = table(&slow, 0..150).into_iter().map(common).collect();
@@ -112,10 +95,7 @@ fn reference_whole_buildings_have_the_severest_of_their_floors() {
                 name.ends_with(&format!(": {quantity}"))
                     && !name.contains("(any ")
                     && parts.len() == ends.len()
-                    && parts
-                        .iter()
-                        .zip(&ends)
-                        .all(|(part, end)| part.starts_with(end))
+                    && parts.iter().zip(&ends).all(|(part, end)| part.starts_with(end))
             };
             let parts: Vec<_> = named.iter().filter(|(name, _)| is_part(name)).collect();
             assert_eq!(parts.len(), if of == "tall" { 4 } else { 3 }, "{whole}");
@@ -124,9 +104,9 @@ fn reference_whole_buildings_have_the_severest_of_their_floors() {
                 let numbers: Vec<_> = numbers.filter(|number| !number.is_nan()).collect();
                 let severest = match quantity {
                     "least_opening_m" | "first_start_s" => numbers.into_iter().reduce(f64::min),
-                    _ => numbers.into_iter().reduce(|one, other| {
-                        if other.abs() > one.abs() { other } else { one }
-                    }),
+                    _ => numbers
+                        .into_iter()
+                        .reduce(|one, other| if other.abs() > one.abs() { other } else { one }),
                 };
                 let severest = severest.unwrap_or(f64::NAN);
                 assert_eq!(found.to_bits(), severest.to_bits(), "{whole}, run {run}");
@@ -154,9 +134,7 @@ fn issue_floors_of_another_building_are_another_row() {
     let refused = read(&folder("other_rows"), &words, None).expect_err("another row");
     let text = refused.to_string();
     assert!(
-        text.contains(
-            "the row has 3 + 4 floors and walls and 3 pairs, where the first run has 4 + 3"
-        ),
+        text.contains("the row has 3 + 4 floors and walls and 3 pairs, where the first run has 4 + 3"),
         "{text}"
     );
 }

@@ -19,12 +19,7 @@ impl<S: Simd> Pressing<S> {
 
     /// What is largest on the way of a step that is taken, at whose end is this force.
     #[inline(always)]
-    pub(super) fn follow(
-        &mut self,
-        reached: &Reached<S>,
-        [force, climb]: [Lanes<S>; 2],
-        taken: Mask<S>,
-    ) {
+    pub(super) fn follow(&mut self, reached: &Reached<S>, [force, climb]: [Lanes<S>; 2], taken: Mask<S>) {
         let Self { pressed, here, .. } = self;
         let next = &reached.next;
         let zero = here.s.like(0.0);
@@ -40,11 +35,10 @@ impl<S: Simd> Pressing<S> {
                     pressed.force(&way.at(before)) - pressed.force(&way.at(after))
                 };
                 // The same at the ends, from how fast the force changes there.
-                let [before, after] =
-                    [(&*here, self.climb), (next, climb)].map(|(point, climb)| {
-                        let time = here.s.like(-8.0) * point.s * point.s * point.s;
-                        time * reached.length * probe * climb
-                    });
+                let [before, after] = [(&*here, self.climb), (next, climb)].map(|(point, climb)| {
+                    let time = here.s.like(-8.0) * point.s * point.s * point.s;
+                    time * reached.length * probe * climb
+                });
                 let before = Number::select(before.differs(before), zero - after, before);
                 let top = rise(tops, [before, after], ROUGHLY, number);
                 let force = pressed.force(&way.at(top));
@@ -54,8 +48,7 @@ impl<S: Simd> Pressing<S> {
                 if Lanes::any(turns) {
                     let [u, v] = [2 * side, 2 * side + 1];
                     let [before, after] = [here.state[v], next.state[v]];
-                    let sign =
-                        Number::select(before.exceeds(zero), here.s.like(-1.0), here.s.like(1.0));
+                    let sign = Number::select(before.exceeds(zero), here.s.like(-1.0), here.s.like(1.0));
                     let number = |part| sign * way.at(part)[v];
                     let turn = rise(turns, [sign * before, sign * after], ROUGHLY, number);
                     self.extremes[side] = reach(turns, self.extremes[side], way.at(turn)[u]);

@@ -129,13 +129,7 @@ impl<S: Simd> Pressing<S> {
     /// Shortens a step to where neighbours that touch at both ends are farthest apart on the way, or where a force that is on one branch at
     /// both ends is farthest on the other: the corners on both sides of that would be missed.
     #[inline(always)]
-    fn stop_in_a_dip(
-        &self,
-        corner: Corner,
-        before: Lanes<S>,
-        step: Lanes<S>,
-        reached: &mut Reached<S>,
-    ) {
+    fn stop_in_a_dip(&self, corner: Corner, before: Lanes<S>, step: Lanes<S>, reached: &mut Reached<S>) {
         let (pressed, here, next) = (&self.pressed, &self.here, &reached.stepped.next);
         let [zero, one, probe] = [0.0, 1.0, PROBE].map(|number| before.like(number));
         let after = pressed.side_of(corner, &next.state);
@@ -173,12 +167,7 @@ impl<S: Simd> Pressing<S> {
 
     /// A point near a corner brought to it on a line, and where it was near enough for that.
     #[inline(always)]
-    fn settle(
-        &self,
-        corner: Corner,
-        near: &Point<Lanes<S>>,
-        length: Lanes<S>,
-    ) -> (Point<Lanes<S>>, Mask<S>) {
+    fn settle(&self, corner: Corner, near: &Point<Lanes<S>>, length: Lanes<S>) -> (Point<Lanes<S>>, Mask<S>) {
         let pressed = &self.pressed;
         let probe = length * length.like(PROBE);
         let value = pressed.side_of(corner, &near.state);

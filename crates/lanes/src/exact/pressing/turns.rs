@@ -73,12 +73,7 @@ impl<S: Simd> Pressing<S> {
 
     /// The same for one of them.
     #[inline(always)]
-    fn stop_between(
-        &self,
-        cubic: &Cubic<S>,
-        [least, largest]: [Lanes<S>; 2],
-        reached: &mut Reached<S>,
-    ) {
+    fn stop_between(&self, cubic: &Cubic<S>, [least, largest]: [Lanes<S>; 2], reached: &mut Reached<S>) {
         let (turns, part, slope) = cubic.turns_twice();
         let wanted = turns & self.used.exceeds(part.like(0.0));
         if !Lanes::any(wanted) {
@@ -87,8 +82,7 @@ impl<S: Simd> Pressing<S> {
         let [from, to] = cubic.values;
         // No further between the turns than this.
         let excursion = slope.abs();
-        let beyond =
-            (from.max(to) + excursion).exceeds(largest) | least.exceeds(from.min(to) - excursion);
+        let beyond = (from.max(to) + excursion).exceeds(largest) | least.exceeds(from.min(to) - excursion);
         let allowed = self.tolerance * largest.abs().max(least.abs());
         reached.try_again(wanted & beyond & excursion.exceeds(allowed), part);
     }

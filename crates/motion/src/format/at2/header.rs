@@ -18,9 +18,7 @@ pub(super) fn is_at2(lines: &[Line<'_>]) -> bool {
     count_line(lines).is_some()
         || lines.first().is_some_and(|line| {
             let words = words(*line);
-            !line.is_comment()
-                && words.iter().any(|word| word == "PEER")
-                && words.iter().any(|word| word == "MOTION")
+            !line.is_comment() && words.iter().any(|word| word == "PEER") && words.iter().any(|word| word == "MOTION")
         })
 }
 
@@ -63,16 +61,10 @@ pub(super) fn identity(lines: &[Line<'_>]) -> Identity {
     let of_second = || {
         let line = titles.get(titles.len().checked_sub(2)?)?;
         let text = line.text();
-        let (before, _) = text
-            .rsplit_once(',')
-            .filter(|_| component(lines).is_some())?;
+        let (before, _) = text.rsplit_once(',').filter(|_| component(lines).is_some())?;
         Some(before.to_owned())
     };
-    let title = if rotated.is_empty() {
-        of_second()
-    } else {
-        Some(rotated.join(" "))
-    };
+    let title = if rotated.is_empty() { of_second() } else { Some(rotated.join(" ")) };
     Identity {
         title: title.as_deref().and_then(text),
         ..Identity::default()
@@ -110,11 +102,8 @@ fn count_line(lines: &[Line<'_>]) -> Option<usize> {
         let titles = header.get(..COUNT_LINE - 1)?;
         let bare = header.get(COUNT_LINE - 1)?;
         let fields: Vec<&[u8]> = bare.pieces().take(3).collect();
-        let is_pair = fields.len() == 2
-            && fields[0].iter().all(u8::is_ascii_digit)
-            && number(fields[1]).is_some_and(f64::is_finite);
-        let is_title =
-            |line: &Line<'_>| !line.is_comment() && line.bytes.iter().any(u8::is_ascii_alphabetic);
+        let is_pair = fields.len() == 2 && fields[0].iter().all(u8::is_ascii_digit) && number(fields[1]).is_some_and(f64::is_finite);
+        let is_title = |line: &Line<'_>| !line.is_comment() && line.bytes.iter().any(u8::is_ascii_alphabetic);
         (is_pair && titles.iter().any(is_title)).then_some(COUNT_LINE - 1)
     })
 }
@@ -171,20 +160,14 @@ fn printed(text: &str) -> Option<[&str; 2]> {
             _ => word,
         })
         .collect();
-    let is_number = |word: &&&str| {
-        word.starts_with(|letter: char| {
-            letter.is_ascii_digit() || matches!(letter, '.' | '-' | '+')
-        })
-    };
+    let is_number = |word: &&&str| word.starts_with(|letter: char| letter.is_ascii_digit() || matches!(letter, '.' | '-' | '+'));
     let behind = |name: &str| {
         let at = words.iter().rposition(|word| *word == name)?;
         words.get(at + 1).filter(is_number).copied()
     };
     let numbers: Vec<&str> = words.iter().filter(is_number).copied().collect();
     if let (Some(count), Some(step)) = (behind("NPTS"), behind("DT"))
-        && (numbers.len() == 2
-            || words.contains(&"POLE")
-            || words[words.len() - 2..].contains(&step))
+        && (numbers.len() == 2 || words.contains(&"POLE") || words[words.len() - 2..].contains(&step))
     {
         return Some([count, step]);
     }
@@ -192,11 +175,7 @@ fn printed(text: &str) -> Option<[&str; 2]> {
         return None;
     };
     let names = words.iter().find(|word| matches!(**word, "NPTS" | "DT"));
-    Some(if names == Some(&"DT") {
-        [second, first]
-    } else {
-        [first, second]
-    })
+    Some(if names == Some(&"DT") { [second, first] } else { [first, second] })
 }
 
 /// What a title such as `1559 points at equal spacing of 0.02 sec` gives.
@@ -227,10 +206,8 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, ReadErro
             continue;
         }
         let in_g = words.windows(2).any(|pair| {
-            matches!(
-                pair[0].as_str(),
-                "IN" | "OF" | "ARE" | "UNIT" | "UNITS" | "ACCELERATION"
-            ) && matches!(pair[1].as_str(), "G" | "GS" | "G'S")
+            matches!(pair[0].as_str(), "IN" | "OF" | "ARE" | "UNIT" | "UNITS" | "ACCELERATION")
+                && matches!(pair[1].as_str(), "G" | "GS" | "G'S")
         });
         if in_g {
             return Ok(Some(*line));
@@ -250,10 +227,6 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, ReadErro
 /// nothing.
 fn words(line: Line<'_>) -> Vec<String> {
     let text = line.text().to_ascii_uppercase();
-    let separates =
-        |letter: char| !(letter.is_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'));
-    text.split(separates)
-        .filter(|word| !word.is_empty())
-        .map(str::to_owned)
-        .collect()
+    let separates = |letter: char| !(letter.is_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'));
+    text.split(separates).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }

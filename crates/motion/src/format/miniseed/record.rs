@@ -60,11 +60,7 @@ impl<'t> Record<'t> {
     pub(super) fn new(file: &'t [u8], at: usize) -> Result<Self, ReadError> {
         let bytes = &file[at..];
         if !begins(bytes) {
-            return Err(header(
-                at,
-                &bytes[..bytes.len().min(8)],
-                "a record of miniSEED",
-            ));
+            return Err(header(at, &bytes[..bytes.len().min(8)], "a record of miniSEED"));
         }
         let record = if bytes.starts_with(b"MS") {
             Self::version_3(bytes, at)
@@ -94,8 +90,8 @@ impl<'t> Record<'t> {
         };
         let signed = |at: usize| short(at).map(u16::cast_signed).map(f64::from);
         let (factor, multiplier) = signed(32).zip(signed(34)).ok_or_else(cut)?;
-        let (packing, exact) = blockettes(bytes, &short)
-            .ok_or_else(|| header(at, &bytes[..8], "a record with blockettes that are whole"))?;
+        let (packing, exact) =
+            blockettes(bytes, &short).ok_or_else(|| header(at, &bytes[..8], "a record with blockettes that are whole"))?;
         // Old records have no blockette 1000, which tells their packing: it is Steim 1.
         let packing = packing.or_else(|| Some([10, u8::from(big_endian), power(bytes)?]));
         let packing = packing.ok_or_else(|| {
@@ -107,17 +103,12 @@ impl<'t> Record<'t> {
         })?;
         let [encoding, order, power] = packing;
         if !(6..=LONGEST).contains(&power) {
-            return Err(header(
-                at,
-                &[power],
-                "a length of the record between 2^6 and 2^20 bytes",
-            ));
+            return Err(header(at, &[power], "a length of the record between 2^6 and 2^20 bytes"));
         }
         let length = 1 << power;
         let offset = usize::from(short(44).ok_or_else(cut)?);
         let data = bytes.get(..length).ok_or_else(cut)?.get(offset..);
-        let stream = [18..20, 8..13, 13..15, 15..18]
-            .map(|range| String::from_utf8_lossy(bytes[range].trim_ascii()).into_owned());
+        let stream = [18..20, 8..13, 13..15, 15..18].map(|range| String::from_utf8_lossy(bytes[range].trim_ascii()).into_owned());
         let day = short(22).ok_or_else(cut)?;
         let of_day = [bytes[24], bytes[25], bytes[26]];
         let seconds = Day { year, day }.seconds() + clock(of_day);
@@ -131,9 +122,7 @@ impl<'t> Record<'t> {
             n_samples: usize::from(short(30).ok_or_else(cut)?),
             encoding,
             big_endian: order == 1,
-            data: data.ok_or_else(|| {
-                header(at, &bytes[44..46], "the start of the values in the record")
-            })?,
+            data: data.ok_or_else(|| header(at, &bytes[44..46], "the start of the values in the record"))?,
         })
     }
 
@@ -141,9 +130,7 @@ impl<'t> Record<'t> {
         let cut = || truncated(at, bytes);
         let fixed = bytes.get(..HEADER_3).ok_or_else(cut)?;
         let short = |at: usize| u16::from_le_bytes([fixed[at], fixed[at + 1]]);
-        let long = |at: usize| {
-            u32::from_le_bytes([fixed[at], fixed[at + 1], fixed[at + 2], fixed[at + 3]])
-        };
+        let long = |at: usize| u32::from_le_bytes([fixed[at], fixed[at + 1], fixed[at + 2], fixed[at + 3]]);
         let mut rate = [0; 8];
         rate.copy_from_slice(&fixed[16..24]);
         let rate = f64::from_le_bytes(rate);
@@ -231,20 +218,13 @@ fn power(bytes: &[u8]) -> Option<u8> {
 
 /// Packing from blockette 1000 and step from blockette 100, where there are such. The chain must
 /// lead on, so it ends.
-fn blockettes(
-    bytes: &[u8],
-    short: &impl Fn(usize) -> Option<u16>,
-) -> Option<(Option<[u8; 3]>, Option<f64>)> {
+fn blockettes(bytes: &[u8], short: &impl Fn(usize) -> Option<u16>) -> Option<(Option<[u8; 3]>, Option<f64>)> {
     let mut at = usize::from(short(46)?);
     let (mut packing, mut exact) = (None, None);
     while at >= HEADER_2 {
         match short(at)? {
             1000 => {
-                packing = Some([
-                    *bytes.get(at + 4)?,
-                    *bytes.get(at + 5)?,
-                    *bytes.get(at + 6)?,
-                ]);
+                packing = Some([*bytes.get(at + 4)?, *bytes.get(at + 5)?, *bytes.get(at + 6)?]);
             }
             100 => {
                 let (high, low) = (short(at + 4)?, short(at + 6)?);
@@ -252,12 +232,7 @@ fn blockettes(
                 let big_endian = short(20) == Some(u16::from_be_bytes([bytes[20], bytes[21]]));
                 let (high, low) = if big_endian { (high, low) } else { (low, high) };
                 let rate = f32::from_bits(u32::from(high) << 16 | u32::from(low));
-                exact = rate
-                    .to_string()
-                    .parse()
-                    .ok()
-                    .filter(|rate| *rate > 0.0)
-                    .map(|rate: f64| 1.0 / rate);
+                exact = rate.to_string().parse().ok().filter(|rate| *rate > 0.0).map(|rate: f64| 1.0 / rate);
             }
             _ => {}
         }
@@ -277,13 +252,7 @@ fn step(factor: f64, multiplier: f64) -> f64 {
 }
 
 fn time(year: u16, day: u16, [hour, minute, second]: [u8; 3]) -> Stamp {
-    Stamp::of_day([
-        year.into(),
-        day.into(),
-        hour.into(),
-        minute.into(),
-        second.into(),
-    ])
+    Stamp::of_day([year.into(), day.into(), hour.into(), minute.into(), second.into()])
 }
 
 fn clock([hour, minute, second]: [u8; 3]) -> f64 {
@@ -307,11 +276,7 @@ impl Day {
 
 /// `NET.STA.LOC.CHA` of `FDSN:NET_STA_LOC_B_S_S`; other names as they are.
 fn stream_of(name: &str) -> String {
-    let parts: Vec<&str> = name
-        .strip_prefix("FDSN:")
-        .unwrap_or_default()
-        .split('_')
-        .collect();
+    let parts: Vec<&str> = name.strip_prefix("FDSN:").unwrap_or_default().split('_').collect();
     match parts[..] {
         [network, station, location, band, source, subsource] => {
             format!("{network}.{station}.{location}.{band}{source}{subsource}")

@@ -12,38 +12,20 @@ const FRAME: usize = 64;
 
 /// The values of a record, at most `n_samples`; nothing where the encoding is not known, or the
 /// last of packed values is not what their first frame says.
-pub(super) fn unpack(
-    encoding: u8,
-    big_endian: bool,
-    data: &[u8],
-    n_samples: usize,
-) -> Option<Vec<f64>> {
+pub(super) fn unpack(encoding: u8, big_endian: bool, data: &[u8], n_samples: usize) -> Option<Vec<f64>> {
     match encoding {
-        1 => Some(plain(data, big_endian, n_samples, |bytes| {
-            f64::from(i16::from_be_bytes(bytes))
-        })),
-        3 => Some(plain(data, big_endian, n_samples, |bytes| {
-            f64::from(i32::from_be_bytes(bytes))
-        })),
-        4 => Some(plain(data, big_endian, n_samples, |bytes| {
-            f64::from(f32::from_be_bytes(bytes))
-        })),
+        1 => Some(plain(data, big_endian, n_samples, |bytes| f64::from(i16::from_be_bytes(bytes)))),
+        3 => Some(plain(data, big_endian, n_samples, |bytes| f64::from(i32::from_be_bytes(bytes)))),
+        4 => Some(plain(data, big_endian, n_samples, |bytes| f64::from(f32::from_be_bytes(bytes)))),
         5 => Some(plain(data, big_endian, n_samples, f64::from_be_bytes)),
-        10 => steim(data, big_endian, n_samples, |control, _| {
-            Some(steim_1(control))
-        }),
+        10 => steim(data, big_endian, n_samples, |control, _| Some(steim_1(control))),
         11 => steim(data, big_endian, n_samples, steim_2),
         _ => None,
     }
 }
 
 /// Values of `N` bytes each.
-fn plain<const N: usize>(
-    data: &[u8],
-    big_endian: bool,
-    n_samples: usize,
-    value: impl Fn([u8; N]) -> f64,
-) -> Vec<f64> {
+fn plain<const N: usize>(data: &[u8], big_endian: bool, n_samples: usize, value: impl Fn([u8; N]) -> f64) -> Vec<f64> {
     let values = data.chunks_exact(N).take(n_samples).map(|chunk| {
         let mut bytes = [0; N];
         bytes.copy_from_slice(chunk);
@@ -56,12 +38,7 @@ fn plain<const N: usize>(
 }
 
 /// Values from differences; `parts` gives the number of differences in a word and their bits.
-fn steim(
-    data: &[u8],
-    big_endian: bool,
-    n_samples: usize,
-    parts: impl Fn(u32, u32) -> Option<(u32, u32)>,
-) -> Option<Vec<f64>> {
+fn steim(data: &[u8], big_endian: bool, n_samples: usize, parts: impl Fn(u32, u32) -> Option<(u32, u32)>) -> Option<Vec<f64>> {
     let word = |bytes: &[u8]| whole_word(bytes, big_endian);
     let (mut first, mut last) = (0, 0);
     let mut values = Vec::new();
@@ -87,11 +64,7 @@ fn steim(
                         }
                         let difference = signed(word >> (part * bits), bits);
                         // The first difference leads here from the record before.
-                        value = if values.is_empty() {
-                            first
-                        } else {
-                            value.wrapping_add(difference)
-                        };
+                        value = if values.is_empty() { first } else { value.wrapping_add(difference) };
                         values.push(f64::from(value));
                     }
                 }

@@ -38,10 +38,7 @@ impl<'t> Above<'t> {
     /// The number of the rows below it, which hold several numbers each.
     fn of_count(rows: &Rows<'_, 't>) -> Option<Self> {
         let line = rows.first();
-        let count: usize = std::str::from_utf8(line.bytes.trim_ascii())
-            .ok()?
-            .parse()
-            .ok()?;
+        let count: usize = std::str::from_utf8(line.bytes.trim_ascii()).ok()?.parse().ok()?;
         let several = rows.iter().skip(1).all(|row| row.fields().nth(1).is_some());
         // A number that is far off counts something else.
         let n_rows = rows.len - 1;

@@ -34,10 +34,7 @@ impl Clock {
         let is_number = |column: &usize| number(fields[*column]).is_some();
         let times = (0..names.len()).filter(|column| names[*column].is_time());
         // A moment to the second may stand before the time since the first.
-        let column = times
-            .clone()
-            .rfind(is_number)
-            .or_else(|| times.clone().next());
+        let column = times.clone().rfind(is_number).or_else(|| times.clone().next());
         let (column, name) = match column {
             Some(column) => (column, Some(&names[column])),
             None if Self::may_be_first(&names[0]) && rows.is_time() => (0, None),

@@ -59,9 +59,7 @@ impl<'l, 't> Layout<'l, 't> {
         let of_names = names.as_ref().map(|names| names[0].line.number);
         let said = Said::new(titles, of_names);
         let counts = said.counts.iter().map(|count| count.value);
-        let counts: Vec<usize> = counts
-            .chain(above.as_ref().and_then(|above| above.count))
-            .collect();
+        let counts: Vec<usize> = counts.chain(above.as_ref().and_then(|above| above.count)).collect();
         let kind = Self::kind(&rows, names, &counts, file.in_rows)?;
         Ok(Self {
             titles,
@@ -72,12 +70,7 @@ impl<'l, 't> Layout<'l, 't> {
         })
     }
 
-    fn kind(
-        rows: &Rows<'_, '_>,
-        names: Option<Vec<Name<'t>>>,
-        counts: &[usize],
-        in_rows: bool,
-    ) -> Result<Kind<'t>, ReadError> {
+    fn kind(rows: &Rows<'_, '_>, names: Option<Vec<Name<'t>>>, counts: &[usize], in_rows: bool) -> Result<Kind<'t>, ReadError> {
         let n_columns = rows.n_columns;
         if n_columns == 1 {
             let name = names.and_then(|mut names| names.pop());
@@ -139,12 +132,7 @@ impl<'l, 't> Layout<'l, 't> {
             let name = &names[*column];
             !is_clock(*column) && !name.is_time() && !name.is_no_component()
         };
-        let is_acceleration = |column: &usize| {
-            !matches!(
-                names[*column].other(),
-                Some(Other::Velocity | Other::Displacement)
-            )
-        };
+        let is_acceleration = |column: &usize| !matches!(names[*column].other(), Some(Other::Velocity | Other::Displacement));
         let all: Vec<usize> = (0..names.len()).filter(may_be).collect();
         let mut columns: Vec<usize> = all.iter().copied().filter(is_acceleration).collect();
         if columns.is_empty() {

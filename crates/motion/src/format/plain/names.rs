@@ -16,8 +16,7 @@ pub(super) struct Name<'t> {
 
 /// Words that begin the name of a spectral value, in capitals and without what is not a letter.
 const SPECTRAL: [&str; 12] = [
-    "SA", "PSA", "SE", "SV", "PSV", "SD", "PSD", "FAS", "FOURIER", "SPECTRAL", "SPECTRUM",
-    "RESPONSE",
+    "SA", "PSA", "SE", "SV", "PSV", "SD", "PSD", "FAS", "FOURIER", "SPECTRAL", "SPECTRUM", "RESPONSE",
 ];
 
 /// Ends of a name that are a unit, in capitals: `acc_g`, `acc_m_s2`.
@@ -43,9 +42,7 @@ impl Name<'_> {
     pub(super) fn is_time(&self) -> bool {
         let name = self.text.to_ascii_lowercase();
         let word = name.split(['_', ' ', '.']).next().unwrap_or_default();
-        let words = [
-            "t", "sec", "seconds", "zeit", "temps", "tiempo", "tempo", "zaman",
-        ];
+        let words = ["t", "sec", "seconds", "zeit", "temps", "tiempo", "tempo", "zaman"];
         words.contains(&word) || name.starts_with("time") || name.ends_with("time")
     }
 
@@ -114,9 +111,7 @@ impl Name<'_> {
         let joined = name.replace('_', "");
         SPECTRAL.contains(&first)
             || SPECTRAL.contains(&joined.as_str())
-            || ["SAROT", "ROTD", "GMROT"]
-                .iter()
-                .any(|start| joined.starts_with(start))
+            || ["SAROT", "ROTD", "GMROT"].iter().any(|start| joined.starts_with(start))
             || name.contains("SPECTR")
     }
 }
@@ -127,9 +122,7 @@ pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
     let (first, end) = name.split_once(['_', ' '])?;
     let known = ENDS.iter().find(|(known, _)| *known == end);
     let unit = known.map(|(_, unit)| *unit).or_else(|| unit_of(end))?;
-    ["A", "AG", "ACC", "ACCEL", "ACCELERATION"]
-        .contains(&first)
-        .then_some(unit)
+    ["A", "AG", "ACC", "ACCEL", "ACCELERATION"].contains(&first).then_some(unit)
 }
 
 /// Another quantity than an acceleration, by the beginning of the name.
@@ -151,11 +144,8 @@ pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let is_spectrum = if values.is_empty() {
         first.is_spectral() && !first.unit.is_empty()
     } else {
-        let is_period =
-            |name: &Name<'_>| name.is_axis() || (name.text == "T" && !name.unit.is_empty());
-        first.is_axis()
-            || (!is_history && values.iter().any(tells))
-            || (first.is_spectral() && values.iter().any(is_period))
+        let is_period = |name: &Name<'_>| name.is_axis() || (name.text == "T" && !name.unit.is_empty());
+        first.is_axis() || (!is_history && values.iter().any(tells)) || (first.is_spectral() && values.iter().any(is_period))
     };
     let is_fourier = names.iter().any(|name| {
         let name = name.capitals();
@@ -183,9 +173,9 @@ pub(super) fn of_columns<'t>(titles: &[Line<'t>], n_columns: usize) -> Option<Ve
     };
     let above = above.filter(|names| {
         names.len() == n_columns
-            && names.iter().all(|name| {
-                name.text.starts_with(char::is_alphabetic) && !name.text.contains(['=', ':'])
-            })
+            && names
+                .iter()
+                .all(|name| name.text.starts_with(char::is_alphabetic) && !name.text.contains(['=', ':']))
             && names.iter().any(tells)
     });
     above.or_else(|| {

@@ -56,9 +56,7 @@ pub(super) fn is_touching(piece: &[u8]) -> bool {
 fn is_end(line: Line<'_>) -> bool {
     let text = line.bytes.trim_ascii();
     let word = text.split(|byte| !byte.is_ascii_alphabetic()).next();
-    text.starts_with(b"***")
-        || text == b"/&"
-        || word.is_some_and(|word| word.eq_ignore_ascii_case(b"END"))
+    text.starts_with(b"***") || text == b"/&" || word.is_some_and(|word| word.eq_ignore_ascii_case(b"END"))
 }
 
 /// Whether decimal commas may cut the numbers of a line: they are whole, in pairs, the second of each without a sign.
@@ -131,10 +129,7 @@ impl<'l, 't> Rows<'l, 't> {
     /// The rows behind the first ones.
     pub(super) fn behind(&self, n_rows: usize) -> Option<Self> {
         let first = self.iter().nth(n_rows)?;
-        let at = self
-            .lines
-            .iter()
-            .position(|line| line.number == first.number)?;
+        let at = self.lines.iter().position(|line| line.number == first.number)?;
         Self::new(&self.lines[at..])
     }
 
@@ -185,8 +180,7 @@ impl<'l, 't> Rows<'l, 't> {
     pub(super) fn check_commas(&self) -> Result<(), ReadError> {
         let is_fraction = |field: &[u8]| field.len() > 1 && field.starts_with(b"0");
         let has_fraction = |row: Line<'t>| row.fields().skip(1).step_by(2).any(is_fraction);
-        let may_be =
-            self.iter().all(may_be_cut) && (self.n_columns == 2 || self.iter().any(has_fraction));
+        let may_be = self.iter().all(may_be_cut) && (self.n_columns == 2 || self.iter().any(has_fraction));
         if may_be {
             return Err(cut_by_commas(self.first()));
         }

@@ -60,15 +60,7 @@ const COUNT: [&str; 15] = [
 /// Short keys, which count only in front of `:` or `=`: of a step, a rate and a number of samples.
 const SHORT_STEP: [&str; 2] = ["delta", "ts"];
 const SHORT_RATE: [&str; 3] = ["fs", "sps", "rate"];
-const SHORT_COUNT: [&str; 7] = [
-    "samples",
-    "no. of samples",
-    "count",
-    "points",
-    "npt",
-    "total points",
-    "n",
-];
+const SHORT_COUNT: [&str; 7] = ["samples", "no. of samples", "count", "points", "npt", "total points", "n"];
 
 /// Words of a number that was true before the file was processed.
 const BEFORE: [&str; 5] = ["original", "raw", "decimat", "before", "downsampled from"];
@@ -97,8 +89,7 @@ pub(super) fn around<'t>(text: &'t str, key: &str) -> impl Iterator<Item = (&'t 
     let length = key.len();
     text.match_indices(key).filter_map(move |(at, _)| {
         let (before, behind) = (&text[..at], &text[at + length..]);
-        let cuts = before.ends_with(|letter: char| letter.is_alphanumeric())
-            || behind.starts_with(|letter: char| letter.is_alphabetic());
+        let cuts = before.ends_with(|letter: char| letter.is_alphanumeric()) || behind.starts_with(|letter: char| letter.is_alphabetic());
         (!cuts).then_some((before, behind))
     })
 }
@@ -115,9 +106,7 @@ fn printed(behind: &str) -> Option<Printed<'_>> {
     let mut unit = "";
     loop {
         rest = rest.trim_start_matches([' ', ':', '=', ',']);
-        let word_end = rest
-            .find(|letter: char| !letter.is_ascii_alphabetic())
-            .unwrap_or(rest.len());
+        let word_end = rest.find(|letter: char| !letter.is_ascii_alphabetic()).unwrap_or(rest.len());
         let (word, after) = rest.split_at(word_end);
         match word {
             "" => {}
@@ -136,16 +125,13 @@ fn printed(behind: &str) -> Option<Printed<'_>> {
         };
         (unit, rest) = inside.split_once([')', ']'])?;
     }
-    let number_end =
-        rest.find(|letter: char| !(letter.is_ascii_digit() || "+-.e".contains(letter)));
+    let number_end = rest.find(|letter: char| !(letter.is_ascii_digit() || "+-.e".contains(letter)));
     let (digits, after) = rest.split_at(number_end.unwrap_or(rest.len()));
     let mut value = number(digits.trim_end_matches(['.', 'e']).as_bytes())?;
     let mut after = after;
     // A step may be printed as a fraction, `1/200 s`.
     if let Some(fraction) = after.strip_prefix('/') {
-        let end = fraction
-            .find(|letter: char| !letter.is_ascii_digit())
-            .unwrap_or(fraction.len());
+        let end = fraction.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(fraction.len());
         if let Some(divisor) = number(&fraction.as_bytes()[..end]) {
             value /= divisor;
             after = &fraction[end..];
@@ -166,17 +152,11 @@ fn is_of_time(word: &str) -> bool {
 }
 
 fn is_seconds(word: &str) -> bool {
-    matches!(
-        word,
-        "s" | "sec" | "secs" | "second" | "seconds" | "seg" | "segundos"
-    )
+    matches!(word, "s" | "sec" | "secs" | "second" | "seconds" | "seg" | "segundos")
 }
 
 fn is_milliseconds(word: &str) -> bool {
-    matches!(
-        word,
-        "ms" | "msec" | "msecs" | "millisecond" | "milliseconds"
-    )
+    matches!(word, "ms" | "msec" | "msecs" | "millisecond" | "milliseconds")
 }
 
 /// The time steps \[s\] that a line states.
@@ -205,16 +185,9 @@ pub(super) fn steps(text: &str) -> Vec<f64> {
         _ => 1.0 / one.value,
     };
     let by_words = words_behind_numbers(text).filter(|(_, words)| {
-        [
-            "sps",
-            "samples/s",
-            "samples per s",
-            "pts/s",
-            "points per s",
-            "muestras/s",
-        ]
-        .iter()
-        .any(|start| words.starts_with(start))
+        ["sps", "samples/s", "samples per s", "pts/s", "points per s", "muestras/s"]
+            .iter()
+            .any(|start| words.starts_with(start))
     });
     let sampled = found(&["sampling", "sampled at"]).filter(|one| is_of_time(one.unit));
     let rates = found(&RATE).chain(short(&SHORT_RATE)).chain(sampled);
@@ -235,19 +208,10 @@ pub(super) fn counts(text: &str) -> Vec<usize> {
     let short = SHORT_COUNT.iter().flat_map(|key| around(text, key));
     let short = short.filter(|(_, behind)| is_stated(behind));
     let named = COUNT.iter().flat_map(|key| around(text, key)).chain(short);
-    let named = named
-        .filter_map(|(_, behind)| printed(behind))
-        .map(|one| one.value);
+    let named = named.filter_map(|(_, behind)| printed(behind)).map(|one| one.value);
     // `4000 samples,` and `1559 points at`, but not `8 points across`.
     let by_words = words_behind_numbers(text).filter(|(_, words)| {
-        let what = [
-            "samples",
-            "points",
-            "data points",
-            "pts",
-            "muestras",
-            "values",
-        ];
+        let what = ["samples", "points", "data points", "pts", "muestras", "values"];
         let rest = what.iter().find_map(|what| words.strip_prefix(what));
         rest.is_some_and(|rest| {
             let rest = rest.trim_start();
@@ -283,8 +247,7 @@ fn is_of_before(text: &str) -> bool {
 fn words_behind_numbers(text: &str) -> impl Iterator<Item = (f64, &str)> {
     let starts = text.match_indices(|letter: char| letter.is_ascii_digit());
     starts.filter_map(|(at, _)| {
-        let is_start =
-            !text[..at].ends_with(|letter: char| letter.is_alphanumeric() || letter == '.');
+        let is_start = !text[..at].ends_with(|letter: char| letter.is_alphanumeric() || letter == '.');
         let rest = &text[at..];
         let end = rest.find([' ', '\t'])?;
         let value = number(&rest.as_bytes()[..end]).filter(|_| is_start)?;
@@ -302,14 +265,10 @@ pub(super) fn other_quantity(text: &str) -> Option<Other> {
     ];
     words.into_iter().find_map(|(start, other)| {
         let (before, behind) = text.split_at(text.find(start)?);
-        let of_another = ["wave", "peak", "max", "initial"]
-            .iter()
-            .any(|word| before.contains(word));
+        let of_another = ["wave", "peak", "max", "initial"].iter().any(|word| before.contains(word));
         let end = behind.find(|letter: char| !letter.is_ascii_alphabetic())?;
         let separates = |letter: char| !(letter.is_ascii_alphanumeric() || letter == '/');
-        let mut words = behind[end..]
-            .split(separates)
-            .filter(|word| !word.is_empty());
+        let mut words = behind[end..].split(separates).filter(|word| !word.is_empty());
         let next = words.find(|word| !["in", "units", "of"].contains(word))?;
         let is_history = ["time", "history", "series", "record"].contains(&next);
         (!of_another && (is_history || Other::of_unit(next) == Some(other))).then_some(other)
@@ -321,22 +280,15 @@ pub(super) fn unit_of_accelerations(text: &str) -> Option<(AccelerationUnit, &st
     let mut starts = text.match_indices("acc").chain(text.match_indices("acel"));
     starts.find_map(|(at, _)| {
         let (before, behind) = text.split_at(at);
-        let of_peak = ["max", "peak", "pga", "pk"]
-            .iter()
-            .any(|word| before.contains(word));
+        let of_peak = ["max", "peak", "pga", "pk"].iter().any(|word| before.contains(word));
         let is_word = !before.ends_with(|letter: char| letter.is_alphanumeric());
         if of_peak || !is_word {
             return None;
         }
         let end = behind.find(|letter: char| !letter.is_ascii_alphabetic())?;
-        let separates =
-            |letter: char| matches!(letter, ' ' | '(' | '[' | ')' | ']' | ',' | ':' | '=');
-        let mut words = behind[end..]
-            .split(separates)
-            .filter(|word| !word.is_empty());
-        let word = words
-            .find(|word| !BETWEEN.contains(word))?
-            .trim_end_matches('.');
+        let separates = |letter: char| matches!(letter, ' ' | '(' | '[' | ')' | ']' | ',' | ':' | '=');
+        let mut words = behind[end..].split(separates).filter(|word| !word.is_empty());
+        let word = words.find(|word| !BETWEEN.contains(word))?.trim_end_matches('.');
         Some((unit_of(word)?, word))
     })
 }

@@ -30,10 +30,7 @@ fn told(bytes: impl AsRef<[u8]>) -> String {
         ("time", &identity.time),
         ("title", &identity.title),
     ];
-    lines.extend(
-        said.iter()
-            .filter_map(|(what, said)| Some(format!("{what} {}", said.as_deref()?))),
-    );
+    lines.extend(said.iter().filter_map(|(what, said)| Some(format!("{what} {}", said.as_deref()?))));
     lines.join("\n")
 }
 
@@ -114,9 +111,7 @@ fn reference_other_layouts_tell_what_their_headers_have() {
     title SOMEWHERE 10/15/79 2316, A TOWN ARRAY #6
     ");
     assert_eq!(
-        contents(at2.replace("140 (", "230 (").as_bytes())
-            .unwrap()
-            .identity,
+        contents(at2.replace("140 (", "230 (").as_bytes()).unwrap().identity,
         contents(at2.as_bytes()).unwrap().identity
     );
     let comments = "# station: ABC\n# event: Somewhere 1940\n# start time: 1940-05-19T04:36:41Z\n# dt = 0.01 s\n0.1\n-0.2\n";
@@ -138,54 +133,29 @@ fn reference_other_layouts_tell_what_their_headers_have() {
 fn issue_boreholes() {
     let of = |direction: &str| {
         let text = file("knet.ns");
-        let line = text
-            .lines()
-            .find(|line| line.starts_with("Dir."))
-            .expect("a direction");
-        contents(
-            text.replace(line, &format!("Dir.              {direction}"))
-                .as_bytes(),
-        )
-        .expect("contents")
-        .channels
-        .remove(0)
+        let line = text.lines().find(|line| line.starts_with("Dir.")).expect("a direction");
+        contents(text.replace(line, &format!("Dir.              {direction}")).as_bytes())
+            .expect("contents")
+            .channels
+            .remove(0)
     };
     for direction in ["1", "2", "3"] {
-        assert!(
-            matches!(of(direction).site, Site::Borehole(_)),
-            "{direction}"
-        );
+        assert!(matches!(of(direction).site, Site::Borehole(_)), "{direction}");
     }
     for direction in ["4", "5", "6", "N-S", "E-W"] {
         assert_eq!(of(direction).site, Site::Ground, "{direction}");
     }
     assert_eq!(of("3").direction, Some(Direction::Vertical));
-    let deep = with(
-        "esm.asc",
-        "STREAM: HNE",
-        "STREAM: HNE\nSENSOR_DEPTH_M: 30.0",
-    );
-    assert!(matches!(
-        contents(deep.as_bytes()).unwrap().channels[0].site,
-        Site::Borehole(_)
-    ));
+    let deep = with("esm.asc", "STREAM: HNE", "STREAM: HNE\nSENSOR_DEPTH_M: 30.0");
+    assert!(matches!(contents(deep.as_bytes()).unwrap().channels[0].site, Site::Borehole(_)));
     let shallow = with("esm.asc", "STREAM: HNE", "STREAM: HNE\nSENSOR_DEPTH_M: 0.0");
-    assert_eq!(
-        contents(shallow.as_bytes()).unwrap().channels[0].site,
-        Site::Ground
-    );
+    assert_eq!(contents(shallow.as_bytes()).unwrap().channels[0].site, Site::Ground);
 }
 
 /// Roofs, decks and crests of dams shook rows.
 #[test]
 fn issue_sensors_on_structures() {
-    let site = |text: String| {
-        contents(text.as_bytes())
-            .expect("contents")
-            .channels
-            .remove(0)
-            .site
-    };
+    let site = |text: String| contents(text.as_bytes()).expect("contents").channels.remove(0).site;
     let csmip = |location: &str| {
         site(
             with("csmip.v2", "Chan  1:  90 Deg", "CHAN  1:  90 DEG")
@@ -199,45 +169,26 @@ fn issue_sensors_on_structures() {
                 ),
         )
     };
-    for location in [
-        "ROOF: CENTER",
-        "10TH FLOOR, N. WALL",
-        "DECK: MIDSPAN",
-        "Top of Tower",
-    ] {
+    for location in ["ROOF: CENTER", "10TH FLOOR, N. WALL", "DECK: MIDSPAN", "Top of Tower"] {
         assert_eq!(csmip(location), Site::Structure(location.to_owned()));
     }
-    for location in [
-        "FREE FIELD",
-        "GROUND FLOOR",
-        "BASEMENT",
-        "FOOTING OF CENTER COLUMN: W. EDGE",
-    ] {
+    for location in ["FREE FIELD", "GROUND FLOOR", "BASEMENT", "FOOTING OF CENTER COLUMN: W. EDGE"] {
         assert_eq!(csmip(location), Site::Ground, "{location}");
     }
     let smc = |station: &str| site(with("usgs.smc", "A Town, a school", station));
-    assert_eq!(
-        smc("A Valley Dam, crest"),
-        Site::Structure("crest".to_owned())
-    );
+    assert_eq!(smc("A Valley Dam, crest"), Site::Structure("crest".to_owned()));
     assert_eq!(smc("A Canyon Dam"), Site::Ground);
     assert_eq!(smc("Hot Springs - Roof St"), Site::Ground);
     let usgs = " A TOWN, 7215 AN AVENUE, 10TH FLOOR\n 090 DEGREES\n EARTHQUAKE\n BUTTERWORTH\n YEAR=2001 COMPONENT=  90\n \
                 SAMPLES/SEC=200 FILTER TYPE=BUTTERWORTH DATA TYPE=AC\n NO OF POINTS=  3, UNITS=CM/SEC**2, CM/SEC, AND CM\n -1.95 -2.05\n 2.50\n";
-    assert_eq!(
-        site(usgs.to_owned()),
-        Site::Structure("10TH FLOOR".to_owned())
-    );
+    assert_eq!(site(usgs.to_owned()), Site::Structure("10TH FLOOR".to_owned()));
 }
 
 /// Such verticals shook rows: the channel line of COSMOS said `Other`.
 #[test]
 fn issue_verticals_that_other_places_of_a_file_tell() {
     let text = file("cosmos.v2");
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("Sta Cha"))
-        .expect("a channel");
+    let line = text.lines().find(|line| line.starts_with("Sta Cha")).expect("a channel");
     let untold = text.replace(line, "Sta Chan   ?:Other   (Rcrdr Chan  ?) Location:");
     let names = |text: &str| {
         let found = contents(text.as_bytes()).expect("contents");
@@ -249,21 +200,11 @@ fn issue_verticals_that_other_places_of_a_file_tell() {
     };
     assert_eq!(names(&untold)[0], "Sta Chan ?:Other");
     let coded = |from: &str, code: &str| untold.replace(from, code);
-    let comment = untold
-        .lines()
-        .find(|line| line.starts_with('|'))
-        .expect("a comment")
-        .to_owned();
-    for code in [
-        "|<SCNL>BMR.BNZ.AK.--    <AUTH> 2019/02/01",
-        "| RcrdId: US.1000.AK.BMR.BNZ.--",
-    ] {
+    let comment = untold.lines().find(|line| line.starts_with('|')).expect("a comment").to_owned();
+    for code in ["|<SCNL>BMR.BNZ.AK.--    <AUTH> 2019/02/01", "| RcrdId: US.1000.AK.BMR.BNZ.--"] {
         let told = coded(&comment, code);
         assert_eq!(names(&told)[0], "BNZ", "{code}");
-        assert_eq!(
-            contents(told.as_bytes()).unwrap().channels[0].direction,
-            Some(Direction::Vertical)
-        );
+        assert_eq!(contents(told.as_bytes()).unwrap().channels[0].direction, Some(Direction::Vertical));
     }
 }
 
@@ -276,13 +217,7 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
         names.map(Option::unwrap_or_default).collect::<Vec<_>>()
     };
     let rows: String = rows_of(40, |step, value| {
-        format!(
-            "{:10.3}{:10.3}{:10.3}{:10.3}\n",
-            0.005 * step,
-            value,
-            2.0 * value,
-            3.0 * value
-        )
+        format!("{:10.3}{:10.3}{:10.3}{:10.3}\n", 0.005 * step, value, 2.0 * value, 3.0 * value)
     });
     let header = "#StationCode: ZZZ080\n#StartTime: 1999/09/20-17:46:37.0\n#RecordLength(Sec): 0.20\n#SampleRate(Hz): 200\n#AmplitudeUnit: gal. DCoffset(corr)\n";
     let of_1999 = format!("{header}#DataSequence: Time N(+); E(+); U(+)\n#Data: 4F10.3\n{rows}");
@@ -309,10 +244,7 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
     // Words were passed over, and the order of other files was taken: the true vertical shook the row.
     for sequence in ["Time, North, East, Up", "Time NS EW UD"] {
         let said = of_1999.replace("Time N(+); E(+); U(+)", sequence);
-        let found: Vec<_> = names(&said)
-            .iter()
-            .map(|name| name.chars().next())
-            .collect();
+        let found: Vec<_> = names(&said).iter().map(|name| name.chars().next()).collect();
         assert_eq!(found, ["N", "E", "U"].map(|name| name.chars().next()));
     }
     let other = of_1999.replace("Time N(+); E(+); U(+)", "Time, A, B, C");
@@ -323,17 +255,11 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
 #[test]
 fn issue_cwb_with_one_row_missing() {
     let rows: String = rows_of(39, |step, value| {
-        format!(
-            "{:10.3}{value:10.3}{value:10.3}{value:10.3}\n",
-            0.005 * step
-        )
+        format!("{:10.3}{value:10.3}{value:10.3}{value:10.3}\n", 0.005 * step)
     });
-    let text = format!(
-        "#Earthquake Information\n#RecordLength(sec): 0.20\n#SampleRate(Hz): 200\n#AmplitudeUnit: gal\n{rows}"
-    );
+    let text = format!("#Earthquake Information\n#RecordLength(sec): 0.20\n#SampleRate(Hz): 200\n#AmplitudeUnit: gal\n{rows}");
     assert!(
-        readings(&accelerogram(&text, &component("N")))
-            .contains("rows (line 2): 39, one fewer than the header's duration and rate give")
+        readings(&accelerogram(&text, &component("N"))).contains("rows (line 2): 39, one fewer than the header's duration and rate give")
     );
 }
 
@@ -346,32 +272,17 @@ fn issue_smc_of_pairs_with_ties() {
         .replace("0.1000000E+03", "0.1700000E+39")
         .replace("0.5575700E+02", "0.1700000E+39")
         .replace("-0.7184200E+02", " 0.1700000E+39");
-    let header = header.replace(
-        "        21    -32768    -32768",
-        "         8    -32768    -32768",
-    );
-    let pairs = format!(
-        "{header} 0.0000E+0 1.0000E+0 4.0000E-2 3.0000E+0 4.0000E-2 2.0000E+0 1.0000E-1-6.0000E+0\n"
-    );
+    let header = header.replace("        21    -32768    -32768", "         8    -32768    -32768");
+    let pairs = format!("{header} 0.0000E+0 1.0000E+0 4.0000E-2 3.0000E+0 4.0000E-2 2.0000E+0 1.0000E-1-6.0000E+0\n");
     let said = refusal(&pairs, &Declared::default());
-    assert!(
-        said.contains("uneven steps") && said.contains("`time_step`"),
-        "{said}"
-    );
+    assert!(said.contains("uneven steps") && said.contains("`time_step`"), "{said}");
     let declared = Declared {
         time_step: Some(0.02),
         ..Declared::default()
     };
     assert_eq!(
         accelerogram(&pairs, &declared).values(),
-        [
-            1.0,
-            2.0,
-            2.0,
-            -0.666_666_666_666_666_1,
-            -3.333_333_333_333_333,
-            -6.0
-        ]
+        [1.0, 2.0, 2.0, -0.666_666_666_666_666_1, -3.333_333_333_333_333, -6.0]
     );
 }
 
@@ -410,10 +321,7 @@ fn issue_json_of_the_simcenter() {
     };
     let found = accelerogram(&text, &declared);
     assert_eq!((found.values().len(), found.time_step()), (30, 0.005));
-    assert_eq!(
-        found.values()[1].to_string(),
-        (0.5 * wave(2)[1]).to_string()
-    );
+    assert_eq!(found.values()[1].to_string(), (0.5 * wave(2)[1]).to_string());
     refusal(text.replace("0.005", "\"\""), &declared);
     // The header of another program in a unit that is known.
     let other = "time_s,acceleration_ms2\n0.00,0.5\n0.01,-0.25\n";
@@ -428,7 +336,11 @@ fn issue_json_of_the_simcenter() {
 fn issue_peaks_a_little_off_are_told() {
     let off = |value: &str| with("usgs.smc", "-7.1842E+1", value);
     let found = accelerogram(off("-7.0000E+1"), &Declared::default());
-    assert!(readings(&found).contains("peak in the header (line 23): 71.842 cm/s², but the values reach 70.00 cm/s², 2.6 % off"), "{}", readings(&found));
+    assert!(
+        readings(&found).contains("peak in the header (line 23): 71.842 cm/s², but the values reach 70.00 cm/s², 2.6 % off"),
+        "{}",
+        readings(&found)
+    );
     assert!(found.unusual().is_empty(), "{:?}", found.unusual());
     let more = accelerogram(off("-6.0000E+1"), &Declared::default());
     assert_snapshot!(more.unusual()[0].to_string(), @"found a peak that is 15 % off that in the header of the file, usual is up to 5 %; the file may be cut, damaged or corrected");

@@ -62,10 +62,7 @@ fn of_texts() -> impl Iterator<Item = Case> {
     let peer = "A\nB, 180\nACCELERATION IN UNITS OF G\nNPTS= 40, DT= .02 SEC\n";
     let stepped = [
         (format!("# dt = 0.02 s\n{column}"), None),
-        (
-            format!("# 40 samples, 50 sps, acceleration in g\n{column}"),
-            g,
-        ),
+        (format!("# 40 samples, 50 sps, acceleration in g\n{column}"), g),
         (format!("1\n0.02\n{column}"), None),
         (format!("40 0.02\n{rows}"), None),
         (format!("A title\n40 0.02\n{column}"), None),
@@ -81,17 +78,8 @@ fn of_texts() -> impl Iterator<Item = Case> {
         (format!("# units: gal\n{column}"), gal),
         (format!("acc_g\n{column}"), g),
     ];
-    let case = |time_step| {
-        move |(text, unit)| Case {
-            text,
-            unit,
-            time_step,
-        }
-    };
-    stepped
-        .into_iter()
-        .map(case(Some(0.02)))
-        .chain(silent.into_iter().map(case(None)))
+    let case = |time_step| move |(text, unit)| Case { text, unit, time_step };
+    stepped.into_iter().map(case(Some(0.02))).chain(silent.into_iter().map(case(None)))
 }
 
 /// What the declarations may be of a file that says nothing.
@@ -163,8 +151,7 @@ fn limit_what_is_missing_is_asked_for_and_what_is_said_may_be_repeated() {
             };
             assert!(read(&case.text, &silent).is_none(), "{}", case.text);
         }
-        let silent =
-            read(&case.text, &filled(&case, &repeated)).expect("the same without repeating");
+        let silent = read(&case.text, &filled(&case, &repeated)).expect("the same without repeating");
         assert_eq!(found.values(), silent.values());
     }
 }

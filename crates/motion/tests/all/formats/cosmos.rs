@@ -9,10 +9,7 @@ use super::{accelerogram, component, file, readings, refusal, with};
 #[test]
 fn reference_channels_of_acceleration_alone() {
     let bytes = file("cosmos.v2");
-    assert_eq!(
-        components(bytes.as_bytes()).unwrap(),
-        ["Sta Cha: 1: 340 deg", "Sta Cha: 2: up"]
-    );
+    assert_eq!(components(bytes.as_bytes()).unwrap(), ["Sta Cha: 1: 340 deg", "Sta Cha: 2: up"]);
     let found = accelerogram(&bytes, &component("1"));
     assert_eq!(found.format(), Format::Cosmos);
     assert_eq!(found.unit(), AccelerationUnit::CentimetrePerSecondSquared);
@@ -85,10 +82,7 @@ fn limit_a_step_that_the_header_leaves_out_may_be_declared() {
         time_step: Some(0.01),
         ..component("1")
     };
-    assert_eq!(
-        accelerogram(text, &declared).time_step().to_string(),
-        "0.01"
-    );
+    assert_eq!(accelerogram(text, &declared).time_step().to_string(), "0.01");
 }
 
 /// A channel of these fields, so many to a line, without header numbers.

@@ -17,10 +17,7 @@ const NOTHING: Declared = Declared {
 #[test]
 fn reference_volume_2_has_several_channels_and_takes_the_first_block() {
     let bytes = file("csmip.v2");
-    assert_eq!(
-        components(bytes.as_bytes()).unwrap(),
-        ["Chan 1: 90 Deg", "Chan 2: Up"]
-    );
+    assert_eq!(components(bytes.as_bytes()).unwrap(), ["Chan 1: 90 Deg", "Chan 2: Up"]);
     let found = accelerogram(&bytes, &component("chan 1: 90 deg"));
     assert_eq!(found.format(), Format::CsmipV2);
     assert_eq!(found.unit(), AccelerationUnit::CentimetrePerSecondSquared);

@@ -69,10 +69,7 @@ fn reference_units_and_their_powers_of_ten() {
         let record = accelerogram("12.3\n", &declared).into_record(10.0).unwrap();
         let found = record.samples()[0];
         let expected: f64 = expected.parse().unwrap();
-        assert!(
-            (found - expected).abs() <= f64::EPSILON * expected,
-            "{unit:?}: {found}"
-        );
+        assert!((found - expected).abs() <= f64::EPSILON * expected, "{unit:?}: {found}");
         assert!(!unit.symbol().is_empty());
     }
     let mut names = AccelerationUnit::ALL.map(AccelerationUnit::name);

@@ -8,10 +8,7 @@ use super::{accelerogram, component, file, readings, refusal, with};
 #[test]
 fn reference_three_components_in_millimetres() {
     let bytes = file("geonet.v2a");
-    assert_eq!(
-        components(bytes.as_bytes()).unwrap(),
-        ["S16W", "S74E", "Up"]
-    );
+    assert_eq!(components(bytes.as_bytes()).unwrap(), ["S16W", "S74E", "Up"]);
     let found = accelerogram(&bytes, &component("s16w"));
     assert_eq!(found.format(), Format::GeoNet);
     assert_eq!(found.unit(), AccelerationUnit::MillimetrePerSecondSquared);

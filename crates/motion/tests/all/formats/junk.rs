@@ -65,10 +65,7 @@ fn extreme_every_cut_of_a_file_is_refused_or_loses_nothing_of_the_channel() {
                 // All but the last digits of the last value, which a cut may take.
                 let n_values = whole.values().len();
                 assert_eq!(found.values().len(), n_values, "{name} cut at {length}");
-                assert_eq!(
-                    found.values()[..n_values - 1],
-                    whole.values()[..n_values - 1]
-                );
+                assert_eq!(found.values()[..n_values - 1], whole.values()[..n_values - 1]);
             }
         }
     }

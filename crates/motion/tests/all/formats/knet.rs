@@ -54,13 +54,7 @@ fn extreme_header_and_values() {
 
 #[test]
 fn reference_directions_of_kik_net_are_numbers() {
-    for (stated, name) in [
-        ("1", "1: N-S"),
-        ("5", "5: E-W"),
-        ("3", "3: UP"),
-        ("6", "6: UP"),
-        ("U-D", "U-D"),
-    ] {
+    for (stated, name) in [("1", "1: N-S"), ("5", "5: E-W"), ("3", "3: UP"), ("6", "6: UP"), ("U-D", "U-D")] {
         let text = with("knet.ns", "N-S", stated);
         assert_eq!(components(text.as_bytes()).unwrap(), [name]);
     }

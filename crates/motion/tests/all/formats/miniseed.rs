@@ -18,18 +18,8 @@ fn in_milli_g() -> Declared {
 }
 
 /// A record of 100 samples a second that starts at this hundredth of a second.
-fn record(
-    version: u8,
-    channel: &str,
-    start: u32,
-    encoding: EncodingFormat,
-    samples: Samples,
-) -> Vec<u8> {
-    let record = if version == 2 {
-        MseedRecord::new()
-    } else {
-        MseedRecord::new_v3()
-    };
+fn record(version: u8, channel: &str, start: u32, encoding: EncodingFormat, samples: Samples) -> Vec<u8> {
+    let record = if version == 2 { MseedRecord::new() } else { MseedRecord::new_v3() };
     let time = NanoTime {
         year: 2001,
         day: 34,
@@ -48,34 +38,21 @@ fn record(
 }
 
 fn counts(version: u8, start: u32, encoding: EncodingFormat) -> Vec<u8> {
-    record(
-        version,
-        "HNE",
-        start,
-        encoding,
-        Samples::Int(COUNTS.to_vec()),
-    )
+    record(version, "HNE", start, encoding, Samples::Int(COUNTS.to_vec()))
 }
 
 #[test]
 fn reference_every_encoding_of_counts_in_both_versions() {
     let expected: Vec<f64> = COUNTS.iter().map(|count| f64::from(*count) * 0.5).collect();
     for version in [2, 3] {
-        for encoding in [
-            EncodingFormat::Int32,
-            EncodingFormat::Steim1,
-            EncodingFormat::Steim2,
-        ] {
+        for encoding in [EncodingFormat::Int32, EncodingFormat::Steim1, EncodingFormat::Steim2] {
             let found = accelerogram(counts(version, 0, encoding), &in_milli_g());
             assert_eq!(found.format(), Format::MiniSeed);
             assert_eq!(found.values(), expected, "version {version}, {encoding}");
             assert_eq!(found.time_step().to_string(), "0.01");
         }
         let short = Samples::Int(vec![1, -2, 300]);
-        let found = accelerogram(
-            record(version, "HNE", 0, EncodingFormat::Int16, short),
-            &in_milli_g(),
-        );
+        let found = accelerogram(record(version, "HNE", 0, EncodingFormat::Int16, short), &in_milli_g());
         assert_eq!(found.values(), [0.5, -1.0, 150.0]);
     }
 }
@@ -100,18 +77,9 @@ fn reference_floats_need_their_unit_alone() {
 #[test]
 fn reference_records_of_several_streams() {
     let mut bytes = counts(2, 0, EncodingFormat::Steim2);
-    bytes.extend(record(
-        2,
-        "HNZ",
-        0,
-        EncodingFormat::Int32,
-        Samples::Int(vec![7, 8]),
-    ));
+    bytes.extend(record(2, "HNZ", 0, EncodingFormat::Int32, Samples::Int(vec![7, 8])));
     bytes.extend(counts(2, 9, EncodingFormat::Steim2));
-    assert_eq!(
-        components(&bytes).unwrap(),
-        ["ZZ.STA.00.HNE", "ZZ.STA.00.HNZ"]
-    );
+    assert_eq!(components(&bytes).unwrap(), ["ZZ.STA.00.HNE", "ZZ.STA.00.HNZ"]);
     let declared = Declared {
         component: Some("1".to_owned()),
         ..in_milli_g()
@@ -147,13 +115,7 @@ fn extreme_records() {
     assert_snapshot!(refusal(&tail, &in_milli_g()), @r#"byte 513 reads "somethin", but a record of miniSEED should stand there; fetch the file again"#);
     let velocity = record(2, "HHE", 0, EncodingFormat::Int32, Samples::Int(vec![7, 8]));
     assert_snapshot!(refusal(velocity, &in_milli_g()), @r#"byte 1 reads "ZZ.STA.00.HHE", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
-    let not_finite = record(
-        3,
-        "HNE",
-        0,
-        EncodingFormat::Float64,
-        Samples::Double(vec![0.1, f64::NAN]),
-    );
+    let not_finite = record(3, "HNE", 0, EncodingFormat::Float64, Samples::Double(vec![0.1, f64::NAN]));
     assert_snapshot!(refusal(not_finite, &in_milli_g()), @r#"byte 1 reads "a value that is not finite", but finite values should stand there; fetch the file again"#);
     assert_snapshot!(refusal(counts(3, 0, EncodingFormat::Int32), &component("HNX")), @r#""HNX" is declared as `component`, but the file holds 1 = "ZZ.STA.00.HNE"; choose one of them by its name, a part of it, or its number"#);
 }
@@ -185,10 +147,7 @@ fn issue_records_without_a_blockette_1000() {
     let found = accelerogram(bare(0), &in_milli_g());
     assert_eq!(found.values(), expected.values());
     let two = [bare(0), bare(9)].concat();
-    assert_eq!(
-        accelerogram(two, &in_milli_g()).values().len(),
-        2 * expected.values().len()
-    );
+    assert_eq!(accelerogram(two, &in_milli_g()).values().len(), 2 * expected.values().len());
     assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
 }
 
@@ -219,9 +178,7 @@ fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
 #[test]
 fn issue_steim_in_the_other_order_of_bytes() {
     let small: Vec<i32> = vec![0, 1, 3, 6, 10, 15, 21, 28];
-    let mixed: Vec<i32> = vec![
-        5, 300, -400, 20_000, 19_999, 20_001, 20_004, 20_000, -500, 90_000,
-    ];
+    let mixed: Vec<i32> = vec![5, 300, -400, 20_000, 19_999, 20_001, 20_004, 20_000, -500, 90_000];
     for samples in [small, mixed] {
         let expected: Vec<f64> = samples.iter().map(|one| f64::from(*one) * 0.5).collect();
         for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2] {

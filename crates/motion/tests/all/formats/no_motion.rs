@@ -27,10 +27,7 @@ const TURNED: Declared = Declared {
 /// A table below a header, of values that rise and fall above zero.
 fn spectrum(header: &str, separator: &str) -> String {
     let rows = (0..40).map(|step| {
-        let (period, value) = (
-            f64::from(step) * 0.02,
-            0.2 + 0.01 * f64::from(step.min(40 - step)),
-        );
+        let (period, value) = (f64::from(step) * 0.02, 0.2 + 0.01 * f64::from(step.min(40 - step)));
         format!("{period:.2}{separator}{value:.4}\n")
     });
     format!("{header}\n{}", rows.collect::<String>())
@@ -59,10 +56,7 @@ fn issue_spectra_are_no_motion() {
         let text = spectrum(header, if header.contains(',') { "," } else { "\t" });
         for declared in [&IN_G, &LIST, &TURNED] {
             let said = refusal(&text, declared);
-            assert!(
-                said.contains("this is a response spectrum"),
-                "{header}: {said}"
-            );
+            assert!(said.contains("this is a response spectrum"), "{header}: {said}");
         }
         assert!(components(text.as_bytes()).is_err(), "{header}");
     }
@@ -71,8 +65,7 @@ fn issue_spectra_are_no_motion() {
     let of_program = "Period [sec]\tAcceleration [g]\tVelocity [cm/sec]\tDisplacement [cm]\n0.00\t0.25\t1.0\t0.1\n0.02\t0.3\t1.0\t0.1\n0.04\t0.3\t1.0\t0.1\n";
     assert!(refusal(of_program, &IN_G).contains("this is a response spectrum"));
     // A time in capitals and the axis of a direction are none.
-    let titled: String = "Station SA\n".to_owned()
-        + &rows_of(20, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
+    let titled: String = "Station SA\n".to_owned() + &rows_of(20, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
     assert_eq!(accelerogram(titled, &IN_G).values().len(), 20);
     for header in ["T (s),acc (g)", "time,SE (g)", "t,a"] {
         let rows: String = rows_of(20, |step, value| format!("{:.2},{value:.4}\n", 0.01 * step));
@@ -93,10 +86,7 @@ fn issue_values_of_one_sign_are_asked_about() {
     assert_snapshot!(refusal(&bare, &IN_G), @"the 40 values that end at line 41 never change sign, like a spectrum and unlike shaking, and the file does not call them accelerations; take the record itself, or declare `acceleration` if they are accelerations");
     let rising = rows_of(20, |step, _| format!("{}\n", step * 0.01 - 0.05));
     assert_snapshot!(refusal(&rising, &LIST), @"the 20 values that end at line 20 only rise, like a spectrum and unlike shaking, and the file does not call them accelerations; take the record itself, or declare `acceleration` if they are accelerations");
-    let declared = Declared {
-        time_step: None,
-        ..TURNED
-    };
+    let declared = Declared { time_step: None, ..TURNED };
     assert_snapshot!(unusual(&accelerogram(&bare, &declared)), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
     // Where the file says that they are accelerations they may be a pulse.
     let pulse = spectrum("time_s,acceleration_g", ",");
@@ -111,10 +101,7 @@ fn issue_values_of_one_sign_are_asked_about() {
         "周期(s),加速度(gal)",
     ] {
         let said = refusal(spectrum(names, ","), &Declared::default());
-        assert!(
-            said.contains("spectrum") || said.contains("time"),
-            "{names}: {said}"
-        );
+        assert!(said.contains("spectrum") || said.contains("time"), "{names}: {said}");
     }
     let named = spectrum("time (s),acc (g)", ",");
     assert!(matches!(
@@ -123,8 +110,7 @@ fn issue_values_of_one_sign_are_asked_about() {
     ));
     let zeros = "0.0\n".repeat(20);
     assert_snapshot!(unusual(&accelerogram(zeros, &LIST)), @"found 20 values in the file that are all zero, usual is shaking");
-    let sums =
-        "time,NS (g),EW (g),SUM (g)\n0,0.1,0.2,0.22\n0.01,-0.1,-0.2,0.22\n0.02,0.1,0.2,0.22\n";
+    let sums = "time,NS (g),EW (g),SUM (g)\n0,0.1,0.2,0.22\n0.01,-0.1,-0.2,0.22\n0.02,0.1,0.2,0.22\n";
     assert_eq!(components(sums.as_bytes()).unwrap(), ["NS", "EW"]);
 }
 

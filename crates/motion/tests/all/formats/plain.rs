@@ -33,10 +33,7 @@ fn reference_one_column() {
         assert_eq!(found.values(), [0.1, -0.25, 3.0], "{text}");
         assert_eq!(found.time_step().to_string(), "0.02");
     }
-    let found = accelerogram(
-        "# El Somewhere\nin some unit\n0.1\n0.2\n",
-        &in_g_with_step(0.02),
-    );
+    let found = accelerogram("# El Somewhere\nin some unit\n0.1\n0.2\n", &in_g_with_step(0.02));
     assert_eq!(found.provenance(), "El Somewhere\nin some unit");
     assert_snapshot!(readings(&found), @r"
     format: plain text

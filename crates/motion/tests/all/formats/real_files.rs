@@ -1,9 +1,7 @@
 //! Layouts of real files that were refused, or read wrongly, in small files made by hand.
 
 use insta::assert_snapshot;
-use pounding_motion::{
-    AccelerationUnit, Accelerogram, Declared, Direction, Format, Unusual, components,
-};
+use pounding_motion::{AccelerationUnit, Accelerogram, Declared, Direction, Format, Unusual, components};
 
 use super::{accelerogram, component, file, readings, refusal, with};
 
@@ -42,10 +40,7 @@ fn line(found: &Accelerogram) -> String {
 
 fn directions(text: impl AsRef<[u8]>) -> Vec<Option<Direction>> {
     let names = components(text.as_ref()).expect("components");
-    names
-        .iter()
-        .map(|name| Direction::of_component(name))
-        .collect()
+    names.iter().map(|name| Direction::of_component(name)).collect()
 }
 
 const SIDEWAYS: Option<Direction> = Some(Direction::Horizontal);
@@ -60,18 +55,9 @@ fn issue_vertical_components_wherever_a_format_puts_the_word() {
              NPTS= 2, DT= .01 SEC\n.1 .2\n"
         )
     };
-    assert_eq!(
-        directions(at2("Somewhere, 1/2/2011, CCM, BHZ00")),
-        [UPRIGHT]
-    );
-    assert_eq!(
-        directions(at2("Somewhere, 1/2/2011, CCM, BHE00")),
-        [SIDEWAYS]
-    );
-    assert_eq!(
-        directions(at2("Somewhere, 1/2/2011, A School, 1 Up")),
-        [UPRIGHT]
-    );
+    assert_eq!(directions(at2("Somewhere, 1/2/2011, CCM, BHZ00")), [UPRIGHT]);
+    assert_eq!(directions(at2("Somewhere, 1/2/2011, CCM, BHE00")), [SIDEWAYS]);
+    assert_eq!(directions(at2("Somewhere, 1/2/2011, A School, 1 Up")), [UPRIGHT]);
     let csmip = |to| directions(file("csmip.v2").replace("Chan  1:  90 Deg", to));
     let upright = csmip("CHAN  1: UP      (STA CHN: 15)     LOCATION: FOOTING, W. EDGE");
     assert_eq!(upright[0], UPRIGHT);
@@ -79,10 +65,7 @@ fn issue_vertical_components_wherever_a_format_puts_the_word() {
     assert_eq!(csmip("CHAN  1: L       (STA CHN:  1)")[0], SIDEWAYS);
     assert_eq!(csmip("COMP  1 UP")[0], UPRIGHT);
     // A word of a place is no direction.
-    assert_eq!(
-        csmip("CHAN  1:  90 DEG (STA CHN: 1)  LOCATION: UP THE HILL")[0],
-        SIDEWAYS
-    );
+    assert_eq!(csmip("CHAN  1:  90 DEG (STA CHN: 1)  LOCATION: UP THE HILL")[0], SIDEWAYS);
     let smc = |to| directions(with("usgs.smc", "component=     27", to));
     assert_eq!(smc("component=   1 Up"), [UPRIGHT]);
 }
@@ -122,10 +105,7 @@ fn issue_velocities_of_the_broadband_platform() {
     };
     let found = accelerogram(text, &turned);
     assert_eq!(found.values(), [2.0, -2.0]);
-    assert!(matches!(
-        found.unusual(),
-        [Unusual::Peak { .. }, Unusual::Velocity { .. }]
-    ));
+    assert!(matches!(found.unusual(), [Unusual::Peak { .. }, Unusual::Velocity { .. }]));
 }
 
 /// Such files were refused: the columns are named on a line each.
@@ -151,8 +131,7 @@ fn issue_cwb_with_a_blank_line_in_its_header() {
 /// The poles of filters behind the time step were taken for numbers too many.
 #[test]
 fn issue_at2_with_poles_of_filters() {
-    let text =
-        |line: &str| format!("PEER\nSomewhere, UP\nACCELERATION IN UNITS OF G\n{line}\n.1 .2\n");
+    let text = |line: &str| format!("PEER\nSomewhere, UP\nACCELERATION IN UNITS OF G\n{line}\n.1 .2\n");
     let poles = "NPTS=   2, DT=   .0100 SEC,   0 POLE @    30.00000 HZ,  -5 POLE @      .40000";
     assert_snapshot!(line(&accelerogram(text(poles), &NOTHING)), @"PEER AT2, UP, 0.01 s, g, [0.1, 0.2]");
     let filter = "NPTS=   2, DT=   .0100 SEC, 4 POLE @ 40 HZ";
@@ -181,8 +160,7 @@ fn issue_at2_with_the_count_of_another_record() {
 fn issue_smc_of_unknown_type() {
     let text = file("usgs.smc");
     let (header, _) = text.split_once("-2.4676E+1").expect("the values");
-    let wide =
-        " 2.5000000E-01-7.1842000E+01 5.5757000E+01 1.0000000E+00-2.0000000E+00\n 3.0000000E+00\n";
+    let wide = " 2.5000000E-01-7.1842000E+01 5.5757000E+01 1.0000000E+00-2.0000000E+00\n 3.0000000E+00\n";
     let header = header.replace("2 CORRECTED ACCELEROGRAM", "0 UNKNOWN               ");
     let header = header.replace("        21    -32768", "         6    -32768");
     let said = header.replace("hand-made", "ACCELERATION TIME HISTORY, hand-made");
@@ -203,11 +181,7 @@ fn issue_usc_volume_1_in_columns_behind_a_blank() {
     let text = file("csmip-old.v1");
     let behind = text.lines().map(|line| {
         let is_data = line.starts_with("   .0") || line.starts_with("   .1");
-        if is_data {
-            format!(" {line}\n")
-        } else {
-            format!("{line}\n")
-        }
+        if is_data { format!(" {line}\n") } else { format!("{line}\n") }
     });
     let behind: String = behind.collect();
     assert_ne!(behind, text);
@@ -219,38 +193,23 @@ fn issue_usc_volume_1_in_columns_behind_a_blank() {
         pounding_motion::read_declared(text.as_bytes(), &declared)
             .or_else(|_| pounding_motion::read_declared(text.as_bytes(), &component("1")))
     };
-    assert_eq!(
-        read(&behind).expect("a record").values(),
-        read(&text).expect("a record").values()
-    );
+    assert_eq!(read(&behind).expect("a record").values(), read(&text).expect("a record").values());
 }
 
 /// The unit stands with the peak alone, and could not be declared either.
 #[test]
 fn issue_usc_volume_2_with_the_unit_of_the_peak() {
     let text = file("usc.s0a");
-    let block = text
-        .lines()
-        .find(|line| line.contains("POINTS OF ACC DATA"))
-        .expect("a block");
+    let block = text.lines().find(|line| line.contains("POINTS OF ACC DATA")).expect("a block");
     let (before, _) = block.split_once("SEC.").expect("a step");
     let text = text.replace(block, &format!("{before}SEC."));
-    assert_eq!(
-        accelerogram(&text, &NOTHING).unit(),
-        AccelerationUnit::CentimetrePerSecondSquared
-    );
-    let peak = text
-        .lines()
-        .find(|line| line.contains("PEAK ACCELERATION"))
-        .expect("a peak");
+    assert_eq!(accelerogram(&text, &NOTHING).unit(), AccelerationUnit::CentimetrePerSecondSquared);
+    let peak = text.lines().find(|line| line.contains("PEAK ACCELERATION")).expect("a peak");
     let silent = text.replace(peak, "");
     assert_eq!(
-        accelerogram(
-            silent.replacen("PEAK   VELOCITY", "\nPEAK   VELOCITY", 1),
-            &IN_GAL
-        )
-        .unit()
-        .symbol(),
+        accelerogram(silent.replacen("PEAK   VELOCITY", "\nPEAK   VELOCITY", 1), &IN_GAL)
+            .unit()
+            .symbol(),
         "cm/s²"
     );
 }
@@ -259,10 +218,7 @@ fn issue_usc_volume_2_with_the_unit_of_the_peak() {
 #[test]
 fn issue_csmip_volume_1_with_its_step() {
     let text = file("csmip-new.v1");
-    let block = text
-        .lines()
-        .find(|line| line.contains("points at"))
-        .expect("a block");
+    let block = text.lines().find(|line| line.contains("points at")).expect("a block");
     let count = block.split_whitespace().next().expect("a count");
     let spaced = format!("{count} POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)");
     let found = accelerogram(text.replace(block, &spaced), &component("1"));
@@ -316,10 +272,7 @@ fn issue_formats_of_other_networks() {
         "  .202020E-01  .640000E+00\n  .200000E+03  .000000E+00\n{}",
         "  .000000E+00\n".repeat(5)
     );
-    let bhrc = format!(
-        "{}\n{whole}{real}  .921041E-02 -.140956E-01  .189808E-01\n/&\n",
-        BHRC.join("\n")
-    );
+    let bhrc = format!("{}\n{whole}{real}  .921041E-02 -.140956E-01  .189808E-01\n/&\n", BHRC.join("\n"));
     assert_snapshot!(line(&accelerogram(bhrc, &NOTHING)), @"BHRC, COMP V2, 0.005 s, g/10, [0.00921041, -0.0140956, 0.0189808]");
 
     let csmnc = "065XYZ\nSOMEWHERE\nCOMP. EW\nUNCORRECTED ACCELERATION          UNIT: CM/SEC/SEC\n\
@@ -367,10 +320,7 @@ fn issue_components_in_columns() {
     assert_snapshot!(line(&accelerogram(words, &declared)), @"plain text, Z, 0.005 s, cm/s², [2.5, -2.5]");
     // Without names the first column may be a time, and nothing tells how the others lie.
     let bare = "0.00 1 2 3\n0.01 4 5 6\n0.02 7 8 9\n";
-    assert_eq!(
-        components(bare.as_bytes()).expect("columns"),
-        ["column 2", "column 3", "column 4"]
-    );
+    assert_eq!(components(bare.as_bytes()).expect("columns"), ["column 2", "column 3", "column 4"]);
     assert_eq!(directions(bare), [None, None, None]);
     let velocity = csv.replace("(gal)", "(cm/s)");
     assert_snapshot!(refusal(velocity, &component("acc_EW")), @r#"line 1 reads "acc_EW (cm/s)", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
@@ -411,10 +361,7 @@ fn issue_pairs_behind_a_count_in_single_precision_and_from_anywhere() {
         format!("{time:.6} {sign}{step}.5\n")
     };
     let text: String = (0..40).map(single).collect();
-    assert!(
-        text.contains("240.024994"),
-        "rounded to single precision: {text}"
-    );
+    assert!(text.contains("240.024994"), "rounded to single precision: {text}");
     let found = accelerogram(text, &IN_GAL);
     assert_eq!(found.format(), Format::Plain);
     assert_eq!(found.time_step().to_string(), "0.025");

@@ -14,18 +14,12 @@ fn list() -> Declared {
 }
 
 fn in_rows() -> Declared {
-    Declared {
-        in_rows: true,
-        ..list()
-    }
+    Declared { in_rows: true, ..list() }
 }
 
 /// The values with so many to a row.
 fn rows(n_values: usize, per_row: usize, separator: &str) -> String {
-    let values: Vec<String> = wave(n_values)
-        .iter()
-        .map(|value| format!("{value:.6}"))
-        .collect();
+    let values: Vec<String> = wave(n_values).iter().map(|value| format!("{value:.6}")).collect();
     let rows = values.chunks(per_row).map(|row| row.join(separator) + "\n");
     rows.collect()
 }
@@ -34,11 +28,7 @@ fn rows(n_values: usize, per_row: usize, separator: &str) -> String {
 #[test]
 fn issue_values_in_rows() {
     let expected = accelerogram(rows(40, 1, ""), &list());
-    for (text, n_columns) in [
-        (rows(40, 5, " "), "5"),
-        (rows(40, 4, ","), "4"),
-        (rows(40, 2, "\t"), "2"),
-    ] {
+    for (text, n_columns) in [(rows(40, 5, " "), "5"), (rows(40, 4, ","), "4"), (rows(40, 2, "\t"), "2")] {
         let found = accelerogram(&text, &in_rows());
         assert_eq!(found.values(), expected.values(), "{n_columns}");
         let said = refusal(&text, &list());
@@ -62,10 +52,7 @@ fn issue_values_in_rows_that_touch() {
         let end = if (step + 1.0) % 8.0 < 0.5 { "\n" } else { "" };
         format!("{value:9.6}{end}")
     });
-    let found = accelerogram(
-        format!("ACCELEROGRAM FOR A PROGRAM\n{touching}"),
-        &in_rows(),
-    );
+    let found = accelerogram(format!("ACCELEROGRAM FOR A PROGRAM\n{touching}"), &in_rows());
     assert_eq!(found.values().len(), 40);
     assert!((found.values()[7] - values[7]).abs() < 1e-6);
     assert!(refusal(format!("A PROGRAM\n{touching}"), &list()).contains("declare `in_rows`"));
@@ -127,33 +114,17 @@ fn issue_blank_lines_above_and_ctrl_z_below() {
 #[test]
 fn issue_decimal_commas() {
     let comma = |text: String| text.replace('.', ",");
-    let expected = accelerogram(
-        "0.00,0.25\n0.01,-0.5\n0.02,0.25\n",
-        &Declared {
-            time_step: None,
-            ..list()
-        },
-    );
+    let expected = accelerogram("0.00,0.25\n0.01,-0.5\n0.02,0.25\n", &Declared { time_step: None, ..list() });
     for text in [
         "0,00;0,25\n0,01;-0,5\n0,02;0,25\n",
         "0,00 0,25\n0,01 -0,5\n0,02 0,25\n",
         "t;a\n0,00;0,25;\n0,01;-0,5;\n0,02;0,25;\n",
     ] {
-        let found = accelerogram(
-            text.replace(";\n", "\n"),
-            &Declared {
-                time_step: None,
-                ..list()
-            },
-        );
+        let found = accelerogram(text.replace(";\n", "\n"), &Declared { time_step: None, ..list() });
         assert_eq!(found.values(), expected.values(), "{text}");
         let steps = [&found, &expected].map(|one| one.time_step().to_string());
         assert_eq!(steps[0], steps[1], "{text}");
-        assert!(
-            readings(&found).contains("decimal commas (line"),
-            "{}",
-            readings(&found)
-        );
+        assert!(readings(&found).contains("decimal commas (line"), "{}", readings(&found));
     }
     let named = "Zeit;time (s);NS (g)\n1;0,00;0,25\n2;0,01;-0,5\n3;0,02;0,25\n";
     assert!(components(named.as_bytes()).is_ok());

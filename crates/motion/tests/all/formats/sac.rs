@@ -15,12 +15,8 @@ struct Sac {
 impl Sac {
     fn new(values: &[f32]) -> Self {
         let n_values = u32::try_from(values.len()).expect("a small file");
-        let largest = values
-            .iter()
-            .fold(f32::MIN, |largest, value| largest.max(*value));
-        let smallest = values
-            .iter()
-            .fold(f32::MAX, |smallest, value| smallest.min(*value));
+        let largest = values.iter().fold(f32::MIN, |largest, value| largest.max(*value));
+        let smallest = values.iter().fold(f32::MAX, |smallest, value| smallest.min(*value));
         let words = vec![
             (0, 0.02_f32.to_bits()),
             (1, smallest.to_bits()),
@@ -50,11 +46,7 @@ impl Sac {
             words[*word] = *value;
         }
         let order = |word: u32| {
-            if self.big_endian {
-                word.to_be_bytes()
-            } else {
-                word.to_le_bytes()
-            }
+            if self.big_endian { word.to_be_bytes() } else { word.to_le_bytes() }
         };
         let mut bytes: Vec<u8> = words.into_iter().flat_map(order).collect();
         bytes.extend(b"-12345  ".repeat(20));
@@ -123,10 +115,7 @@ fn extreme_header_and_values() {
 #[test]
 fn limit_peak_and_quantity_may_be_unset() {
     let unset = (-12345.0_f32).to_bits();
-    let sac = Sac::new(&VALUES)
-        .set(1, unset)
-        .set(2, unset)
-        .set(86, (-12345_i32).cast_unsigned());
+    let sac = Sac::new(&VALUES).set(1, unset).set(2, unset).set(86, (-12345_i32).cast_unsigned());
     assert_eq!(accelerogram(sac.bytes(), &IN_SI).values().len(), 4);
 }
 

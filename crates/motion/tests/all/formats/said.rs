@@ -36,10 +36,7 @@ fn column(n_values: usize) -> String {
 
 /// Six values to a line.
 fn in_rows(n_values: usize) -> String {
-    let values: Vec<String> = wave(n_values)
-        .iter()
-        .map(|value| format!("{value:.6e}"))
-        .collect();
+    let values: Vec<String> = wave(n_values).iter().map(|value| format!("{value:.6e}")).collect();
     let rows = values.chunks(6).map(|row| row.join("  ") + "\n");
     rows.collect()
 }
@@ -93,11 +90,7 @@ fn issue_declared_against_comments() {
     let right_step = declared(AccelerationUnit::MilliG, 0.005);
     assert_snapshot!(refusal(&csn, &right_step), @"line 6 says that the values are in m_per_s2, but mg is declared as `unit`; leave the declaration away");
     for header in [CSN, SLIST, GEO_CSV, PROSE] {
-        let values = if header == SLIST {
-            in_rows(120)
-        } else {
-            column(120)
-        };
+        let values = if header == SLIST { in_rows(120) } else { column(120) };
         let text = format!("{header}{values}");
         let silent = accelerogram(&text, &nothing());
         let repeated = declared(silent.unit(), silent.time_step());
@@ -115,19 +108,13 @@ fn issue_declared_against_comments() {
         ..nothing()
     };
     assert_eq!(accelerogram(&both, &meant).time_step().to_string(), "0.01");
-    let units = format!(
-        "# units: g\n# dt = 0.01 s, acceleration in cm/s2\n{}",
-        column(30)
-    );
+    let units = format!("# units: g\n# dt = 0.01 s, acceleration in cm/s2\n{}", column(30));
     assert_snapshot!(refusal(&units, &nothing()), @"the file gives more than one unit: g (line 1), cm_per_s2 (line 2); declare the right one as `unit`, or correct the file");
     let meant = Declared {
         unit: Some(AccelerationUnit::StandardGravity),
         ..nothing()
     };
-    assert_eq!(
-        accelerogram(&units, &meant).unit(),
-        AccelerationUnit::StandardGravity
-    );
+    assert_eq!(accelerogram(&units, &meant).unit(), AccelerationUnit::StandardGravity);
     refusal(
         &units,
         &Declared {
@@ -140,12 +127,7 @@ fn issue_declared_against_comments() {
 /// Cut files were read silently.
 #[test]
 fn issue_fewer_values_than_comments_count() {
-    for (header, values) in [
-        (CSN, column(60)),
-        (GEO_CSV, column(60)),
-        (SLIST, in_rows(60)),
-        (SLIST, in_rows(59)),
-    ] {
+    for (header, values) in [(CSN, column(60)), (GEO_CSV, column(60)), (SLIST, in_rows(60)), (SLIST, in_rows(59))] {
         let said = refusal(format!("{header}{values}"), &nothing());
         assert!(said.contains("the header declares 120"), "{said}");
     }
@@ -165,11 +147,7 @@ fn issue_fewer_values_than_comments_count() {
         )
     };
     assert_eq!(accelerogram(at2(""), &nothing()).values().len(), 120);
-    assert!(
-        refusal(at2("****"), &nothing()).contains("asterisks"),
-        "{}",
-        at2("****")
-    );
+    assert!(refusal(at2("****"), &nothing()).contains("asterisks"), "{}", at2("****"));
     let short = CSN.replace("120", "20");
     refusal(format!("{short}{}", column(19)), &nothing());
 }
@@ -178,12 +156,7 @@ fn issue_fewer_values_than_comments_count() {
 #[test]
 fn issue_dates_for_times() {
     let stamped = |separator: &str| {
-        let row = |(step, value): (usize, &f64)| {
-            format!(
-                "2020-01-01T23:59:59.{:06}{separator}{value:.6e}\n",
-                5000 * step
-            )
-        };
+        let row = |(step, value): (usize, &f64)| format!("2020-01-01T23:59:59.{:06}{separator}{value:.6e}\n", 5000 * step);
         wave(120).iter().enumerate().map(row).collect::<String>()
     };
     let pairs = SLIST.replace("SLIST", "TSPAIR") + &stamped("  ");
@@ -195,11 +168,7 @@ fn issue_dates_for_times() {
     assert_snapshot!(line(&csv), @"HNZ, 120 values, 0.005 s, m/s²");
     assert_snapshot!(refusal(csv.replace("_hz: 200", "_hz: 100"), &nothing()), @"the file gives more than one time step: 0.005 s (line 10), 0.01 s (line 5); declare the right one as `time_step`, or correct the file");
     let rows: String = rows_of(30, |step, value| {
-        format!(
-            "2011/03/11 14:46:00,{:.2},{value:.6},{:.6},0.0\n",
-            0.01 * step,
-            -0.5 * value
-        )
+        format!("2011/03/11 14:46:00,{:.2},{value:.6},{:.6},0.0\n", 0.01 * step, -0.5 * value)
     });
     let knet = format!(
         "OriginTime,2011/03/11-14:46:00\nLatitude,38.103\nCode,ZZZ001\nOffset,0.00,0.00,0.00\nTime,RelativeTime(s),NS(gal),EW(gal),UD(gal)\n{rows}"
@@ -281,10 +250,7 @@ fn issue_other_quantities_in_titles() {
     ] {
         let declared = declared(AccelerationUnit::StandardGravity, 0.01);
         let said = refusal(format!("{title}\n{}", column(30)), &declared);
-        assert!(
-            said.contains("histories of acceleration"),
-            "{title}: {said}"
-        );
+        assert!(said.contains("histories of acceleration"), "{title}: {said}");
     }
     let displacement = "Time (s),Displacement (cm)\n0.00,0.1\n0.01,-0.2\n0.02,0.1\n";
     assert_snapshot!(refusal(displacement, &nothing()), @r#"line 1 reads "Displacement (cm)", but only histories of acceleration are read; take the accelerations of the record, these are displacements"#);
@@ -298,10 +264,7 @@ fn issue_other_quantities_in_titles() {
 fn limit_other_words_say_nothing() {
     let other = "# El Somewhere, 1940, magnitude 6.9, 8 points across in a row\n# shear wave velocity (m/s): 345, distance 12 km, PGA (g): 0.31\n\
                  # filtered at 25 Hz, according to g\n";
-    let found = accelerogram(
-        format!("{other}{}", column(30)),
-        &declared(AccelerationUnit::MilliG, 0.02),
-    );
+    let found = accelerogram(format!("{other}{}", column(30)), &declared(AccelerationUnit::MilliG, 0.02));
     assert_eq!(found.time_step().to_string(), "0.02");
     assert_eq!(found.unit(), AccelerationUnit::MilliG);
     assert_eq!(found.component(), None);
@@ -315,10 +278,7 @@ fn issue_numbers_of_something_else() {
             "# Original sampling rate: 200 Hz\n# Resampled to 100 Hz",
             AccelerationUnit::StandardGravity,
         ),
-        (
-            "# gravitational acceleration (m/s2): 9.81",
-            AccelerationUnit::StandardGravity,
-        ),
+        ("# gravitational acceleration (m/s2): 9.81", AccelerationUnit::StandardGravity),
         ("# station FS 12", AccelerationUnit::StandardGravity),
         ("# FS01", AccelerationUnit::StandardGravity),
         ("# units of Vs30: m/s", AccelerationUnit::StandardGravity),
@@ -328,11 +288,7 @@ fn issue_numbers_of_something_else() {
     ] {
         let text = format!("{title}\n{}", column(120));
         let found = accelerogram(&text, &declared(unit, 0.01));
-        assert_eq!(
-            (found.values().len(), found.time_step()),
-            (120, 0.01),
-            "{title}"
-        );
+        assert_eq!((found.values().len(), found.time_step()), (120, 0.01), "{title}");
         assert_eq!(found.unit(), unit, "{title}");
     }
 }
@@ -352,14 +308,7 @@ fn issue_short_words_for_numbers_and_steps() {
         let said = refusal(&text, &declared(AccelerationUnit::StandardGravity, 0.01));
         assert!(said.contains("400"), "{title}: {said}");
     }
-    for title in [
-        "delta: 0.005",
-        "sps: 200",
-        "rate: 200 Hz",
-        "Ts = 0.005",
-        "fs = 200",
-        "fs (Hz): 200",
-    ] {
+    for title in ["delta: 0.005", "sps: 200", "rate: 200 Hz", "Ts = 0.005", "fs = 200", "fs (Hz): 200"] {
         let text = format!("# {title}\n{}", column(120));
         let said = refusal(&text, &declared(AccelerationUnit::StandardGravity, 0.01));
         assert!(said.contains("0.005"), "{title}: {said}");
@@ -376,10 +325,7 @@ fn issue_whole_names_of_stations() {
     };
     let told = |title: &str| station(title).0.unwrap_or_default();
     assert_eq!(told("Station: Los Gatos, Start time: 0.0"), "LOS GATOS");
-    assert_eq!(
-        told("Station: Los Angeles Hollywood; Component: 90"),
-        "LOS ANGELES HOLLYWOOD"
-    );
+    assert_eq!(told("Station: Los Angeles Hollywood; Component: 90"), "LOS ANGELES HOLLYWOOD");
     assert_eq!(told("Station ABC component N, dt = 0.005 s"), "ABC");
     assert_eq!(station("Start time: 0.0").1, None);
 }

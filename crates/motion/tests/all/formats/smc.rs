@@ -16,10 +16,7 @@ fn reference_numbers_that_touch() {
     assert_eq!(found.unit(), AccelerationUnit::CentimetrePerSecondSquared);
     assert_eq!(found.time_step().to_string(), "0.01");
     assert_eq!(found.values().len(), 21);
-    assert_eq!(
-        found.values()[..5],
-        [-24.676, -71.842, -61.421, -9.2692, 41.702]
-    );
+    assert_eq!(found.values()[..5], [-24.676, -71.842, -61.421, -9.2692, 41.702]);
     assert_eq!(found.values()[20..=20], [8.8053]);
     assert_snapshot!(readings(&found), @r"
     format: USGS SMC
@@ -81,9 +78,7 @@ fn smc_of_pairs(values: &str) -> String {
 /// Such a file was read silently with a step of 5.9e-39 s, or was refused for the count of its values by luck.
 #[test]
 fn issue_smc_of_uneven_pairs() {
-    let uneven = smc_of_pairs(
-        " 0.0000E+0 1.0000E+0 4.0000E-2 3.0000E+0 6.0000E-2 2.0000E+0 1.0000E-1-6.0000E+0",
-    );
+    let uneven = smc_of_pairs(" 0.0000E+0 1.0000E+0 4.0000E-2 3.0000E+0 6.0000E-2 2.0000E+0 1.0000E-1-6.0000E+0");
     assert_snapshot!(refusal(&uneven, &Declared::default()), @"the times rise in uneven steps, from 0.02 to 0.04 s: at line 30 by 0.02 s, where 0.04 s are the median; declare the step to which they are to be resampled, linear between them, as `time_step`, or print them with more decimals");
     let found = accelerogram(&uneven, &with_step(0.02));
     assert_eq!(found.values(), [1.0, 2.0, 3.0, 2.0, -2.0, -6.0]);
@@ -96,12 +91,7 @@ fn issue_smc_of_uneven_pairs() {
     ");
     assert_snapshot!(refusal(&uneven, &with_step(1e-4)), @"the declared `time_step` of 0.0001 s resamples the uneven times of the file to more than 8 values for each there is; allowed is 0.0034 s and more");
     let even = smc_of_pairs(" 0.0000E+0 1.0000E+0 2.0000E-2 3.0000E+0 4.0000E-2 2.0000E+0");
-    assert_eq!(
-        accelerogram(&even, &Declared::default())
-            .time_step()
-            .to_string(),
-        "0.02"
-    );
+    assert_eq!(accelerogram(&even, &Declared::default()).time_step().to_string(), "0.02");
 }
 
 /// Values alone are no pairs, whatever the header lacks.

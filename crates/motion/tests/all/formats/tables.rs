@@ -22,8 +22,7 @@ fn afad() -> Vec<u8> {
 }
 
 fn unam() -> Vec<u8> {
-    let mut text =
-        b"INSTITUTO DE INGENIERIA, UNAM\n\n\n\n\n\nARCHIVO ESTANDAR DE ACELERACION\n".to_vec();
+    let mut text = b"INSTITUTO DE INGENIERIA, UNAM\n\n\n\n\n\nARCHIVO ESTANDAR DE ACELERACION\n".to_vec();
     text.extend(b"ESTACI\xD3N : none\nORIENTACION C1-C6 (rumbo;orientacion) : /N00E;x/V/N90E\n");
     text.extend(b"INTERVALO DE MUESTREO, C1-C6 (s) : /.010/.010/.010\n");
     text.extend(b"NUM. TOTAL DE MUESTRAS, C1-C6 : /   2/   2/   2\n");
@@ -34,9 +33,7 @@ fn unam() -> Vec<u8> {
 
 /// What is refused once a piece of a file is replaced.
 fn refused(bytes: &[u8], from: &str, to: &str) -> String {
-    let at = bytes
-        .windows(from.len())
-        .position(|piece| piece == from.as_bytes());
+    let at = bytes.windows(from.len()).position(|piece| piece == from.as_bytes());
     let at = at.unwrap_or_else(|| panic!("no {from:?}"));
     let changed = [&bytes[..at], to.as_bytes(), &bytes[at + from.len()..]].concat();
     refusal(changed, &component("1"))
@@ -141,10 +138,7 @@ fn issue_broadband_platform_with_commas() {
     let stated = BBP.replace("cm/s)", "cm/s/s)");
     let (header, rows) = stated.split_at(stated.find("0.00").expect("rows"));
     let commas = header.to_owned() + &rows.replace(' ', ",");
-    assert_eq!(
-        accelerogram(commas, &declared).values(),
-        accelerogram(&stated, &declared).values()
-    );
+    assert_eq!(accelerogram(commas, &declared).values(), accelerogram(&stated, &declared).values());
 }
 
 #[test]
@@ -159,10 +153,7 @@ fn extreme_every_cut() {
         for length in 0..text.len() {
             if let Ok(found) = read_declared(&text[..length], &declared) {
                 // BBP has no number of values, CWB allows for one more or less.
-                assert!(
-                    whole.values().len() - found.values().len() <= 1,
-                    "cut at {length}"
-                );
+                assert!(whole.values().len() - found.values().len() <= 1, "cut at {length}");
             }
         }
     }

@@ -25,9 +25,7 @@ pub(super) fn asked(text: &str) -> Result<BumperAsked, String> {
         _ => {}
     }
     let value = text.strip_prefix("k=").ok_or(ALLOWED)?.trim();
-    let unit = UNITS
-        .iter()
-        .find_map(|(unit, factor)| Some((value.strip_suffix(unit)?, factor)));
+    let unit = UNITS.iter().find_map(|(unit, factor)| Some((value.strip_suffix(unit)?, factor)));
     match unit {
         Some((number, factor)) => super::super::positive(number.trim())
             .map(|number| BumperAsked::Stiffness(factor * number))

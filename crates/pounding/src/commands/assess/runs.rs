@@ -5,8 +5,7 @@ use std::sync::OnceLock;
 
 use pounding::report::{Animation, AssessedMotion};
 use pounding::scene::{
-    Alone, AssessedRun, Bumper, BumperRun, DrawnNeighbour, Error, Motion, MotionSpectrum,
-    RecordUse, Scaling, Scene, Simulation, Suite,
+    Alone, AssessedRun, Bumper, BumperRun, DrawnNeighbour, Error, Motion, MotionSpectrum, RecordUse, Scaling, Scene, Simulation, Suite,
 };
 
 use super::super::suite;
@@ -78,11 +77,7 @@ impl Asked<'_> {
     }
 
     /// Bumpers for the gaps that close: as stiff as given, or as the hardest of all rows asks for.
-    pub(super) fn bumpers(
-        &self,
-        lines: &[suite::Line<Found>],
-        stiffness: Option<f64>,
-    ) -> Result<Vec<Bumper>, Error> {
+    pub(super) fn bumpers(&self, lines: &[suite::Line<Found>], stiffness: Option<f64>) -> Result<Vec<Bumper>, Error> {
         let mut stiffest: BTreeMap<usize, Bumper> = BTreeMap::new();
         for (index, (row, _)) in self.rows.iter().enumerate() {
             let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
@@ -96,11 +91,7 @@ impl Asked<'_> {
     }
 
     /// What bumpers change in the runs in which something touches, by motion, direction and row; runs that fail are left out.
-    pub(super) fn with_bumpers(
-        &self,
-        lines: &[suite::Line<Found>],
-        bumpers: &[Bumper],
-    ) -> Result<BumperRuns, String> {
+    pub(super) fn with_bumpers(&self, lines: &[suite::Line<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, String> {
         if bumpers.is_empty() {
             return Ok(BumperRuns::new());
         }
@@ -146,9 +137,7 @@ impl Asked<'_> {
     pub(super) fn animation(&self, lines: &[suite::Line<Found>]) -> Option<Animation> {
         let hardest = lines.iter().flat_map(|line| {
             let found = line.found.as_ref().ok();
-            let runs = found
-                .into_iter()
-                .flat_map(|found| found.runs.iter().enumerate());
+            let runs = found.into_iter().flat_map(|found| found.runs.iter().enumerate());
             runs.flat_map(move |(row, run)| {
                 let pairs = run.pairs.iter().filter(|pair| pair.collisions > 0);
                 pairs.map(move |pair| (line, row, pair))
@@ -170,11 +159,7 @@ impl Asked<'_> {
     }
 
     /// Every run of every line that was finished.
-    pub(super) fn motions(
-        &self,
-        lines: &[suite::Line<Found>],
-        bumpers: &BumperRuns,
-    ) -> Vec<AssessedMotion> {
+    pub(super) fn motions(&self, lines: &[suite::Line<Found>], bumpers: &BumperRuns) -> Vec<AssessedMotion> {
         let of_line = |line: &suite::Line<Found>| {
             let found = line.found.as_ref().ok();
             let runs = found.into_iter().flat_map(|found| {
@@ -187,9 +172,7 @@ impl Asked<'_> {
                 event: line.event,
                 reversed: line.reversed,
                 neighbour: self.rows[row].1,
-                bumper: bumpers
-                    .get(&(line.motion.clone(), line.reversed, row))
-                    .cloned(),
+                bumper: bumpers.get(&(line.motion.clone(), line.reversed, row)).cloned(),
                 spectrum,
                 run,
             };

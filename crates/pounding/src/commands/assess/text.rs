@@ -26,10 +26,7 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     parts.extend(storeys(report, most));
     parts.extend(pairs(report, most));
     if !report.remarks().is_empty() {
-        parts.push(paragraph(
-            "Records",
-            &by_options(&report.remarks().join("\n")),
-        ));
+        parts.push(paragraph("Records", &by_options(&report.remarks().join("\n"))));
     }
     if details {
         parts.push(runs(report));
@@ -76,30 +73,15 @@ fn rules(report: &AssessmentReport) -> String {
     let Some(first) = gaps.first() else {
         return String::new();
     };
-    let names: Vec<[&str; 2]> = first
-        .rules
-        .iter()
-        .map(|rule| [rule.rule.name(), ""])
-        .collect();
+    let names: Vec<[&str; 2]> = first.rules.iter().map(|rule| [rule.rule.name(), ""]).collect();
     let header: Vec<[&str; 2]> = std::iter::once(["Rules", ""]).chain(names).collect();
     let mut rows = Vec::new();
     for gap in gaps {
         let [left, right] = report.gap_names(gap);
-        let widths = gap
-            .rules
-            .iter()
-            .map(|rule| millimetres(rule.width.median()));
-        rows.push(
-            std::iter::once(format!("{left} – {right}, median [mm]"))
-                .chain(widths)
-                .collect(),
-        );
+        let widths = gap.rules.iter().map(|rule| millimetres(rule.width.median()));
+        rows.push(std::iter::once(format!("{left} – {right}, median [mm]")).chain(widths).collect());
         let narrow = gap.rules.iter().map(|rule| rule.too_narrow.to_string());
-        rows.push(
-            std::iter::once("  events in which it is too narrow".into())
-                .chain(narrow)
-                .collect(),
-        );
+        rows.push(std::iter::once("  events in which it is too narrow".into()).chain(narrow).collect());
     }
     table(&header, &rows)
 }
@@ -150,11 +132,7 @@ fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
         ["Speed up to", "[m/s]"],
     ];
     let range = |of: &Option<[Distribution; 2]>| match of {
-        Some([low, high]) => format!(
-            "{} to {}",
-            two_digits(1e-3 * low.median()),
-            two_digits(1e-3 * high.largest())
-        ),
+        Some([low, high]) => format!("{} to {}", two_digits(1e-3 * low.median()), two_digits(1e-3 * high.largest())),
         None => NONE.into(),
     };
     let hit = report.hit();
@@ -164,11 +142,7 @@ fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
         .map(|(index, pair)| {
             let facing = report.floors().facing()[*index];
             vec![
-                format!(
-                    "{} – {}",
-                    report.floor_name(facing.left),
-                    report.floor_name(facing.right)
-                ),
+                format!("{} – {}", report.floor_name(facing.left), report.floor_name(facing.right)),
                 pair.touching.to_string(),
                 range(&pair.peak_force),
                 range(&pair.largest_impulse),
@@ -188,12 +162,7 @@ fn rest(all: usize, most: usize) -> String {
 }
 
 fn runs(report: &AssessmentReport) -> String {
-    let header = [
-        ["Motion", ""],
-        ["Scaled", "by"],
-        ["Widest gap", "needed [mm]"],
-        ["Collisions", ""],
-    ];
+    let header = [["Motion", ""], ["Scaled", "by"], ["Widest gap", "needed [mm]"], ["Collisions", ""]];
     let row = |one: &pounding::report::AssessedMotion| {
         let reversed = if one.reversed { " rev." } else { "" };
         vec![

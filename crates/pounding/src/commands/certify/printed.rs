@@ -7,11 +7,7 @@ use pounding::text::{Cell, csv_text, digits};
 use crate::text::{NONE, paragraph, short, table};
 
 /// For a reader.
-pub(super) fn text(
-    calibration: Calibration,
-    facts: &[CertificateFact],
-    methods: &[DeliveredBy],
-) -> String {
+pub(super) fn text(calibration: Calibration, facts: &[CertificateFact], methods: &[DeliveredBy]) -> String {
     let calibration = match calibration {
         Calibration::Exact => "damping from the exact relation",
         Calibration::Literature => "damping from the literature's formula",
@@ -42,11 +38,7 @@ pub(super) fn text(
         Some(format!("\n{}: {reason}", line.method.label()))
     });
     let notes = format!("{NOTES}{}", failed.collect::<String>());
-    format!(
-        "{text}\n{}\n{}",
-        table(&header, &rows),
-        paragraph("Notes", &notes)
-    )
+    format!("{text}\n{}\n{}", table(&header, &rows), paragraph("Notes", &notes))
 }
 
 const NOTES: &str = "Least and largest e over sixteen places in the step at which the gap closes. Error: the largest \
@@ -76,9 +68,7 @@ pub(super) fn csv(facts: &[CertificateFact], methods: &[DeliveredBy]) -> String 
         rows.push([Cell::default(), fact.key.into(), value, fact.unit.into()]);
     }
     for line in methods {
-        let row = |key: &str, value: Cell, unit: &str| {
-            [line.method.name().into(), key.into(), value, unit.into()]
-        };
+        let row = |key: &str, value: Cell, unit: &str| [line.method.name().into(), key.into(), value, unit.into()];
         rows.push(row("time_step_s", Cell::exact(line.step), "s"));
         for (key, value) in line.numbers().into_iter().flatten() {
             rows.push(row(key, Cell::exact(value), ""));

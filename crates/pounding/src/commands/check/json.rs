@@ -66,23 +66,14 @@ fn structure(structure: &Structure, limit: Option<f64>) -> Value {
 /// Every pair; what is expected of it is null where it does not touch in the direction of the scene.
 fn pairs(plan: &Plan<'_>) -> Vec<Value> {
     let scene = plan.prepared.scene();
-    let limits = plan
-        .expected
-        .as_ref()
-        .map(|expected| &expected.limits.contacts);
-    let reversed = plan
-        .expected
-        .as_ref()
-        .and_then(|expected| expected.reversed.as_ref());
+    let limits = plan.expected.as_ref().map(|expected| &expected.limits.contacts);
+    let reversed = plan.expected.as_ref().and_then(|expected| expected.reversed.as_ref());
     let contacts: Vec<_> = scene.contacts.iter().flatten().collect();
     let floors = plan.prepared.floors();
     let pair = |(index, facing): (usize, &FloorPair)| {
         let contact = contacts[facing.contact];
         let [left, right] = floors.names(index);
-        let limit = limits
-            .into_iter()
-            .flatten()
-            .find(|limit| limit.pair == index);
+        let limit = limits.into_iter().flatten().find(|limit| limit.pair == index);
         json!({
             "left": left,
             "right": right,

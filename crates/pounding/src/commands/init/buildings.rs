@@ -35,11 +35,7 @@ pub(super) fn gap(text: &str) -> Result<f64, String> {
 pub(super) fn structures(storeys: &[usize]) -> String {
     let building = |(index, n): (usize, &usize)| {
         let told = |comment: &str| {
-            if index == 0 {
-                format!("  # {comment}")
-            } else {
-                String::new()
-            }
+            if index == 0 { format!("  # {comment}") } else { String::new() }
         };
         format!(
             "[[structures]]\n\
@@ -50,9 +46,7 @@ pub(super) fn structures(storeys: &[usize]) -> String {
              storeys = [{{ mass_kg = 300e3, height_m = 3.2, repeat = {n} }}]{}\n\n",
             index + 1,
             digits(0.1 * *n as f64),
-            told(
-                "first period, a rule of thumb: 0.1 s per storey; equal storeys get the stiffness that gives it"
-            ),
+            told("first period, a rule of thumb: 0.1 s per storey; equal storeys get the stiffness that gives it"),
             told("in the first two modes"),
             told("elastic; yield_drift_ratio = 0.005 lets it yield"),
         )

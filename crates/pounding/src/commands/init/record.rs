@@ -55,9 +55,10 @@ impl Named {
             Some(path) => (path, false),
             None => (std::path::absolute(record).map_err(unreadable)?, true),
         };
-        let path = path.into_os_string().into_string().map_err(|_| {
-            refused("found a name that is not UTF-8, allowed is one that is: a scene is text; rename the file")
-        })?;
+        let path = path
+            .into_os_string()
+            .into_string()
+            .map_err(|_| refused("found a name that is not UTF-8, allowed is one that is: a scene is text; rename the file"))?;
         Ok(Self {
             path,
             is_absolute,
@@ -69,8 +70,7 @@ impl Named {
     /// The lines of a scene.
     pub(super) fn lines(&self) -> String {
         // A literal string of TOML, in which a backslash is itself; JSON's strings are TOML's, too.
-        let awkward =
-            |letter: char| letter == '\'' || letter == '\n' || letter == '\t' || steers(letter);
+        let awkward = |letter: char| letter == '\'' || letter == '\n' || letter == '\t' || steers(letter);
         let quoted = if self.path.contains(awkward) {
             visible(&json!(self.path).to_string()).into_owned()
         } else {
@@ -86,25 +86,16 @@ impl Named {
             // Names come from the file; a comment is one line.
             let allowed = one.allowed.replace('\n', " ");
             let allowed = visible(&allowed);
-            format!(
-                "# {} = {}    # to fill in, {}: {allowed}",
-                one.field, one.example, one.why
-            )
+            format!("# {} = {}    # to fill in, {}: {allowed}", one.field, one.example, one.why)
         });
-        std::iter::once(file)
-            .chain(missing)
-            .collect::<Vec<_>>()
-            .join("\n")
+        std::iter::once(file).chain(missing).collect::<Vec<_>>().join("\n")
     }
 
     /// What is said of it after the scene is written.
     pub(super) fn said(&self, scene: &str, is_json: bool) -> String {
         let missing = self.missing.iter();
-        let missing: Vec<String> = missing
-            .map(|one| format!("`{}` ({})", one.field, one.why))
-            .collect();
-        let example =
-            |one: &Missing| format!("\"{}\": {} ({})", one.field, one.example, one.allowed);
+        let missing: Vec<String> = missing.map(|one| format!("`{}` ({})", one.field, one.why)).collect();
+        let example = |one: &Missing| format!("\"{}\": {} ({})", one.field, one.example, one.allowed);
         let examples: Vec<String> = self.missing.iter().map(example).collect();
         match &self.holds {
             Some(holds) => holds.clone(),
@@ -148,9 +139,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
             }
             Err(ReadError::Velocity { found, .. }) => {
                 declared.acceleration = true;
-                let allowed = format!(
-                    "only if the values are accelerations, though {found:?} speaks for velocities"
-                );
+                let allowed = format!("only if the values are accelerations, though {found:?} speaks for velocities");
                 ("acceleration", "true", allowed)
             }
             Err(ReadError::ComponentNeeded { names }) => {
@@ -207,10 +196,7 @@ fn from_scene(record: &Path, scene: &Path) -> Option<PathBuf> {
         .map(|(one, _)| one);
     let n_shared = shared.clone().count();
     // The root is shared by all.
-    let related = shared
-        .filter(|one| matches!(one, Component::Normal(_)))
-        .count()
-        > 0;
+    let related = shared.filter(|one| matches!(one, Component::Normal(_))).count() > 0;
     let up = from.components().count() - n_shared;
     if up > MOST_UP || (up > 0 && !related) {
         return None;

@@ -140,8 +140,8 @@ fn of_scene(args: &Arguments) -> Result<Motion, String> {
         ));
     }
     let scene: Scene = Scene::read(path).map_err(|error| error.in_file(path).to_string())?;
-    let motion = GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name)
-        .map_err(|error| error.in_file(path).to_string())?;
+    let motion =
+        GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name).map_err(|error| error.in_file(path).to_string())?;
     Ok(Motion {
         record: motion.record,
         gravity: scene.record.gravity_m_per_s2,

@@ -137,10 +137,7 @@ fn all_refused(lines: &[Line]) -> Result<(), String> {
     match nothing_found(lines.iter().map(|line| &line.found)) {
         None => Ok(()),
         Some(reason) if lines.len() == 1 => Err(reason.into()),
-        Some(first) => Err(format!(
-            "none of the {} motions is read; the first: {first}",
-            lines.len()
-        )),
+        Some(first) => Err(format!("none of the {} motions is read; the first: {first}", lines.len())),
     }
 }
 
@@ -151,9 +148,6 @@ fn named_refused(lines: &[Line]) -> Option<String> {
     let first = reasons.next()?;
     Some(match reasons.count() {
         0 => first.clone(),
-        others => format!(
-            "{} of the motions named are refused; the first: {first}",
-            others + 1
-        ),
+        others => format!("{} of the motions named are refused; the first: {first}", others + 1),
     })
 }

@@ -5,9 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pounding::motion::{Accelerogram, Record};
-use pounding::scene::{
-    Error, FileUse, GroundMotion, Motion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened,
-};
+use pounding::scene::{Error, FileUse, GroundMotion, Motion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened};
 
 use crate::commands::{declared, positive};
 
@@ -75,10 +73,7 @@ impl Declared {
 
     /// The same declarations for one component.
     pub(super) fn of_component(&self, component: Option<String>) -> Self {
-        Self {
-            component,
-            ..self.clone()
-        }
+        Self { component, ..self.clone() }
     }
 
     /// What is declared of the files of a folder.
@@ -129,8 +124,7 @@ fn used(record: &RecordUse, origin: Arc<Origin>) -> Result<Opened, Error> {
 
 /// Reads a file and processes it.
 pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, String> {
-    let read =
-        Origin::read(path, file_of(record)).and_then(|origin| used(record, Arc::new(origin)));
+    let read = Origin::read(path, file_of(record)).and_then(|origin| used(record, Arc::new(origin)));
     read.map_err(|error| message(path, &error))
 }
 
@@ -164,8 +158,6 @@ fn message(path: &Path, error: &Error) -> String {
     };
     let by_options = OPTIONS
         .iter()
-        .fold(declared::by_options(&text), |text, (field, option)| {
-            text.replace(field, option)
-        });
+        .fold(declared::by_options(&text), |text, (field, option)| text.replace(field, option));
     format!("{}: {by_options}", path.display())
 }

@@ -82,8 +82,7 @@ fn picture(text: &str) -> Result<PathBuf, String> {
 /// Periods of a table that nobody chose \[s\]: those of the models of NGA-West2 (Y. Bozorgnia et al., *Earthquake Spectra*
 /// 30 (2014) 973).
 const TABLE: [f64; 21] = [
-    0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0,
-    4.0, 5.0, 7.5, 10.0,
+    0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.5, 10.0,
 ];
 
 /// Periods for a program that asks for no number of them.
@@ -106,8 +105,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
     let progress = Counter::new(0, runs as u64);
     let spectra = |periods: &[f64]| {
         let done = || progress.add(1);
-        response_spectra(&opened.record, periods, &args.damping, None, &done)
-            .map_err(|error| format!("{}: {error}", args.file.display()))
+        response_spectra(&opened.record, periods, &args.damping, None, &done).map_err(|error| format!("{}: {error}", args.file.display()))
     };
     let listed = spectra(&periods)?;
     let curves = drawn.map(|periods| spectra(&periods)).transpose()?;
@@ -139,9 +137,7 @@ fn periods(args: &Arguments) -> Result<Vec<f64>, String> {
         Some(count) => pounding::scene::periods_between(from, to, count),
         None if args.csv || args.json => pounding::scene::periods_between(from, to, COUNT),
         None => {
-            let inside = TABLE
-                .into_iter()
-                .filter(|period| from < *period && *period < to);
+            let inside = TABLE.into_iter().filter(|period| from < *period && *period < to);
             [from].into_iter().chain(inside).chain([to]).collect()
         }
     })
@@ -150,10 +146,7 @@ fn periods(args: &Arguments) -> Result<Vec<f64>, String> {
 /// Periods of a figure, from the shortest to the longest of a table; of a table with fewer than two the usual ones.
 fn between(args: &Arguments, periods: &[f64]) -> Vec<f64> {
     let positive = || periods.iter().copied().filter(|period| *period > 0.0);
-    let (mut from, mut to) = (
-        positive().fold(f64::INFINITY, f64::min),
-        positive().fold(0.0, f64::max),
-    );
+    let (mut from, mut to) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
     if from >= to {
         (from, to) = (args.from.min(from), args.to.max(to));
     }
@@ -171,12 +164,7 @@ fn with(mut curves: Vec<Spectrum>, listed: &[Spectrum]) -> Vec<Spectrum> {
     curves
 }
 
-fn draw(
-    args: &Arguments,
-    opened: &Opened,
-    spectra: &[Spectrum],
-    path: &Path,
-) -> Result<(), String> {
+fn draw(args: &Arguments, opened: &Opened, spectra: &[Spectrum], path: &Path) -> Result<(), String> {
     let name = args.file.file_name().unwrap_or_default();
     let title = match component(args, opened) {
         Some(component) => format!("{} {component}", name.to_string_lossy()),
@@ -186,8 +174,7 @@ fn draw(
         title: &title,
         gravity: args.declared.gravity,
     };
-    let (svg, png) = spectra_figure(spectra, shown)
-        .map_err(|error| format!("--figure {}: {error}", path.display()))?;
+    let (svg, png) = spectra_figure(spectra, shown).map_err(|error| format!("--figure {}: {error}", path.display()))?;
     let is_png = path.extension().is_some_and(|ending| ending == "png");
     let bytes = if is_png { &png } else { svg.as_bytes() };
     new_file::write(path, bytes, args.overwrite)
@@ -275,10 +262,7 @@ fn csv_of(spectra: &[Spectrum]) -> String {
 fn json_of(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
     let values = |values: &SpectralValues| -> Value {
         let numbers = numbers(values).map(|(name, value)| (name.to_string(), json!(value)));
-        numbers
-            .into_iter()
-            .collect::<serde_json::Map<_, _>>()
-            .into()
+        numbers.into_iter().collect::<serde_json::Map<_, _>>().into()
     };
     let spectrum = |spectrum: &Spectrum| {
         json!({

@@ -8,10 +8,7 @@ use std::path::Path;
 
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
 use pounding::scene::lines::failed;
-use pounding::scene::{
-    Effects, Error, Errors, Excess, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
-    Simulation, Suite,
-};
+use pounding::scene::{Effects, Error, Errors, Excess, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene, Simulation, Suite};
 use pounding::text::digits;
 
 use super::{Arguments, Printed};
@@ -67,12 +64,7 @@ impl Found {
             pairs: PairSummary::of_run(prepared, review),
             effects,
             floors: prepared.floors().clone(),
-            names: prepared
-                .scene()
-                .structures
-                .iter()
-                .map(|one| one.name().into())
-                .collect(),
+            names: prepared.scene().structures.iter().map(|one| one.name().into()).collect(),
         }
     }
 
@@ -108,8 +100,7 @@ impl Found {
 /// The scene under every record of a folder.
 pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     let path = &args.scene;
-    let scene: Scene =
-        super::super::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
+    let scene: Scene = super::super::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
     let directions: &[bool] = if args.suite.both {
         &[false, true]
     } else {
@@ -152,11 +143,7 @@ fn files(scene: &Scene, records: &Suite, lines: &[Line]) -> BTreeMap<String, Vec
         text(scene, records, lines),
     ];
     let texts = texts.map(String::into_bytes);
-    FILES_OF_RECORDS
-        .map(String::from)
-        .into_iter()
-        .zip(texts)
-        .collect()
+    FILES_OF_RECORDS.map(String::from).into_iter().zip(texts).collect()
 }
 
 fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
@@ -174,20 +161,14 @@ fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     parts.push(suite::records(records, lines, true));
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let several = found.into_iter().any(|found| found.pairs.len() > 1);
-    let notes = if several {
-        format!("{NOTES}\n{OF_PAIRS}")
-    } else {
-        NOTES.into()
-    };
+    let notes = if several { format!("{NOTES}\n{OF_PAIRS}") } else { NOTES.into() };
     parts.push(paragraph("Notes", &notes));
     parts.join("\n")
 }
 
 /// What looks wrong in the scene and in its records, a line for each kind.
 fn unusual(lines: &[Line]) -> Vec<Implausible> {
-    let found = lines
-        .iter()
-        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
     Implausible::gathered(found.flat_map(|(line, found)| {
         let doubts = found.unusual.iter();
         doubts.map(|doubt| (line.motion.as_str(), doubt))
@@ -202,7 +183,8 @@ fn warnings(records: &Suite, lines: &[Line]) -> Vec<String> {
     missing.chain(all.iter().map(ToString::to_string)).collect()
 }
 
-const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
+const OF_PAIRS: &str =
+    "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
 
 const NOTES: &str = "Scale: what the record was multiplied by. Impulse, force and displ.: the largest of all collisions and structures; \
                      force, of the laws that have one. Error: the largest distance of a \
@@ -235,13 +217,9 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
             short(found.pga / scene.record.gravity_m_per_s2),
             short(found.scale),
             collisions.to_string(),
-            first.map_or(NONE.into(), |first| {
-                digits((first.start * 1e4).round() * 1e-4)
-            }),
+            first.map_or(NONE.into(), |first| digits((first.start * 1e4).round() * 1e-4)),
             largest.map_or(NONE.into(), |largest| short(largest.impulse / 1e3)),
-            found
-                .force()
-                .map_or(NONE.into(), |force| short(force / 1e3)),
+            found.force().map_or(NONE.into(), |force| short(force / 1e3)),
             short(1e3 * found.displacement()),
             format!("{}{mark}", found.error.map_or(found.why.into(), percent)),
         ];
@@ -288,9 +266,7 @@ fn result(lines: &[Line]) -> String {
         if finished == 1 { "" } else { "s" },
         hits.len()
     );
-    let missed = lines
-        .iter()
-        .filter(|line| line.found.as_ref().is_ok_and(Found::misses));
+    let missed = lines.iter().filter(|line| line.found.as_ref().is_ok_and(Found::misses));
     let missed: Vec<String> = missed.map(Line::name).collect();
     if !missed.is_empty() {
         touch = format!(

@@ -19,13 +19,10 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
         let why = floors.says_no_contact().unwrap_or(NOTHING_TOUCHES);
         return paragraph("Effects", &format!("none: {why}"));
     }
-    let rows = floors
-        .by_structure()
-        .filter(|floor| effects.concern(*floor))
-        .flat_map(|floor| {
-            let directions = effects.directions();
-            directions.map(|(name, all)| row(name, &all[floor]))
-        });
+    let rows = floors.by_structure().filter(|floor| effects.concern(*floor)).flat_map(|floor| {
+        let directions = effects.directions();
+        directions.map(|(name, all)| row(name, &all[floor]))
+    });
     let notes = format!(
         "peaks beside the neighbours over those of the same building alone, by the exact method; errors: {}. ~ marks what moves by \
          more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. Collisions \
@@ -39,12 +36,7 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
 
 fn row(direction: &str, floor: &FloorEffects) -> Vec<String> {
     let ratios = floor.responses().map(|one| one?.amplification);
-    let [drift, shear, acceleration] = ratios.map(|one| {
-        one.map_or_else(
-            || NONE.into(),
-            |one| marked(&one, format!("{:.2}", one.value)),
-        )
-    });
+    let [drift, shear, acceleration] = ratios.map(|one| one.map_or_else(|| NONE.into(), |one| marked(&one, format!("{:.2}", one.value))));
     let name = if direction == "reversed" {
         "  reversed".into()
     } else {
@@ -62,9 +54,5 @@ fn row(direction: &str, floor: &FloorEffects) -> Vec<String> {
 
 /// A number with its mark.
 fn marked(known: &Known, text: String) -> String {
-    if known.is_robust() {
-        text
-    } else {
-        format!("~{text}")
-    }
+    if known.is_robust() { text } else { format!("~{text}") }
 }

@@ -29,11 +29,7 @@ pub(in crate::commands) fn result(joined: &Joined, out: &Path) -> String {
         failed if joined.has_rows => format!("{failed} failed: the last column says why"),
         failed => format!("{failed} failed"),
     };
-    let rows = if joined.has_rows {
-        "rows"
-    } else {
-        "runs summed up"
-    };
+    let rows = if joined.has_rows { "rows" } else { "runs summed up" };
     let text = format!("{}: {} {rows}, {failed}", out.display(), joined.runs);
     let mut said = paragraph("Results", &text);
     if let Some(summary) = &joined.summary {

@@ -19,9 +19,7 @@ const EXCEEDANCE: [&str; 3] = ["probability", "from", "to"];
 pub(super) fn told(summary: &SummaryTable) -> String {
     let mut said = Vec::new();
     let reasons = summary.first_failed();
-    let reasons: Vec<String> = reasons
-        .map(|(run, reason)| format!("run {run}: {reason}"))
-        .collect();
+    let reasons: Vec<String> = reasons.map(|(run, reason)| format!("run {run}: {reason}")).collect();
     if !reasons.is_empty() {
         said.push(paragraph("Failed", &reasons.join("\n")));
     }
@@ -30,9 +28,7 @@ pub(super) fn told(summary: &SummaryTable) -> String {
         0 | 1 => String::new(),
         2..=MOST_CELLS => paragraph("Cells", &format!("{n_cells}, by {by}")),
         _ => {
-            let text = format!(
-                "{n_cells}, by {by}: one by one in the table, with their exceedances; here all together"
-            );
+            let text = format!("{n_cells}, by {by}: one by one in the table, with their exceedances; here all together");
             paragraph("Cells", &text)
         }
     };
@@ -125,8 +121,7 @@ fn of_cells<'a>(by: &'a str, cells: &[SummedCell]) -> (Vec<Block<'a>>, usize) {
     });
     let mut blocks: Vec<_> = exceeded.collect();
     if blocks.is_empty() {
-        let has_numbers =
-            |column: &usize| cells.iter().any(|cell| cell.columns[*column].numbers > 0);
+        let has_numbers = |column: &usize| cells.iter().any(|cell| cell.columns[*column].numbers > 0);
         let columns = columns.filter(has_numbers).map(|column| {
             let of = |cell: &SummedCell| row(&cell.name, numbers(&cell.columns[column]));
             Block {
@@ -169,9 +164,7 @@ fn numbers(column: &SummedColumn) -> Vec<String> {
 
 fn exceedance(one: Option<&Exceedance>) -> Vec<String> {
     match one {
-        Some(one) => [one.probability, one.bounds.0, one.bounds.1]
-            .map(short)
-            .into(),
+        Some(one) => [one.probability, one.bounds.0, one.bounds.1].map(short).into(),
         None => vec![NONE.into(); EXCEEDANCE.len()],
     }
 }

@@ -6,10 +6,7 @@ use pounding::sweep::Shard;
 ///
 /// With a number of shards tasks count from 1, so that some of them can be submitted again; task 0, of an array that counts from
 /// there, has the last shard. Without it the array itself says how many tasks it has.
-pub(super) fn shard(
-    shards: Option<u64>,
-    variable: impl Fn(&str) -> Option<String>,
-) -> Result<Option<(&'static str, Shard)>, String> {
+pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<String>) -> Result<Option<(&'static str, Shard)>, String> {
     let number = |name: &'static str| -> Result<Option<u64>, String> {
         let Some(text) = variable(name).filter(|text| !text.is_empty()) else {
             return Ok(None);
@@ -25,8 +22,7 @@ pub(super) fn shard(
     match (task, shards) {
         (None, None) => Ok(None),
         (None, Some(_)) => Err(
-            "--shards: found neither SLURM_ARRAY_TASK_ID nor HQ_TASK_ID, allowed is it in a job array; elsewhere say --shard I/N"
-                .into(),
+            "--shards: found neither SLURM_ARRAY_TASK_ID nor HQ_TASK_ID, allowed is it in a job array; elsewhere say --shard I/N".into(),
         ),
         (Some((name, task)), Some(shards)) => {
             let index = if task == 0 { shards } else { task };
@@ -37,17 +33,15 @@ pub(super) fn shard(
                 )
             })
         }
-        (Some(("HQ_TASK_ID", _)), None) => Err(
-            "HQ_TASK_ID: found a task, but not how many there are; add --shards N, or --shard 1/1 for the whole".into(),
-        ),
+        (Some(("HQ_TASK_ID", _)), None) => {
+            Err("HQ_TASK_ID: found a task, but not how many there are; add --shards N, or --shard 1/1 for the whole".into())
+        }
         (Some((name, task)), None) => {
             let count = number("SLURM_ARRAY_TASK_COUNT")?;
             let first = number("SLURM_ARRAY_TASK_MIN")?.unwrap_or(0);
             let step = number("SLURM_ARRAY_TASK_STEP")?.unwrap_or(1).max(1);
             let away = task.checked_sub(first).filter(|away| away % step == 0);
-            let shard = count.zip(away).and_then(|(count, away)| {
-                Shard::new(away / step + 1, count).ok()
-            });
+            let shard = count.zip(away).and_then(|(count, away)| Shard::new(away / step + 1, count).ok());
             shard.map(|shard| Some((name, shard))).ok_or_else(|| {
                 "SLURM_ARRAY_TASK_ID: found a task of an array without equal steps; number the tasks from 1 and add --shards N".into()
             })
@@ -67,10 +61,7 @@ mod tests {
         };
         match shard(shards, variable) {
             Ok(Some((variable, shard))) => {
-                assert!(
-                    set.iter().any(|(known, _)| *known == variable),
-                    "{variable}"
-                );
+                assert!(set.iter().any(|(known, _)| *known == variable), "{variable}");
                 shard.to_string()
             }
             Ok(None) => "the whole".into(),
@@ -105,16 +96,8 @@ mod tests {
                 &slurm("5", "2", "3", "1")[..],
                 "SLURM_ARRAY_TASK_ID: found a task of an array without",
             ),
-            (
-                None,
-                &[("HQ_TASK_ID", "1")],
-                "HQ_TASK_ID: found a task, but not how many",
-            ),
-            (
-                None,
-                &[("SLURM_ARRAY_TASK_ID", "x")],
-                "SLURM_ARRAY_TASK_ID: found \"x\"",
-            ),
+            (None, &[("HQ_TASK_ID", "1")], "HQ_TASK_ID: found a task, but not how many"),
+            (None, &[("SLURM_ARRAY_TASK_ID", "x")], "SLURM_ARRAY_TASK_ID: found \"x\""),
             (
                 Some(4),
                 &[("HQ_TASK_ID", "5")],

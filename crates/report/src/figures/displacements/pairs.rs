@@ -8,12 +8,7 @@ use pounding_solver::Collision;
 
 /// A panel for every shown pair: both floors, the right one offset by the gap, over one range.
 pub(super) fn panels(seen: &Seen<'_>) -> Vec<Panel> {
-    let mut panels: Vec<Panel> = seen
-        .shown
-        .panels
-        .iter()
-        .map(|pair| panel(seen, *pair))
-        .collect();
+    let mut panels: Vec<Panel> = seen.shown.panels.iter().map(|pair| panel(seen, *pair)).collect();
     let all = panels.iter().flat_map(|panel| heights(&panel.curves));
     let range = around(all.collect::<Vec<_>>().into_iter(), 0.06, 0.06);
     for panel in &mut panels {
@@ -34,8 +29,7 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
         y: Axis::auto("u (mm)"),
         curves: vec![
             Curve::new(Kind::Line, Shade::Blue, curve(facing.left, 0.0)).named("left floor"),
-            Curve::new(Kind::Line, Shade::Vermilion, curve(facing.right, gap))
-                .named("right floor, offset by the gap"),
+            Curve::new(Kind::Line, Shade::Vermilion, curve(facing.right, gap)).named("right floor, offset by the gap"),
         ],
         legend: Legend::Shared,
         ..Panel::default()
@@ -58,15 +52,8 @@ fn names(seen: &Seen<'_>, pair: usize) -> String {
 pub(super) fn stems(seen: &Seen<'_>) -> Option<Panel> {
     let pairs = &seen.shown.panels;
     let compliant = |pair: &usize| seen.prepared.pairs()[*pair].law.is_compliant();
-    let measure = if pairs.iter().all(compliant) {
-        FORCE
-    } else {
-        IMPULSE
-    };
-    let found: Vec<(&Collision, f64)> = seen
-        .collisions(pairs)
-        .filter_map(|one| Some((one, (measure.of)(one)?)))
-        .collect();
+    let measure = if pairs.iter().all(compliant) { FORCE } else { IMPULSE };
+    let found: Vec<(&Collision, f64)> = seen.collisions(pairs).filter_map(|one| Some((one, (measure.of)(one)?))).collect();
     let harder = |most: (_, f64), next: (_, f64)| if next.1 > most.1 { next } else { most };
     let (hardest, largest) = found.iter().copied().reduce(harder)?;
     let (unit, factor) = unit(largest, measure.unit);
@@ -74,9 +61,7 @@ pub(super) fn stems(seen: &Seen<'_>) -> Option<Panel> {
         let own = found.iter().filter(|(one, _)| one.pair == *pair);
         let points = own.map(|(one, value)| ((measure.at)(one), factor * value));
         let points = largest_apart(points, seen.prepared.duration());
-        (!points.is_empty()).then(|| {
-            Curve::new(Kind::Stems, Shade::nth(position), points).named(names(seen, *pair))
-        })
+        (!points.is_empty()).then(|| Curve::new(Kind::Stems, Shade::nth(position), points).named(names(seen, *pair)))
     };
     let curves: Vec<Curve> = pairs.iter().enumerate().filter_map(curve).collect();
     let at = ((measure.at)(hardest), factor * largest);
@@ -102,16 +87,12 @@ pub(super) fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> Stri
     let collisions = match (panels.len() > seen.shown.panels.len(), unmarked) {
         (false, _) => "",
         (true, true) => " Below, the largest force of every collision, or its impulse.",
-        (true, false) => {
-            " Grey lines mark collisions. Below, the largest force of every collision, or its impulse."
-        }
+        (true, false) => " Grey lines mark collisions. Below, the largest force of every collision, or its impulse.",
     };
     let n = seen.prepared.floors().facing().len();
     let left_out = match seen.shown.panels.len() {
         shown if shown < n => {
-            format!(
-                " Of {n} pairs of floors the {shown} that are hit hardest, or come closest to it."
-            )
+            format!(" Of {n} pairs of floors the {shown} that are hit hardest, or come closest to it.")
         }
         _ => String::new(),
     };

@@ -65,10 +65,7 @@ pub(super) fn cases() -> Vec<Case> {
             ..as_it_is
         };
         let scaled = [1.0 - CHANGE, 1.0 + CHANGE].map(|scale| Case { scale, ..as_it_is });
-        let stretched = [1.0 - CHANGE, 1.0 + CHANGE].map(|stretch| Case {
-            stretch,
-            ..as_it_is
-        });
+        let stretched = [1.0 - CHANGE, 1.0 + CHANGE].map(|stretch| Case { stretch, ..as_it_is });
         [as_it_is, check].into_iter().chain(scaled).chain(stretched)
     })
     .collect()
@@ -146,10 +143,7 @@ impl Hits {
 /// The rule of a scene for impacts at one instant; other methods than the exact one have but the usual one.
 fn simultaneous_impacts(method: Method) -> SimultaneousImpacts {
     match method {
-        Method::Exact {
-            simultaneous_impacts,
-            ..
-        } => simultaneous_impacts,
+        Method::Exact { simultaneous_impacts, .. } => simultaneous_impacts,
         Method::CentralDifference { .. }
         | Method::Newmark { .. }
         | Method::Hht { .. }

@@ -17,11 +17,7 @@ const HEADER: [&str; 9] = [
     "robust",
 ];
 /// Names of responses with their units.
-const RESPONSES: [(&str, &str); 3] = [
-    ("drift", "m"),
-    ("shear_force", "n"),
-    ("acceleration", "m_per_s2"),
-];
+const RESPONSES: [(&str, &str); 3] = [("drift", "m"), ("shear_force", "n"), ("acceleration", "m_per_s2")];
 
 /// A number with its name, and what is known of it.
 type Fact = (String, f64, Option<Known>);
@@ -32,37 +28,26 @@ impl Effects {
     ///
     /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
     pub fn to_csv(&self, scene: &Scene, floors: &Floors) -> String {
-        let directions = [
-            ("as_in_scene", &self.as_given),
-            ("reversed", &self.reversed),
-        ];
+        let directions = [("as_in_scene", &self.as_given), ("reversed", &self.reversed)];
         let mut rows = Vec::new();
         for floor in floors.by_structure() {
             let structure = floors.all()[floor].structure;
             let building = scene.structures[structure].name();
             for (direction, all) in directions {
-                rows.extend(
-                    all[floor]
-                        .facts()
-                        .into_iter()
-                        .map(|(quantity, value, known)| {
-                            let of =
-                                |number: fn(&Known) -> f64| Cell::exact(known.as_ref().map(number));
-                            [
-                                building.into(),
-                                floors.storey_of(floor).into(),
-                                direction.into(),
-                                quantity.into(),
-                                Cell::exact(value),
-                                Cell::number(known.map(|known| known.error), |error| {
-                                    format!("{error:.1e}")
-                                }),
-                                of(|known| known.low),
-                                of(|known| known.high),
-                                known.map_or_else(Cell::default, |known| known.is_robust().into()),
-                            ]
-                        }),
-                );
+                rows.extend(all[floor].facts().into_iter().map(|(quantity, value, known)| {
+                    let of = |number: fn(&Known) -> f64| Cell::exact(known.as_ref().map(number));
+                    [
+                        building.into(),
+                        floors.storey_of(floor).into(),
+                        direction.into(),
+                        quantity.into(),
+                        Cell::exact(value),
+                        Cell::number(known.map(|known| known.error), |error| format!("{error:.1e}")),
+                        of(|known| known.low),
+                        of(|known| known.high),
+                        known.map_or_else(Cell::default, |known| known.is_robust().into()),
+                    ]
+                }));
             }
         }
         csv_text(&HEADER, rows)
@@ -77,17 +62,13 @@ impl FloorEffects {
             ("impulse_n_s", self.impulse_n_s),
             ("largest_impulse_n_s", self.largest_impulse_n_s),
         ];
-        let mut facts: Vec<Fact> = hits
-            .map(|(name, known)| (name.into(), known.value, Some(known)))
-            .into();
+        let mut facts: Vec<Fact> = hits.map(|(name, known)| (name.into(), known.value, Some(known))).into();
         for ((name, unit), effect) in RESPONSES.into_iter().zip(self.responses()) {
             let Some(effect) = effect else { continue };
             facts.push((format!("{name}_alone_{unit}"), effect.alone, None));
             facts.push((format!("{name}_{unit}"), effect.beside, None));
             let ratio = effect.amplification;
-            facts.extend(
-                ratio.map(|known| (format!("{name}_amplification"), known.value, Some(known))),
-            );
+            facts.extend(ratio.map(|known| (format!("{name}_amplification"), known.value, Some(known))));
         }
         facts
     }

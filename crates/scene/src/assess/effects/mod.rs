@@ -132,9 +132,7 @@ impl Effects {
         let (as_given, reversed) = answers.split_at(answers.len() / 2);
         let of = |answers: &[Answer]| {
             let floors = 0..prepared.floors().all().len();
-            floors
-                .map(|floor| effects(prepared, floor, answers))
-                .collect()
+            floors.map(|floor| effects(prepared, floor, answers)).collect()
         };
         Ok(Self {
             as_given: of(as_given),
@@ -144,17 +142,13 @@ impl Effects {
 
     /// Both directions, with their names.
     pub fn directions(&self) -> [(&'static str, &[FloorEffects]); 2] {
-        [
-            ("as in the scene", &self.as_given),
-            ("reversed", &self.reversed),
-        ]
+        [("as in the scene", &self.as_given), ("reversed", &self.reversed)]
     }
 
     /// Whether they say anything of a floor: of a wall but where something hits it.
     pub fn concern(&self, floor: usize) -> bool {
         let both = [&self.as_given[floor], &self.reversed[floor]];
-        both.iter()
-            .any(|one| one.drift_m.is_some() || one.collisions.high > 0.0)
+        both.iter().any(|one| one.drift_m.is_some() || one.collisions.high > 0.0)
     }
 
     /// Whether anything touches, in any of the runs.
@@ -183,15 +177,9 @@ fn effects(prepared: &Simulation, floor: usize, answers: &[Answer]) -> FloorEffe
     let place = &prepared.floors().all()[floor];
     let moves = !place.is_wall();
     let effect = |number: fn(&super::FloorPeaks) -> f64| {
-        moves.then(|| {
-            Effect::of(answers, |answer| {
-                answer.floors[floor].peaks.each_ref().map(number)
-            })
-        })
+        moves.then(|| Effect::of(answers, |answer| answer.floors[floor].peaks.each_ref().map(number)))
     };
-    let hits = |number: fn(&cases::Hits) -> f64| {
-        Known::of(answers, |answer| number(&answer.floors[floor].hits))
-    };
+    let hits = |number: fn(&cases::Hits) -> f64| Known::of(answers, |answer| number(&answer.floors[floor].hits));
     FloorEffects {
         name: place.name.clone(),
         collisions: hits(|hits| hits.collisions),

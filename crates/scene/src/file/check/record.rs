@@ -14,17 +14,11 @@ pub(crate) fn check(record: &RecordUse) -> Result<(), SceneError> {
     match record.scale_to {
         None => {}
         Some(ScaleTo::PgaG(peak)) => {
-            let (valid, allowed) = (
-                peak >= 0.0 && is_finite(peak),
-                "a number >= 0 that is finite in m/s²",
-            );
+            let (valid, allowed) = (peak >= 0.0 && is_finite(peak), "a number >= 0 that is finite in m/s²");
             require(valid, "record.scale_to.pga_g", peak, allowed)?;
         }
         Some(ScaleTo::Sa { sa_g, .. }) => {
-            let (valid, allowed) = (
-                sa_g > 0.0 && is_finite(sa_g),
-                "a number > 0 that is finite in m/s²",
-            );
+            let (valid, allowed) = (sa_g > 0.0 && is_finite(sa_g), "a number > 0 that is finite in m/s²");
             require(valid, "record.scale_to.sa.sa_g", sa_g, allowed)?;
         }
     }

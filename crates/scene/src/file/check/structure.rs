@@ -29,11 +29,7 @@ struct Field<'a> {
 
 impl Display for Field<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Place {
-            structure,
-            kind,
-            storey,
-        } = self.of;
+        let Place { structure, kind, storey } = self.of;
         write!(formatter, "structures[{structure}].{kind}.")?;
         if let Some(storey) = storey {
             write!(formatter, "storeys[{storey}].")?;
@@ -65,29 +61,16 @@ fn check_sdof(structure: &Sdof, place: Place) -> Result<(), SceneError> {
     check_stiffness(&columns, place)?;
     if let Damping::Modes { modes, .. } = structure.damping {
         let allowed = "damping of a structure of one storey: a ratio, rayleigh or two_frequencies";
-        return require(
-            false,
-            place.field("damping.modes"),
-            number(modes[0]),
-            allowed,
-        );
+        return require(false, place.field("damping.modes"), number(modes[0]), allowed);
     }
     check_damping(&structure.damping, place)?;
     let found = structure.damping_ratio();
     let allowed = "a damping ratio >= 0 at the structure's own frequency; closer ratios, or frequencies on either \
                    side of it, give one";
-    require(
-        found >= 0.0,
-        place.field("damping.two_frequencies"),
-        found,
-        allowed,
-    )?;
+    require(found >= 0.0, place.field("damping.two_frequencies"), found, allowed)?;
     check_height(structure.height_m, place)?;
     check_yielding(&columns, place)?;
-    let start = (
-        structure.initial_displacement_m,
-        structure.initial_velocity_m_per_s,
-    );
+    let start = (structure.initial_displacement_m, structure.initial_velocity_m_per_s);
     check_start(start, place)
 }
 
@@ -98,19 +81,11 @@ fn check_building(building: &Building, place: Place) -> Result<(), SceneError> {
             storey: Some(index),
             ..place
         };
-        require(
-            storey.mass_kg > 0.0,
-            place.field("mass_kg"),
-            storey.mass_kg,
-            POSITIVE,
-        )?;
+        require(storey.mass_kg > 0.0, place.field("mass_kg"), storey.mass_kg, POSITIVE)?;
         check_stiffness(&storey.columns, place)?;
         check_height(storey.height_m, place)?;
         check_yielding(&storey.columns, place)?;
-        let start = (
-            storey.initial_displacement_m,
-            storey.initial_velocity_m_per_s,
-        );
+        let start = (storey.initial_displacement_m, storey.initial_velocity_m_per_s);
         check_start(start, place)?;
     }
     check_damping(&building.damping, place)?;
@@ -131,20 +106,10 @@ fn check_modes(building: &Building, place: Place) -> Result<(), SceneError> {
     let most = building.storeys.len();
     let allowed = "a mode of the building, counted from 1; it has as many as storeys";
     let valid = (1..=most).contains(&first);
-    require(
-        valid,
-        place.field("damping.modes.modes[0]"),
-        number(first),
-        allowed,
-    )?;
+    require(valid, place.field("damping.modes.modes[0]"), number(first), allowed)?;
     let allowed = "a mode above the first of the two; a building has as many modes as storeys";
     let valid = (first + 1..=most).contains(&second);
-    require(
-        valid,
-        place.field("damping.modes.modes[1]"),
-        number(second),
-        allowed,
-    )
+    require(valid, place.field("damping.modes.modes[1]"), number(second), allowed)
 }
 
 /// A count as messages take it.
@@ -174,12 +139,7 @@ fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
     if let Some(smooth) = columns.bouc_wen {
         let valid = (1..=20).contains(&smooth.exponent);
         let found = f64::from(smooth.exponent);
-        require(
-            valid,
-            place.field("bouc_wen.exponent"),
-            found,
-            "a whole number from 1 to 20",
-        )?;
+        require(valid, place.field("bouc_wen.exponent"), found, "a whole number from 1 to 20")?;
         let valid = (0.0..=1.0).contains(&smooth.beta);
         require(valid, place.field("bouc_wen.beta"), smooth.beta, "0 to 1")?;
     }
@@ -187,18 +147,8 @@ fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
 }
 
 fn check_start((displacement, velocity): (f64, f64), place: Place) -> Result<(), SceneError> {
-    require(
-        true,
-        place.field("initial_displacement_m"),
-        displacement,
-        FINITE,
-    )?;
-    require(
-        true,
-        place.field("initial_velocity_m_per_s"),
-        velocity,
-        FINITE,
-    )
+    require(true, place.field("initial_displacement_m"), displacement, FINITE)?;
+    require(true, place.field("initial_velocity_m_per_s"), velocity, FINITE)
 }
 
 fn check_damping(damping: &Damping, place: Place) -> Result<(), SceneError> {
@@ -210,20 +160,9 @@ fn check_damping(damping: &Damping, place: Place) -> Result<(), SceneError> {
         Ok(())
     };
     match *damping {
-        Damping::Ratio(ratio) => require(
-            ratio >= 0.0,
-            place.field("damping.ratio"),
-            ratio,
-            NOT_NEGATIVE,
-        ),
-        Damping::Rayleigh {
-            alpha_per_s,
-            beta_s,
-        } => {
-            for (field, found) in [
-                ("damping.rayleigh.alpha_per_s", alpha_per_s),
-                ("damping.rayleigh.beta_s", beta_s),
-            ] {
+        Damping::Ratio(ratio) => require(ratio >= 0.0, place.field("damping.ratio"), ratio, NOT_NEGATIVE),
+        Damping::Rayleigh { alpha_per_s, beta_s } => {
+            for (field, found) in [("damping.rayleigh.alpha_per_s", alpha_per_s), ("damping.rayleigh.beta_s", beta_s)] {
                 require(found >= 0.0, place.field(field), found, NOT_NEGATIVE)?;
             }
             Ok(())

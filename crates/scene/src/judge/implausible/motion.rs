@@ -44,19 +44,12 @@ impl Shaking<'_> {
         let is_told = self.doubt_the_file(doubts);
         let (peak, factor) = (self.record.peak().1.abs(), self.scale);
         let is_scaled = factor.to_bits() != 1.0_f64.to_bits();
-        let worth =
-            AccelerationUnit::MetrePerSecondSquared.worth_in(AccelerationUnit::StandardGravity);
+        let worth = AccelerationUnit::MetrePerSecondSquared.worth_in(AccelerationUnit::StandardGravity);
         let in_g = peak * worth;
         doubts.unless_far(
-            (
-                Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled),
-                peak / 2.5,
-            ),
+            (Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled), peak / 2.5),
             RECORD,
-            (
-                format!("a peak of {} g", short(in_g)),
-                "0.02 to 3 g; its unit and scale decide it",
-            ),
+            (format!("a peak of {} g", short(in_g)), "0.02 to 3 g; its unit and scale decide it"),
         );
         doubts.unless_far(
             (

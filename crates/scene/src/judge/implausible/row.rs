@@ -27,10 +27,7 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
         doubts.unless_far(
             (contact.gap_m <= WIDEST, contact.gap_m),
             format!("contacts[{index}].gap_m"),
-            (
-                format!("{} m", digits(contact.gap_m)),
-                "up to 2 m; it is in metres",
-            ),
+            (format!("{} m", digits(contact.gap_m)), "up to 2 m; it is in metres"),
         );
         if let Some(facing) = facing[index] {
             doubt_the_law(prepared, facing, contact, &mut lasted, doubts);
@@ -61,22 +58,18 @@ fn doubt_the_levels(prepared: &Simulation, doubts: &mut Doubts) {
     if !floors.facing().iter().any(beside) {
         return;
     }
-    let unknown = scene
-        .structures
-        .iter()
-        .enumerate()
-        .find_map(|(index, one)| {
-            let place = match one {
-                Structure::Sdof(sdof) if sdof.height_m.is_none() => "sdof.height_m".into(),
-                Structure::Building(building) => {
-                    let mut storeys = building.storeys.iter();
-                    let storey = storeys.position(|one| one.height_m.is_none())?;
-                    format!("building.storeys[{storey}].height_m")
-                }
-                Structure::Sdof(_) | Structure::Wall => return None,
-            };
-            Some(format!("structures[{index}].{place}"))
-        });
+    let unknown = scene.structures.iter().enumerate().find_map(|(index, one)| {
+        let place = match one {
+            Structure::Sdof(sdof) if sdof.height_m.is_none() => "sdof.height_m".into(),
+            Structure::Building(building) => {
+                let mut storeys = building.storeys.iter();
+                let storey = storeys.position(|one| one.height_m.is_none())?;
+                format!("building.storeys[{storey}].height_m")
+            }
+            Structure::Sdof(_) | Structure::Wall => return None,
+        };
+        Some(format!("structures[{index}].{place}"))
+    });
     doubts.unless(
         unknown.is_none(),
         unknown.unwrap_or_default(),
@@ -96,11 +89,7 @@ fn doubt_the_law(
     doubts: &mut Doubts,
 ) {
     let (floors, index) = (prepared.floors(), facing.contact);
-    let inverse = |floor: usize| {
-        floors.all()[floor]
-            .made_of
-            .map_or(0.0, |made| 1.0 / made.mass_kg)
-    };
+    let inverse = |floor: usize| floors.all()[floor].made_of.map_or(0.0, |made| 1.0 / made.mass_kg);
     let pair = FreePair {
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
         approach_speed: SPEED,
@@ -116,10 +105,7 @@ fn doubt_the_law(
         (duration <= LONGEST, duration / LONGEST),
         format!("contacts[{index}].law.{}", contact.law.name()),
         (
-            format!(
-                "a collision at {SPEED} m/s that lasts {} s",
-                short(duration)
-            ),
+            format!("a collision at {SPEED} m/s that lasts {} s", short(duration)),
             "up to 0.25 s; its impact stiffness and damping decide it",
         ),
     );

@@ -36,39 +36,23 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
             (stiffness * STIFFER >= stiffest, stiffest / stiffness),
             place("stiffness_n_per_m"),
             (
-                format!(
-                    "{} N/m, where another storey has {} N/m",
-                    short(stiffness),
-                    short(stiffest)
-                ),
+                format!("{} N/m, where another storey has {} N/m", short(stiffness), short(stiffest)),
                 "a storey no more than 200 times softer than others",
             ),
         );
         let start = [one.initial_displacement_m, one.initial_velocity_m_per_s];
         doubt_the_start(place, start, doubts);
-        doubt_the_yielding(
-            &place("yield_drift_ratio"),
-            &one.columns,
-            one.height_m,
-            doubts,
-        );
+        doubt_the_yielding(&place("yield_drift_ratio"), &one.columns, one.height_m, doubts);
     }
     doubt_the_period(index, building, doubts);
 }
 
 /// Displacement \[m\] and velocity \[m/s\] at the start that no earthquake gives.
-pub(super) fn doubt_the_start(
-    place: impl Fn(&str) -> String,
-    [displacement, velocity]: [f64; 2],
-    doubts: &mut Doubts,
-) {
+pub(super) fn doubt_the_start(place: impl Fn(&str) -> String, [displacement, velocity]: [f64; 2], doubts: &mut Doubts) {
     doubts.unless(
         displacement.abs() <= FARTHEST,
         place("initial_displacement_m"),
-        (
-            format!("{} m", short(displacement)),
-            "up to 2 m; it is in metres",
-        ),
+        (format!("{} m", short(displacement)), "up to 2 m; it is in metres"),
     );
     doubts.unless(
         velocity.abs() <= FASTEST,
@@ -78,12 +62,7 @@ pub(super) fn doubt_the_start(
 }
 
 /// Columns that yield at an unusual part of their height, however that is given.
-pub(super) fn doubt_the_yielding(
-    place: &str,
-    columns: &Columns,
-    height: Option<f64>,
-    doubts: &mut Doubts,
-) {
+pub(super) fn doubt_the_yielding(place: &str, columns: &Columns, height: Option<f64>, doubts: &mut Doubts) {
     let Some((force, height)) = columns.yield_force_n.zip(height) else {
         return;
     };
@@ -92,10 +71,7 @@ pub(super) fn doubt_the_yielding(
         (YIELDS.contains(&ratio), ratio / 5e-3),
         place,
         (
-            format!(
-                "columns that yield at a drift of {} of their height",
-                percent(ratio)
-            ),
+            format!("columns that yield at a drift of {} of their height", percent(ratio)),
             "0.05 % to 5 %; yield_force_n and yield_displacement_m decide it as well",
         ),
     );

@@ -50,9 +50,7 @@ enum Heights {
 impl Heights {
     fn of(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Self {
         let storeys = |one: &Structure| matches!(one, Structure::Building(_));
-        let given = |(one, heights): (&Structure, &Option<Vec<f64>>)| {
-            heights.is_some() || matches!(one, Structure::Wall)
-        };
+        let given = |(one, heights): (&Structure, &Option<Vec<f64>>)| heights.is_some() || matches!(one, Structure::Wall);
         let all = scene.structures.iter().zip(elevations).all(given);
         if all && scene.structures.iter().any(storeys) {
             Self::Known
@@ -99,19 +97,10 @@ fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
 }
 
 /// Refuses levels at which nothing faces the neighbour.
-fn check_chosen(
-    scene: &Scene,
-    contact: usize,
-    chosen: &[usize],
-    allowed: Vec<usize>,
-) -> Result<(), SceneError> {
+fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: Vec<usize>) -> Result<(), SceneError> {
     let names = names(scene, [contact, contact + 1]).into();
     if chosen.is_empty() {
-        return Err(SceneError::NoLevels {
-            contact,
-            names,
-            allowed,
-        });
+        return Err(SceneError::NoLevels { contact, names, allowed });
     }
     match chosen.iter().position(|level| !allowed.contains(level)) {
         Some(place) => Err(SceneError::NotFacing {
@@ -126,12 +115,7 @@ fn check_chosen(
 }
 
 /// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
-fn check_heights(
-    scene: &Scene,
-    elevations: &[Option<Vec<f64>>],
-    contact: usize,
-    facing: Vec<usize>,
-) -> Result<(), SceneError> {
+fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: Vec<usize>) -> Result<(), SceneError> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());
     };
@@ -162,9 +146,7 @@ fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -
     all.sort_by(f64::total_cmp);
     all.dedup_by(|higher, lower| *higher - *lower <= EQUAL_HEIGHTS);
     let level = |height: &f64| all.partition_point(|other| *other < height - EQUAL_HEIGHTS);
-    let own = |(structure, elevations): (&Structure, &Option<Vec<f64>>)| match (
-        structure, elevations, heights,
-    ) {
+    let own = |(structure, elevations): (&Structure, &Option<Vec<f64>>)| match (structure, elevations, heights) {
         (Structure::Wall, ..) => Vec::new(),
         (_, Some(elevations), Heights::Known) => elevations.iter().map(level).collect(),
         (Structure::Building(building), ..) => (0..building.storeys.len()).collect(),
@@ -179,14 +161,10 @@ fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -
 fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     // Contact i lies between structures i and i + 1.
-    let sides = [
-        wall.checked_sub(1).map(|left| (left, left)),
-        Some((wall, wall + 1)),
-    ];
+    let sides = [wall.checked_sub(1).map(|left| (left, left)), Some((wall, wall + 1))];
     let mut faced = Vec::new();
     for (contact, neighbour) in sides.into_iter().flatten() {
-        let Some(Structure::Sdof(_) | Structure::Building(_)) = scene.structures.get(neighbour)
-        else {
+        let Some(Structure::Sdof(_) | Structure::Building(_)) = scene.structures.get(neighbour) else {
             continue;
         };
         let contact = contacts.get(contact);

@@ -122,9 +122,7 @@ impl Floors {
             return Vec::new();
         };
         let beside = |(floor, height): (&usize, &f64)| {
-            let next = others
-                .iter()
-                .position(|one| *one >= height - EQUAL_HEIGHTS)?;
+            let next = others.iter().position(|one| *one >= height - EQUAL_HEIGHTS)?;
             let foot = next.checked_sub(1);
             let low = foot.map_or(0.0, |foot| others[foot]);
             (others[next] > height + EQUAL_HEIGHTS).then(|| Unwatched {

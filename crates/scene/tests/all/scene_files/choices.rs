@@ -11,10 +11,7 @@ use super::{TOML, changed, refusal, scene};
 fn limit_a_wall_is_a_word_or_an_empty_table() {
     let with = |wall: &str| {
         scene(
-            &changed(
-                "[[structures]]",
-                &format!("[[structures]]\n{wall}\n\n[[structures]]"),
-            ),
+            &changed("[[structures]]", &format!("[[structures]]\n{wall}\n\n[[structures]]")),
             "x.toml",
         )
     };
@@ -24,11 +21,7 @@ fn limit_a_wall_is_a_word_or_an_empty_table() {
     let json = serde_json::to_string(&of_toml).expect("a scene is written");
     assert!(json.contains("[\"wall\","), "{json}");
     for wall in ["[\"wall\",", "[{\"wall\": {}},", "[{\"wall\":{ } },"] {
-        assert_eq!(
-            scene(&json.replace("[\"wall\",", wall), "x.json"),
-            of_toml,
-            "{wall}"
-        );
+        assert_eq!(scene(&json.replace("[\"wall\",", wall), "x.json"), of_toml, "{wall}");
     }
 }
 
@@ -49,12 +42,7 @@ fn limit_the_exact_method_is_a_word_or_an_empty_table() {
 
 #[test]
 fn extreme_words_alone_that_need_settings() {
-    let top = |line: &str| {
-        refusal(&changed(
-            "name = \"two towers\"",
-            &format!("name = \"x\"\n{line}"),
-        ))
-    };
+    let top = |line: &str| refusal(&changed("name = \"two towers\"", &format!("name = \"x\"\n{line}")));
     assert_snapshot!(top("method = \"hht\""), @r#"scene.toml, line 3, column 10: method: found the word `hht` alone, allowed is a table with its settings, such as {"hht": {"time_step_s": 0.001, "alpha": -0.1}} in JSON, { hht = { time_step_s = 0.001, alpha = -0.1 } } in TOML"#);
     assert_snapshot!(top("method = \"exakt\""), @"scene.toml, line 3, column 10: method: found `exakt`, allowed are `central_difference`, `newmark`, `hht`, `velocity_verlet`, `rk4`, `moreau_jean`, `exact`, `accuracy`; perhaps `exact` is meant");
     assert_snapshot!(top("method = 0.01"), @"scene.toml, line 3, column 10: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
@@ -67,8 +55,7 @@ fn extreme_words_alone_that_need_settings() {
     assert_snapshot!(refusal(&changed("[[structures]]\n[structures.sdof]\nname = \"old\"", "[[structures]]\nwall = { height_m = 3 }\n[[structures]]\n[structures.sdof]\nname = \"old\"")), @"scene.toml, line 6, column 10: structures[0].wall.height_m: found the field `height_m`, allowed are none; delete it");
     assert_snapshot!(refusal(&changed("record.file = \"record.csv\"", "record.generated = \"ricker\"")), @r#"scene.toml, line 3, column 20: record.generated: found the word `ricker` alone, allowed is a table with its settings, such as {"ricker": {"amplitude_m_per_s2": 2.0, "frequency_hz": 1.0, "time_step_s": 0.01}} in JSON, { ricker = { amplitude_m_per_s2 = 2.0, frequency_hz = 1.0, time_step_s = 0.01 } } in TOML"#);
     let json = |from: &str, to: &str| {
-        let text =
-            serde_json::to_string_pretty(&scene(TOML, "x.toml")).expect("a scene is written");
+        let text = serde_json::to_string_pretty(&scene(TOML, "x.toml")).expect("a scene is written");
         assert!(text.contains(from), "{text}");
         let text = text.replacen(from, to, 1);
         let refused = Scene::parse(text.as_bytes(), Path::new("scene.json"));

@@ -97,11 +97,7 @@ fn limit_a_scene_without_method_and_duration() {
     let record = pounding_motion::read(record).expect("a record");
     let prepared = pounding_scene::Simulation::with_record(&scene, record).expect("a good scene");
     // The record and two of the longest periods.
-    assert!(
-        (prepared.duration() - 4.4).abs() < 1e-12,
-        "{}",
-        prepared.duration()
-    );
+    assert!((prepared.duration() - 4.4).abs() < 1e-12, "{}", prepared.duration());
 }
 
 #[test]
@@ -121,21 +117,12 @@ fn extreme_values_that_cannot_be_converted() {
         ("period_s = 1.2", "period_s = inf"),
         ("height_m = 12", "height_m = -12"),
         ("yield_drift_ratio = 0.005", "yield_drift_ratio = 0.0"),
-        (
-            "yield_displacement_m = 0.02",
-            "yield_displacement_m = -0.02",
-        ),
+        ("yield_displacement_m = 0.02", "yield_displacement_m = -0.02"),
     ] {
         let message = refusal(&changed(from, to));
-        assert!(
-            message.contains("allowed a finite number > 0"),
-            "{to}: {message}"
-        );
+        assert!(message.contains("allowed a finite number > 0"), "{to}: {message}");
         let field = to.split(' ').next().expect("a field");
-        assert!(
-            message.contains(&format!("{field}: found")),
-            "{to}: {message}"
-        );
+        assert!(message.contains(&format!("{field}: found")), "{to}: {message}");
     }
 }
 
@@ -164,18 +151,14 @@ fn extreme_fields_of_wrong_type() {
 /// TOML read the first two numbers of a range and dropped the others.
 #[test]
 fn issue_a_range_of_three_numbers_lost_one() {
-    let range =
-        "[neighbour.unknown]\nperiod_s = [0.2, 1, 2]\nmass_ratio = [0.5, 2]\n\n[[contacts]]";
+    let range = "[neighbour.unknown]\nperiod_s = [0.2, 1, 2]\nmass_ratio = [0.5, 2]\n\n[[contacts]]";
     assert_snapshot!(refusal(&changed("[[contacts]]", range)), @"scene.toml, line 23, column 12: neighbour.unknown.period_s: found a list of 3, allowed is a list of two");
 }
 
 #[test]
 fn extreme_fields_that_are_there_twice() {
     let text = serde_json::to_string_pretty(&scene(TOML, "scene.toml")).expect("JSON");
-    let twice = text.replace(
-        "\"mass_kg\": 75000.0,",
-        "\"mass_kg\": 75000.0, \"mass_kg\": 1.0,",
-    );
+    let twice = text.replace("\"mass_kg\": 75000.0,", "\"mass_kg\": 75000.0, \"mass_kg\": 1.0,");
     let refused = Scene::parse(twice.as_bytes(), Path::new("scene.json"));
     assert_snapshot!(refused.expect_err("two masses").to_string(), @"scene.json, line 11, column 15: structures[0].sdof: found `mass_kg` twice, allowed is once; delete one");
 }

@@ -10,8 +10,7 @@ use super::changed;
 /// The scene with another record; it is prepared without a file.
 fn shaken(record: &str) -> Result<Simulation, String> {
     let text = changed("record.file = \"record.csv\"", record);
-    let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml"))
-        .map_err(|error| error.to_string())?;
+    let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml")).map_err(|error| error.to_string())?;
     Simulation::new(&scene, Path::new("")).map_err(|error| error.to_string())
 }
 
@@ -20,13 +19,9 @@ fn reference_motions_without_a_file() {
     let harmonic = "record.generated.harmonic = { amplitude_m_per_s2 = 2, frequency_hz = 0.5, duration_s = 4, time_step_s = 0.01 }";
     let prepared = shaken(harmonic).expect("a harmonic motion");
     let (time, peak) = prepared.record().peak();
-    assert!(
-        (time - 0.5).abs() < 1e-12 && (peak - 2.0).abs() < 1e-12,
-        "{peak} at {time}"
-    );
-    let scaled = format!(
-        "{harmonic}\nrecord.scale_to = {{ pga_g = 0.1 }}\nrecord.gravity_m_per_s2 = 10\nrecord.scale = 3\nrecord.reversed = true"
-    );
+    assert!((time - 0.5).abs() < 1e-12 && (peak - 2.0).abs() < 1e-12, "{peak} at {time}");
+    let scaled =
+        format!("{harmonic}\nrecord.scale_to = {{ pga_g = 0.1 }}\nrecord.gravity_m_per_s2 = 10\nrecord.scale = 3\nrecord.reversed = true");
     let (_, peak) = shaken(&scaled).expect("a harmonic motion").record().peak();
     assert!((peak + 3.0).abs() < 1e-12, "{peak}");
     let soft = "record.generated.stochastic = { ground = \"soft\", pga_m_per_s2 = 3, strong_from_s = 2, strong_until_s = 8, \
@@ -73,11 +68,7 @@ fn extreme_motions_that_cannot_be() {
 fn extreme_formulas_that_cannot_be() {
     let changed = |motion: &str, from: &str, to: &str| {
         assert!(motion.contains(from), "{from}");
-        shaken(&format!(
-            "record.generated.{}",
-            motion.replacen(from, to, 1)
-        ))
-        .expect_err("a motion that is refused")
+        shaken(&format!("record.generated.{}", motion.replacen(from, to, 1))).expect_err("a motion that is refused")
     };
     let harmonic = "harmonic = { amplitude_m_per_s2 = 2, frequency_hz = 0.5, duration_s = 4, time_step_s = 0.01 }";
     let harmonic = |from: &str, to: &str| changed(harmonic, from, to);
@@ -91,8 +82,7 @@ fn extreme_formulas_that_cannot_be() {
     assert_snapshot!(harmonic("duration_s", "ramp_periods = 2, duration_s"), @r#"scene "two towers": record.generated.harmonic.ramp_periods: found 2, allowed a number >= 0, such that two ramps fit into the duration"#);
     let ricker = "ricker = { amplitude_m_per_s2 = 2, frequency_hz = 60, time_step_s = 0.01 }";
     assert_snapshot!(changed(ricker, "2", "2"), @r#"scene "two towers": record.generated.ricker.frequency_hz: found 60 Hz, allowed is below 50 Hz, half of one over the time step; lower it"#);
-    let half_sine =
-        "half_sine = { amplitude_m_per_s2 = 2, duration_s = 0.015, time_step_s = 0.01 }";
+    let half_sine = "half_sine = { amplitude_m_per_s2 = 2, duration_s = 0.015, time_step_s = 0.01 }";
     assert_snapshot!(changed(half_sine, "2", "2"), @r#"scene "two towers": record.generated.half_sine.duration_s: found 0.015, allowed at least two time steps; shorten the time step"#);
     let stochastic = "stochastic = { ground = \"soft\", pga_m_per_s2 = 3, strong_from_s = 2, strong_until_s = 8, \
                       decay_per_s = 0.5, duration_s = 16, time_step_s = 0.02, seed = 7 }";

@@ -110,11 +110,7 @@ pub trait Floors<N: Number> {
 
 /// Solves the equations of a building at a node with this acceleration of the ground \[m/s²\].
 #[inline(always)]
-pub fn solve<N: Number>(
-    floors: &mut impl Floors<N>,
-    coefficients: &[FloorCoefficients<N>],
-    ground: N,
-) {
+pub fn solve<N: Number>(floors: &mut impl Floors<N>, coefficients: &[FloorCoefficients<N>], ground: N) {
     let n = coefficients.len();
     let zero = ground.like(0.0);
     // All of its floors are walls, or none.

@@ -12,11 +12,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     ///
     /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
     /// earlier was negative.
-    pub(super) fn touch(
-        &mut self,
-        Instant { ground, fine, .. }: Instant<'_>,
-        work: &mut Work,
-    ) -> bool {
+    pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>, work: &mut Work) -> bool {
         let (row, bodies) = (self.row, &mut self.bodies);
         for (index, body) in bodies.iter_mut().enumerate() {
             if body.fine || !fine {
@@ -52,8 +48,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
                 let (fine, [by_left, by_right]) = ([left.fine, right.fine], steps);
                 let [left, right] = pair.relation.points();
-                let [left, right] =
-                    [left, right].map(|point| point.of(|floor| bodies[floor].increment));
+                let [left, right] = [left, right].map(|point| point.of(|floor| bodies[floor].increment));
                 // Backward difference of the deformation.
                 let faster = if fine[0] == fine[1] {
                     (left - right) / by_left
@@ -68,12 +63,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     approach_speed: self.approaches.of(index, rate),
                 };
                 if let Some(contact) = pair.law.respond(&overlap) {
-                    push(
-                        row,
-                        (index, contact.force),
-                        steps,
-                        (bodies, &mut self.pushes),
-                    );
+                    push(row, (index, contact.force), steps, (bodies, &mut self.pushes));
                 }
             }
         }
@@ -81,21 +71,15 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 
     /// Lets the velocities of a node jump; the increments of those that do are restarted.
-    pub(super) fn jump<R: Recorder>(
-        &mut self,
-        node: Instant<'_>,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    pub(super) fn jump<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
         for (state, body) in self.states.iter_mut().zip(&self.bodies) {
             *state = body.start;
         }
         let instant = (node.ground, node.time);
-        self.jumps
-            .jump(self.row, &mut self.states, instant, recorder)?;
+        self.jumps.jump(self.row, &mut self.states, instant, recorder)?;
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
             // Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
-            let jumped = (state.velocity - body.start.velocity).abs() > 0.0
-                || (state.acceleration - body.start.acceleration).abs() > 0.0;
+            let jumped = (state.velocity - body.start.velocity).abs() > 0.0 || (state.acceleration - body.start.acceleration).abs() > 0.0;
             if jumped {
                 body.start = *state;
                 body.velocity = state.velocity;
@@ -115,9 +99,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         }
         let mut any = false;
         for pair in self.row.pairs() {
-            let now = pair
-                .relation
-                .ahead(|floor| self.bodies[floor].start.displacement);
+            let now = pair.relation.ahead(|floor| self.bodies[floor].start.displacement);
             let next = pair.relation.ahead(|floor| self.bodies[floor].displacement);
             let overlaps = |ground: Ground<'_>, ahead: f64| ground.deformation(pair, ahead) > 0.0;
             if overlaps(grounds[0], now) || overlaps(grounds[1], next) {
@@ -147,11 +129,7 @@ fn push<Column: RestoringForce>(
 ) {
     let shorter = left.min(right);
     let late = |on_left: bool| {
-        if on_left {
-            left - shorter
-        } else {
-            right - shorter
-        }
+        if on_left { left - shorter } else { right - shorter }
     };
     pushes.act(row, (pair, force), |floor, on_left, force| {
         let body = &mut bodies[floor];

@@ -49,12 +49,7 @@ impl Storeys {
 impl<Column: RestoringForce> Run<'_, Column> {
     /// Solves the equations of a node, building by building, and reports the spans that end there.
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
-    pub(super) fn advance_storeys<R: Recorder>(
-        &mut self,
-        node: Instant<'_>,
-        work: &mut Work,
-        recorder: &mut R,
-    ) -> Result<(), RunError> {
+    pub(super) fn advance_storeys<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let divides = self.steps[1] < self.steps[0];
         let Some(storeys) = &mut self.storeys else {
             return Ok(());
@@ -188,9 +183,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
 
     /// Velocities that whole steps gave too much, before the dashpots share them.
     fn excess(&self, velocities: &mut [f64]) {
-        for ((&index, constants), velocity) in
-            self.floors.iter().zip(self.coefficients).zip(velocities)
-        {
+        for ((&index, constants), velocity) in self.floors.iter().zip(self.coefficients).zip(velocities) {
             let (from_left, from_right) = self.bodies[index].excess;
             *velocity = constants.own.inverse_mass * (from_left + from_right);
         }
@@ -285,14 +278,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         ];
         let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
         let times = (body.start_time, time);
-        let span = Span::step(
-            recorder.reads_weighed(),
-            index,
-            times,
-            [body.start, end],
-            weights,
-            loads,
-        );
+        let span = Span::step(recorder.reads_weighed(), index, times, [body.start, end], weights, loads);
         let (from_left, from_right) = body.excess;
         let slots = self.row.incidence().slots_at(index);
         self.pushes.end(slots.clone(), weights.0);

@@ -39,11 +39,7 @@ pub(super) struct Closing {
 impl Closing {
     /// Returns the x ≥ 0 at which rate·x + curvature·x² rises through the gap \[s\]; infinite if there is none.
     pub(super) fn instant(&self) -> f64 {
-        let Self {
-            gap,
-            rate,
-            curvature,
-        } = *self;
+        let Self { gap, rate, curvature } = *self;
         let discriminant = rate * rate + 4.0 * curvature * gap;
         if discriminant < 0.0 {
             return f64::INFINITY;

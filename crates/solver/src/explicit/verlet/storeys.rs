@@ -129,13 +129,9 @@ impl<Column: RestoringForce> Building<'_, Column> {
             };
             let last = net(1, end, below_velocity);
             let ground = if floor.is_wall() { 0.0 } else { last_ground };
-            end.acceleration =
-                floor.inverse_mass * (end.pounding_force() - last.1 - last.0) - ground;
+            end.acceleration = floor.inverse_mass * (end.pounding_force() - last.1 - last.0) - ground;
             let end = *end;
-            let loads = [
-                Load::at(&start, first, first_ground),
-                Load::at(&end, last, last_ground),
-            ];
+            let loads = [Load::at(&start, first, first_ground), Load::at(&end, last, last_ground)];
             let times = (start_time, end_time);
             let weights = (0.5 * h, [1.0, 1.0]);
             let body = &mut self.bodies[index];
@@ -145,15 +141,8 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
                 pushes: self.pushes.of(slots.clone()),
-                ..Span::step(
-                    recorder.reads_weighed(),
-                    index,
-                    times,
-                    [start, end],
-                    weights,
-                    loads,
-                )
-                .over(self.row.below(index, [self.states, self.ends]))
+                ..Span::step(recorder.reads_weighed(), index, times, [start, end], weights, loads)
+                    .over(self.row.below(index, [self.states, self.ends]))
             });
             self.pushes.go_on(slots);
             self.states[index] = end;

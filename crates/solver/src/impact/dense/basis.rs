@@ -134,9 +134,7 @@ impl Basis {
 
 /// The product of two vectors, of the rows before `split` and of those behind added at last.
 pub(crate) fn dot(one: &[f64], other: &[f64], split: usize) -> f64 {
-    let product = |(one, other): (&[f64], &[f64])| -> f64 {
-        one.iter().zip(other).map(|(one, other)| one * other).sum()
-    };
+    let product = |(one, other): (&[f64], &[f64])| -> f64 { one.iter().zip(other).map(|(one, other)| one * other).sum() };
     let (one, other) = (one.split_at(split), other.split_at(split));
     product((one.0, other.0)) + product((one.1, other.1))
 }

@@ -39,8 +39,7 @@ impl Instant {
     /// With its contacts in another order.
     fn turned(&self) -> Self {
         let order: Vec<_> = (0..self.n()).map(|place| (place + 1) % self.n()).collect();
-        let of =
-            |vector: &DVector<f64>| DVector::from_fn(self.n(), |place, _| vector[order[place]]);
+        let of = |vector: &DVector<f64>| DVector::from_fn(self.n(), |place, _| vector[order[place]]);
         Self {
             columns: self.columns.select_columns(&order),
             demand: of(&self.demand),
@@ -80,9 +79,7 @@ impl Instant {
             let mut impulses = DVector::zeros(self.n());
             if !set.is_empty() {
                 let parts = (columns.transpose() * &columns).symmetric_eigen();
-                let inverse = parts
-                    .eigenvalues
-                    .map(|value| if value > 1e-9 { 1.0 / value } else { 0.0 });
+                let inverse = parts.eigenvalues.map(|value| if value > 1e-9 { 1.0 / value } else { 0.0 });
                 let inverse = DMatrix::from_diagonal(&inverse);
                 let vectors = &parts.eigenvectors;
                 let found = vectors * inverse * vectors.transpose() * columns.transpose() * &driven;
@@ -94,8 +91,7 @@ impl Instant {
             (is_met && impulses.min() > -1e-9).then_some(impulses)
         };
         let found = sets(self.n()).filter_map(least);
-        let by_norm =
-            |one: &DVector<f64>, other: &DVector<f64>| one.norm().total_cmp(&other.norm());
+        let by_norm = |one: &DVector<f64>, other: &DVector<f64>| one.norm().total_cmp(&other.norm());
         found.min_by(by_norm).expect("the answer is there")
     }
 
@@ -115,10 +111,7 @@ impl Instant {
         }
         let left = (self.columns.transpose() * &driven - &self.demand) / scale;
         let allowed = -2e-14;
-        assert!(
-            impulses.min() >= 0.0 && left.min() > allowed,
-            "{place}: {left}"
-        );
+        assert!(impulses.min() >= 0.0 && left.min() > allowed, "{place}: {left}");
         let least = self.least(&impulses);
         let off = (&least - &impulses).amax() / scale;
         assert!(off < 1e-9, "{place}: {least} {impulses}");
@@ -126,10 +119,7 @@ impl Instant {
         let differ = answers.iter().any(differs);
         assert!(!(unique && differ), "{place}: {impulses}");
         // Between walls all impulses may grow without end.
-        assert!(
-            unique || differ || place.contains("wall"),
-            "{place}: {impulses}"
-        );
+        assert!(unique || differ || place.contains("wall"), "{place}: {impulses}");
         let energy = 0.5 * driven.norm_squared() - impulses.dot(&self.approach);
         assert!(energy < 1e-14 * scale, "{place}: creates {energy:e}");
         let turned = self.turned().solved(problem).expect("it was solved").1;
@@ -167,19 +157,12 @@ fn storey(seed: u64, kind: u64) -> Instant {
         };
         let moves = if kind == 4 { 0.3 * number() } else { 0.0 };
         let rates = weights.iter().zip(&velocities);
-        let rate = rates
-            .map(|(weight, velocity)| weight * velocity)
-            .sum::<f64>()
-            + moves;
+        let rate = rates.map(|(weight, velocity)| weight * velocity).sum::<f64>() + moves;
         if rate < 0.0 && demand.is_empty() {
             velocities = velocities.map(|velocity| -velocity);
             continue;
         }
-        let own = if seed % 5 < 3 {
-            alike
-        } else {
-            0.5 + 0.5 * number()
-        };
+        let own = if seed % 5 < 3 { alike } else { 0.5 + 0.5 * number() };
         let restitution = if is_plastic { 0.0 } else { own };
         // Those that part stay out, but in the last round, which is plastic.
         let full = demand.len() as u64 == 2 + seed % 4;
@@ -259,10 +242,7 @@ fn issue_a_push_on_a_shared_floor_may_leave_the_other_contact_alone() {
     }
     assert_eq!(problem.solve(), Ok(true));
     let impulses: Vec<_> = problem.impulses().collect();
-    assert!(
-        (impulses[0] - 278_089.887_640_449_4).abs() < 1e-9,
-        "{impulses:?}"
-    );
+    assert!((impulses[0] - 278_089.887_640_449_4).abs() < 1e-9, "{impulses:?}");
     assert_eq!(impulses[1].to_bits(), 0);
     problem.apply(impulses.into_iter());
     let after = rates[1] - problem.taken(1);
@@ -284,9 +264,7 @@ fn extreme_a_mass_between_two_walls() {
             problem.push([(0, side)].into_iter());
             problem.ask(contact, demand[contact], 0.0);
         }
-        let found = problem
-            .solve()
-            .map(|_| problem.impulses().collect::<Vec<_>>());
+        let found = problem.solve().map(|_| problem.impulses().collect::<Vec<_>>());
         assert_eq!(found, wanted.map(Vec::from));
     }
 }

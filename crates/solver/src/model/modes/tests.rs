@@ -29,17 +29,12 @@ fn damped(storeys: &[Storey<Elastic>], damping: Damping) -> Vec<Storey<Elastic>>
 /// Floors of uneven masses and stiffnesses.
 fn uneven(n: u32) -> Vec<Storey<Elastic>> {
     let wave = |i: u32, rate: f64| 1.2 + libm::sin(rate * f64::from(i));
-    (0..n)
-        .map(|i| storey(1e5 * wave(i, 2.3), 8e7 * wave(i, 1.7)))
-        .collect()
+    (0..n).map(|i| storey(1e5 * wave(i, 2.3), 8e7 * wave(i, 1.7))).collect()
 }
 
 fn assert_close(found: f64, wanted: f64, what: &str) {
     let allowed = 1e-12 * wanted.abs().max(1.0);
-    assert!(
-        (found - wanted).abs() <= allowed,
-        "{what}: {found} {wanted}"
-    );
+    assert!((found - wanted).abs() <= allowed, "{what}: {found} {wanted}");
 }
 
 /// Three storeys with masses m, m, m/2 and equal columns, by hand: ω² = (2 − √3), 2, (2 + √3) k/m.
@@ -48,17 +43,9 @@ fn reference_a_frame_of_three_storeys_by_hand() {
     let (m, k) = (45e3, 5.7e7);
     let found = modes(&[storey(m, k), storey(m, k), storey(0.5 * m, k)]).unwrap();
     let root = 3.0_f64.sqrt();
-    let shapes = [
-        [0.5, 0.5 * root, 1.0],
-        [-1.0, 0.0, 1.0],
-        [0.5, -0.5 * root, 1.0],
-    ];
+    let shapes = [[0.5, 0.5 * root, 1.0], [-1.0, 0.0, 1.0], [0.5, -0.5 * root, 1.0]];
     // Γ by hand: (1.5 ± √3/2 … )/1.5 and so on, from Σ m φ and Σ m φ².
-    let factors = [
-        (1.0 + 0.5 * root) / 1.5,
-        -0.5 / 1.5,
-        (1.0 - 0.5 * root) / 1.5,
-    ];
+    let factors = [(1.0 + 0.5 * root) / 1.5, -0.5 / 1.5, (1.0 - 0.5 * root) / 1.5];
     for (n, factor) in [2.0 - root, 2.0, 2.0 + root].into_iter().enumerate() {
         let mode = &found[n];
         let omega: f64 = (factor * k / m).sqrt();
@@ -100,11 +87,7 @@ fn reference_periods_are_those_of_the_eigenvalues_of_nalgebra() {
     for n in [1, 2, 3, 7, 20] {
         let storeys = uneven(n);
         let found = modes(&storeys).unwrap();
-        let mut eigenvalues: Vec<_> = scaled_stiffness(&storeys)
-            .symmetric_eigenvalues()
-            .iter()
-            .copied()
-            .collect();
+        let mut eigenvalues: Vec<_> = scaled_stiffness(&storeys).symmetric_eigenvalues().iter().copied().collect();
         eigenvalues.sort_by(f64::total_cmp);
         for (mode, eigenvalue) in found.iter().zip(eigenvalues) {
             let wanted = 2.0 * PI / eigenvalue.sqrt();
@@ -137,10 +120,7 @@ fn limit_modes_are_complete() {
         }
     }
     for floor in 0..12 {
-        let sum: f64 = found
-            .iter()
-            .map(|mode| mode.participation * mode.shape[floor])
-            .sum();
+        let sum: f64 = found.iter().map(|mode| mode.participation * mode.shape[floor]).sum();
         assert_close(sum, 1.0, "the ground moves all floors alike");
     }
     let total: f64 = storeys.iter().map(|storey| storey.mass).sum();
@@ -206,28 +186,16 @@ fn limit_rigid_upper_storeys_move_as_one() {
         let slow = (2.0 * ratio / 3.0) / (sum + root);
         let wanted = (slow * k / m).sqrt();
         let omega = found[0].angular_frequency;
-        assert!(
-            (omega / wanted - 1.0).abs() < 1e-14,
-            "{ratio:e}: {omega} {wanted}"
-        );
+        assert!((omega / wanted - 1.0).abs() < 1e-14, "{ratio:e}: {omega} {wanted}");
         let rigid = (k / (4.0 * m)).sqrt();
-        assert!(
-            (omega / rigid - 1.0).abs() < 1.0 / ratio,
-            "{ratio:e}: {omega}"
-        );
+        assert!((omega / rigid - 1.0).abs() < 1.0 / ratio, "{ratio:e}: {omega}");
     }
     // Five storeys over nine decades each.
     let tower = [1.0, 1e3, 1e5, 1e7, 1e9].map(|ratio| storey(m, ratio * k));
     let first = &modes(&tower).unwrap()[0];
     let rigid = (k / (5.0 * m)).sqrt();
-    assert!(
-        (first.angular_frequency / rigid - 1.0).abs() < 1e-3,
-        "{first:?}"
-    );
-    assert!(
-        (first.effective_mass() / (5.0 * m) - 1.0).abs() < 1e-6,
-        "{first:?}"
-    );
+    assert!((first.angular_frequency / rigid - 1.0).abs() < 1e-3, "{first:?}");
+    assert!((first.effective_mass() / (5.0 * m) - 1.0).abs() < 1e-6, "{first:?}");
 }
 
 #[test]
@@ -238,10 +206,7 @@ fn extreme_buildings_that_nothing_holds() {
     assert_eq!(found[0].damping_ratio.to_bits(), 0.0_f64.to_bits());
     assert!(found[0].period().is_infinite(), "{found:?}");
     assert_close(found[1].angular_frequency, 10.0, "the first");
-    assert!(
-        modes::<Elastic>(&[]).unwrap().is_empty(),
-        "no storey, no mode"
-    );
+    assert!(modes::<Elastic>(&[]).unwrap().is_empty(), "no storey, no mode");
 }
 
 #[test]

@@ -140,9 +140,7 @@ impl Cubic {
         // c = 0 or a = 0, is not between 0 and 1.
         let root = (b * b - 3.0 * a * c).sqrt();
         let sum = -(b + root.copysign(b));
-        let Node {
-            time, displacement, ..
-        } = self.start;
+        let Node { time, displacement, .. } = self.start;
         let mut highest = Closing {
             distance: displacement,
             time,
@@ -172,10 +170,5 @@ impl Cubic {
 #[inline(always)]
 pub fn controls<N: Number>(duration: N, [start, end]: [[N; 2]; 2]) -> [N; 4] {
     let third = duration / duration.like(3.0);
-    [
-        start[0],
-        start[0] + third * start[1],
-        end[0] - third * end[1],
-        end[0],
-    ]
+    [start[0], start[0] + third * start[1], end[0] - third * end[1], end[0]]
 }

@@ -27,20 +27,11 @@ impl Gap {
 
     /// What closes the gap, of the left neighbour's motion less that of the right one.
     fn closing(&self, apart: Cubic) -> Cubic {
-        if self.reversed {
-            apart.mirrored()
-        } else {
-            apart
-        }
+        if self.reversed { apart.mirrored() } else { apart }
     }
 
     /// A piece of the motion of the left neighbour (side 0) or of the right one, beside a wall that moves so.
-    pub(super) fn follow_beside_wall(
-        &mut self,
-        side: usize,
-        piece: &Piece,
-        wall: impl Fn(Cubic) -> Cubic,
-    ) {
+    pub(super) fn follow_beside_wall(&mut self, side: usize, piece: &Piece, wall: impl Fn(Cubic) -> Cubic) {
         let reversed = self.reversed;
         let closing = |cubic: Cubic| {
             let wall = wall(cubic);

@@ -37,10 +37,7 @@ struct Coarse {
 
 impl From<Cubic> for Piece {
     fn from(cubic: Cubic) -> Self {
-        Self {
-            cubic,
-            coarse: None,
-        }
+        Self { cubic, coarse: None }
     }
 }
 

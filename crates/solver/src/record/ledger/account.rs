@@ -95,11 +95,7 @@ impl Account {
         };
         let force = node.column.loaded(drift).force;
         Self {
-            mass: if node.is_wall() {
-                0.0
-            } else {
-                1.0 / node.inverse_mass
-            },
+            mass: if node.is_wall() { 0.0 } else { 1.0 / node.inverse_mass },
             damping: node.damping,
             support: node.support,
             arrival: row.arrival(index),
@@ -206,8 +202,7 @@ impl Account {
 
     /// Strain energy of the storey, at its drift.
     fn strain(&self, state: &State, drift: Motion) -> f64 {
-        self.columns
-            .strain(state.restoring_force, drift.displacement)
+        self.columns.strain(state.restoring_force, drift.displacement)
     }
 
     /// Of a step: each impulse, as the method weighed it, times the mean velocity, so that the sum of works is the
@@ -222,10 +217,7 @@ impl Account {
         ];
         let mean = 0.5 * (span.start.velocity + span.end.velocity);
         let works = impulses.map(|impulse| mean * impulse);
-        (
-            Acting::besides_impacts(works),
-            Acting::besides_impacts(impulses),
-        )
+        (Acting::besides_impacts(works), Acting::besides_impacts(impulses))
     }
 
     /// Of a motion known between its ends: integrals over time, between the samples of the ground motion.
@@ -243,29 +235,26 @@ impl Account {
         while from < span.end_time {
             let segment = excitation.segment(from, self.arrival);
             let to = segment.end.min(span.end_time);
-            let [force, damping, ground, left, right, works_of @ ..] =
-                span.integrate_between(from, to, |time, state, drift| {
-                    let (v, rate) = (state.velocity, drift.velocity);
-                    let (force, damping) = (-state.restoring_force, -self.damping * rate);
-                    let outside = -to_ground * v;
-                    let ground = -self.mass * (segment.value + segment.slope * (time - from));
-                    let (left, right) = (state.force_from_left, state.force_from_right);
-                    [
-                        from_ground * force,
-                        from_ground * damping + outside,
-                        ground,
-                        left,
-                        right,
-                        force * rate,
-                        damping * rate + outside * v,
-                        ground * v,
-                        left * v,
-                        right * v,
-                    ]
-                });
-            impulses.add(&Acting::besides_impacts([
-                force, damping, ground, left, right,
-            ]));
+            let [force, damping, ground, left, right, works_of @ ..] = span.integrate_between(from, to, |time, state, drift| {
+                let (v, rate) = (state.velocity, drift.velocity);
+                let (force, damping) = (-state.restoring_force, -self.damping * rate);
+                let outside = -to_ground * v;
+                let ground = -self.mass * (segment.value + segment.slope * (time - from));
+                let (left, right) = (state.force_from_left, state.force_from_right);
+                [
+                    from_ground * force,
+                    from_ground * damping + outside,
+                    ground,
+                    left,
+                    right,
+                    force * rate,
+                    damping * rate + outside * v,
+                    ground * v,
+                    left * v,
+                    right * v,
+                ]
+            });
+            impulses.add(&Acting::besides_impacts([force, damping, ground, left, right]));
             works.add(&Acting::besides_impacts(works_of));
             from = to;
         }
@@ -285,10 +274,7 @@ impl Account {
     /// Change of kinetic energy less the works \[J\].
     fn identity(&self) -> f64 {
         let terms = &self.terms;
-        let works = self.restoring_work + terms.input + terms.opening
-            - terms.damping
-            - terms.contact
-            - terms.impact;
+        let works = self.restoring_work + terms.input + terms.opening - terms.damping - terms.contact - terms.impact;
         terms.kinetic - self.first_kinetic - works
     }
 

@@ -31,11 +31,7 @@ impl Columns {
             yielding: part * loops.stiffness,
             limit: part * loops.yield_force,
             // Columns that never yield have no knee: what rounding leaves of their slip is nothing.
-            knee: if loops.yield_force.is_finite() {
-                loops.knee
-            } else {
-                Knee::Sharp
-            },
+            knee: if loops.yield_force.is_finite() { loops.knee } else { Knee::Sharp },
         }
     }
 
@@ -48,11 +44,7 @@ impl Columns {
     pub(super) fn strain(&self, force: f64, drift: f64) -> f64 {
         let h = self.hysteretic(force, drift);
         // Free masses have no stiffness.
-        let bent = if self.yielding > 0.0 {
-            0.5 * h * h / self.yielding
-        } else {
-            0.0
-        };
+        let bent = if self.yielding > 0.0 { 0.5 * h * h / self.yielding } else { 0.0 };
         bent + 0.5 * self.lasting * (drift * drift)
     }
 
@@ -99,9 +91,7 @@ impl Columns {
                 restoring_force: (_, tangent),
                 ..
             })
-            | Path::Flight(Flight {
-                stiffness: tangent, ..
-            }) => {
+            | Path::Flight(Flight { stiffness: tangent, .. }) => {
                 if tangent < self.stiffness {
                     let (moved, [first, _]) = self.ends(span, drifts);
                     first * moved
@@ -160,9 +150,7 @@ impl Columns {
         let bend = match (self.knee, span.path) {
             (Knee::Smooth(smoothness), _) if smoothness.unloading < 0.5 => f64::INFINITY,
             // The force at which the columns slip is one of those between the ends; about zero its sign is open.
-            (Knee::Smooth(_), Path::Cubic(_)) => {
-                0.5 * ((last - first) * self.slip(span, drifts)).abs()
-            }
+            (Knee::Smooth(_), Path::Cubic(_)) => 0.5 * ((last - first) * self.slip(span, drifts)).abs(),
             (Knee::Smooth(_), Path::Series(_) | Path::Flight(_)) | (Knee::Sharp, _) => 0.0,
         };
         let exact = self.lasting <= 0.0 && span.below.is_none() && self.knee == Knee::Sharp;
@@ -212,16 +200,9 @@ mod tests {
         for drift in drifts {
             let response = column.respond(drift, memory);
             memory = response.memory;
-            let span = span(
-                [at[0], drift],
-                [at[1], response.force],
-                Path::Cubic(Weighed::default()),
-            );
+            let span = span([at[0], drift], [at[1], response.force], Path::Cubic(Weighed::default()));
             let taken = columns.flow(&span, span.drifts());
-            assert!(
-                -taken <= columns.forgiven(flow, &span),
-                "{drift}: {taken:e}"
-            );
+            assert!(-taken <= columns.forgiven(flow, &span), "{drift}: {taken:e}");
             flow += taken;
             work += 0.5 * (at[1] + response.force) * (drift - at[0]);
             at = [drift, response.force];
@@ -257,10 +238,7 @@ mod tests {
             stiffness: 1e5,
             yield_force: 1e3,
             hardening: 0.1,
-            smoothness: Smoothness {
-                exponent: 2,
-                unloading,
-            },
+            smoothness: Smoothness { exponent: 2, unloading },
         };
         for unloading in [0.5, 0.8, 1.0] {
             let [_, coarse, _] = led(column(unloading), there_and_back(2));
@@ -300,19 +278,11 @@ mod tests {
                 force_from_right: &[],
             })
         };
-        let loading = span(
-            [0.0, 0.02],
-            [0.0, 900.0],
-            path(&[0.02], &[0.0, 0.02], (0.0, 45e3)),
-        );
+        let loading = span([0.0, 0.02], [0.0, 900.0], path(&[0.02], &[0.0, 0.02], (0.0, 45e3)));
         let flow = columns.flow(&loading, loading.drifts());
         assert!((flow - 4.5).abs() < 1e-12, "{flow}");
         // Back along the same line γ − β = −0.4 takes the place of 1, and the drift falls.
-        let unloading = span(
-            [0.02, 0.0],
-            [900.0, 0.0],
-            path(&[-0.02], &[0.02, -0.02], (900.0, 45e3)),
-        );
+        let unloading = span([0.02, 0.0], [900.0, 0.0], path(&[-0.02], &[0.02, -0.02], (900.0, 45e3)));
         let flow = columns.flow(&unloading, unloading.drifts());
         assert!((flow - 0.4 * 4.5).abs() < 1e-12, "{flow}");
     }

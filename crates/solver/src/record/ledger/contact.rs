@@ -186,12 +186,7 @@ impl Contact {
 
     /// Books the span of a side, 0 for the left structure and 1 for the right one.
     #[inline]
-    pub(super) fn push(
-        &mut self,
-        pair: usize,
-        floor: usize,
-        push: &Push,
-    ) -> Result<(), LedgerError> {
+    pub(super) fn push(&mut self, pair: usize, floor: usize, push: &Push) -> Result<(), LedgerError> {
         let place = self.sides().position(|side| side.floor == floor);
         let index = place.unwrap_or_default();
         let side = &mut self.sides[index];
@@ -333,10 +328,7 @@ mod tests {
             momentum: 1e4,
             work: 0.0,
         };
-        let law =
-            pounding_contact::ContactLaw::Stereomechanical(pounding_contact::Stereomechanical {
-                restitution: 0.0,
-            });
+        let law = pounding_contact::ContactLaw::Stereomechanical(pounding_contact::Stereomechanical { restitution: 0.0 });
         let pair = Pair::of_floors(0, 1, 0.0, law);
         let mut contact = Contact::new(&pair);
         assert_eq!(contact.push(7, 0, &push(-4e-120, 0.0)), Ok(()));

@@ -55,9 +55,5 @@ impl Largest {
 
 /// Of two values; unlike [`f64::max`] it keeps NaN, so that a verdict sees it.
 fn larger(one: f64, other: f64) -> f64 {
-    if other > one || other.is_nan() {
-        other
-    } else {
-        one
-    }
+    if other > one || other.is_nan() { other } else { one }
 }

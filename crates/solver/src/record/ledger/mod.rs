@@ -111,9 +111,7 @@ impl<'a> Ledger<'a> {
         Self {
             excitation,
             travel: row.travel(excitation),
-            accounts: (0..row.nodes().len())
-                .map(|node| Account::new(row, node))
-                .collect(),
+            accounts: (0..row.nodes().len()).map(|node| Account::new(row, node)).collect(),
             buildings: row.buildings().clone(),
             sightings: Sightings::new(row.buildings()),
             contacts: row.pairs().iter().map(Contact::new).collect(),
@@ -237,9 +235,7 @@ impl<'a> Ledger<'a> {
         let found = self.residual();
         match self.bound() {
             // Nor does rounding explain what is no number.
-            Some(allowed) if found > allowed || found.is_nan() => {
-                Err(LedgerError::EnergyUnexplained { found, allowed })
-            }
+            Some(allowed) if found > allowed || found.is_nan() => Err(LedgerError::EnergyUnexplained { found, allowed }),
             _ => Ok(self.terms()),
         }
     }
@@ -251,20 +247,16 @@ impl<'a> Ledger<'a> {
         let works = account.span(span, &self.excitation);
         let outcome = account.flowed(hysteretic, span);
         self.judge(outcome);
-        self.sightings
-            .see(&self.buildings, span.structure, span.end_time);
+        self.sightings.see(&self.buildings, span.structure, span.end_time);
         self.n_meeting -= self.count_at(span.structure);
-        let ground = self.travel.as_ref().map_or(0.0, |travel| {
-            travel.ground(span.structure, span.end_time).displacement
-        });
+        let ground = self
+            .travel
+            .as_ref()
+            .map_or(0.0, |travel| travel.ground(span.structure, span.end_time).displacement);
         let momentum = self.accounts[span.structure].momentum_magnitude();
         for (index, push) in span.pushes.iter().enumerate() {
             let open = self.opened(span, index);
-            let together = if push.on_left {
-                works.from_right
-            } else {
-                works.from_left
-            };
+            let together = if push.on_left { works.from_right } else { works.from_left };
             let push_on = Push {
                 times: (span.start_time, span.end_time),
                 displacement: span.end.displacement,
@@ -295,9 +287,7 @@ impl<'a> Ledger<'a> {
         };
         // An energy is known to the rounding of all that is booked.
         let rounding = match violation {
-            LedgerError::GainAtImpact { found, .. } | LedgerError::GainInContact { found, .. } => {
-                found <= ROUNDING * self.scale()
-            }
+            LedgerError::GainAtImpact { found, .. } | LedgerError::GainInContact { found, .. } => found <= ROUNDING * self.scale(),
             LedgerError::Tension { .. }
             | LedgerError::PullingImpact { .. }
             | LedgerError::GainInYielding { .. }
@@ -411,13 +401,7 @@ impl Recorder for Ledger<'_> {
                 found: impulse,
             }));
         }
-        let speeds = [
-            before.left,
-            before.right,
-            after.left,
-            after.right,
-            impact.opening_rate,
-        ];
+        let speeds = [before.left, before.right, after.left, after.right, impact.opening_rate];
         let meeting = self.meeting.get_or_insert(Meeting {
             start: impact.time,
             end: impact.time,
@@ -427,8 +411,7 @@ impl Recorder for Ledger<'_> {
         });
         meeting.end = impact.time;
         meeting.loss += loss;
-        meeting.allowed +=
-            ROUNDING * impulse.abs() * speeds.iter().map(|speed| speed.abs()).sum::<f64>();
+        meeting.allowed += ROUNDING * impulse.abs() * speeds.iter().map(|speed| speed.abs()).sum::<f64>();
     }
 }
 

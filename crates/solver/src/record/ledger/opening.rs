@@ -20,15 +20,12 @@ impl Ledger<'_> {
         let nodes = relation.points().map(crate::Point::floor);
         let work = match span.path {
             Path::Cubic(_) => {
-                let [start, end] = [span.start_time, span.end_time]
-                    .map(|time| travel.opening(nodes, time).displacement);
+                let [start, end] = [span.start_time, span.end_time].map(|time| travel.opening(nodes, time).displacement);
                 push.impulse * ((end - start) / span.duration())
             }
             Path::Series(_) | Path::Flight(_) => {
                 let force = force_of(span, push);
-                let power = |time: f64, state: &State| {
-                    [force(time, state) * travel.opening(nodes, time).velocity]
-                };
+                let power = |time: f64, state: &State| [force(time, state) * travel.opening(nodes, time).velocity];
                 let [work] = span.integrate(power);
                 work
             }
@@ -59,8 +56,7 @@ pub(super) fn work_of(span: &Span<'_>, push: &Push<'_>, together: f64) -> f64 {
         }
         Path::Series(_) | Path::Flight(_) => {
             let force = force_of(span, push);
-            let [work] =
-                span.integrate(|time, state| [push.given(force(time, state)) * state.velocity]);
+            let [work] = span.integrate(|time, state| [push.given(force(time, state)) * state.velocity]);
             work
         }
     }
@@ -71,18 +67,13 @@ fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) 
     let is_alone = is_alone(span, push);
     move |time, state| match span.path {
         Path::Series(series) if !is_alone => value(push.series, series.x(time)),
-        Path::Series(_) | Path::Cubic(_) | Path::Flight(_) if push.on_left => {
-            -state.force_from_right
-        }
+        Path::Series(_) | Path::Cubic(_) | Path::Flight(_) if push.on_left => -state.force_from_right,
         Path::Series(_) | Path::Cubic(_) | Path::Flight(_) => state.force_from_left,
     }
 }
 
 /// Whether no other pair pushes the floor to the same side, and it carries all of the force.
 fn is_alone(span: &Span<'_>, push: &Push<'_>) -> bool {
-    let on_side = span
-        .pushes
-        .iter()
-        .filter(|other| other.on_left == push.on_left);
+    let on_side = span.pushes.iter().filter(|other| other.on_left == push.on_left);
     push.part >= 1.0 && on_side.count() == 1
 }

@@ -45,9 +45,7 @@ impl Terms {
     /// Largest difference of a term from the same term of `other` \[J\].
     pub fn distance(&self, other: &Self) -> f64 {
         let differences = self.all().into_iter().zip(other.all());
-        differences
-            .map(|(one, another)| (one - another).abs())
-            .fold(0.0, f64::max)
+        differences.map(|(one, another)| (one - another).abs()).fold(0.0, f64::max)
     }
 
     fn all(&self) -> [f64; 9] {

@@ -62,11 +62,7 @@ fn expand(starts: [Motion; 2], ground: (f64, f64), fault: Fault) -> [Motions; 2]
         for (index, floor) in floors.iter_mut().enumerate() {
             let damped = fault != Fault::GroundDamping || index == 0;
             let outside = if damped { DAMPING.0 * floor[1][n] } else { 0.0 };
-            let reaction = if index == 0 && fault != Fault::Reaction {
-                storeys[1]
-            } else {
-                0.0
-            };
+            let reaction = if index == 0 && fault != Fault::Reaction { storeys[1] } else { 0.0 };
             let acceleration = (reaction - storeys[index]) / MASSES[index] - outside - ground;
             floor[2][n] = acceleration;
             floor[1][n + 1] = acceleration / order;
@@ -102,12 +98,7 @@ fn book(fault: Fault) -> ([f64; 3], Terms) {
 }
 
 /// Reports the spans of both floors; returns their motions at the end.
-fn report(
-    ledger: &mut Ledger<'_>,
-    floors: &[Motions; 2],
-    start_time: f64,
-    end_time: f64,
-) -> [Motion; 2] {
+fn report(ledger: &mut Ledger<'_>, floors: &[Motions; 2], start_time: f64, end_time: f64) -> [Motion; 2] {
     let span = |index: usize| {
         let [displacement, velocity, acceleration] = &floors[index];
         let below = (index == 1).then_some([&floors[0][0][..], &floors[0][1][..]]);

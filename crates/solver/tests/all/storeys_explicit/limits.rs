@@ -3,16 +3,12 @@
 use nalgebra::DMatrix;
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Bilinear, Elastic, Excitation, Floor, Histories, Levels, Node, Peaks, Row, RunError, State,
-    Storey, Support, TransferredMomentum,
+    Bilinear, Elastic, Excitation, Floor, Histories, Levels, Node, Peaks, Row, RunError, State, Storey, Support, TransferredMomentum,
 };
 
 use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
 use crate::allocations::ALLOCATIONS;
-use crate::common::{
-    CENTRAL, STEREOMECHANICAL, STIFF, VERLET, VISCOELASTIC, WEAK, clock, ground, histories, pairs,
-    yielding,
-};
+use crate::common::{CENTRAL, STEREOMECHANICAL, STIFF, VERLET, VISCOELASTIC, WEAK, clock, ground, histories, pairs, yielding};
 use crate::towers::Tower;
 use crate::watch::Watch;
 
@@ -55,9 +51,7 @@ fn limit_houses_beside_a_tower_are_structures_of_one_storey() {
 #[test]
 fn limit_a_building_of_one_storey_is_a_structure() {
     let (storey, levels) = ((75e3, 2.056e6), Levels::new(&[1]));
-    let column = Elastic {
-        stiffness: storey.1,
-    };
+    let column = Elastic { stiffness: storey.1 };
     let floor = levels.floor(
         0,
         Storey {
@@ -94,11 +88,7 @@ fn limit_a_building_out_of_reach_changes_nothing() {
                     "{name}, {building}"
                 );
             }
-            assert_eq!(
-                states(&one, &of_one, 0),
-                states(&three, &of_three, 2),
-                "{name}"
-            );
+            assert_eq!(states(&one, &of_one, 0), states(&three, &of_three, 2), "{name}");
         }
     }
 }
@@ -106,12 +96,7 @@ fn limit_a_building_out_of_reach_changes_nothing() {
 #[test]
 fn limit_a_mirrored_row_of_towers_mirrors() {
     let reversed: Vec<f64> = ground().iter().map(|sample| -sample).collect();
-    let towers = [
-        soft(plastic),
-        stiff(2, plastic),
-        stiff(3, plastic),
-        soft(plastic),
-    ];
+    let towers = [soft(plastic), stiff(2, plastic), stiff(3, plastic), soft(plastic)];
     // Impacts of three buildings at one instant are solved from left to right, and mirror to rounding alone: two are left.
     for (law, n) in [(STEREOMECHANICAL, 2), (VISCOELASTIC, 4)] {
         let towers = &towers[..n];
@@ -126,13 +111,9 @@ fn limit_a_mirrored_row_of_towers_mirrors() {
             assert!(work.touching_steps > 10, "{name}: the row must collide");
             for building in 0..n {
                 let floors = states(&there, &levels, building);
-                for (left, right) in floors
-                    .iter()
-                    .zip(states(&back, &mirrored, n - 1 - building))
-                {
+                for (left, right) in floors.iter().zip(states(&back, &mirrored, n - 1 - building)) {
                     let unlike = left.iter().zip(right).position(|(left, right)| {
-                        (left.displacement + right.displacement).abs() > 0.0
-                            || (left.acceleration + right.acceleration).abs() > 0.0
+                        (left.displacement + right.displacement).abs() > 0.0 || (left.acceleration + right.acceleration).abs() > 0.0
                     });
                     assert_eq!(unlike, None, "{name}, {law:?}, building {building}");
                 }
@@ -176,14 +157,8 @@ fn extreme_the_critical_time_step_is_that_of_the_highest_mode() {
             last.fold(0.0, |sum: f64, state| sum.max(state.displacement.abs()))
         };
         let (below, above) = (largest(0.999), largest(1.001));
-        assert!(
-            below < amplitude,
-            "{name}: {below:e} at a step below the limit"
-        );
-        assert!(
-            above > 1e3 * amplitude,
-            "{name}: {above:e} at a step above it"
-        );
+        assert!(below < amplitude, "{name}: {below:e} at a step below the limit");
+        assert!(above > 1e3 * amplitude, "{name}: {above:e} at a step above it");
     }
 }
 
@@ -242,9 +217,7 @@ fn limit_a_step_of_towers_allocates_nothing() {
             let count = |duration| {
                 let mut recorder = (Peaks::new(n), TransferredMomentum::new(n));
                 let before = ALLOCATIONS.get();
-                let work = method
-                    .watch(&row, excitation, clock(0.005, duration), &mut recorder)
-                    .unwrap();
+                let work = method.watch(&row, excitation, clock(0.005, duration), &mut recorder).unwrap();
                 (ALLOCATIONS.get() - before, work)
             };
             let ((short, _), (long, work)) = (count(1.0), count(10.0));

@@ -18,18 +18,11 @@ const EXPLICIT: [(&str, Integrator); 4] = [
     ("Verlet, located", LOCATED),
 ];
 
-const DAMPING: Rayleigh = Rayleigh {
-    alpha: 0.3,
-    beta: 2e-3,
-};
+const DAMPING: Rayleigh = Rayleigh { alpha: 0.3, beta: 2e-3 };
 
 /// A tower of three storeys of 0.7 s, lighter and softer towards the top.
 fn soft<Column: Copy>(column: impl Fn(f64) -> Column) -> Tower<Column> {
-    vec![
-        (1.2e5, column(6e7)),
-        (1.0e5, column(5e7)),
-        (0.7e5, column(3e7)),
-    ]
+    vec![(1.2e5, column(6e7)), (1.0e5, column(5e7)), (0.7e5, column(3e7))]
 }
 
 /// A stiff tower of so many storeys.
@@ -51,21 +44,14 @@ fn plastic(stiffness: f64) -> Bilinear {
 }
 
 /// Towers side by side; floors that face each other touch by a law where there is a gap between their buildings.
-fn side_by_side<Column: Hysteretic>(
-    towers: &[Tower<Column>],
-    gaps: &[f64],
-    law: ContactLaw,
-) -> (Row<Column>, Levels) {
+fn side_by_side<Column: Hysteretic>(towers: &[Tower<Column>], gaps: &[f64], law: ContactLaw) -> (Row<Column>, Levels) {
     towers::row(towers, DAMPING, |building, _, [left, right]| {
         (right == left + 1).then_some(Pair::of_floors(left, right, gaps[building], law))
     })
 }
 
 /// The row with other starts: displacement and velocity of a node.
-fn started<Column: Hysteretic>(
-    row: &Row<Column>,
-    start: impl Fn(usize) -> (f64, f64),
-) -> Row<Column> {
+fn started<Column: Hysteretic>(row: &Row<Column>, start: impl Fn(usize) -> (f64, f64)) -> Row<Column> {
     let nodes = row.nodes().iter().enumerate().map(|(index, node)| {
         let (initial_displacement, initial_velocity) = start(index);
         Node {

@@ -1,31 +1,20 @@
 //! Orders of convergence towards the Runge–Kutta method at a far smaller step.
 
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
-use pounding_solver::{
-    Bilinear, BoucWen, Clock, Excitation, Histories, Hysteretic, Integrator, Row, Smoothness,
-};
+use pounding_solver::{Bilinear, BoucWen, Clock, Excitation, Histories, Hysteretic, Integrator, Row, Smoothness};
 
 use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
-use crate::common::{
-    CENTRAL, LOCATED, RK4, STEREOMECHANICAL, VERLET, VISCOELASTIC, clock, ground, slope,
-};
+use crate::common::{CENTRAL, LOCATED, RK4, STEREOMECHANICAL, VERLET, VISCOELASTIC, clock, ground, slope};
 use crate::watch::Watch;
 
 /// Instants at which displacements are compared \[s\].
 const INTERVAL: f64 = 0.02;
 
-fn follow<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    samples: &[f64],
-    clock: Clock,
-) -> Histories {
+fn follow<Column: Hysteretic>(row: &Row<Column>, method: Integrator, samples: &[f64], clock: Clock) -> Histories {
     let duration = clock.time_step * clock.n_steps as f64;
     let mut histories = Histories::new(row.nodes().len(), INTERVAL, duration);
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
-    method
-        .watch(row, excitation, clock, &mut histories)
-        .expect("the run ends");
+    method.watch(row, excitation, clock, &mut histories).expect("the run ends");
     histories
 }
 
@@ -48,13 +37,7 @@ fn measured<Column: Hysteretic, const N: usize>(
     let n = row.nodes().len();
     let truth = follow(row, RK4, samples, clock(steps[N - 1] / 32.0, duration));
     let measure = |&(name, method): &(&'static str, Integrator)| {
-        let error = |dt| {
-            apart(
-                &follow(row, method, samples, clock(dt, duration)),
-                &truth,
-                n,
-            )
-        };
+        let error = |dt| apart(&follow(row, method, samples, clock(dt, duration)), &truth, n);
         let errors = steps.map(error);
         (name, slope(&steps, &errors), errors)
     };
@@ -105,9 +88,7 @@ fn order_of_yielding_storeys() {
 
 #[test]
 fn order_of_pounding_towers() {
-    let spring = ContactLaw::LinearSpring(LinearSpring {
-        impact_stiffness: 1e8,
-    });
+    let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 1e8 });
     let steps = [0.001, 0.0005, 0.000_25, 0.000_125];
     let shaking = ground();
     for (what, law, order) in [
@@ -136,9 +117,7 @@ fn order_two_with_located_impacts() {
         _ => (0.0, 0.0),
     });
     let truth = follow(&row, LOCATED, &[0.0], clock(2e-5, 0.5));
-    let errors = [LOCATED, VERLET].map(|method| {
-        STEPS.map(|dt| apart(&follow(&row, method, &[0.0], clock(dt, 0.5)), &truth, 5))
-    });
+    let errors = [LOCATED, VERLET].map(|method| STEPS.map(|dt| apart(&follow(&row, method, &[0.0], clock(dt, 0.5)), &truth, 5)));
     let orders = errors.map(|errors| slope(&STEPS, &errors));
     assert!(orders[0] > 1.8, "{orders:?} {errors:?}");
     assert!(orders[1] < 1.5, "no impact: {orders:?} {errors:?}");

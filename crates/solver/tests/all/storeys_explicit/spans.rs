@@ -1,10 +1,7 @@
 //! What spans and impacts of towers promise: balances, equilibrium, and the motion of the floor below.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Bilinear, Excitation, Hysteretic, Impact, Integrator, Motion, Path, Recorder, Row, Span, State,
-    Support, Weighed,
-};
+use pounding_solver::{Bilinear, Excitation, Hysteretic, Impact, Integrator, Motion, Path, Recorder, Row, Span, State, Support, Weighed};
 
 use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
 use crate::common::{STEREOMECHANICAL, SUBSTEPPED, VISCOELASTIC, clock, ground};
@@ -72,9 +69,7 @@ impl Recorder for Keeper {
 fn keep<Column: Hysteretic>(row: &Row<Column>, method: Integrator, dt: f64) -> Keeper {
     let (samples, mut keeper) = (ground(), Keeper::default());
     let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
-    method
-        .watch(row, excitation, clock(dt, 5.0), &mut keeper)
-        .expect("the run ends");
+    method.watch(row, excitation, clock(dt, 5.0), &mut keeper).expect("the run ends");
     keeper
 }
 
@@ -109,10 +104,7 @@ fn check_momentum<Column: Hysteretic>(row: &Row<Column>, kept: &Keeper, name: &s
             ground_velocity,
         } = span.weighed;
         let sum = restoring + damping + span.pounding - mass * ground_velocity;
-        assert!(
-            (change - sum).abs() < 1e-12 * scale,
-            "{name}: {change} {sum} {span:?}"
-        );
+        assert!((change - sum).abs() < 1e-12 * scale, "{name}: {change} {sum} {span:?}");
     }
 }
 
@@ -141,11 +133,7 @@ fn limit_spans_of_a_building_belong_together() {
                 };
                 assert_eq!(of(floor).count(), of(lower).count(), "{name}: {floor}");
                 for (upper, lower) in of(floor).zip(of(lower)) {
-                    assert_eq!(
-                        upper.times.map(f64::to_bits),
-                        lower.times.map(f64::to_bits),
-                        "{name}"
-                    );
+                    assert_eq!(upper.times.map(f64::to_bits), lower.times.map(f64::to_bits), "{name}");
                     let motion = lower.ends.map(|state| Motion {
                         displacement: state.displacement,
                         velocity: state.velocity,
@@ -158,18 +146,11 @@ fn limit_spans_of_a_building_belong_together() {
 }
 
 /// What is left of equilibrium of a floor at one end of its span \[m/s²\].
-fn unbalanced<Column: Hysteretic>(
-    row: &Row<Column>,
-    [own, below, above]: [Option<State>; 3],
-    floor: usize,
-    ground: f64,
-) -> f64 {
+fn unbalanced<Column: Hysteretic>(row: &Row<Column>, [own, below, above]: [Option<State>; 3], floor: usize, ground: f64) -> f64 {
     let node = &row.nodes()[floor];
     let own = own.expect("a state");
     let velocity = |state: Option<State>| state.map_or(0.0, |state| state.velocity);
-    let mut force = own.pounding_force()
-        - own.restoring_force
-        - node.damping * (own.velocity - velocity(below));
+    let mut force = own.pounding_force() - own.restoring_force - node.damping * (own.velocity - velocity(below));
     if let Support::Floor(support) = node.support {
         force -= support.ground_damping * own.velocity;
     }
@@ -185,11 +166,7 @@ fn check_equilibrium<Column: Hysteretic>(row: &Row<Column>, kept: &Keeper, name:
     let samples = ground();
     let at = |time: f64| {
         let step = (time / 0.01).floor().min(999.0);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a small positive number"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
         let index = step as usize;
         let part = time / 0.01 - step;
         (1.0 - part) * samples[index] + part * samples[index + 1]
@@ -199,15 +176,10 @@ fn check_equilibrium<Column: Hysteretic>(row: &Row<Column>, kept: &Keeper, name:
         let above = row.above(floor).map(|above| kept.of(above));
         for (number, span) in kept.of(floor).iter().enumerate() {
             for end in 0..2 {
-                let pick = |spans: &Option<Vec<&Kept>>| {
-                    spans.as_ref().map(|spans| spans[number].ends[end])
-                };
+                let pick = |spans: &Option<Vec<&Kept>>| spans.as_ref().map(|spans| spans[number].ends[end]);
                 let states = [Some(span.ends[end]), pick(&below), pick(&above)];
                 let left = unbalanced(row, states, floor, at(span.times[end]));
-                assert!(
-                    left.abs() < 1e-9,
-                    "{name}, floor {floor}, end {end}: {left:e} {span:?}"
-                );
+                assert!(left.abs() < 1e-9, "{name}, floor {floor}, end {end}: {left:e} {span:?}");
             }
         }
     }
@@ -249,10 +221,7 @@ fn reference_impacts_of_floors_follow_the_law() {
             let kept = keep(&row, method, 0.002);
             assert!(kept.impacts.len() > 10, "{name}: {}", kept.impacts.len());
             let floors = kept.impacts.iter().map(|impact| impact.left);
-            assert!(
-                floors.clone().any(|floor| floor != 0),
-                "{name}: upper floors collide"
-            );
+            assert!(floors.clone().any(|floor| floor != 0), "{name}: upper floors collide");
             for impact in &kept.impacts {
                 let (before, after) = (impact.before, impact.after);
                 let approach = before.left - before.right;
@@ -264,9 +233,7 @@ fn reference_impacts_of_floors_follow_the_law() {
                 let mass = |node: usize| 1.0 / row.nodes()[node].inverse_mass;
                 let given = mass(impact.left) * (before.left - after.left);
                 let got = mass(impact.right) * (after.right - before.right);
-                let error = (given - impact.impulse)
-                    .abs()
-                    .max((got - impact.impulse).abs());
+                let error = (given - impact.impulse).abs().max((got - impact.impulse).abs());
                 assert!(error < 1e-8, "{name}: {given} {got} {impact:?}");
             }
         }

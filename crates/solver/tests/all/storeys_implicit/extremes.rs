@@ -4,9 +4,7 @@ use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Excitation, Levels, Node, Row, RunError, Storey};
 
 use super::{DAMPING, SPRING, all, elastic, facing, plastic, run, sampled, smooth, towers};
-use crate::common::{
-    AVERAGE, HHT, MOREAU_JEAN, STEREOMECHANICAL, VISCOELASTIC, clock, ground, moreau_jean,
-};
+use crate::common::{AVERAGE, HHT, MOREAU_JEAN, STEREOMECHANICAL, VISCOELASTIC, clock, ground, moreau_jean};
 use crate::towers::{row, uniform};
 use crate::watch::Watch;
 
@@ -30,14 +28,9 @@ fn limit_newton_iterations_up_to_a_thousand_times_the_stiffness() {
             ),
         ] {
             let (row, _) = row(&towers(smooth), DAMPING, facing(0.005, law));
-            for (name, method) in [
-                ("Newmark", AVERAGE),
-                ("HHT", HHT),
-                ("Moreau-Jean", MOREAU_JEAN),
-            ] {
+            for (name, method) in [("Newmark", AVERAGE), ("HHT", HHT), ("Moreau-Jean", MOREAU_JEAN)] {
                 let work = run(&row, method, (&ground(), clock(1e-3, 5.0)), &mut ());
-                let each =
-                    work.newton_iterations as f64 / (2 * work.steps + work.touching_steps) as f64;
+                let each = work.newton_iterations as f64 / (2 * work.steps + work.touching_steps) as f64;
                 assert!(each < 6.0, "{kind} {factor} {name}: {each}");
             }
         }
@@ -59,12 +52,7 @@ fn extreme_moreau_jean_with_yielding_storeys_and_compliant_neighbours() {
                 facing(0.004, law)(left, storey, nodes)
             };
             let (row, _) = row(&towers, DAMPING, pair);
-            let work = run(
-                &row,
-                moreau_jean(theta),
-                (&ground(), clock(time_step, 10.0)),
-                &mut (),
-            );
+            let work = run(&row, moreau_jean(theta), (&ground(), clock(time_step, 10.0)), &mut ());
             assert!(work.touching_steps > 0, "the row must collide");
         }
     }
@@ -91,18 +79,13 @@ fn extreme_towers_against_a_wall_on_every_level() {
     };
     let nodes: Vec<_> = (0..6).map(node).collect();
     for law in [SPRING, VISCOELASTIC, STEREOMECHANICAL] {
-        let pairs = levels
-            .facing(0)
-            .filter_map(|(a, b)| facing(0.003, law)(0, 0, [a, b]));
+        let pairs = levels.facing(0).filter_map(|(a, b)| facing(0.003, law)(0, 0, [a, b]));
         let row = Row::new(nodes.clone(), pairs.collect()).expect("a valid row");
         for (name, method) in all() {
             let (states, work) = sampled(&row, method, &ground(), clock(2e-3, 5.0));
             assert!(work.touching_steps > 0, "{name}: the row must collide");
             for (_, wall) in levels.facing(0) {
-                assert!(
-                    states[wall].iter().all(|state| state.displacement == 0.0),
-                    "a wall stands still"
-                );
+                assert!(states[wall].iter().all(|state| state.displacement == 0.0), "a wall stands still");
             }
         }
     }

@@ -11,10 +11,7 @@ use crate::towers::{Tower, row, uniform};
 fn limit_one_storey_beside_towers_is_a_structure() {
     // Three structures of one storey, and the same with a tower out of reach, which makes them buildings.
     let kinds = [(75e3, 2.056e6), (3e6, 1.316e9), (120e3, 5e6)];
-    let structures: Vec<Tower<Bilinear>> = kinds
-        .iter()
-        .map(|&(mass, stiffness)| vec![(mass, plastic(stiffness))])
-        .collect();
+    let structures: Vec<Tower<Bilinear>> = kinds.iter().map(|&(mass, stiffness)| vec![(mass, plastic(stiffness))]).collect();
     let mut beside = structures.clone();
     beside.push(uniform(4, 1e5, plastic(5e7)));
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
@@ -28,22 +25,14 @@ fn limit_one_storey_beside_towers_is_a_structure() {
             let damping = DAMPING.alpha * mass + DAMPING.beta * stiffness;
             Node::structure(mass, damping, plastic(stiffness))
         });
-        assert_eq!(
-            lean.nodes(),
-            plain.collect::<Vec<_>>(),
-            "the nodes themselves"
-        );
+        assert_eq!(lean.nodes(), plain.collect::<Vec<_>>(), "the nodes themselves");
         let alone = row(&beside[3..], DAMPING, near).0;
         for (name, method) in all() {
             let run = |row| sampled(row, method, &ground(), clock(5e-3, 10.0));
             let ((lean, work), (rich, _), (alone, _)) = (run(&lean), run(&rich), run(&alone));
             assert!(work.touching_steps > 0, "{name}: the row must collide");
             assert_eq!(lean[..], rich[..3], "{name}");
-            let tower: Vec<_> = levels
-                .of(3)
-                .iter()
-                .map(|node| rich[*node].clone())
-                .collect();
+            let tower: Vec<_> = levels.of(3).iter().map(|node| rich[*node].clone()).collect();
             assert_eq!(tower, alone, "{name}: the tower");
         }
     }
@@ -113,10 +102,7 @@ fn limit_a_step_of_buildings_allocates_nothing() {
             };
             let ((short, _), (long, work)) = (count(1.0), count(10.0));
             assert!(work.touching_steps > 0, "{name}: the row must collide");
-            assert_eq!(
-                short, long,
-                "{name}: ten times the steps, the same allocations"
-            );
+            assert_eq!(short, long, "{name}: ten times the steps, the same allocations");
         }
     }
 }

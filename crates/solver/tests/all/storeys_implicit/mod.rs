@@ -9,8 +9,7 @@ pub(crate) use momentum::Momentum;
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{
-    Bilinear, BoucWen, Clock, Elastic, Excitation, Histories, Hysteretic, Integrator, Pair,
-    Recorder, Row, Smoothness, State, Work,
+    Bilinear, BoucWen, Clock, Elastic, Excitation, Histories, Hysteretic, Integrator, Pair, Recorder, Row, Smoothness, State, Work,
 };
 
 use crate::common::{AVERAGE, HHT, LINEAR, MOREAU_JEAN, moreau_jean};
@@ -23,19 +22,11 @@ const IMPLICIT: [(&str, Integrator); 4] = [
     ("HHT -0.1", HHT),
     ("Moreau-Jean 1/2", MOREAU_JEAN),
 ];
-pub(crate) const DAMPING: Rayleigh = Rayleigh {
-    alpha: 0.3,
-    beta: 0.002,
-};
-const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring {
-    impact_stiffness: 9.35e7,
-});
+pub(crate) const DAMPING: Rayleigh = Rayleigh { alpha: 0.3, beta: 0.002 };
+const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 9.35e7 });
 
 /// All levels that face each other, with one gap and one law.
-pub(crate) fn facing(
-    gap: f64,
-    law: ContactLaw,
-) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
+pub(crate) fn facing(gap: f64, law: ContactLaw) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
     move |_, _, [left, right]| Some(Pair::of_floors(left, right, gap, law))
 }
 
@@ -90,12 +81,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
 }
 
 /// States of every node every 0.02 s.
-fn sampled<Column: Hysteretic>(
-    row: &Row<Column>,
-    method: Integrator,
-    ground: &[f64],
-    clock: Clock,
-) -> (Vec<Vec<State>>, Work) {
+fn sampled<Column: Hysteretic>(row: &Row<Column>, method: Integrator, ground: &[f64], clock: Clock) -> (Vec<Vec<State>>, Work) {
     let n = row.nodes().len();
     let duration = clock.time_step * clock.n_steps as f64;
     let mut histories = Histories::new(n, 0.02, duration);
@@ -114,18 +100,12 @@ fn apart(one: &[Vec<State>], other: &[Vec<State>]) -> f64 {
 
 /// Largest difference of totals relative to the largest of them.
 pub(crate) fn off(found: &[f64], wanted: &[f64]) -> f64 {
-    let largest = wanted
-        .iter()
-        .fold(0.0, |most: f64, total| most.max(total.abs()));
+    let largest = wanted.iter().fold(0.0, |most: f64, total| most.max(total.abs()));
     let pairs = found.iter().zip(wanted);
-    pairs
-        .map(|(found, wanted)| (found - wanted).abs() / largest)
-        .fold(0.0, f64::max)
+    pairs.map(|(found, wanted)| (found - wanted).abs() / largest).fold(0.0, f64::max)
 }
 
 /// The four implicit methods and the most damped Moreau–Jean.
 fn all() -> impl Iterator<Item = (&'static str, Integrator)> {
-    IMPLICIT
-        .into_iter()
-        .chain([("Moreau-Jean 1", moreau_jean(1.0))])
+    IMPLICIT.into_iter().chain([("Moreau-Jean 1", moreau_jean(1.0))])
 }

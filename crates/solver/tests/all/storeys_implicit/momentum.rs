@@ -55,8 +55,7 @@ impl Recorder for Momentum {
         ];
         let scale = terms.iter().map(|term| term.abs()).sum::<f64>().max(1.0);
         let [stiffness, damping] = self.storeys[span.structure];
-        let [start, end] = [&span.start, &span.end]
-            .map(|state| stiffness * state.displacement.abs() + damping * state.velocity.abs());
+        let [start, end] = [&span.start, &span.end].map(|state| stiffness * state.displacement.abs() + damping * state.velocity.abs());
         let rounding = 32.0 * f64::EPSILON * start.max(end) * span.duration();
         let left = (terms.iter().sum::<f64>().abs() - rounding).max(0.0);
         self.worst = self.worst.max(left / scale);

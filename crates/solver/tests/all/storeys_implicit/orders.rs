@@ -2,10 +2,7 @@
 
 use pounding_solver::{Hysteretic, Integrator, Row, TransferredMomentum};
 
-use super::{
-    DAMPING, IMPLICIT, SPRING, apart, bilinear, elastic, facing, off, plastic, run, sampled,
-    smooth, towers,
-};
+use super::{DAMPING, IMPLICIT, SPRING, apart, bilinear, elastic, facing, off, plastic, run, sampled, smooth, towers};
 use crate::common::{RK4, VISCOELASTIC, clock, ground, slope};
 use crate::towers::{row, uniform};
 
@@ -15,12 +12,7 @@ fn order_without_contact_is_two() {
     let (truth, _) = sampled(&row, RK4, &ground(), clock(2e-4, 5.0));
     let steps = [0.01, 0.005, 0.0025, 0.00125];
     for (name, method) in IMPLICIT {
-        let error = |step: &f64| {
-            apart(
-                &sampled(&row, method, &ground(), clock(*step, 5.0)).0,
-                &truth,
-            )
-        };
+        let error = |step: &f64| apart(&sampled(&row, method, &ground(), clock(*step, 5.0)).0, &truth);
         let errors: Vec<_> = steps.iter().map(error).collect();
         let slope = slope(&steps, &errors);
         assert!((slope - 2.0).abs() < 0.15, "{name}: {slope} {errors:?}");
@@ -32,9 +24,7 @@ fn totals<Column: Hysteretic>(row: &Row<Column>, method: Integrator, step: f64) 
     let mut momentum = TransferredMomentum::new(row.nodes().len());
     let work = run(row, method, (&ground(), clock(step, 2.0)), &mut momentum);
     assert!(work.touching_steps > 0, "the row must collide");
-    (0..row.nodes().len())
-        .map(|node| momentum.of(node))
-        .collect()
+    (0..row.nodes().len()).map(|node| momentum.of(node)).collect()
 }
 
 #[test]
@@ -44,10 +34,7 @@ fn order_pounding_towers_converge_to_the_totals_of_the_runge_kutta_method() {
         let truth = totals(&row, RK4, 1e-5);
         for (name, method) in IMPLICIT {
             let errors = [1e-3, 1e-4].map(|step| off(&totals(&row, method, step), &truth));
-            assert!(
-                errors[1] < allowed && errors[1] < 0.3 * errors[0],
-                "{name}: {errors:?}"
-            );
+            assert!(errors[1] < allowed && errors[1] < 0.3 * errors[0], "{name}: {errors:?}");
         }
     }
 }

@@ -1,8 +1,6 @@
 //! Claims about two structures: when, how hard and how often they collide (sections 3 and 5).
 
-use super::{
-    Claim, Finding, Law, NOTHING, Runs, change, first_collision, is_slight, momentum, peak_force,
-};
+use super::{Claim, Finding, Law, NOTHING, Runs, change, first_collision, is_slight, momentum, peak_force};
 use crate::StudyError;
 use pounding_text::digits;
 
@@ -69,10 +67,7 @@ pub(super) fn four_models(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let (computed, finding) = match impulses.len() {
         0 => (NOTHING.into(), Finding::DoesNotApply),
         4 => (
-            format!(
-                "{low:.2} to {high:.2} kN·s; the largest is {:.2} times the smallest",
-                high / low
-            ),
+            format!("{low:.2} to {high:.2} kN·s; the largest is {:.2} times the smallest", high / low),
             Finding::of(high <= 2.0 * low, true),
         ),
         some => (
@@ -92,15 +87,8 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let explicit = runs.scene("table-5", "viscoelastic elastic")?;
     let newmark = runs.scene("claims", "Newmark, viscoelastic elastic")?;
     let counts = [explicit, newmark].map(|run| run.outcome.collisions.all().len());
-    let pairs = explicit
-        .outcome
-        .collisions
-        .all()
-        .iter()
-        .zip(newmark.outcome.collisions.all());
-    let apart = pairs
-        .map(|(a, b)| (a.start - b.start).abs())
-        .fold(0.0, f64::max);
+    let pairs = explicit.outcome.collisions.all().iter().zip(newmark.outcome.collisions.all());
+    let apart = pairs.map(|(a, b)| (a.start - b.start).abs()).fold(0.0, f64::max);
     Ok(Claim {
         claim: "The explicit method gives as many collisions, at the same times, as Newmark's method at 0.005 s (tested \
                 against our own run of it)",
@@ -150,11 +138,7 @@ pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError>
         computed: format!(
             "impulses or contacts of two structures: {}; layouts A, B, C{}: in {beyond} of {cases} cases",
             computed.join(", "),
-            if halved {
-                " at the paper's time step and half of it"
-            } else {
-                ""
-            }
+            if halved { " at the paper's time step and half of it" } else { "" }
         ),
         finding: if touch {
             Finding::of(stated, beyond == cases)
@@ -190,19 +174,12 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, Study
                 recovered",
         place: "5",
         computed: computed.join("; "),
-        finding: if touch {
-            Finding::of(holds, true)
-        } else {
-            Finding::DoesNotApply
-        },
+        finding: if touch { Finding::of(holds, true) } else { Finding::DoesNotApply },
     })
 }
 
 pub(super) fn order_of_magnitude(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let (stereo, visco) = (
-        runs.two_structures(Law::Stereomechanical)?,
-        runs.two_structures(Law::Viscoelastic)?,
-    );
+    let (stereo, visco) = (runs.two_structures(Law::Stereomechanical)?, runs.two_structures(Law::Viscoelastic)?);
     let ratios = [0, 1].map(|index| peak_force(stereo[index]) / peak_force(visco[index]));
     let fine = runs.scene("claims", "two structures elastic, 1.25 ms")?;
     Ok(Claim {
@@ -221,10 +198,7 @@ pub(super) fn order_of_magnitude(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 }
 
 pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let (stereo, visco) = (
-        runs.two_structures(Law::Stereomechanical)?,
-        runs.two_structures(Law::Viscoelastic)?,
-    );
+    let (stereo, visco) = (runs.two_structures(Law::Stereomechanical)?, runs.two_structures(Law::Viscoelastic)?);
     let (mut first, mut total) = (Vec::new(), Vec::new());
     for (index, name) in ["elastic", "nonlinear"].into_iter().enumerate() {
         let pair = [stereo[index], visco[index]];
@@ -237,9 +211,7 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         total.push((change(hard, soft), name));
     }
     let words = |changes: &[(f64, &str)]| {
-        let words = changes
-            .iter()
-            .map(|(change, name)| format!("{change:+.1} % {name}"));
+        let words = changes.iter().map(|(change, name)| format!("{change:+.1} % {name}"));
         words.collect::<Vec<_>>().join(", ")
     };
     let about_twenty = |(change, _): &(f64, &str)| (-25.0..=-15.0).contains(change);
@@ -247,15 +219,8 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         (NOTHING.into(), Finding::DoesNotApply)
     } else {
         (
-            format!(
-                "first collision {}; of all {}",
-                words(&first),
-                words(&total)
-            ),
-            Finding::of(
-                first.iter().all(about_twenty),
-                total.iter().all(about_twenty),
-            ),
+            format!("first collision {}; of all {}", words(&first), words(&total)),
+            Finding::of(first.iter().all(about_twenty), total.iter().all(about_twenty)),
         )
     };
     Ok(Claim {

@@ -18,10 +18,7 @@ pub(super) fn tangling_in_layout_c(runs: &Runs<'_>) -> Result<Claim, StudyError>
     Ok(Claim {
         claim: "Layout C elastic needs a time step of 0.005 s: at 0.01 s the structures tangle",
         place: "4.1",
-        computed: format!(
-            "largest overlap {:.1} mm at 10 ms, {:.1} mm at 5 ms",
-            overlaps[0], overlaps[1]
-        ),
+        computed: format!("largest overlap {:.1} mm at 10 ms, {:.1} mm at 5 ms", overlaps[0], overlaps[1]),
         finding: Finding::of(overlaps[0] > overlaps[1], true),
     })
 }
@@ -31,10 +28,7 @@ pub(super) fn half_step_raises_the_force(runs: &Runs<'_>) -> Result<Claim, Study
     Ok(Claim {
         claim: "Layout C elastic: half the time step gives larger peak pounding forces",
         place: "4.1",
-        computed: format!(
-            "{:.0} kN at 10 ms, {:.0} kN at 5 ms (impulse over time step)",
-            forces[0], forces[1]
-        ),
+        computed: format!("{:.0} kN at 10 ms, {:.0} kN at 5 ms (impulse over time step)", forces[0], forces[1]),
         finding: Finding::of(forces[1] > forces[0], true),
     })
 }
@@ -63,18 +57,10 @@ pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Claim, Stu
 
 /// Largest deformation of any pair over the history \[m\].
 fn largest_overlap(run: Run<'_>) -> f64 {
-    let histories = run
-        .outcome
-        .histories
-        .as_ref()
-        .expect("the studies used here keep histories");
+    let histories = run.outcome.histories.as_ref().expect("the studies used here keep histories");
     let mut largest = 0.0_f64;
     for (left, contact) in run.scene.contacts.iter().flatten().enumerate() {
-        let pairs = histories
-            .of(left)
-            .states
-            .iter()
-            .zip(&histories.of(left + 1).states);
+        let pairs = histories.of(left).states.iter().zip(&histories.of(left + 1).states);
         largest = pairs
             .map(|(left, right)| left.displacement - right.displacement - contact.gap_m)
             .fold(largest, f64::max);
@@ -91,21 +77,14 @@ struct Counts {
 }
 
 /// Counts over layouts and structures; `is_true` gives nothing for two momenta that it is not about.
-fn count(
-    runs: &Runs<'_>,
-    sides: &[[(&str, Law); 2]],
-    is_true: impl Fn(f64, f64) -> Option<bool>,
-) -> Result<Counts, StudyError> {
+fn count(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f64) -> Option<bool>) -> Result<Counts, StudyError> {
     let mut counts = Counts {
         at_steps: Vec::new(),
         touch: false,
     };
     for layout in LAYOUTS {
         for [a, b] in sides {
-            let (a, b) = (
-                runs.layout(layout, a.0, a.1)?,
-                runs.layout(layout, b.0, b.1)?,
-            );
+            let (a, b) = (runs.layout(layout, a.0, a.1)?, runs.layout(layout, b.0, b.1)?);
             counts.at_steps.resize(a.len(), [0; 2]);
             for ((a, b), [stated, of]) in a.into_iter().zip(b).zip(&mut counts.at_steps) {
                 counts.touch |= a.touches() || b.touches();
@@ -132,9 +111,7 @@ fn finding(counts: &Counts) -> (String, Finding) {
     }
     let counts = &counts.at_steps;
     let words = if let [[stated, of], [half, of_half]] = counts[..] {
-        format!(
-            "true of {stated} of {of} transferred momenta at the paper's time steps, of {half} of {of_half} at half of them"
-        )
+        format!("true of {stated} of {of} transferred momenta at the paper's time steps, of {half} of {of_half} at half of them")
     } else {
         let [stated, of] = counts.first().copied().unwrap_or_default();
         format!("true of {stated} of {of} transferred momenta")
@@ -159,9 +136,7 @@ pub(super) fn less_momentum_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, Stu
 
 pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let sides = [Law::BOTH.map(|law| ("elastic", law))];
-    let (computed, finding) = finding(&count(runs, &sides, |stereo, visco| {
-        compared(stereo, visco, stereo > visco)
-    })?);
+    let (computed, finding) = finding(&count(runs, &sides, |stereo, visco| compared(stereo, visco, stereo > visco))?);
     Ok(Claim {
         claim: "Elastic structures: the stereomechanical approach transfers more momentum than the viscoelastic element",
         place: "4.2, 4.3",
@@ -173,8 +148,7 @@ pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Claim, S
 pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let sides = [Law::BOTH.map(|law| ("nonlinear", law))];
     // Nothing is the same as nothing.
-    let same =
-        |stereo: f64, visco: f64| Some((stereo - visco).abs() == 0.0 || is_slight(stereo, visco));
+    let same = |stereo: f64, visco: f64| Some((stereo - visco).abs() == 0.0 || is_slight(stereo, visco));
     let (computed, finding) = finding(&count(runs, &sides, same)?);
     Ok(Claim {
         claim: "Nonlinear structures: both contact models transfer the same momentum (read as within 20 %)",
@@ -202,9 +176,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let free = travelled("no pounding", 0)?;
     let stereo = travelled("layout C, stereomechanical", 1)?;
     let visco = travelled("layout C, viscoelastic", 1)?;
-    let words = |(travel, incursions): (f64, usize)| {
-        format!("{incursions} incursions of {travel:.0} mm in all")
-    };
+    let words = |(travel, incursions): (f64, usize)| format!("{incursions} incursions of {travel:.0} mm in all");
     let mut touch = false;
     for scene in ["layout C, stereomechanical", "layout C, viscoelastic"] {
         touch |= runs.scene("figure-15", scene)?.touches();
@@ -221,10 +193,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         ),
         // Columns that do not yield alone cannot yield less.
         finding: if touch && free.1 > 0 {
-            Finding::of(
-                stereo.0 < free.0 && visco.0 < free.0,
-                stereo.1 < free.1 && visco.1 < free.1,
-            )
+            Finding::of(stereo.0 < free.0 && visco.0 < free.0, stereo.1 < free.1 && visco.1 < free.1)
         } else {
             Finding::DoesNotApply
         },
@@ -234,9 +203,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let peak = |run: Run<'_>| {
         let displacement = |index| 1e3 * run.peak_displacement(index).abs();
-        (0..run.scene.structures.len())
-            .map(displacement)
-            .fold(0.0, f64::max)
+        (0..run.scene.structures.len()).map(displacement).fold(0.0, f64::max)
     };
     let mut largest_in_b = Vec::new();
     let mut cases = 0;
@@ -256,13 +223,7 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             for (step, largest) in largest_in_b.iter_mut().enumerate() {
                 *largest += usize::from(b[step] > a[step] && b[step] > c[step]);
             }
-            computed.push(format!(
-                "{} {behaviour} {:.0}, {:.0}, {:.0} mm",
-                law.name(),
-                a[0],
-                b[0],
-                c[0]
-            ));
+            computed.push(format!("{} {behaviour} {:.0}, {:.0}, {:.0} mm", law.name(), a[0], b[0], c[0]));
         }
     }
     let half = |largest: &usize| format!(", at half the time steps in {largest} of {cases}");
@@ -275,10 +236,7 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
                 computed.join("; "),
                 at_half.unwrap_or_default()
             ),
-            Finding::of(
-                *largest == cases,
-                largest_in_b.iter().all(|largest| *largest == cases),
-            ),
+            Finding::of(*largest == cases, largest_in_b.iter().all(|largest| *largest == cases)),
         ),
     };
     Ok(Claim {

@@ -96,14 +96,8 @@ const TIME_STEP: Asked = Not("it is about the time step, and the exact method ha
 const TESTS: [(Test, Asked); 20] = [
     (settings::stability, TIME_STEP),
     (settings::time_step, TIME_STEP),
-    (
-        settings::damping_ratios,
-        Not("it is about what goes into the runs"),
-    ),
-    (
-        settings::restitution,
-        Not("it is about the contact law, and tested exactly"),
-    ),
+    (settings::damping_ratios, Not("it is about what goes into the runs")),
+    (settings::restitution, Not("it is about the contact law, and tested exactly")),
     (
         collisions::same_first_impact,
         Exactly("Stereomechanical: first collision alike,\nelastic or nonlinear"),
@@ -112,18 +106,9 @@ const TESTS: [(Test, Asked); 20] = [
         collisions::same_first_momentum,
         Exactly("Viscoelastic: first collision alike,\nelastic or nonlinear"),
     ),
-    (
-        collisions::four_models,
-        Exactly("First impulse comparable\nin all four models"),
-    ),
-    (
-        collisions::as_newmark,
-        Not("it compares two stepping methods"),
-    ),
-    (
-        collisions::fewer_when_nonlinear,
-        Exactly("More collisions\nwhen elastic"),
-    ),
+    (collisions::four_models, Exactly("First impulse comparable\nin all four models")),
+    (collisions::as_newmark, Not("it compares two stepping methods")),
+    (collisions::fewer_when_nonlinear, Exactly("More collisions\nwhen elastic")),
     (
         collisions::displacement_not_recovered,
         Exactly("Weak structure goes further when\nnonlinear, and does not come back"),
@@ -139,10 +124,7 @@ const TESTS: [(Test, Asked); 20] = [
     (layouts::tangling_in_layout_c, TIME_STEP),
     (layouts::half_step_raises_the_force, TIME_STEP),
     (layouts::half_step_keeps_the_momentum, TIME_STEP),
-    (
-        layouts::less_momentum_when_nonlinear,
-        Exactly("Less momentum\nwhen nonlinear"),
-    ),
+    (layouts::less_momentum_when_nonlinear, Exactly("Less momentum\nwhen nonlinear")),
     (
         layouts::more_momentum_stereomechanical,
         Exactly("Elastic: more momentum with\nstereomechanical impact"),
@@ -151,14 +133,8 @@ const TESTS: [(Test, Asked); 20] = [
         layouts::same_momentum_nonlinear,
         Exactly("Nonlinear: same momentum\nwith either contact model"),
     ),
-    (
-        layouts::fewer_incursions,
-        Exactly("Layout C: weak structure\nyields less"),
-    ),
-    (
-        layouts::least_favourable,
-        Exactly("Layout B has the largest\ndisplacement"),
-    ),
+    (layouts::fewer_incursions, Exactly("Layout C: weak structure\nyields less")),
+    (layouts::least_favourable, Exactly("Layout B has the largest\ndisplacement")),
 ];
 
 /// Tests every claim on the completed studies.
@@ -190,12 +166,7 @@ impl Default for ClaimCounts {
 }
 
 /// The claims as CSV text: by the paper's program, and by the method that it describes, without slips.
-pub fn claims_csv(
-    claims: &[Claim],
-    without_slips: &[Claim],
-    survivals: &[Survival],
-    beyond: &[ClaimCounts],
-) -> String {
+pub fn claims_csv(claims: &[Claim], without_slips: &[Claim], survivals: &[Survival], beyond: &[ClaimCounts]) -> String {
     let mut header = [
         "claim",
         "where",
@@ -266,10 +237,7 @@ impl<'a> Runs<'a> {
             Law::Stereomechanical => "table-2",
             Law::Viscoelastic => "table-4",
         };
-        Ok([
-            self.scene(study, "elastic")?,
-            self.scene(study, "nonlinear")?,
-        ])
+        Ok([self.scene(study, "elastic")?, self.scene(study, "nonlinear")?])
     }
 
     /// A layout of Table 6 (stereomechanical) or 7 (viscoelastic); of a method with a time step the same with half of it too.
@@ -320,18 +288,8 @@ fn first_collision(run: Run<'_>) -> Option<(f64, f64)> {
 
 /// Largest pounding force of a run \[kN\]; of an impact the impulse over the time step.
 fn peak_force(run: Run<'_>) -> f64 {
-    let force = |collision: &pounding_solver::Collision| {
-        collision
-            .peak_force
-            .unwrap_or(collision.impulse / run.scene.method.step())
-            / 1e3
-    };
-    run.outcome
-        .collisions
-        .all()
-        .iter()
-        .map(force)
-        .fold(0.0, f64::max)
+    let force = |collision: &pounding_solver::Collision| collision.peak_force.unwrap_or(collision.impulse / run.scene.method.step()) / 1e3;
+    run.outcome.collisions.all().iter().map(force).fold(0.0, f64::max)
 }
 
 /// Transferred momentum of a structure \[kN·s\].

@@ -46,9 +46,7 @@ impl<'a> Run<'a> {
     /// Peak shear force of a structure, in its first storey, with its sign \[N\].
     pub(crate) fn peak_shear(self, structure: usize) -> f64 {
         let first = self.floors(structure).first();
-        first.map_or(0.0, |first| {
-            self.outcome.peaks.of(*first).restoring_force.value
-        })
+        first.map_or(0.0, |first| self.outcome.peaks.of(*first).restoring_force.value)
     }
 
     /// Number of collisions of a structure, and start \[s\] and impulse \[N·s\] of the first.
@@ -56,9 +54,7 @@ impl<'a> Run<'a> {
         let beside = |pair: usize| {
             let facing = self.floors.facing()[pair];
             let places = [facing.left, facing.right];
-            places
-                .iter()
-                .any(|floor| self.floors(structure).contains(floor))
+            places.iter().any(|floor| self.floors(structure).contains(floor))
         };
         let all = self.outcome.collisions.all().iter();
         let own = all.filter(|one| beside(one.pair));
@@ -68,19 +64,13 @@ impl<'a> Run<'a> {
 
     /// Plastic drift of every storey of a structure at every instant of the history \[m\]; none of a wall.
     pub(super) fn plastic_drifts(self, structure: usize) -> Vec<Vec<f64>> {
-        let histories = self
-            .outcome
-            .histories
-            .as_ref()
-            .expect("the studies used here keep histories");
+        let histories = self.outcome.histories.as_ref().expect("the studies used here keep histories");
         let storey = |floor: &usize| {
             let storey = &self.floors.all()[*floor];
             let stiffness = storey.made_of?.columns.stiffness_n_per_m;
             let peak = self.outcome.peaks.of(*floor).drift().value;
             // Else the difference is what rounding leaves of zero.
-            let yielded = storey
-                .ductility(peak)
-                .is_some_and(|ductility| ductility.abs() > 1.0);
+            let yielded = storey.ductility(peak).is_some_and(|ductility| ductility.abs() > 1.0);
             let below = self.floors.below(*floor);
             let below = below.map(|below| &histories.of(below).states);
             let states = histories.of(*floor).states.iter().enumerate();
@@ -101,9 +91,6 @@ impl<'a> Run<'a> {
     pub(crate) fn residual(self, structure: usize) -> Option<f64> {
         let drifts = self.plastic_drifts(structure);
         let last = |drift: &Vec<f64>| drift.last().copied();
-        drifts
-            .iter()
-            .map(last)
-            .reduce(|below, drift| Some(below? + drift?))?
+        drifts.iter().map(last).reduce(|below, drift| Some(below? + drift?))?
     }
 }

@@ -9,11 +9,7 @@ use pounding_scene::Structure;
 
 pub(super) fn stability(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let scene = runs.scene("table-2", "elastic")?.scene;
-    let shortest = scene
-        .structures
-        .iter()
-        .filter_map(Structure::period)
-        .fold(f64::INFINITY, f64::min);
+    let shortest = scene.structures.iter().filter_map(Structure::period).fold(f64::INFINITY, f64::min);
     let critical = shortest / std::f64::consts::PI;
     let dt = scene.method.step();
     Ok(Claim {
@@ -31,13 +27,8 @@ pub(super) fn time_step(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         let run = runs.scene("claims", &format!("two structures elastic, {step} ms"))?;
         finer.push((step, momentum(run, 0)));
     }
-    let close = finer
-        .iter()
-        .all(|(_, total)| change(coarse, *total).abs() <= 3.0);
-    let words: Vec<_> = finer
-        .iter()
-        .map(|(step, total)| format!("{total:.0} at {step} ms"))
-        .collect();
+    let close = finer.iter().all(|(_, total)| change(coarse, *total).abs() <= 3.0);
+    let words: Vec<_> = finer.iter().map(|(step, total)| format!("{total:.0} at {step} ms")).collect();
     Ok(Claim {
         claim: "A time step of 0.01 s is small enough for accurate results",
         place: "2",
@@ -58,13 +49,7 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         .iter()
         .filter_map(|structure| Some(100.0 * structure.damping_ratio()?))
         .collect();
-    let second = |run: super::Run<'_>| {
-        run.outcome
-            .collisions
-            .all()
-            .get(1)
-            .map_or(f64::NAN, |second| second.impulse)
-    };
+    let second = |run: super::Run<'_>| run.outcome.collisions.all().get(1).map_or(f64::NAN, |second| second.impulse);
     let shift = change(second(used), second(as_printed));
     let rayleigh = Damping::rayleigh_from_ratios([1.0, 10.0], [0.05, 0.05]);
     let coefficients = match rayleigh {
@@ -92,15 +77,9 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 pub(super) fn restitution(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let law = |study| -> Result<Option<ContactLaw>, StudyError> {
         let scene = runs.scene(study, "elastic")?.scene;
-        Ok(scene
-            .contacts
-            .iter()
-            .flatten()
-            .next()
-            .map(|contact| contact.law))
+        Ok(scene.contacts.iter().flatten().next().map(|contact| contact.law))
     };
-    let [asked, delivered] = [law("table-2")?, law("table-4")?]
-        .map(|law| law.and_then(|law| law.restitution()).unwrap_or(f64::NAN));
+    let [asked, delivered] = [law("table-2")?, law("table-4")?].map(|law| law.and_then(|law| law.restitution()).unwrap_or(f64::NAN));
     Ok(Claim {
         claim: "The impact damping ratio 0.35 belongs to the restitution 0.65",
         place: "3.2",

@@ -88,9 +88,7 @@ pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyE
 pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -> Vec<Survival> {
     let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].1) {
         (Some(verdict), _) => {
-            let holds = |run: &&Vec<Option<Claim>>| {
-                run[index].as_ref().is_some_and(|run| run.finding.holds())
-            };
+            let holds = |run: &&Vec<Option<Claim>>| run[index].as_ref().is_some_and(|run| run.finding.holds());
             Survival::Asked {
                 computed: verdict.computed.clone(),
                 finding: verdict.finding,

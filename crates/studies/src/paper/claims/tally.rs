@@ -21,8 +21,7 @@ impl ClaimCount {
         findings.fold(Self::default(), |tally, finding| Self {
             cases: tally.cases + 1,
             holds: tally.holds + usize::from(finding.holds()),
-            only_as_stated: tally.only_as_stated
-                + usize::from(finding == Finding::HoldsOnlyAsStated),
+            only_as_stated: tally.only_as_stated + usize::from(finding == Finding::HoldsOnlyAsStated),
             does_not_apply: tally.does_not_apply + usize::from(finding == Finding::DoesNotApply),
         })
     }

@@ -73,9 +73,7 @@ impl Converged {
         let whole = scenes.running_on()?;
         let of_claims = Scenes::of(&files, &[OF_CLAIMS], |_| Method::EXACT)?;
         let finer = parallel::try_each(&TIME_STEPS, |step| {
-            let runs = Scenes::of(&files, &["table-6", "table-7"], |method| {
-                method.with_time_step(*step)
-            })?;
+            let runs = Scenes::of(&files, &["table-6", "table-7"], |method| method.with_time_step(*step))?;
             quantities(&runs.run(None)?)
         })?;
         let world = |noise: Option<&Noise>, asks: bool| -> Result<MotionCase, StudyError> {
@@ -134,11 +132,7 @@ impl Converged {
     ///
     /// # Errors
     /// [`StudyError::Plot`] when the figure cannot be drawn.
-    pub(crate) fn files(
-        &self,
-        completed: &[Completed],
-        published: &PublishedValues,
-    ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+    pub(crate) fn files(&self, completed: &[Completed], published: &PublishedValues) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
         let published = quantities::published(published.values(), late(completed));
         let name = |table: &str| format!("tables/converged-{table}.csv").into();
         let table = |table| (name(table), self.table(table, &published).into_bytes());
@@ -151,11 +145,7 @@ impl Converged {
 /// How late the times are that Table 2 prints \[s\].
 fn late(completed: &[Completed]) -> f64 {
     let of_table = |study: &&Completed| study.file.id == "table-2";
-    match completed
-        .iter()
-        .find(of_table)
-        .map(|study| &study.file.study.output)
-    {
+    match completed.iter().find(of_table).map(|study| &study.file.study.output) {
         Some(Output::PoundingForcesTable { label_offset_s, .. }) => *label_offset_s,
         _ => 0.0,
     }

@@ -18,11 +18,7 @@ pub(crate) type Quantities = BTreeMap<&'static str, Vec<Value>>;
 /// The number with the same row and quantity, if there is one.
 pub(crate) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64> {
     let same = |value: &&Value| value.row == like.row && value.quantity == like.quantity;
-    values
-        .get(table)?
-        .iter()
-        .find(same)
-        .map(|value| value.value)
+    values.get(table)?.iter().find(same).map(|value| value.value)
 }
 
 /// The numbers of Tables 2 and 4 to 7 that these studies give.
@@ -44,9 +40,7 @@ pub(crate) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyErr
 }
 
 fn values(study: &Completed) -> Result<Vec<Value>, StudyError> {
-    Ok(Table::of(study)?
-        .map(|table| table.values)
-        .unwrap_or_default())
+    Ok(Table::of(study)?.map(|table| table.values).unwrap_or_default())
 }
 
 /// Several impacts, or one contact.
@@ -88,21 +82,11 @@ fn two_structures(study: &Completed, table: &'static str, law: &str, found: &mut
         let meetings = joined(parts);
         let values = found.entry(table).or_default();
         values.push(value(&scene.name, MEETINGS, "1", meetings.len() as f64));
-        values.push(value(
-            &scene.name,
-            "transferred momentum",
-            "kN·s",
-            outcome.momentum.of(0) / 1e3,
-        ));
+        values.push(value(&scene.name, "transferred momentum", "kN·s", outcome.momentum.of(0) / 1e3));
         of_meetings(&scene.name, &meetings, values);
         if let Some(first) = outcome.collisions.all().first() {
             let row = format!("{law} {}", scene.name);
-            let first = value(
-                &row,
-                "impulse of first collision",
-                "kN·s",
-                first.impulse / 1e3,
-            );
+            let first = value(&row, "impulse of first collision", "kN·s", first.impulse / 1e3);
             found.entry("5").or_default().push(first);
         }
     }
@@ -135,34 +119,21 @@ pub(super) fn published(printed: &[Published], late: f64) -> Quantities {
         let of_table = || printed.iter().filter(|printed| printed.table == table);
         for scene in ["elastic", "nonlinear"] {
             let of = |quantity: &'static str| {
-                let is_row = move |printed: &&Published| {
-                    printed.row.starts_with(scene) && printed.quantity == quantity
-                };
-                of_table()
-                    .filter(is_row)
-                    .map(|printed| printed.published.value)
+                let is_row = move |printed: &&Published| printed.row.starts_with(scene) && printed.quantity == quantity;
+                of_table().filter(is_row).map(|printed| printed.published.value)
             };
-            let parts = of("time")
-                .zip(of("force on stiff"))
-                .map(|(time, force)| Meeting {
-                    start: time - late,
-                    end: time - late,
-                    impulse: force * PRINTED_STEP,
-                    peak_force: compliant.then_some(force),
-                });
+            let parts = of("time").zip(of("force on stiff")).map(|(time, force)| Meeting {
+                start: time - late,
+                end: time - late,
+                impulse: force * PRINTED_STEP,
+                peak_force: compliant.then_some(force),
+            });
             of_meetings(scene, &joined(parts), found.entry(table).or_default());
         }
     }
     for table in ["5", "6", "7"] {
         let of_table = printed.iter().filter(|printed| printed.table == table);
-        let values = of_table.map(|printed| {
-            value(
-                &printed.row,
-                &printed.quantity,
-                "kN·s",
-                printed.published.value,
-            )
-        });
+        let values = of_table.map(|printed| value(&printed.row, &printed.quantity, "kN·s", printed.published.value));
         found.insert(table, values.collect());
     }
     found

@@ -52,11 +52,7 @@ impl Scenes {
     ///
     /// # Errors
     /// [`StudyError`] when a study is missing or a scene cannot be prepared.
-    pub(crate) fn of(
-        files: &[&StudyFile],
-        studies: &[&str],
-        method: impl Fn(Method) -> Method,
-    ) -> Result<Self, StudyError> {
+    pub(crate) fn of(files: &[&StudyFile], studies: &[&str], method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
         let part = |id: &&str| {
             let file = files.iter().find(|file| file.id == **id);
             let file = file.ok_or_else(|| StudyError::MissingScene {
@@ -72,11 +68,7 @@ impl Scenes {
     ///
     /// # Errors
     /// [`StudyError`] when a scene cannot be modelled.
-    pub(crate) fn shaken(
-        &self,
-        record: &Record,
-        turned: impl Fn(&Scene) -> Scene,
-    ) -> Result<Self, StudyError> {
+    pub(crate) fn shaken(&self, record: &Record, turned: impl Fn(&Scene) -> Scene) -> Result<Self, StudyError> {
         let part = |part: &Part| part.shaken(record, &turned);
         self.0.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
@@ -111,25 +103,12 @@ impl Part {
             scene.method = method(scene.method);
         }
         let prepare = |scene: &Scene| Simulation::new(scene, file.base());
-        let prepared = file
-            .study
-            .scenes
-            .iter()
-            .map(prepare)
-            .collect::<Result<_, _>>();
+        let prepared = file.study.scenes.iter().map(prepare).collect::<Result<_, _>>();
         let prepared = prepared.map_err(|error| error.in_file(&file.path))?;
-        Ok(Self {
-            file,
-            prepared,
-            looked_at,
-        })
+        Ok(Self { file, prepared, looked_at })
     }
 
-    fn shaken(
-        &self,
-        record: &Record,
-        turned: impl Fn(&Scene) -> Scene,
-    ) -> Result<Self, StudyError> {
+    fn shaken(&self, record: &Record, turned: impl Fn(&Scene) -> Scene) -> Result<Self, StudyError> {
         let mut file = self.file.clone();
         for scene in &mut file.study.scenes {
             *scene = turned(scene);
@@ -155,10 +134,7 @@ impl Part {
             let duration = prepared.duration();
             scene.duration_s = Some(2.0 * duration);
             let record = ended(prepared.record(), duration);
-            prepared.variant(
-                scene,
-                record.map_err(|error| in_scene(scene, error.into()))?,
-            )
+            prepared.variant(scene, record.map_err(|error| in_scene(scene, error.into()))?)
         });
         let prepared = prepared.collect::<Result<_, _>>();
         Ok(Self {

@@ -13,14 +13,9 @@ impl Converged {
     /// The rows of a table as CSV text, beside the published ones.
     pub(super) fn table(&self, table: &str, published: &Quantities) -> String {
         let has_steps = self.finer.iter().any(|values| values.contains_key(table));
-        let mut header = ["row", "quantity", "unit", "published", "as_stepped"]
-            .map(String::from)
-            .to_vec();
+        let mut header = ["row", "quantity", "unit", "published", "as_stepped"].map(String::from).to_vec();
         if has_steps {
-            header.extend(
-                TIME_STEPS
-                    .map(|step| format!("stepped_{}_ms", digits(1e3 * step).replace('.', "_"))),
-            );
+            header.extend(TIME_STEPS.map(|step| format!("stepped_{}_ms", digits(1e3 * step).replace('.', "_"))));
         }
         header.extend(["exact", "published_over_exact_minus_1"].map(String::from));
         for level in LEVELS {
@@ -33,28 +28,13 @@ impl Converged {
         to_csv(&header, &rows)
     }
 
-    fn row(
-        &self,
-        table: &str,
-        row: &Value,
-        published: &Quantities,
-        has_steps: bool,
-    ) -> Vec<String> {
+    fn row(&self, table: &str, row: &Value, published: &Quantities, has_steps: bool) -> Vec<String> {
         let number = |value: Option<f64>| value.map(digits).unwrap_or_default();
         let (printed, exact) = (find(published, table, row), find(&self.exact, table, row));
-        let mut cells = vec![
-            row.row.clone(),
-            row.quantity.clone(),
-            row.unit.into(),
-            number(printed),
-        ];
+        let mut cells = vec![row.row.clone(), row.quantity.clone(), row.unit.into(), number(printed)];
         cells.push(number(find(&self.stepped, table, row)));
         if has_steps {
-            cells.extend(
-                self.finer
-                    .iter()
-                    .map(|values| number(find(values, table, row))),
-            );
+            cells.extend(self.finer.iter().map(|values| number(find(values, table, row))));
         }
         cells.push(number(exact));
         let relative = printed.zip(exact).filter(|(_, exact)| *exact != 0.0);
@@ -73,10 +53,11 @@ impl Converged {
     /// Lower and upper end of a band; nothing when some runs do not have the row, or have more or fewer meetings: the
     /// fifth may then be another one.
     pub(super) fn band(&self, level: usize, table: &str, row: &Value) -> Option<(f64, f64)> {
-        let values =
-            self.noisy.get(level)?.iter().map(|values| {
-                find(values, table, row).filter(|_| self.meet_alike(values, table, row))
-            });
+        let values = self
+            .noisy
+            .get(level)?
+            .iter()
+            .map(|values| find(values, table, row).filter(|_| self.meet_alike(values, table, row)));
         let mut values = values.collect::<Option<Vec<f64>>>()?;
         values.sort_by(f64::total_cmp);
         Some((quantile(&values, TAIL)?, quantile(&values, 1.0 - TAIL)?))
@@ -86,9 +67,12 @@ impl Converged {
 impl Converged {
     /// Whether a run has as many meetings as the exact one in the scene of a row that is one of its meetings.
     fn meet_alike(&self, values: &Quantities, table: &str, row: &Value) -> bool {
-        let counts = self.exact.get(table).into_iter().flatten().filter(|value| {
-            value.quantity == MEETINGS && value.row != row.row && row.row.starts_with(&value.row)
-        });
+        let counts = self
+            .exact
+            .get(table)
+            .into_iter()
+            .flatten()
+            .filter(|value| value.quantity == MEETINGS && value.row != row.row && row.row.starts_with(&value.row));
         let same = |count: &Value| find(values, table, count) == Some(count.value);
         counts.into_iter().all(same)
     }
@@ -97,15 +81,8 @@ impl Converged {
 /// Rows of any of these, in the order of the first that has more.
 fn rows<'a>(sources: &[&'a Quantities], table: &str) -> Vec<&'a Value> {
     let mut rows: Vec<&Value> = Vec::new();
-    for value in sources
-        .iter()
-        .filter_map(|source| source.get(table))
-        .flatten()
-    {
-        if !rows
-            .iter()
-            .any(|row| row.row == value.row && row.quantity == value.quantity)
-        {
+    for value in sources.iter().filter_map(|source| source.get(table)).flatten() {
+        if !rows.iter().any(|row| row.row == value.row && row.quantity == value.quantity) {
             rows.push(value);
         }
     }

@@ -56,13 +56,8 @@ fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
         };
         curves.push(Curve::new(Kind::Line, Shade::nth(index), history).named(name));
     }
-    let heights = curves
-        .iter()
-        .flat_map(|curve: &Curve| &curve.points)
-        .map(|point| point.1);
-    let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(low, high), y| {
-        (low.min(y), high.max(y))
-    });
+    let heights = curves.iter().flat_map(|curve: &Curve| &curve.points).map(|point| point.1);
+    let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
     let narrow = scene
         .contacts
         .iter()
@@ -96,11 +91,7 @@ fn force_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     Panel {
         y: Axis::auto(force_label(scene, unit)),
         levels: vec![0.0],
-        notes: if peak.1 == 0.0 {
-            Vec::new()
-        } else {
-            vec![Note::new(at, text)]
-        },
+        notes: if peak.1 == 0.0 { Vec::new() } else { vec![Note::new(at, text)] },
         curves,
         legend: Legend::Hidden,
         ..Panel::default()
@@ -118,11 +109,7 @@ fn force_label(scene: &Scene, unit: &str) -> String {
 }
 
 fn kind(scene: &Scene) -> Kind {
-    if scene.is_impulsive() {
-        Kind::Stems
-    } else {
-        Kind::Area
-    }
+    if scene.is_impulsive() { Kind::Stems } else { Kind::Area }
 }
 
 /// The point farther from zero; a positive one wins a tie, so that the label stands above.
@@ -137,18 +124,11 @@ fn largest(peak: (f64, f64), point: (f64, f64)) -> (f64, f64) {
 
 /// Unit of force for an axis that reaches `peak` \[N\], and its factor.
 fn unit(peak: f64) -> (&'static str, f64) {
-    if peak.abs() >= 2e6 {
-        ("MN", 1e-6)
-    } else {
-        ("kN", 1e-3)
-    }
+    if peak.abs() >= 2e6 { ("MN", 1e-6) } else { ("kN", 1e-3) }
 }
 
 fn in_unit(points: &[(f64, f64)], factor: f64) -> Vec<(f64, f64)> {
-    points
-        .iter()
-        .map(|(time, force)| (*time, factor * force))
-        .collect()
+    points.iter().map(|(time, force)| (*time, factor * force)).collect()
 }
 
 /// Collisions of the time that is drawn: the paper's program runs on after it.
@@ -162,9 +142,7 @@ fn collisions<'a>(scene: &Scene, outcome: &'a RunResult) -> impl Iterator<Item =
 fn forces(scene: &Scene, outcome: &RunResult) -> Vec<Vec<(f64, f64)>> {
     let n = scene.structures.len();
     if !scene.is_impulsive() {
-        return (0..n)
-            .map(|index| points(outcome, index, State::pounding_force))
-            .collect();
+        return (0..n).map(|index| points(outcome, index, State::pounding_force)).collect();
     }
     let dt = scene.method.step();
     // Impacts of one instant are summed; the key is the number of the step.
@@ -176,12 +154,7 @@ fn forces(scene: &Scene, outcome: &RunResult) -> Vec<Vec<(f64, f64)>> {
             *net[index].entry(step).or_insert(0.0) += sign * collision.impulse / dt;
         }
     }
-    let points = |steps: BTreeMap<i64, f64>| {
-        steps
-            .into_iter()
-            .map(|(step, force)| (step as f64 * dt, force))
-            .collect()
-    };
+    let points = |steps: BTreeMap<i64, f64>| steps.into_iter().map(|(step, force)| (step as f64 * dt, force)).collect();
     net.into_iter().map(points).collect()
 }
 
@@ -194,11 +167,7 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
         };
         from = from.min(first.start);
         to = to.max(first.end);
-        peak = peak.max(
-            first
-                .peak_force
-                .unwrap_or(first.impulse / scene.method.step()),
-        );
+        peak = peak.max(first.peak_force.unwrap_or(first.impulse / scene.method.step()));
     }
     let (unit, factor) = unit(peak);
     let range = (from - 0.02, to + 0.03);
@@ -207,33 +176,17 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
         let impulse = first.map_or(0.0, |first| first.impulse / 1e3);
         let shown = |points: Vec<(f64, f64)>| {
             let inside = |point: &(f64, f64)| (range.0..=range.1).contains(&point.0);
-            in_unit(
-                &points.into_iter().filter(inside).collect::<Vec<_>>(),
-                factor,
-            )
+            in_unit(&points.into_iter().filter(inside).collect::<Vec<_>>(), factor)
         };
         let curve = |(points, index): (Vec<(f64, f64)>, usize)| {
-            Curve::new(kind(scene), Shade::nth(index), shown(points))
-                .named(capital(scene.structures[index].name()))
+            Curve::new(kind(scene), Shade::nth(index), shown(points)).named(capital(scene.structures[index].name()))
         };
         Panel {
             title: format!("{}: {impulse:.2} kN·s", capital(&scene.name)),
-            y: Axis::over(
-                force_label(scene, unit),
-                -1.15 * factor * peak,
-                1.15 * factor * peak,
-            ),
+            y: Axis::over(force_label(scene, unit), -1.15 * factor * peak, 1.15 * factor * peak),
             levels: vec![0.0],
-            curves: forces(scene, outcome)
-                .into_iter()
-                .zip(0..)
-                .map(curve)
-                .collect(),
-            legend: if index == 0 {
-                Legend::Inside
-            } else {
-                Legend::Hidden
-            },
+            curves: forces(scene, outcome).into_iter().zip(0..).map(curve).collect(),
+            legend: if index == 0 { Legend::Inside } else { Legend::Hidden },
             ..Panel::default()
         }
     };

@@ -22,9 +22,7 @@ fn title(completed: &Completed, panel: usize) -> String {
 /// The record as its file has it: in g, not reversed.
 pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let sign = if scene.record.reversed { -1.0 } else { 1.0 };
-    let in_g = |acceleration: f64| {
-        sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2)
-    };
+    let in_g = |acceleration: f64| sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2);
     let shown: Vec<_> = record
         .samples()
         .iter()
@@ -32,16 +30,12 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
         .map(|(i, sample)| (i as f64 * record.time_step(), in_g(*sample)))
         .take_while(|(time, _)| *time <= scene.duration())
         .collect();
-    let peak = shown
-        .iter()
-        .copied()
-        .fold((0.0, 0.0), |peak: (f64, f64), point| {
-            if point.1.abs() > peak.1.abs() {
-                point
-            } else {
-                peak
-            }
-        });
+    let peak = shown.iter().copied().fold(
+        (0.0, 0.0),
+        |peak: (f64, f64), point| {
+            if point.1.abs() > peak.1.abs() { point } else { peak }
+        },
+    );
     let text = minus(&format!("{:.3} g at {:.2} s", peak.1, peak.0));
     Figure {
         height_in: 2.8,
@@ -102,8 +96,7 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
     let curves: Option<Vec<_>> = completed.runs().zip(0..).map(curve).collect();
     let allowed = "the name of a structure of every scene";
     let place = "output.shear_force_figure.structure";
-    let curves =
-        curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
+    let curves = curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
     let panel = |(panel, front): (usize, &Curve)| Panel {
         title: title(completed, panel),
         y: Axis::auto("Shear force (kN)"),

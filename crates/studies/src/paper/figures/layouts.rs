@@ -32,11 +32,7 @@ pub(super) fn drawing(scenes: &[Scene]) -> Drawing {
 
 /// Half the width of a drawn structure and the height of its mass \[mm\]: heavier is larger.
 fn size(structure: &Sdof) -> (f64, f64) {
-    if is_heavy(structure) {
-        (7.0, 9.0)
-    } else {
-        (5.0, 5.0)
-    }
+    if is_heavy(structure) { (7.0, 9.0) } else { (5.0, 5.0) }
 }
 
 fn is_heavy(structure: &Sdof) -> bool {
@@ -55,22 +51,13 @@ fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
     let width = 2.0 * halves.iter().sum::<f64>() + GAP * (halves.len() - 1) as f64;
     let mut x = middle - 0.5 * width;
     ground(x - 3.0, x + width + 3.0, shapes);
-    shapes.push(Shape::text(
-        (middle, HEIGHT - 4.0),
-        capital(&scene.name),
-        TEXT + 1.0,
-        Align::Middle,
-    ));
+    shapes.push(Shape::text((middle, HEIGHT - 4.0), capital(&scene.name), TEXT + 1.0, Align::Middle));
     for (index, (structure, half)) in scene.structures.iter().zip(&halves).enumerate() {
         if let Structure::Sdof(sdof) = structure {
             storey(sdof, (x + half, Shade::nth(index)), shapes);
         }
         x += 2.0 * half + GAP;
-        if let Some(contact) = scene
-            .contacts
-            .as_ref()
-            .and_then(|contacts| contacts.get(index))
-        {
+        if let Some(contact) = scene.contacts.as_ref().and_then(|contacts| contacts.get(index)) {
             gap(x - GAP, contact.gap_m, shapes);
         }
     }
@@ -78,18 +65,10 @@ fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
 
 /// The ground with short strokes below it.
 fn ground(from: f64, to: f64, shapes: &mut Vec<Shape>) {
-    shapes.push(Shape::line(
-        (from, GROUND),
-        (to, GROUND),
-        Pen::solid(Shade::Ink, 1.2),
-    ));
+    shapes.push(Shape::line((from, GROUND), (to, GROUND), Pen::solid(Shade::Ink, 1.2)));
     let mut x = from + 1.0;
     while x < to {
-        shapes.push(Shape::line(
-            (x, GROUND),
-            (x - 1.4, GROUND - 1.6),
-            Pen::solid(Shade::Grey, 0.5),
-        ));
+        shapes.push(Shape::line((x, GROUND), (x - 1.4, GROUND - 1.6), Pen::solid(Shade::Grey, 0.5)));
         x += 1.8;
     }
 }
@@ -114,20 +93,10 @@ fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
         fill: Some(Fill::solid(shade)),
         outline: Some(Pen::solid(Shade::Ink, 0.8)),
     });
-    let line = |row: f64, text: String, points| {
-        Shape::text((x, GROUND - 4.6 - 3.6 * row), text, points, Align::Middle)
-    };
+    let line = |row: f64, text: String, points| Shape::text((x, GROUND - 4.6 - 3.6 * row), text, points, Align::Middle);
     shapes.push(line(0.0, capital(&structure.name), TEXT));
-    shapes.push(line(
-        1.0,
-        format!("{:.0} t", structure.mass_kg / 1e3),
-        TEXT - 1.5,
-    ));
-    shapes.push(line(
-        2.0,
-        format!("T = {:.1} s", structure.period()),
-        TEXT - 1.5,
-    ));
+    shapes.push(line(1.0, format!("{:.0} t", structure.mass_kg / 1e3), TEXT - 1.5));
+    shapes.push(line(2.0, format!("T = {:.1} s", structure.period()), TEXT - 1.5));
 }
 
 /// The gap right of `from`: a dimension above the masses.
@@ -146,10 +115,5 @@ fn gap(from: f64, gap: f64, shapes: &mut Vec<Shape>) {
         pen,
     });
     let text = format!("{:.0} mm", 1e3 * gap);
-    shapes.push(Shape::text(
-        (from + 0.5 * GAP, top + 3.4),
-        text,
-        TEXT - 1.5,
-        Align::Middle,
-    ));
+    shapes.push(Shape::text((from + 0.5 * GAP, top + 3.4), text, TEXT - 1.5, Align::Middle));
 }

@@ -23,9 +23,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         Output::PoundingFigure => render_png(&collisions::pounding(completed)),
         Output::FirstCollisionFigure => render_png(&collisions::first_collisions(completed)),
         Output::LayoutFigure => render_png(&layouts::drawing(&completed.file.study.scenes)),
-        Output::ShearForceFigure { structure } => {
-            render_png(&histories::shear_forces(completed, structure)?)
-        }
+        Output::ShearForceFigure { structure } => render_png(&histories::shear_forces(completed, structure)?),
         Output::StructuresTable
         | Output::PoundingForcesTable { .. }
         | Output::FirstCollisionTable
@@ -66,10 +64,7 @@ pub(crate) fn capital(name: &str) -> String {
 
 /// A quantity of one structure over time, as points.
 fn points(outcome: &RunResult, index: usize, quantity: impl Fn(&State) -> f64) -> Vec<(f64, f64)> {
-    let histories = outcome
-        .histories
-        .as_ref()
-        .expect("figures of histories ask for them");
+    let histories = outcome.histories.as_ref().expect("figures of histories ask for them");
     let states = histories.of(index).states.iter().enumerate();
     states
         .map(|(i, state)| (i as f64 * histories.interval(), quantity(state)))

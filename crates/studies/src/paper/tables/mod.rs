@@ -54,16 +54,9 @@ impl Table {
             Output::PoundingForcesTable {
                 n_collisions,
                 label_offset_s,
-            } => pounding_forces::table(
-                completed,
-                n_collisions.unwrap_or(usize::MAX),
-                *label_offset_s,
-            )
-            .map(Some),
+            } => pounding_forces::table(completed, n_collisions.unwrap_or(usize::MAX), *label_offset_s).map(Some),
             Output::FirstCollisionTable => Ok(Some(summaries::first_collision(completed))),
-            Output::TransferredMomentumTable => {
-                Ok(Some(summaries::transferred_momentum(completed)))
-            }
+            Output::TransferredMomentumTable => Ok(Some(summaries::transferred_momentum(completed))),
             Output::TextTable {
                 transferred_momentum,
                 peak_forces,

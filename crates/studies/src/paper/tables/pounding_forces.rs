@@ -15,32 +15,20 @@ struct Line {
     force: f64,
 }
 
-pub(super) fn table(
-    completed: &Completed,
-    n_collisions: usize,
-    label_offset: f64,
-) -> Result<Table, StudyError> {
+pub(super) fn table(completed: &Completed, n_collisions: usize, label_offset: f64) -> Result<Table, StudyError> {
     let mut table = Table::default();
     for (scene, outcome) in completed.runs() {
         let [left, right] = &scene.structures[..] else {
             return Err(completed.refuse(
                 "scenes",
-                format!(
-                    "{} structures in \"{}\"",
-                    scene.structures.len(),
-                    scene.name
-                ),
+                format!("{} structures in \"{}\"", scene.structures.len(), scene.name),
                 "two structures per scene",
             ));
         };
         let (left, right) = (left.name(), right.name());
         if table.header.is_empty() {
-            table.header = ["scene", "collision", "time_s", "label_s"]
-                .map(String::from)
-                .to_vec();
-            table
-                .header
-                .extend([left, right].map(|name| format!("force_on_{name}_kn")));
+            table.header = ["scene", "collision", "time_s", "label_s"].map(String::from).to_vec();
+            table.header.extend([left, right].map(|name| format!("force_on_{name}_kn")));
         }
         for line in lines(scene, outcome, n_collisions) {
             let row = format!("{} {}", scene.name, line.label);
@@ -60,12 +48,8 @@ pub(super) fn table(
                 value,
             };
             table.values.push(value("time".into(), "s", label));
-            table
-                .values
-                .push(value(format!("force on {left}"), "kN", -line.force / 1e3));
-            table
-                .values
-                .push(value(format!("force on {right}"), "kN", line.force / 1e3));
+            table.values.push(value(format!("force on {left}"), "kN", -line.force / 1e3));
+            table.values.push(value(format!("force on {right}"), "kN", line.force / 1e3));
         }
         table.values.push(Value {
             row: scene.name.clone(),
@@ -90,10 +74,7 @@ fn lines(scene: &Scene, outcome: &RunResult, n_collisions: usize) -> Vec<Line> {
                 force,
             });
         } else {
-            let histories = outcome
-                .histories
-                .as_ref()
-                .expect("this table asks for histories");
+            let histories = outcome.histories.as_ref().expect("this table asks for histories");
             for ((time, force), step) in steps(collision, histories).zip(1..) {
                 lines.push(Line {
                     label: format!("{number}.{step}"),
@@ -107,15 +88,9 @@ fn lines(scene: &Scene, outcome: &RunResult, n_collisions: usize) -> Vec<Line> {
 }
 
 /// Time and force on the right structure at the nodes of a collision, first to last.
-fn steps<'a>(
-    collision: &Collision,
-    histories: &'a Histories,
-) -> impl Iterator<Item = (f64, f64)> + 'a {
+fn steps<'a>(collision: &Collision, histories: &'a Histories) -> impl Iterator<Item = (f64, f64)> + 'a {
     let interval = histories.interval();
-    let (start, end) = (
-        collision.start - 0.5 * interval,
-        collision.end + 0.5 * interval,
-    );
+    let (start, end) = (collision.start - 0.5 * interval, collision.end + 0.5 * interval);
     let states = histories.of(0).states.iter().enumerate();
     states
         .map(move |(index, state)| (index as f64 * interval, -state.force_from_right))

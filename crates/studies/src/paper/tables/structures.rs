@@ -28,9 +28,7 @@ pub(super) fn table(completed: &Completed) -> Table {
             digits(structure.period()),
             digits(structure.damping_ratio()),
             force.map(|force| digits(force / 1e3)).unwrap_or_default(),
-            force
-                .map(|force| digits(force / structure.stiffness_n_per_m))
-                .unwrap_or_default(),
+            force.map(|force| digits(force / structure.stiffness_n_per_m)).unwrap_or_default(),
         ]);
     }
     table

@@ -8,11 +8,7 @@ use pounding_text::digits;
 pub(super) fn first_collision(completed: &Completed) -> Table {
     let mut table = Table::new(&["scene", "impulse_of_first_collision_kns"]);
     for (scene, outcome) in completed.runs() {
-        let impulse = outcome
-            .collisions
-            .all()
-            .first()
-            .map_or(0.0, |first| first.impulse / 1e3);
+        let impulse = outcome.collisions.all().first().map_or(0.0, |first| first.impulse / 1e3);
         table.rows.push(vec![scene.name.clone(), digits(impulse)]);
         table.values.push(Value {
             row: scene.name.clone(),
@@ -26,13 +22,7 @@ pub(super) fn first_collision(completed: &Completed) -> Table {
 
 /// Transferred momentum of every structure of every scene.
 pub(super) fn transferred_momentum(completed: &Completed) -> Table {
-    let mut table = Table::new(&[
-        "scene",
-        "time_step_s",
-        "position",
-        "structure",
-        "transferred_momentum_kns",
-    ]);
+    let mut table = Table::new(&["scene", "time_step_s", "position", "structure", "transferred_momentum_kns"]);
     for (scene, outcome) in completed.runs() {
         let n = scene.structures.len();
         for (index, structure) in scene.structures.iter().enumerate() {
@@ -67,28 +57,17 @@ fn position(index: usize, n_structures: usize) -> String {
 }
 
 /// Single numbers of the running text.
-pub(super) fn text(
-    completed: &Completed,
-    transferred_momentum: &[String],
-    peak_forces: &[String],
-) -> Result<Table, StudyError> {
+pub(super) fn text(completed: &Completed, transferred_momentum: &[String], peak_forces: &[String]) -> Result<Table, StudyError> {
     let mut table = Table::new(&["scene", "quantity", "unit", "value"]);
     let run = |name: &String| {
-        completed.of(name).ok_or_else(|| {
-            completed.refuse(
-                "output.text_table",
-                format!("\"{name}\""),
-                "names of scenes of the study",
-            )
-        })
+        completed
+            .of(name)
+            .ok_or_else(|| completed.refuse("output.text_table", format!("\"{name}\""), "names of scenes of the study"))
     };
     let mut push = |row: String, quantity: &str, unit, value| {
-        table.rows.push(vec![
-            row.clone(),
-            quantity.into(),
-            String::from(unit),
-            digits(value),
-        ]);
+        table
+            .rows
+            .push(vec![row.clone(), quantity.into(), String::from(unit), digits(value)]);
         table.values.push(Value {
             row,
             quantity: quantity.into(),
@@ -98,12 +77,7 @@ pub(super) fn text(
     };
     for name in transferred_momentum {
         let (_, outcome) = run(name)?;
-        push(
-            name.clone(),
-            "transferred momentum",
-            "kN·s",
-            outcome.momentum.of(0) / 1e3,
-        );
+        push(name.clone(), "transferred momentum", "kN·s", outcome.momentum.of(0) / 1e3);
     }
     for name in peak_forces {
         let (_, outcome) = run(name)?;

@@ -21,11 +21,7 @@ pub struct FloorCost {
 pub(super) const METHODS: [(&str, Shade, Mark); 7] = [
     (RIVAL, Shade::Blue, Mark::Disc),
     ("velocity_verlet", Shade::Green, Mark::Diamond),
-    (
-        "newmark_average_acceleration",
-        Shade::Vermilion,
-        Mark::Square,
-    ),
+    ("newmark_average_acceleration", Shade::Vermilion, Mark::Square),
     ("hht", Shade::Amber, Mark::HollowSquare),
     ("moreau_jean", Shade::Grey, Mark::Cross),
     ("rk4", Shade::Rose, Mark::Inverted),
@@ -37,19 +33,12 @@ pub(super) const METHODS: [(&str, Shade, Mark); 7] = [
 ///
 /// # Errors
 /// [`PlotError`] for times that cannot be drawn.
-pub fn floor_cost_figure(
-    costs: &[FloorCost],
-    fixed: RowSize,
-    smallest: RowSize,
-) -> Result<Vec<u8>, PlotError> {
+pub fn floor_cost_figure(costs: &[FloorCost], fixed: RowSize, smallest: RowSize) -> Result<Vec<u8>, PlotError> {
     let mut panels = Vec::new();
     for touching in [false, true] {
         for over_storeys in [true, false] {
             let of_panel = |cost: &&FloorCost| {
-                let own = Condition {
-                    yielding: false,
-                    touching,
-                };
+                let own = Condition { yielding: false, touching };
                 let on_axis = if over_storeys {
                     cost.size.buildings == fixed.buildings
                 } else {
@@ -58,11 +47,7 @@ pub fn floor_cost_figure(
                 cost.condition == own && on_axis
             };
             let count = |size: RowSize| {
-                let count = if over_storeys {
-                    size.storeys
-                } else {
-                    size.buildings
-                };
+                let count = if over_storeys { size.storeys } else { size.buildings };
                 count as f64
             };
             let costs: Vec<&FloorCost> = costs.iter().filter(of_panel).collect();
@@ -77,12 +62,7 @@ pub fn floor_cost_figure(
             panels.push(Panel {
                 title: format!("{title}, {word}"),
                 x: Some(Axis::auto(axis).log()),
-                y: Axis::auto(if over_storeys {
-                    "Wall time (smallest = 1)"
-                } else {
-                    ""
-                })
-                .log(),
+                y: Axis::auto(if over_storeys { "Wall time (smallest = 1)" } else { "" }).log(),
                 curves: curves(&costs, count, smallest),
                 legend: Legend::Shared,
                 ..Panel::default()
@@ -110,9 +90,7 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
     let mut curves = vec![Curve::new(Kind::Dashed, Shade::Silver, guide).named("Slope one")];
     for (method, shade, mark) in METHODS {
         let own = costs.iter().filter(|cost| cost.method == method);
-        let mut points: Vec<_> = own
-            .map(|cost| (count(cost.size), cost.over_smallest))
-            .collect();
+        let mut points: Vec<_> = own.map(|cost| (count(cost.size), cost.over_smallest)).collect();
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         if !points.is_empty() {
             let curve = Curve::new(Kind::Line, shade, points).marked(mark);

@@ -8,8 +8,8 @@ mod figure;
 use crate::StudyError;
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_scene::{
-    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget,
-    STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure,
+    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget, STANDARD_GRAVITY, Scene, Simulation,
+    Source, Storey, Structure,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -108,12 +108,7 @@ impl TimedRow {
     ///
     /// # Errors
     /// [`StudyError`] when the record cannot be read.
-    pub fn new(
-        size: RowSize,
-        condition: Condition,
-        method: Method,
-        record: &Path,
-    ) -> Result<Self, StudyError> {
+    pub fn new(size: RowSize, condition: Condition, method: Method, record: &Path) -> Result<Self, StudyError> {
         let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
             impact_stiffness: 2.75e9,
             impact_damping_ratio: 0.35,
@@ -133,9 +128,7 @@ impl TimedRow {
             structures: (0..size.buildings)
                 .map(|index| Structure::Building(building(index, size.storeys, condition.yielding)))
                 .collect(),
-            contacts: condition
-                .touching
-                .then(|| vec![contact; size.buildings - 1]),
+            contacts: condition.touching.then(|| vec![contact; size.buildings - 1]),
             neighbour: None,
             arrivals_s: None,
             method,
@@ -194,10 +187,7 @@ mod tests {
 
     #[test]
     fn limit_a_tower_of_one_storey_stands_in_the_row_of_one_storey() {
-        let size = RowSize {
-            storeys: 5,
-            buildings: 6,
-        };
+        let size = RowSize { storeys: 5, buildings: 6 };
         assert_eq!(size.of_one_storey().floors(), size.floors());
         let [tower, single] = [5, 1].map(|storeys| building(3, storeys, false));
         assert_eq!(tower.storeys[0], single.storeys[0]);

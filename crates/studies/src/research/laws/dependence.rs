@@ -50,14 +50,8 @@ impl Compared<'_> {
 /// Every number of every scene.
 fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> {
     let of_scene = |scene: &'a Played| {
-        let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| {
-            Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())))
-        };
-        let all: Vec<_> = entries
-            .iter()
-            .zip(&scene.outcomes)
-            .filter_map(found)
-            .collect();
+        let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())));
+        let all: Vec<_> = entries.iter().zip(&scene.outcomes).filter_map(found).collect();
         let mut items: Vec<Item> = Vec::new();
         for item in all.iter().flat_map(|(_, items)| items) {
             if !items.iter().any(|known| known.is_as(item)) {
@@ -75,9 +69,7 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
                 compliant: values()
                     .filter(|(entry, _)| entry.is_compliant() && !entry.name().is_elastic())
                     .collect(),
-                impulsive: values()
-                    .find(|(entry, _)| !entry.is_compliant())
-                    .map(|(_, value)| value),
+                impulsive: values().find(|(entry, _)| !entry.is_compliant()).map(|(_, value)| value),
                 item,
             }
         };
@@ -85,8 +77,7 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
     };
     let all = played.iter().flat_map(of_scene);
     // An impulsive law has a peak of its own.
-    all.filter(|compared| !compared.compliant.is_empty())
-        .collect()
+    all.filter(|compared| !compared.compliant.is_empty()).collect()
 }
 
 /// Spreads up to which a number does not depend on the law, or a little.
@@ -142,11 +133,7 @@ pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
         row.push(spread(compared.spread(|entry| !is_linear(entry.name()))));
         let ratio = compared.impulsive.map(|value| value / compared.mean());
         row.push(compared.impulsive.map_or_else(String::new, digits));
-        row.push(
-            ratio
-                .filter(|ratio| ratio.is_finite())
-                .map_or_else(String::new, digits),
-        );
+        row.push(ratio.filter(|ratio| ratio.is_finite()).map_or_else(String::new, digits));
         row
     };
     let rows: Vec<_> = compare(played, entries).iter().map(row).collect();
@@ -205,10 +192,7 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
         let curve = Curve::new(Kind::Points, shade(entry.name()), points);
         curve.marked(mark(entry.name())).named(label(entry.name()))
     };
-    let mut shown: Vec<_> = entries
-        .iter()
-        .filter(|entry| !entry.name().is_elastic())
-        .collect();
+    let mut shown: Vec<_> = entries.iter().filter(|entry| !entry.name().is_elastic()).collect();
     // Hollow marks over solid ones, so that both are seen.
     shown.sort_by_key(|entry| (!entry.is_compliant(), is_linear(entry.name())));
     shown.into_iter().map(curve).collect()
@@ -217,10 +201,7 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
 /// Name of a row of the figure.
 fn name(compared: &Compared<'_>) -> String {
     let scene = &compared.played.scene;
-    let scene = scene
-        .replace("layout ", "")
-        .replace("structures", "")
-        .replace(',', "");
+    let scene = scene.replace("layout ", "").replace("structures", "").replace(',', "");
     let scene = scene.split_whitespace().collect::<Vec<_>>().join(" ");
     let place = match compared.item.structure {
         None => "",

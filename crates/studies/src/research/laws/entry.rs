@@ -44,10 +44,7 @@ impl Entry {
     }
 
     /// Rows of a table, once for each name.
-    pub(super) fn rows(
-        &self,
-        row: impl Fn(String) -> Vec<Vec<String>>,
-    ) -> impl Iterator<Item = Vec<String>> {
+    pub(super) fn rows(&self, row: impl Fn(String) -> Vec<Vec<String>>) -> impl Iterator<Item = Vec<String>> {
         self.names.iter().flat_map(move |name| row(key(*name)))
     }
 }
@@ -113,9 +110,6 @@ mod tests {
         let entries = Entry::all(&settings).expect("laws that take these settings");
         assert_eq!(entries.len(), N_LAWS);
         let names: Vec<_> = entries.iter().flat_map(|entry| &entry.names).collect();
-        assert!(
-            names.into_iter().eq(&LawName::ALL),
-            "each law once, in order"
-        );
+        assert!(names.into_iter().eq(&LawName::ALL), "each law once, in order");
     }
 }

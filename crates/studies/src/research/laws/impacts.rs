@@ -25,10 +25,7 @@ pub(super) struct Impact {
 }
 
 /// Lets the free pair collide under every law; nothing for an impulsive one.
-pub(super) fn collide(
-    entries: &[Entry],
-    settings: &AtlasSettings,
-) -> Result<Vec<Option<Impact>>, CollisionError> {
+pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec<Option<Impact>>, CollisionError> {
     let collision = settings.collision();
     parallel::try_each(entries, |entry| match entry.certificate.impact {
         Some(impact) => Impact::new(entry.certificate.law, &collision, impact.duration).map(Some),
@@ -38,11 +35,7 @@ pub(super) fn collide(
 
 impl Impact {
     /// The exact method.
-    fn new(
-        law: ContactLaw,
-        collision: &FreeCollision,
-        duration: f64,
-    ) -> Result<Self, CollisionError> {
+    fn new(law: ContactLaw, collision: &FreeCollision, duration: f64) -> Result<Self, CollisionError> {
         let interval = duration / f64::from(N_POINTS);
         let touch = f64::from(BESIDE) * interval;
         let gap = collision.speed * touch;
@@ -52,8 +45,7 @@ impl Impact {
             time_step: end,
             n_steps: 1,
         };
-        let rest =
-            Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
+        let rest = Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
         let mut recorders = Recorders {
             histories: Some(Histories::new(2, interval, end)),
             ..Recorders::usual(2, row.pairs())
@@ -74,17 +66,10 @@ impl Impact {
         // A linear dashpot begins with a jump.
         let jump = form.map_or(0.0, |form| form.unclamped(0.0, pair.approach_speed));
         let mut points = vec![[0.0; 3], [0.0, 0.0, jump]];
-        let after = states(0)
-            .zip(states(1))
-            .enumerate()
-            .skip(BESIDE as usize + 1);
+        let after = states(0).zip(states(1)).enumerate().skip(BESIDE as usize + 1);
         points.extend(after.map(state).take_while(|[time, ..]| *time <= duration));
         points.push([duration, 0.0, 0.0]);
-        let forces = recorders
-            .collisions
-            .all()
-            .iter()
-            .map(|met| met.end - met.start);
+        let forces = recorders.collisions.all().iter().map(|met| met.end - met.start);
         Ok(Self {
             points,
             force_duration: forces.fold(0.0, f64::max),
@@ -93,11 +78,7 @@ impl Impact {
 }
 
 /// Duration, extremes and clamp of every law.
-pub(super) fn table(
-    entries: &[Entry],
-    impacts: &[Option<Impact>],
-    settings: &AtlasSettings,
-) -> String {
+pub(super) fn table(entries: &[Entry], impacts: &[Option<Impact>], settings: &AtlasSettings) -> String {
     let header = [
         "law",
         "restitution",
@@ -160,35 +141,20 @@ pub(super) fn loops(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
 /// Force over time.
 pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
     let point = |[time, _, force]: &[f64; 3]| (1e3 * time, 1e-6 * force);
-    figure(
-        entries,
-        impacts,
-        "Time since the touch (ms)",
-        |_, impact| impact.points.iter().map(point).collect(),
-    )
+    figure(entries, impacts, "Time since the touch (ms)", |_, impact| {
+        impact.points.iter().map(point).collect()
+    })
 }
 
 /// A panel for each law with damping, linear springs on the left, behind it its spring without; at the end both springs.
-fn figure(
-    entries: &[Entry],
-    impacts: &[Option<Impact>],
-    x: &str,
-    points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>,
-) -> Figure {
+fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>) -> Figure {
     let met = entries.iter().zip(impacts);
     let met = met.filter_map(|(entry, impact)| {
-        let curve = Curve::new(
-            Kind::Line,
-            shade(entry.name()),
-            points(entry, impact.as_ref()?),
-        );
+        let curve = Curve::new(Kind::Line, shade(entry.name()), points(entry, impact.as_ref()?));
         Some((entry.name(), curve))
     });
     let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| law.is_elastic());
-    let peak = springs
-        .iter()
-        .chain(&damped)
-        .flat_map(|(_, curve)| &curve.points);
+    let peak = springs.iter().chain(&damped).flat_map(|(_, curve)| &curve.points);
     let peak = peak.map(|point| point.1).fold(0.0, f64::max);
     let panel = |title: &str, curves| Panel {
         title: title.into(),
@@ -198,9 +164,7 @@ fn figure(
         ..Panel::default()
     };
     let of_law = |(law, curve): &(LawName, Curve)| {
-        let same = springs
-            .iter()
-            .filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
+        let same = springs.iter().filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
         let behind = same.map(|(_, spring)| Curve {
             kind: Kind::Dashed,
             shade: Shade::Ink,
@@ -215,9 +179,7 @@ fn figure(
         panels.push(of_law(law));
         panels.extend(right.next().map(of_law));
     }
-    let both = springs
-        .iter()
-        .map(|(law, curve)| curve.clone().named(label(*law)));
+    let both = springs.iter().map(|(law, curve)| curve.clone().named(label(*law)));
     panels.push(panel("Linear and Hertz spring", both.collect()));
     for panel in panels.iter_mut().skip(1).step_by(2) {
         panel.y.label.clear();

@@ -39,11 +39,7 @@ impl Atlas {
     ///
     /// # Errors
     /// [`StudyError::Study`] for settings with which no law can be calibrated or no impact followed.
-    pub fn draw(
-        completed: &Completed,
-        settings: &AtlasSettings,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Self, StudyError> {
+    pub fn draw(completed: &Completed, settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let refuse = |error: CertificateError| {
             let allowed = "masses, speed, stiffness and restitution that every law takes";
             completed.refuse("output.laws", error.to_string(), allowed)
@@ -84,9 +80,7 @@ impl Atlas {
         }
         let folder = Path::new("laws");
         let files = files.into_iter();
-        Ok(files
-            .map(|(name, bytes)| (folder.join(name), bytes))
-            .collect())
+        Ok(files.map(|(name, bytes)| (folder.join(name), bytes)).collect())
     }
 
     fn tables(&self) -> [(&'static str, String); 6] {
@@ -94,10 +88,7 @@ impl Atlas {
         [
             ("restitution.csv", restitution::table(&self.asked)),
             ("approach-speed.csv", restitution::speeds(entries, settings)),
-            (
-                "free-impact.csv",
-                impacts::table(entries, &self.impacts, settings),
-            ),
+            ("free-impact.csv", impacts::table(entries, &self.impacts, settings)),
             ("time-step.csv", time_step::table(entries, &self.ladders)),
             ("scenes.csv", scenes::table(&self.played, entries)),
             ("dependence.csv", dependence::table(&self.played, entries)),
@@ -110,10 +101,7 @@ impl Atlas {
             ("restitution.png", restitution::figure(&self.asked)),
             ("force-deformation.png", impacts::loops(entries, impacts)),
             ("force-time.png", impacts::histories(entries, impacts)),
-            (
-                "time-step.png",
-                time_step::figure(entries, &self.ladders, &self.settings),
-            ),
+            ("time-step.png", time_step::figure(entries, &self.ladders, &self.settings)),
             ("scenes.png", dependence::figure(&self.played, entries)),
         ]
     }

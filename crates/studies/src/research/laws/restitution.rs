@@ -56,10 +56,7 @@ pub(super) fn table(asked: &[Asked]) -> String {
         let e = digits(asked.restitution);
         vec![key(asked.law), e, formula, exact, failed]
     };
-    to_csv(
-        &header.map(String::from),
-        &asked.iter().map(row).collect::<Vec<_>>(),
-    )
+    to_csv(&header.map(String::from), &asked.iter().map(row).collect::<Vec<_>>())
 }
 
 /// e delivered at other approach speeds, with the damping that is exact at one of them.
@@ -82,8 +79,7 @@ pub(super) fn speeds(entries: &[Entry], settings: &AtlasSettings) -> String {
             .map(|speed| (*speed, delivered(*speed).map_or_else(String::new, digits)))
             .collect();
         rows.extend(entry.rows(|name| {
-            let row =
-                |(speed, found): &(f64, String)| vec![name.clone(), digits(*speed), found.clone()];
+            let row = |(speed, found): &(f64, String)| vec![name.clone(), digits(*speed), found.clone()];
             found.iter().map(row).collect()
         }));
     }
@@ -96,10 +92,7 @@ const OFF: (f64, f64) = (-0.06, 0.18);
 /// e delivered by the literature's formulas against e asked for; below, how far that is off.
 pub(super) fn figure(asked: &[Asked]) -> Figure {
     let labels = |text: &'static str| [text, ""].into_iter();
-    let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [
-        ("Linear springs", &is_linear),
-        ("Hertz springs", &|law| !is_linear(law)),
-    ];
+    let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [("Linear springs", &is_linear), ("Hertz springs", &|law| !is_linear(law))];
     let delivered = families.iter().zip(labels("Restitution delivered"));
     let delivered = delivered.map(|((title, wanted), label)| {
         let diagonal = Curve::new(Kind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]);
@@ -131,11 +124,7 @@ pub(super) fn figure(asked: &[Asked]) -> Figure {
 }
 
 /// A curve for each law that has a formula, of e asked for and delivered.
-fn curves(
-    asked: &[Asked],
-    wanted: &dyn Fn(LawName) -> bool,
-    value: impl Fn(f64, f64) -> f64,
-) -> Vec<Curve> {
+fn curves(asked: &[Asked], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64, f64) -> f64) -> Vec<Curve> {
     let curve = |law: LawName| {
         let point = |asked: &Asked| {
             let found = asked.outcome.as_ref().ok()?.by_formula?;

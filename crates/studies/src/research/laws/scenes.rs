@@ -19,12 +19,7 @@ pub(super) struct Played {
 }
 
 /// Runs every scene under every law; `done` is called after each run.
-pub(super) fn play(
-    completed: &Completed,
-    entries: &[Entry],
-    settings: &AtlasSettings,
-    done: &(dyn Fn() + Sync),
-) -> Vec<Played> {
+pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
     let runs: Vec<_> = scenes
         .iter()
@@ -50,11 +45,7 @@ pub(super) fn n_runs(scenes: &[Scene]) -> usize {
 }
 
 /// A scene under a law that is calibrated for every pair.
-fn run(
-    completed: &Completed,
-    scene: &Scene,
-    (entry, settings): (&Entry, &AtlasSettings),
-) -> Result<Quantities, String> {
+fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasSettings)) -> Result<Quantities, String> {
     let mut scene = scene.clone();
     let name = entry.name();
     let asked = (settings.restitution(name), Calibration::Exact);
@@ -129,16 +120,7 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
 
 /// Every number of every scene under every law.
 pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
-    let header = [
-        "scene",
-        "law",
-        "restitution",
-        "quantity",
-        "structure",
-        "unit",
-        "value",
-        "failed",
-    ];
+    let header = ["scene", "law", "restitution", "quantity", "structure", "unit", "value", "failed"];
     let mut rows = Vec::new();
     for scene in played {
         for (entry, outcome) in entries.iter().zip(&scene.outcomes) {
@@ -165,10 +147,7 @@ fn cells(outcome: &Result<Quantities, String>, entry: &Entry) -> Vec<[String; 5]
         ]
     };
     match outcome {
-        Ok(found) => items(found, entry.is_compliant())
-            .into_iter()
-            .map(cells)
-            .collect(),
+        Ok(found) => items(found, entry.is_compliant()).into_iter().map(cells).collect(),
         Err(reason) => {
             let mut row = [const { String::new() }; 5];
             row[4].clone_from(reason);

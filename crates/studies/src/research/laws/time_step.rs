@@ -29,24 +29,14 @@ struct Rung {
 }
 
 /// Runs every method with every law; `done` is called after each.
-pub(super) fn climb(
-    entries: &[Entry],
-    settings: &AtlasSettings,
-    done: &(dyn Fn() + Sync),
-) -> Vec<Ladder> {
+pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Ladder> {
     // An impulsive contact has no duration: its steps are those of the first law that has one.
-    let durations = || {
-        entries
-            .iter()
-            .filter_map(|entry| Some(entry.certificate.impact?.duration))
-    };
+    let durations = || entries.iter().filter_map(|entry| Some(entry.certificate.impact?.duration));
     let usual = durations().next().unwrap_or(1.0);
     let races: Vec<_> = entries
         .iter()
         .enumerate()
-        .flat_map(|(index, entry)| {
-            StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method))
-        })
+        .flat_map(|(index, entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method)))
         .collect();
     let ladder = |&(index, method): &(usize, StepMethod)| {
         let certificate = &entries[index].certificate;
@@ -116,12 +106,7 @@ fn cells(entry: &Entry, ladder: &Ladder) -> Vec<Vec<String>> {
         row.extend(match &rung.outcome {
             Ok(found) => {
                 let [least, largest] = found.range.map(digits);
-                [
-                    least,
-                    largest,
-                    format!("{:.2e}", found.error),
-                    String::new(),
-                ]
+                [least, largest, format!("{:.2e}", found.error), String::new()]
             }
             Err(reason) => [String::new(), String::new(), String::new(), reason.clone()],
         });
@@ -151,11 +136,7 @@ pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSett
         let wanted = entries[index].certificate.by_exact;
         let furthest = |found: &Delivered| {
             let [least, largest] = found.range;
-            if wanted - least > largest - wanted {
-                least
-            } else {
-                largest
-            }
+            if wanted - least > largest - wanted { least } else { largest }
         };
         let panel = |title: &str, y, point: &dyn Fn(&Delivered) -> f64| Panel {
             title: title.into(),

@@ -27,10 +27,7 @@ pub(super) fn all<'a>(worlds: &'a [[MotionCase; 2]]) -> Vec<Asked<'a>> {
         let finding = |world: &MotionCase| world.claims[index].finding;
         Asked {
             claim,
-            findings: worlds
-                .iter()
-                .map(|[one, other]| [finding(one), finding(other)])
-                .collect(),
+            findings: worlds.iter().map(|[one, other]| [finding(one), finding(other)]).collect(),
         }
     };
     first.iter().enumerate().map(asked).collect()
@@ -38,11 +35,7 @@ pub(super) fn all<'a>(worlds: &'a [[MotionCase; 2]]) -> Vec<Asked<'a>> {
 
 /// A row per claim: in how many cases it holds, what it does in the paper's own, and where it fails; of changed scenes also in
 /// how many cases it holds of the `plain` ones.
-pub(super) fn table(
-    motions: &[Shaking],
-    all: &[Asked<'_>],
-    (plain, papers): (Option<Vec<Asked<'_>>>, Option<Case>),
-) -> String {
+pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], (plain, papers): (Option<Vec<Asked<'_>>>, Option<Case>)) -> String {
     let mut header = [
         "claim",
         "where",
@@ -83,10 +76,7 @@ pub(super) fn table(
         row.extend(plain.map(|tally| tally.holds.to_string()));
         row
     };
-    to_csv(
-        &header,
-        &all.iter().enumerate().map(row).collect::<Vec<_>>(),
-    )
+    to_csv(&header, &all.iter().enumerate().map(row).collect::<Vec<_>>())
 }
 
 /// The cases with a finding, in words.

@@ -32,26 +32,16 @@ const LINE: f64 = 3.3;
 pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Drawing {
     let claims = findings::all(&group.worlds);
     let right = left_of(motions.len()) - APART;
-    let names = beyond.motions[motions.clone()]
-        .iter()
-        .map(|motion| short(&motion.name));
+    let names = beyond.motions[motions.clone()].iter().map(|motion| short(&motion.name));
     let letters = names.map(|name| name.chars().count()).max().unwrap_or(0);
     let bottom = MARGIN + FOOT;
     let top = bottom + CELL.1 * claims.len() as f64;
-    let (width, height) = (
-        LEAST.max(right + COUNT + MARGIN),
-        top + ARROWS + LETTER * letters as f64 + MARGIN,
-    );
+    let (width, height) = (LEAST.max(right + COUNT + MARGIN), top + ARROWS + LETTER * letters as f64 + MARGIN);
     let mut shapes = Vec::new();
     for (column, motion) in beyond.motions[motions.clone()].iter().enumerate() {
         heading(&motion.name, (left_of(column), top), &mut shapes);
     }
-    shapes.push(Shape::text(
-        (right + 0.5 * COUNT, top + 2.4),
-        "holds",
-        SMALL,
-        Align::Middle,
-    ));
+    shapes.push(Shape::text((right + 0.5 * COUNT, top + 2.4), "holds", SMALL, Align::Middle));
     for ((row, asked), (_, words)) in claims.iter().enumerate().zip(claims_asked()) {
         let middle = top - (row as f64 + 0.5) * CELL.1;
         for (column, both) in asked.findings[motions.clone()].iter().enumerate() {
@@ -72,23 +62,14 @@ pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> 
         let left = left_of(motion - motions.start) + f64::from(u8::from(reversed)) * CELL.0;
         frame((left, bottom), (CELL.0, top - bottom), &mut shapes);
     }
-    let changed = group
-        .change
-        .map(|change| format!("{}; ", capital(&change.to_string())));
+    let changed = group.change.map(|change| format!("{}; ", capital(&change.to_string())));
     let framed = match beyond.papers {
         Some(_) => "; framed: the paper's record and direction",
         None => "",
     };
-    let words = format!(
-        "{}→ as recorded, ← reversed{framed}",
-        changed.unwrap_or_default()
-    );
+    let words = format!("{}→ as recorded, ← reversed{framed}", changed.unwrap_or_default());
     legend(words, &mut shapes);
-    Drawing {
-        width,
-        height,
-        shapes,
-    }
+    Drawing { width, height, shapes }
 }
 
 /// Left edge of the cells of a motion.

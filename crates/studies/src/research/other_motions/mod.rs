@@ -178,9 +178,7 @@ impl Beyond {
 
 /// The command that makes tables which `reproduce` does not, and the hashes by which the committed ones are known to be its.
 fn made_by(tables: &BTreeMap<String, Vec<u8>>) -> String {
-    let line = |(name, text): (&String, &Vec<u8>)| {
-        format!("SHA-256 of {name}: {:x}\n", Sha256::digest(text))
-    };
+    let line = |(name, text): (&String, &Vec<u8>)| format!("SHA-256 of {name}: {:x}\n", Sha256::digest(text));
     let lines: String = tables.iter().map(line).collect();
     format!("cargo xtask beyond\n{lines}")
 }

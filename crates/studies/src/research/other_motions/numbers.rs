@@ -55,10 +55,7 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
             }
         }
     }
-    to_csv(
-        &header.into_iter().map(String::from).collect::<Vec<_>>(),
-        &rows,
-    )
+    to_csv(&header.into_iter().map(String::from).collect::<Vec<_>>(), &rows)
 }
 
 fn printed(numbers: &Numbers) -> [String; 9] {
@@ -99,10 +96,7 @@ pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> Str
             rows.push(cells);
         }
     }
-    to_csv(
-        &header.into_iter().map(String::from).collect::<Vec<_>>(),
-        &rows,
-    )
+    to_csv(&header.into_iter().map(String::from).collect::<Vec<_>>(), &rows)
 }
 
 fn ratios(recorded: &Numbers, reversed: &Numbers) -> [Option<f64>; 7] {

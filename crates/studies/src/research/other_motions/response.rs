@@ -30,10 +30,7 @@ const LOOKS: [(Shade, [Mark; 2]); 3] = [
 /// A panel per layout, behaviour and contact law.
 pub(super) fn figure(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Figure {
     let worlds = &group.worlds[motions.clone()];
-    let names: Vec<String> = beyond.motions[motions]
-        .iter()
-        .map(|motion| short(&motion.name))
-        .collect();
+    let names: Vec<String> = beyond.motions[motions].iter().map(|motion| short(&motion.name)).collect();
     let mut panels = Vec::new();
     for behaviour in ["elastic", "nonlinear"] {
         for (table, law) in TABLES {
@@ -68,11 +65,7 @@ pub(super) fn figure(beyond: &Beyond, group: &Group, motions: Range<usize>) -> F
 /// Of every kind of structure the one that pounding drives furthest beyond what it does alone.
 fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<Curve> {
     let mut kinds: Vec<&str> = Vec::new();
-    for row in worlds
-        .iter()
-        .take(1)
-        .flat_map(|[world, _]| world.rows.iter().filter(&of_scene))
-    {
+    for row in worlds.iter().take(1).flat_map(|[world, _]| world.rows.iter().filter(&of_scene)) {
         if !kinds.contains(&&*row.structure) {
             kinds.push(&row.structure);
         }
@@ -84,9 +77,7 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             let point = |(line, both): (usize, &[MotionCase; 2])| {
                 let rows = both[direction].rows.iter().filter(&of_scene);
                 let own = rows.filter(|row| row.structure == kind);
-                let largest = own
-                    .filter_map(|row| row.numbers.amplification())
-                    .max_by(f64::total_cmp)?;
+                let largest = own.filter_map(|row| row.numbers.amplification()).max_by(f64::total_cmp)?;
                 let aside = |index: usize, apart: f64| if index == 0 { -apart } else { apart };
                 let [of_direction, of_kind] = APART;
                 let line = line as f64 + aside(direction, of_direction) + aside(rank, of_kind);

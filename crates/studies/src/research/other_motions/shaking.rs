@@ -3,9 +3,7 @@
 use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
 use pounding_motion::Record;
-use pounding_scene::{
-    GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum,
-};
+use pounding_scene::{GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum};
 use pounding_text::digits;
 use pounding_text::to_csv;
 use std::path::Path;
@@ -35,19 +33,13 @@ impl Target {
     ///
     /// # Errors
     /// [`SpectrumError`] for a spectral acceleration that cannot be computed.
-    pub(super) fn of(
-        settings: &BeyondSettings,
-        first: &Shaking,
-    ) -> Result<Option<Self>, SpectrumError> {
+    pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, SpectrumError> {
         let Some(strength) = settings.scaled_by else {
             return Ok(None);
         };
         let value = match strength {
             Strength::Pga => first.record.peak().1.abs(),
-            Strength::Sa {
-                period_s,
-                damping_ratio,
-            } => sa(&first.record, period_s, damping_ratio)?,
+            Strength::Sa { period_s, damping_ratio } => sa(&first.record, period_s, damping_ratio)?,
         };
         Ok(Some(Self(strength, value)))
     }
@@ -57,10 +49,7 @@ impl Target {
         let Self(strength, value) = self;
         match strength {
             Strength::Pga => ScaleTo::PgaG(value / gravity),
-            Strength::Sa {
-                period_s,
-                damping_ratio,
-            } => ScaleTo::Sa {
+            Strength::Sa { period_s, damping_ratio } => ScaleTo::Sa {
                 period_s,
                 damping_ratio,
                 sa_g: value / gravity,
@@ -106,12 +95,7 @@ impl Shaking {
     ///
     /// # Errors
     /// Those of [`Motion::shake`].
-    pub(super) fn of_folder(
-        motion: &Motion,
-        like: &Scene,
-        settings: &BeyondSettings,
-        target: Option<Target>,
-    ) -> Result<Self, StudyError> {
+    pub(super) fn of_folder(motion: &Motion, like: &Scene, settings: &BeyondSettings, target: Option<Target>) -> Result<Self, StudyError> {
         let read = |record: RecordUse| {
             let scene = Scene {
                 record,
@@ -123,12 +107,7 @@ impl Shaking {
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));
-        Self::of(
-            (motion.name.clone(), motion.name.clone()),
-            plain,
-            scaled,
-            settings,
-        )
+        Self::of((motion.name.clone(), motion.name.clone()), plain, scaled, settings)
     }
 
     fn of(
@@ -143,11 +122,7 @@ impl Shaking {
             name,
             origin,
             // Nothing is nothing, however it is scaled.
-            factor: if peak == 0.0 {
-                1.0
-            } else {
-                record.peak().1 / peak
-            },
+            factor: if peak == 0.0 { 1.0 } else { record.peak().1 / peak },
             duration: record.duration() + settings.rest_s,
             record,
         })
@@ -155,11 +130,7 @@ impl Shaking {
 
     /// The record in a direction.
     pub(crate) fn directed(&self, reversed: bool) -> Record {
-        if reversed {
-            self.record.reversed()
-        } else {
-            self.record.clone()
-        }
+        if reversed { self.record.reversed() } else { self.record.clone() }
     }
 
     /// What of the record shakes: it may last longer than the runs.
@@ -215,9 +186,7 @@ pub(super) fn table(motions: &[Shaking], periods: &[f64]) -> String {
             measures.arias,
         ];
         row.extend(numbers.map(digits));
-        let spectral = periods
-            .iter()
-            .map(|period| sa(&heard, *period, DAMPING).ok());
+        let spectral = periods.iter().map(|period| sa(&heard, *period, DAMPING).ok());
         let known = [length, heard.mean_period()].into_iter().chain(spectral);
         row.extend(known.map(|number| number.map_or_else(String::new, digits)));
         row

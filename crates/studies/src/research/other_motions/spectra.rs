@@ -23,10 +23,7 @@ pub(super) fn figure(motions: &[Shaking], structures: &[f64]) -> Figure {
     let periods = periods_between(from, to, count);
     let curve = |(motion, shade): (&Shaking, Shade)| {
         let spectrum = response_spectrum(&motion.heard(), &periods, DAMPING).ok()?;
-        let points: Vec<_> = spectrum
-            .iter()
-            .map(|values| (values.period, values.pseudo_acceleration))
-            .collect();
+        let points: Vec<_> = spectrum.iter().map(|values| (values.period, values.pseudo_acceleration)).collect();
         // What does not move has no place on a logarithmic axis.
         let moves = points.iter().all(|(_, value)| *value > 0.0);
         moves.then(|| Curve::new(Kind::Line, shade, points).named(short(&motion.name)))

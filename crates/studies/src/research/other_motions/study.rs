@@ -29,8 +29,7 @@ impl BeyondStudy {
     /// # Errors
     /// [`StudyError`] for a study that is missing, and for a motion that is not allowed or cannot be read.
     pub fn listed(files: &[&StudyFile]) -> Result<Option<Self>, StudyError> {
-        let lists =
-            |file: &&StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
+        let lists = |file: &&StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
         let Some((path, settings)) = files.iter().find_map(lists) else {
             return Ok(None);
         };
@@ -49,8 +48,7 @@ impl BeyondStudy {
     /// [`StudyError`] for studies that cannot be read, for a folder that cannot be, and where no motion is left.
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
-        let lists =
-            |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
+        let lists = |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
         let Some((path, settings)) = files.iter().find_map(lists) else {
             return Err(StudyError::MissingScene {
                 study: "beyond".into(),
@@ -82,10 +80,7 @@ impl BeyondStudy {
     }
 
     /// A list cut down to its first motion, and the strength of that, to which others are scaled.
-    fn first(
-        files: &[&StudyFile],
-        (path, settings): (PathBuf, &BeyondSettings),
-    ) -> Result<(Self, Option<Target>), StudyError> {
+    fn first(files: &[&StudyFile], (path, settings): (PathBuf, &BeyondSettings)) -> Result<(Self, Option<Target>), StudyError> {
         let (motions, target) = first(settings, &path)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
@@ -182,20 +177,14 @@ impl BeyondStudy {
 ///
 /// # Errors
 /// [`StudyError`] for a motion that is not allowed or cannot be read.
-pub(crate) fn motions_of(
-    settings: &BeyondSettings,
-    path: &Path,
-) -> Result<Vec<Shaking>, StudyError> {
+pub(crate) fn motions_of(settings: &BeyondSettings, path: &Path) -> Result<Vec<Shaking>, StudyError> {
     let (mut motions, target) = first(settings, path)?;
     motions.extend(others(settings, path, target)?);
     Ok(motions)
 }
 
 /// The first motion of a list, and its strength, to which others are scaled.
-fn first(
-    settings: &BeyondSettings,
-    path: &Path,
-) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
+fn first(settings: &BeyondSettings, path: &Path) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
     let refused = |(place, found, allowed)| StudyError::Study {
         path: path.to_path_buf(),
         place,
@@ -222,11 +211,7 @@ fn first(
 }
 
 /// The other motions of a list.
-fn others(
-    settings: &BeyondSettings,
-    path: &Path,
-    target: Option<Target>,
-) -> Result<Vec<Shaking>, StudyError> {
+fn others(settings: &BeyondSettings, path: &Path, target: Option<Target>) -> Result<Vec<Shaking>, StudyError> {
     let base = path.parent().unwrap_or_else(|| Path::new(""));
     let read = |motion| Shaking::listed(motion, base, settings, target);
     let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
@@ -256,9 +241,7 @@ fn papers(settings: &BeyondSettings, scenes: &Scenes) -> Option<Case> {
 
 /// Natural periods of the structures, the shortest first \[s\].
 fn periods(scenes: &Scenes) -> Vec<f64> {
-    let structures = scenes
-        .prepared()
-        .flat_map(|scene| &scene.scene().structures);
+    let structures = scenes.prepared().flat_map(|scene| &scene.scene().structures);
     let mut periods: Vec<f64> = structures.filter_map(Structure::period).collect();
     periods.sort_by(f64::total_cmp);
     // Two that the table would print alike are one.

@@ -73,19 +73,13 @@ impl MotionCase {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
-    pub(super) fn new(
-        scenes: &Scenes,
-        (shaking, reversed): (&Shaking, bool),
-        change: Option<Change>,
-    ) -> Result<Self, StudyError> {
+    pub(super) fn new(scenes: &Scenes, (shaking, reversed): (&Shaking, bool), change: Option<Change>) -> Result<Self, StudyError> {
         let record = shaking.directed(reversed);
         let record = match change {
             None => record,
             Some(change) => change.of_record(record),
         };
-        let runs = scenes
-            .shaken(&record, |scene| turned(scene, shaking, change))?
-            .run(None)?;
+        let runs = scenes.shaken(&record, |scene| turned(scene, shaking, change))?.run(None)?;
         let mut alone = Alone {
             record: &record,
             known: Vec::new(),
@@ -104,11 +98,7 @@ impl MotionCase {
     }
 }
 
-fn of_scene(
-    (study, index): (&Completed, usize),
-    prepared: &Simulation,
-    alone: &mut Alone<'_>,
-) -> Result<Vec<Row>, StudyError> {
+fn of_scene((study, index): (&Completed, usize), prepared: &Simulation, alone: &mut Alone<'_>) -> Result<Vec<Row>, StudyError> {
     let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
     let id = &study.file.id;
     let row = |(place, structure): (usize, &Structure)| {
@@ -149,11 +139,7 @@ struct Alone<'a> {
 
 impl Alone<'_> {
     /// Peak displacement of a structure of a scene without neighbours, without sign \[m\].
-    fn displacement(
-        &mut self,
-        prepared: &Simulation,
-        structure: &Structure,
-    ) -> Result<f64, StudyError> {
+    fn displacement(&mut self, prepared: &Simulation, structure: &Structure) -> Result<f64, StudyError> {
         let known = self.known.iter().find(|(known, _)| known == structure);
         if let Some((_, displacement)) = known {
             return Ok(*displacement);

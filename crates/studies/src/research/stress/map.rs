@@ -39,17 +39,11 @@ fn drawing(map: &Map, methods: &[&str], own: &[&Measured]) -> Drawing {
     let (left, below, above) = MARGIN;
     let (width, height) = (left + n_x * SIDE + 3.0, below + n_y * SIDE + above);
     let n_rows = methods.len().div_ceil(COLUMNS);
-    let paper = (
-        COLUMNS as f64 * width + 2.0,
-        n_rows as f64 * height + LEGEND,
-    );
+    let paper = (COLUMNS as f64 * width + 2.0, n_rows as f64 * height + LEGEND);
     let mut shapes = legend(paper.0, paper.1);
     for (index, method) in methods.iter().enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
-        let corner = (
-            column as f64 * width + left,
-            paper.1 - LEGEND - (row + 1) as f64 * height + below,
-        );
+        let corner = (column as f64 * width + left, paper.1 - LEGEND - (row + 1) as f64 * height + below);
         let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
         let title = match *method {
             REFERENCE => "Exact, by the second route".into(),
@@ -69,10 +63,7 @@ fn drawing(map: &Map, methods: &[&str], own: &[&Measured]) -> Drawing {
 fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: &mut Vec<Shape>) {
     let (n_x, n_y) = (map.x.values.len(), map.y.values.len());
     for (index, run) in runs.iter().enumerate() {
-        let at = (
-            corner.0 + (index % n_x) as f64 * SIDE,
-            corner.1 + (index / n_x) as f64 * SIDE,
-        );
+        let at = (corner.0 + (index % n_x) as f64 * SIDE, corner.1 + (index / n_x) as f64 * SIDE);
         square(worst(run), at, shapes);
     }
     let size = (n_x as f64 * SIDE, n_y as f64 * SIDE);
@@ -82,12 +73,7 @@ fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: 
         fill: None,
         outline: Some(Pen::solid(Shade::Ink, 0.6)),
     });
-    shapes.push(Shape::text(
-        (corner.0, corner.1 + size.1 + 2.6),
-        title,
-        TEXT,
-        Align::Start,
-    ));
+    shapes.push(Shape::text((corner.0, corner.1 + size.1 + 2.6), title, TEXT, Align::Start));
     for (index, value) in map.x.values.iter().enumerate() {
         let x = corner.0 + (index as f64 + 0.5) * SIDE;
         shapes.push(upright((x, corner.1 - 0.8), number(*value), Align::End));
@@ -99,12 +85,8 @@ fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: 
     }
     let middle = (corner.0 + 0.5 * size.0, corner.1 - 9.2);
     shapes.push(Shape::text(middle, map.x.axis.label(), TEXT, Align::Middle));
-    let Shape::Text { text, at, .. } = Shape::text(
-        (corner.0 - 10.4, corner.1 + 0.5 * size.1),
-        map.y.axis.label(),
-        TEXT,
-        Align::Middle,
-    ) else {
+    let Shape::Text { text, at, .. } = Shape::text((corner.0 - 10.4, corner.1 + 0.5 * size.1), map.y.axis.label(), TEXT, Align::Middle)
+    else {
         return;
     };
     shapes.push(Shape::Text {
@@ -132,9 +114,7 @@ fn upright(at: (f64, f64), text: String, align: Align) -> Shape {
 fn worst(run: &Run) -> Class {
     let rank = |class: Class| ORDER.iter().position(|other| *other == class);
     let classes = run.numbers.iter().map(|number| number.class);
-    classes
-        .max_by_key(|class| rank(*class))
-        .unwrap_or(Class::Nothing)
+    classes.max_by_key(|class| rank(*class)).unwrap_or(Class::Nothing)
 }
 
 /// From good to bad.
@@ -178,10 +158,7 @@ fn legend(width: f64, height: f64) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let column = (width - 6.0) / 5.0;
     for (index, class) in ORDER.into_iter().enumerate() {
-        let corner = (
-            3.0 + (index % 5) as f64 * column,
-            height - 5.4 - (index / 5) as f64 * 5.2,
-        );
+        let corner = (3.0 + (index % 5) as f64 * column, height - 5.4 - (index / 5) as f64 * 5.2);
         square(class, corner, &mut shapes);
         shapes.push(Shape::Rectangle {
             corner,

@@ -4,10 +4,7 @@ use super::class::{ACCURATE, Class};
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::axis::Pushed;
 use pounding_reference::Fineness;
-use pounding_scene::{
-    AT_ONCE, Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation,
-    StepMethod, Warning,
-};
+use pounding_scene::{AT_ONCE, Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation, StepMethod, Warning};
 use pounding_solver::Collision;
 
 /// Longest row that the second route, which steps all structures together, is asked for.
@@ -80,10 +77,7 @@ impl Judged {
     }
 
     fn is_printed(&self) -> bool {
-        !matches!(
-            self.class,
-            Class::Refused | Class::Caught | Class::NoReference | Class::NotVerified
-        )
+        !matches!(self.class, Class::Refused | Class::Caught | Class::NoReference | Class::NotVerified)
     }
 }
 
@@ -108,10 +102,7 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
             broken: None,
             balance,
         }) => (Ok(outcome), Some(balance.residual)),
-        Ok(Audited {
-            broken: Some(broken),
-            ..
-        }) => (Err(broken), None),
+        Ok(Audited { broken: Some(broken), .. }) => (Err(broken), None),
         Err(error) => (Err(error), None),
     };
     let by_second_route = Run {
@@ -144,8 +135,7 @@ fn of_exact(exact: &Simulation, reference: Option<&RunResult>) -> Run {
         return Run::all("exact", None, Class::NotVerified, reason);
     }
     if reference.is_some_and(hits_at_once) {
-        let reason =
-            "several pairs hit at one instant, which rounding of the second route takes apart";
+        let reason = "several pairs hit at one instant, which rounding of the second route takes apart";
         return Run::all("exact", None, Class::NotVerified, reason.into());
     }
     let known = reference.map(|reference| {
@@ -183,12 +173,7 @@ fn hits_at_once(outcome: &RunResult) -> bool {
 }
 
 /// A stepping method by the exact run.
-fn of_method(
-    exact: &Simulation,
-    name: &'static str,
-    method: Method,
-    reference: Option<&RunResult>,
-) -> Run {
+fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: Option<&RunResult>) -> Run {
     let time_step = method.time_step();
     let stopped = |class, reason| Run::all(name, time_step, class, reason);
     let prepared = match exact.with_any_method(method) {
@@ -196,18 +181,10 @@ fn of_method(
         Err(error) => return stopped(Class::Refused, error.to_string()),
     };
     let refusal = prepared.refusal();
-    let Audited {
-        outcome,
-        broken,
-        balance,
-    } = match prepared.audited(None) {
+    let Audited { outcome, broken, balance } = match prepared.audited(None) {
         Ok(run) => run,
         Err(error) => {
-            let class = if refusal.is_some() {
-                Class::Refused
-            } else {
-                Class::Caught
-            };
+            let class = if refusal.is_some() { Class::Refused } else { Class::Caught };
             return stopped(class, refusal.unwrap_or(error.to_string()));
         }
     };

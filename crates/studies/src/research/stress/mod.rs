@@ -34,12 +34,7 @@ impl Extremes {
     ///
     /// # Errors
     /// [`StudyError::Study`] for a scene or change that does not exist.
-    pub fn measure(
-        completed: &Completed,
-        edges: &Edges,
-        extent: Extent,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Self, StudyError> {
+    pub fn measure(completed: &Completed, edges: &Edges, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let cells = edges.cells(&completed.file, extent)?;
         let measured = parallel::try_each(&cells, |cell| {
             let (index, _) = cell.scene;
@@ -50,9 +45,7 @@ impl Extremes {
             done();
             measured
         });
-        let measured = measured.map_err(|found| {
-            completed.refuse("output.extremes", found, "changes that the scenes take")
-        })?;
+        let measured = measured.map_err(|found| completed.refuse("output.extremes", found, "changes that the scenes take"))?;
         Ok(Self {
             edges: edges.clone(),
             extent,
@@ -80,10 +73,7 @@ impl Extremes {
         }
         let cells = table::cells(&self.cells, &self.measured, |_| true);
         let summary = table::summary(&self.measured);
-        files.insert(
-            folder.join("made-by.txt"),
-            made_by(&cells, &summary).into_bytes(),
-        );
+        files.insert(folder.join("made-by.txt"), made_by(&cells, &summary).into_bytes());
         files.insert(folder.join("cells.csv"), cells.into_bytes());
         files.insert(folder.join("summary.csv"), summary.into_bytes());
         for map in &self.edges.maps {

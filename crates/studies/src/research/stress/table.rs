@@ -9,18 +9,9 @@ use pounding_text::to_csv;
 
 /// A row per scene and method, of the scenes that pass the test.
 pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) -> bool) -> String {
-    let mut header: Vec<String> = [
-        "place",
-        "scene",
-        "axis_1",
-        "value_1",
-        "axis_2",
-        "value_2",
-        "method",
-        "time_step_s",
-    ]
-    .map(String::from)
-    .to_vec();
+    let mut header: Vec<String> = ["place", "scene", "axis_1", "value_1", "axis_2", "value_2", "method", "time_step_s"]
+        .map(String::from)
+        .to_vec();
     for quantity in MethodQuantity::ALL {
         header.push(quantity.key().into());
         header.push(format!("{}_error", quantity.key()));
@@ -95,10 +86,7 @@ pub(super) fn summary(measured: &[Measured]) -> String {
     let mut rows = Vec::new();
     for method in methods {
         let own = numbers().filter(|(other, ..)| *other == method);
-        rows.push(counts(
-            ["method", method],
-            &own.map(|(.., number)| number).collect::<Vec<_>>(),
-        ));
+        rows.push(counts(["method", method], &own.map(|(.., number)| number).collect::<Vec<_>>()));
     }
     let stepping = || numbers().filter(|(method, ..)| *method != "exact");
     for quantity in MethodQuantity::ALL {
@@ -116,13 +104,7 @@ pub(super) fn summary(measured: &[Measured]) -> String {
 }
 
 fn counts(names: [&str; 2], numbers: &[&Judged]) -> Vec<String> {
-    let count = |test: &dyn Fn(&Judged) -> bool| {
-        numbers
-            .iter()
-            .filter(|number| test(number))
-            .count()
-            .to_string()
-    };
+    let count = |test: &dyn Fn(&Judged) -> bool| numbers.iter().filter(|number| test(number)).count().to_string();
     let mut row = names.map(String::from).to_vec();
     row.push(numbers.len().to_string());
     row.extend(Class::ALL.map(|class| count(&|number| number.class == class)));

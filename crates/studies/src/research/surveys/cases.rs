@@ -2,9 +2,7 @@
 
 use crate::research::other_motions::motions_of;
 use crate::{BeyondSettings, StudyError, StudyFile};
-use pounding_scene::{
-    GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure, parallel,
-};
+use pounding_scene::{GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure, parallel};
 use std::path::Path;
 
 /// A ground motion in one direction, and how long it shakes \[s\].
@@ -61,18 +59,11 @@ impl Case {
             scene: self.name.clone(),
             source,
         })?;
-        Ok(Self {
-            motion,
-            ..self.clone()
-        })
+        Ok(Self { motion, ..self.clone() })
     }
 
     pub(super) fn direction(&self) -> &'static str {
-        if self.reversed {
-            "reversed"
-        } else {
-            "as recorded"
-        }
+        if self.reversed { "reversed" } else { "as recorded" }
     }
 
     /// A scene under this motion, by the exact method.
@@ -152,9 +143,7 @@ pub(super) fn rows(file: &StudyFile, n_structures: usize) -> Result<&[Scene], St
     let scenes = &file.study.scenes;
     let fits = |scene: &&Scene| {
         let of_one_storey = |structure: &Structure| matches!(structure, Structure::Sdof(_));
-        scene.structures.len() == n_structures
-            && scene.structures.iter().all(of_one_storey)
-            && scene.contacts.is_some()
+        scene.structures.len() == n_structures && scene.structures.iter().all(of_one_storey) && scene.contacts.is_some()
     };
     match scenes.iter().find(|scene| !fits(scene)) {
         None => Ok(scenes),
@@ -177,9 +166,6 @@ pub(super) fn with_gap(scene: &Scene, gap: f64) -> Scene {
 }
 
 /// What a function makes of everything, in the order of it, or the first error in that order.
-pub(super) fn each<T: Sync, R: Send>(
-    all: &[T],
-    make: impl Fn(&T) -> Result<R, StudyError> + Send + Sync,
-) -> Result<Vec<R>, StudyError> {
+pub(super) fn each<T: Sync, R: Send>(all: &[T], make: impl Fn(&T) -> Result<R, StudyError> + Send + Sync) -> Result<Vec<R>, StudyError> {
     parallel::try_each(all, make)
 }

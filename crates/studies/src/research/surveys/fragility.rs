@@ -24,9 +24,7 @@ impl Event {
     fn happens(self, outcome: &Excess) -> bool {
         match self {
             Self::Touch => outcome.is_some(),
-            Self::Drift(structure, limit) => {
-                outcome.is_some_and(|amplifications| amplifications[structure] > limit)
-            }
+            Self::Drift(structure, limit) => outcome.is_some_and(|amplifications| amplifications[structure] > limit),
         }
     }
 
@@ -47,9 +45,7 @@ pub(super) fn files(settings: &Fragility, file: &StudyFile) -> Result<Files, Stu
         .iter()
         .flat_map(|case| settings.pga_m_per_s2.iter().map(move |pga| (case, *pga)))
         .collect();
-    let found = each(&tasks, |&(case, pga)| {
-        outcomes(&case.scaled(pga)?, scene, &settings.gaps_m)
-    })?;
+    let found = each(&tasks, |&(case, pga)| outcomes(&case.scaled(pga)?, scene, &settings.gaps_m))?;
     let counts = Counts {
         settings,
         names: [0, 1].map(|index| scene.structures[index].name()),
@@ -71,9 +67,7 @@ fn suite(settings: &Fragility, scene: &Scene, file: &StudyFile) -> Result<Vec<Ca
             allowed: "`generated`, `stochastic`, whose seed makes further motions",
         });
     };
-    let seeds: Vec<u64> = (0..settings.motions)
-        .map(|index| motion.seed + index)
-        .collect();
+    let seeds: Vec<u64> = (0..settings.motions).map(|index| motion.seed + index).collect();
     each(&seeds, |&seed| {
         let mut motion = motion.clone();
         (motion.seed, motion.pga_m_per_s2) = (seed, 1.0);
@@ -94,9 +88,7 @@ fn outcomes(case: &Case, scene: &Scene, gaps: &[f64]) -> Result<Vec<Excess>, Stu
             return Ok(None);
         }
         let peaks = case.run(&with_gap(scene, *gap))?.peaks;
-        Ok(Some(
-            [0, 1].map(|index| peaks[index] / separation.peaks[index]),
-        ))
+        Ok(Some([0, 1].map(|index| peaks[index] / separation.peaks[index])))
     };
     gaps.iter().map(outcome).collect()
 }
@@ -119,9 +111,7 @@ impl Counts<'_> {
     fn count(&self, event: Event, pga: usize, gap: usize) -> usize {
         let of_pga = self.found.iter().skip(pga);
         let of_pga = of_pga.step_by(self.settings.pga_m_per_s2.len());
-        of_pga
-            .filter(|outcomes| event.happens(&outcomes[gap]))
-            .count()
+        of_pga.filter(|outcomes| event.happens(&outcomes[gap])).count()
     }
 
     fn n(&self) -> usize {
@@ -130,16 +120,7 @@ impl Counts<'_> {
 
     /// A row per event, gap and intensity.
     fn table(&self) -> Vec<u8> {
-        let header = [
-            "event",
-            "gap_m",
-            "pga_m_per_s2",
-            "motions",
-            "count",
-            "probability",
-            "from",
-            "to",
-        ];
+        let header = ["event", "gap_m", "pga_m_per_s2", "motions", "count", "probability", "from", "to"];
         let mut rows = Vec::new();
         for event in self.events() {
             for (gap, width) in self.settings.gaps_m.iter().enumerate() {
@@ -168,8 +149,7 @@ impl Counts<'_> {
         ];
         let panel = |(index, event): (usize, Event)| {
             let mut curves = Vec::new();
-            for ((gap, width), (shade, mark)) in self.settings.gaps_m.iter().enumerate().zip(LOOKS)
-            {
+            for ((gap, width), (shade, mark)) in self.settings.gaps_m.iter().enumerate().zip(LOOKS) {
                 let mut line = Vec::new();
                 let (mut lower, mut upper) = (Vec::new(), Vec::new());
                 for (place, pga) in self.settings.pga_m_per_s2.iter().enumerate() {
@@ -185,15 +165,7 @@ impl Counts<'_> {
             }
             Panel {
                 title: capital(&event.words(self.names)),
-                y: Axis::over(
-                    if index % 2 == 0 {
-                        "Probability (–)"
-                    } else {
-                        ""
-                    },
-                    0.0,
-                    1.0,
-                ),
+                y: Axis::over(if index % 2 == 0 { "Probability (–)" } else { "" }, 0.0, 1.0),
                 curves,
                 legend: Legend::Shared,
                 ..Panel::default()
@@ -219,10 +191,6 @@ impl Counts<'_> {
     }
 
     fn strongest(&self) -> f64 {
-        self.settings
-            .pga_m_per_s2
-            .iter()
-            .copied()
-            .fold(0.0, f64::max)
+        self.settings.pga_m_per_s2.iter().copied().fold(0.0, f64::max)
     }
 }

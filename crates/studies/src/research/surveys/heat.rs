@@ -72,10 +72,7 @@ impl Classes {
     }
 
     fn class(&self, value: f64) -> usize {
-        self.bounds()
-            .iter()
-            .filter(|bound| value >= **bound)
-            .count()
+        self.bounds().iter().filter(|bound| value >= **bound).count()
     }
 
     /// Words of a class.
@@ -106,13 +103,7 @@ impl Heat {
                     let at = (corner.0 + 0.5 * side, bottom + side + 2.6);
                     shapes.push(Shape::text(at, &*self.titles[column], TEXT, Align::Middle));
                 }
-                self.numbers(
-                    corner,
-                    side,
-                    column == 0,
-                    row + 1 == self.rows.len(),
-                    &mut shapes,
-                );
+                self.numbers(corner, side, column == 0, row + 1 == self.rows.len(), &mut shapes);
             }
             let at = (3.2, bottom + 0.5 * side);
             shapes.push(upright(at, &self.y));
@@ -127,13 +118,7 @@ impl Heat {
         }
     }
 
-    fn panel(
-        &self,
-        (corner, side): ((f64, f64), f64),
-        cells: &[Option<f64>],
-        classes: Classes,
-        shapes: &mut Vec<Shape>,
-    ) {
+    fn panel(&self, (corner, side): ((f64, f64), f64), cells: &[Option<f64>], classes: Classes, shapes: &mut Vec<Shape>) {
         let n = self.axis.len();
         let cell = side / n as f64;
         for (index, value) in cells.iter().enumerate() {
@@ -141,10 +126,7 @@ impl Heat {
                 continue;
             };
             let (fill, dot) = classes.look(classes.class(*value));
-            let at = (
-                corner.0 + (index % n) as f64 * cell,
-                corner.1 + (index / n) as f64 * cell,
-            );
+            let at = (corner.0 + (index % n) as f64 * cell, corner.1 + (index / n) as f64 * cell);
             shapes.push(Shape::filled(at, (cell, cell), fill));
             if dot {
                 shapes.push(spot((at.0 + 0.5 * cell, at.1 + 0.5 * cell)));
@@ -159,14 +141,7 @@ impl Heat {
     }
 
     /// Ticks, with numbers on the left and below where asked for.
-    fn numbers(
-        &self,
-        corner: (f64, f64),
-        side: f64,
-        beside: bool,
-        under: bool,
-        shapes: &mut Vec<Shape>,
-    ) {
+    fn numbers(&self, corner: (f64, f64), side: f64, beside: bool, under: bool, shapes: &mut Vec<Shape>) {
         let n = self.axis.len();
         let (from, to) = (self.axis[0], self.axis[n - 1]);
         let cell = side / n as f64;
@@ -211,12 +186,7 @@ fn scale(x: f64, top: f64, row: &HeatRow, shapes: &mut Vec<Shape>) {
             shapes.push(spot((corner.0 + 0.5 * STEP.0, corner.1 + 0.5 * STEP.1)));
         }
         let at = (x + STEP.0 + 1.4, corner.1 + 0.5 * STEP.1);
-        shapes.push(Shape::text(
-            at,
-            row.classes.words(class),
-            SMALL,
-            Align::Start,
-        ));
+        shapes.push(Shape::text(at, row.classes.words(class), SMALL, Align::Start));
     }
 }
 

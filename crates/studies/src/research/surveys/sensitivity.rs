@@ -31,12 +31,7 @@ const INPUTS: [&str; 7] = [
 ];
 const N_INPUTS: usize = INPUTS.len();
 /// What is asked of a run.
-const OUTPUTS: [&str; 4] = [
-    "total impulse",
-    "peak force",
-    "drift of the first",
-    "drift of the second",
-];
+const OUTPUTS: [&str; 4] = ["total impulse", "peak force", "drift of the first", "drift of the second"];
 const N_OUTPUTS: usize = OUTPUTS.len();
 
 type Sample = [f64; N_INPUTS];
@@ -57,18 +52,10 @@ struct Index {
     bounds: (f64, f64),
 }
 
-pub(super) fn files(
-    settings: &Sensitivity,
-    file: &StudyFile,
-    cases: &[Case],
-) -> Result<Files, StudyError> {
+pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let template = &rows(file, 2)?[0];
     // A motion and its reversal stand together.
-    let n_motions = if settings.vary_motion {
-        cases.len() / 2
-    } else {
-        1
-    };
+    let n_motions = if settings.vary_motion { cases.len() / 2 } else { 1 };
     let asked = Asked {
         settings,
         template,
@@ -111,11 +98,7 @@ impl Asked<'_> {
         for (input, output) in mixed.iter_mut().enumerate() {
             let mut sample = *a;
             sample[input] = b[input];
-            *output = if self.is_same(a, &sample) {
-                of_a
-            } else {
-                self.run(&sample)?
-            };
+            *output = if self.is_same(a, &sample) { of_a } else { self.run(&sample)? };
         }
         Ok(Row {
             a: of_a,
@@ -134,11 +117,7 @@ impl Asked<'_> {
     /// Which motion and direction.
     fn case(&self, sample: &Sample) -> usize {
         let n_motions = self.cases.len() / 2;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "0 to the number of motions"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to the number of motions")]
         let motion = ((sample[6] * n_motions as f64) as usize).min(n_motions - 1);
         2 * motion + usize::from(sample[4] >= 0.5)
     }
@@ -148,10 +127,7 @@ impl Asked<'_> {
         let settings = self.settings;
         let law = LawName::NonlinearViscoelastic.calibrated(
             settings.impact_stiffness_n_per_m1_5.log_uniform(stiffness),
-            (
-                settings.restitution.uniform(restitution),
-                Calibration::Exact,
-            ),
+            (settings.restitution.uniform(restitution), Calibration::Exact),
             &FreePair::UNIT,
         );
         let law = law.expect("the study gives stiffnesses and restitutions in range");
@@ -165,12 +141,7 @@ impl Asked<'_> {
         }
         let case = self.cases[self.case(sample)].scaled(settings.intensity.uniform(intensity))?;
         let response = case.run(&scene)?;
-        Ok([
-            response.impulse,
-            response.force,
-            response.peaks[0],
-            response.peaks[1],
-        ])
+        Ok([response.impulse, response.force, response.peaks[0], response.peaks[1]])
     }
 }
 
@@ -191,13 +162,7 @@ fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
         sums[0] += (b - mean) * (mixed - a);
         sums[1] += 0.5 * square(a - mixed);
     }
-    sums.map(|sum| {
-        if variance > 0.0 {
-            sum / n / variance
-        } else {
-            0.0
-        }
-    })
+    sums.map(|sum| if variance > 0.0 { sum / n / variance } else { 0.0 })
 }
 
 /// Both indices with the bounds of the bootstrap.
@@ -221,10 +186,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
     let repeated = repeated.map(|all| sorted(all.into_iter()));
     [0, 1].map(|order| Index {
         value: values[order],
-        bounds: (
-            bound(&repeated[order], 0.025),
-            bound(&repeated[order], 0.975),
-        ),
+        bounds: (bound(&repeated[order], 0.025), bound(&repeated[order], 0.975)),
     })
 }
 
@@ -245,26 +207,15 @@ fn table(rows: &[Row], inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Vec<u8> {
     ];
     let mut lines = Vec::new();
     for (output, of_output) in found.iter().enumerate() {
-        let values: Vec<f64> = rows
-            .iter()
-            .flat_map(|row| [row.a[output], row.b[output]])
-            .collect();
+        let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
         let n = values.len() as f64;
         let mean = values.iter().sum::<f64>() / n;
         let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
         for (input, [first, total]) in inputs.iter().zip(of_output) {
-            let mut line = vec![
-                OUTPUTS[output].to_string(),
-                INPUTS[*input].to_string(),
-                rows.len().to_string(),
-            ];
+            let mut line = vec![OUTPUTS[output].to_string(), INPUTS[*input].to_string(), rows.len().to_string()];
             let numbers = [mean, variance.sqrt()].into_iter();
             let numbers = numbers.chain([first.value, first.bounds.0, first.bounds.1]);
-            line.extend(
-                numbers
-                    .chain([total.value, total.bounds.0, total.bounds.1])
-                    .map(digits),
-            );
+            line.extend(numbers.chain([total.value, total.bounds.0, total.bounds.1]).map(digits));
             lines.push(line);
         }
     }
@@ -278,12 +229,7 @@ fn figure(inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Figure {
         let mut curves = Vec::new();
         let looks = [
             ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
-            (
-                "with all others (total)",
-                Shade::Vermilion,
-                Mark::Square,
-                0.16,
-            ),
+            ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
         ];
         for (order, (name, shade, mark, aside)) in looks.into_iter().enumerate() {
             let mut points = Vec::new();
@@ -293,11 +239,7 @@ fn figure(inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Figure {
                 curves.push(Curve::new(Kind::Line, shade, span.into()));
                 points.push((value.clamp(0.0, 1.0), y));
             }
-            curves.push(
-                Curve::new(Kind::Points, shade, points)
-                    .marked(mark)
-                    .named(name),
-            );
+            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
         }
         Panel {
             title: capital(OUTPUTS[output]),
@@ -334,11 +276,7 @@ mod tests {
                 sample[input] = b[input];
                 of(&sample)
             });
-            Row {
-                a: of(a),
-                b: of(b),
-                mixed,
-            }
+            Row { a: of(a), b: of(b), mixed }
         };
         let rows: Vec<Row> = samples(4096).iter().map(row).collect();
         let rows: Vec<&Row> = rows.iter().collect();
@@ -348,14 +286,8 @@ mod tests {
         for input in 0..parts.len() {
             let [first, total] = estimate(&rows, input, 0);
             let wanted = [parts[input] / whole, (parts[input] + both[input]) / whole];
-            assert!(
-                (first - wanted[0]).abs() < 5e-3,
-                "{input}: {first} {wanted:?}"
-            );
-            assert!(
-                (total - wanted[1]).abs() < 5e-3,
-                "{input}: {total} {wanted:?}"
-            );
+            assert!((first - wanted[0]).abs() < 5e-3, "{input}: {first} {wanted:?}");
+            assert!((total - wanted[1]).abs() < 5e-3, "{input}: {total} {wanted:?}");
         }
     }
 }

@@ -49,11 +49,7 @@ struct Spectra<'a> {
     alone: Vec<Vec<f64>>,
 }
 
-pub(super) fn files(
-    settings: &PoundingSpectra,
-    file: &StudyFile,
-    cases: &[Case],
-) -> Result<Files, StudyError> {
+pub(super) fn files(settings: &PoundingSpectra, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let template = &rows(file, 2)?[0];
     let wanted = |case: &&Case| settings.motions.contains(&case.name);
     let cases: Vec<&Case> = cases.iter().filter(wanted).collect();
@@ -128,13 +124,7 @@ impl Spectra<'_> {
         self.cases.iter().enumerate().map(of).collect()
     }
 
-    fn of_response(
-        &self,
-        scene: &mut Scene,
-        cell: Cell,
-        case: usize,
-        response: &Response,
-    ) -> Numbers {
+    fn of_response(&self, scene: &mut Scene, cell: Cell, case: usize, response: &Response) -> Numbers {
         let masses = [0, 1].map(|index| sdof(scene, index).mass_kg);
         let weight = STANDARD_GRAVITY * masses[0].min(masses[1]);
         let alone = &self.alone[case];
@@ -164,9 +154,7 @@ impl Spectra<'_> {
         let row = |(cell, numbers): (&Cell, &Vec<Numbers>)| {
             let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
             let periods = [cell.left, cell.right].map(|index| self.settings.periods_s[index]);
-            let mut row: Vec<String> = [cell.mass_ratio, cell.gap, periods[0], periods[1]]
-                .map(digits)
-                .into();
+            let mut row: Vec<String> = [cell.mass_ratio, cell.gap, periods[0], periods[1]].map(digits).into();
             row.extend([numbers.len(), touching].map(|count| count.to_string()));
             for quantity in 0..KEYS.len() {
                 let values = of_quantity(numbers, quantity);
@@ -187,9 +175,10 @@ impl Spectra<'_> {
             ("Right: peak /\nalone (–)", AMPLIFICATION),
         ];
         let panel = |gap: f64, quantity: usize| {
-            let own = cells.iter().zip(found).filter(|(cell, _)| {
-                cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq()
-            });
+            let own = cells
+                .iter()
+                .zip(found)
+                .filter(|(cell, _)| cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq());
             let value = |(_, numbers): (&Cell, &Vec<Numbers>)| {
                 let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
                 let value = quantile(&of_quantity(numbers, quantity), 0.5)?;
@@ -199,11 +188,7 @@ impl Spectra<'_> {
         };
         let gaps = &self.settings.gaps_over_srss;
         // Equal masses: the right one is the left one with both periods exchanged.
-        let n_rows = if mass_ratio.total_cmp(&1.0).is_eq() {
-            3
-        } else {
-            4
-        };
+        let n_rows = if mass_ratio.total_cmp(&1.0).is_eq() { 3 } else { 4 };
         let row = |(quantity, (label, classes)): (usize, (&str, Classes))| HeatRow {
             label: label.into(),
             classes,
@@ -213,16 +198,8 @@ impl Spectra<'_> {
             axis: self.settings.periods_s.clone(),
             x: "Period of the left structure (s)".into(),
             y: "Period of the right structure (s)".into(),
-            titles: gaps
-                .iter()
-                .map(|gap| format!("Gap {} of SRSS", digits(*gap)))
-                .collect(),
-            rows: labels
-                .into_iter()
-                .enumerate()
-                .take(n_rows)
-                .map(row)
-                .collect(),
+            titles: gaps.iter().map(|gap| format!("Gap {} of SRSS", digits(*gap))).collect(),
+            rows: labels.into_iter().enumerate().take(n_rows).map(row).collect(),
             ticks: TICKS.into(),
         }
     }
@@ -233,9 +210,7 @@ impl Spectra<'_> {
         const TOLERANCE: f64 = 1e-12;
         const SLIGHT: f64 = 1e-12;
         let mut random = Pcg64::new(1, 1);
-        let mut below = |n: usize| {
-            usize::try_from(random.next_u64() % n.max(1) as u64).expect("less than a usize")
-        };
+        let mut below = |n: usize| usize::try_from(random.next_u64() % n.max(1) as u64).expect("less than a usize");
         let chosen: Vec<(usize, usize)> = (0..self.settings.checked)
             .map(|_| (below(cells.len()), below(self.cases.len())))
             .collect();
@@ -251,13 +226,7 @@ impl Spectra<'_> {
             let again = self.of_response(&mut scene, cell, case, &response);
             let pairs = again.0.into_iter().zip(found[index][case].0);
             Ok(pairs
-                .map(|(again, before)| {
-                    if before == 0.0 {
-                        again
-                    } else {
-                        (again / before - 1.0).abs()
-                    }
-                })
+                .map(|(again, before)| if before == 0.0 { again } else { (again / before - 1.0).abs() })
                 .collect::<Vec<f64>>())
         })?;
         let header = ["quantity", "runs", "median", "quantile_95", "largest"];

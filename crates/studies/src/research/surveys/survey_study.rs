@@ -22,8 +22,7 @@ impl SurveyStudy {
     /// # Errors
     /// [`StudyError`] where no study lists ground motions, or one of them cannot be read.
     pub fn all(files: &[StudyFile]) -> Result<Vec<Self>, StudyError> {
-        let lists =
-            |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
+        let lists = |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
         let Some((path, settings)) = files.iter().find_map(lists) else {
             return Err(StudyError::MissingScene {
                 study: "beyond".into(),
@@ -58,11 +57,7 @@ impl SurveyStudy {
         let files = self.survey.files(&self.file, &self.cases);
         let mut files = files.map_err(|error| error.in_file(&self.file.path))?;
         let mut made_by = format!("cargo xtask studies {}\n", self.id());
-        let is_table = |name: &str| {
-            Path::new(name)
-                .extension()
-                .is_some_and(|ending| ending == "csv")
-        };
+        let is_table = |name: &str| Path::new(name).extension().is_some_and(|ending| ending == "csv");
         for (name, bytes) in files.iter().filter(|(name, _)| is_table(name)) {
             writeln!(made_by, "SHA-256 of {name}: {}", sha256(bytes)).expect("a string takes all");
         }

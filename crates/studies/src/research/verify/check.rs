@@ -124,22 +124,14 @@ impl Checked {
 
     /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins, and `stop` ends
     /// its exact runs.
-    pub(super) fn run(
-        (index, scene): (usize, &Scene),
-        base: &Path,
-        (begin, stop): (&dyn Fn(Stage), &'static AtomicBool),
-    ) -> Self {
+    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, (begin, stop): (&dyn Fn(Stage), &'static AtomicBool)) -> Self {
         let ended = |verdict| Self::new(index, scene, verdict);
         begin(Stage::Exact);
         let prepared = match Simulation::new(scene, stopped_by(base, stop)) {
             Ok(prepared) => prepared,
             Err(error) => return ended(Verdict::Refused(Failure::of(&error))),
         };
-        let Audited {
-            outcome,
-            broken,
-            balance,
-        } = match prepared.audited(None) {
+        let Audited { outcome, broken, balance } = match prepared.audited(None) {
             Ok(audited) => audited,
             Err(error) => {
                 let mut failure = Failure::of(&error);
@@ -162,9 +154,7 @@ impl Checked {
         let residual = residual(balance.residual);
         checked.verdict = match (broken, second) {
             (Some(error), _) => Verdict::ExactFails(Failure::of(&error)),
-            (None, Err(_)) if residual.is_some() => {
-                Verdict::Disagrees(residual.into_iter().collect())
-            }
+            (None, Err(_)) if residual.is_some() => Verdict::Disagrees(residual.into_iter().collect()),
             (None, Err(error)) => Verdict::SecondRouteFails(Failure {
                 kind: variant(&error),
                 message: error.to_string(),
@@ -253,11 +243,7 @@ impl Disagreement {
 /// A touch whose start moves by more than tells it from others, and how many such a pair has, cannot be compared where one route lacks one.
 fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
     let moves = |one: &&Disagreement| one.two.what == Compared::Start && one.explained > SAME;
-    let mut untold: Vec<_> = judged
-        .iter()
-        .filter(moves)
-        .map(|one| one.two.place)
-        .collect();
+    let mut untold: Vec<_> = judged.iter().filter(moves).map(|one| one.two.place).collect();
     let pairs = untold.iter().filter_map(|place| match *place {
         Place::Touch { pair, .. } => Some(Place::Pair(pair)),
         Place::Floor(_) | Place::Pair(_) | Place::Run => None,
@@ -272,12 +258,7 @@ fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
 }
 
 /// Where touches first differ, and what each route says of them.
-fn story(
-    prepared: &Simulation,
-    exact: &Numbers,
-    second: &Numbers,
-    judged: &[Disagreement],
-) -> Vec<String> {
+fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Disagreement]) -> Vec<String> {
     // A number that one route does not have says more than one that is a little off.
     let lacks = judged.iter().any(|one| one.two.distance.is_infinite());
     let wrong = judged
@@ -293,10 +274,7 @@ fn story(
     let Pair { relation, law } = &prepared.pairs()[pair];
     let gap = &relation.offset;
     let [left, right] = prepared.floors().names(pair);
-    let first = format!(
-        "first at {time:.9} s, pair {pair}: {left} and {right}, {}, gap {gap} m",
-        law.name()
-    );
+    let first = format!("first at {time:.9} s, pair {pair}: {left} and {right}, {}, gap {gap} m", law.name());
     let of = |name: &str, numbers: &Numbers| {
         let near = numbers.near(pair, time).into_iter();
         let near = near.map(|words| format!("  {name} {words}"));
@@ -351,13 +329,8 @@ fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
     let off = |one: &Disagreement| one.two.distance / one.allowed;
     let of = |what: Compared| {
         let own = all.iter().filter(|one| one.two.what == what);
-        own.map(|one| **one).reduce(|worst, next| {
-            if off(&next) > off(&worst) {
-                next
-            } else {
-                worst
-            }
-        })
+        own.map(|one| **one)
+            .reduce(|worst, next| if off(&next) > off(&worst) { next } else { worst })
     };
     let mut found: Vec<_> = Compared::ALL.into_iter().filter_map(of).collect();
     found.sort_by(|one, other| off(other).total_cmp(&off(one)));

@@ -109,9 +109,7 @@ impl Class {
         let impulsive = contacts().filter(|one| !one.law.is_compliant()).count();
         let restitution = |e: f64| {
             let of = |one: &Contact| one.law.impulsive().map(|law| law.restitution);
-            contacts()
-                .filter_map(of)
-                .any(|one| one.total_cmp(&e).is_eq())
+            contacts().filter_map(of).any(|one| one.total_cmp(&e).is_eq())
         };
         let walls = scene.structures.iter();
         let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();
@@ -123,26 +121,15 @@ impl Class {
         let has = [
             (Self::Impulsive, impulsive == contacts().count()),
             (Self::Compliant, impulsive == 0),
-            (
-                Self::BothContacts,
-                impulsive > 0 && impulsive < contacts().count(),
-            ),
+            (Self::BothContacts, impulsive > 0 && impulsive < contacts().count()),
             (Self::OneStorey, !storeys),
             (Self::Storeys, storeys),
-            (
-                Self::Elastic,
-                columns.iter().any(|one| one.yield_force_n.is_none()),
-            ),
+            (Self::Elastic, columns.iter().any(|one| one.yield_force_n.is_none())),
             (
                 Self::Sharp,
-                columns
-                    .iter()
-                    .any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none()),
+                columns.iter().any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none()),
             ),
-            (
-                Self::Smooth,
-                columns.iter().any(|one| one.bouc_wen.is_some()),
-            ),
+            (Self::Smooth, columns.iter().any(|one| one.bouc_wen.is_some())),
             (Self::OneWall, walls == 1),
             (Self::TwoWalls, walls == 2),
             (Self::Arrivals, scene.arrivals_s.is_some()),
@@ -158,9 +145,7 @@ impl Class {
             Source::Generated(Generated::Harmonic { .. }) => Self::Harmonic,
             Source::Generated(Generated::Ricker { .. } | Generated::HalfSine { .. }) => Self::Pulse,
         };
-        let found = has
-            .into_iter()
-            .filter_map(|(class, is)| is.then_some(class));
+        let found = has.into_iter().filter_map(|(class, is)| is.then_some(class));
         found.chain([motion]).collect()
     }
 }

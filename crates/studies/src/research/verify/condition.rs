@@ -64,12 +64,7 @@ pub(super) struct Data<'a> {
 impl Data<'_> {
     /// How far every number of an exact run moves per relative change of the data. No further than it takes to allow all distances,
     /// where it does.
-    pub(super) fn conditions(
-        &self,
-        truth: &Numbers,
-        all: &[Two],
-        begin: &dyn Fn(Stage),
-    ) -> Vec<Condition> {
+    pub(super) fn conditions(&self, truth: &Numbers, all: &[Two], begin: &dyn Fn(Stage)) -> Vec<Condition> {
         let mut found = vec![Condition::default(); all.len()];
         for change in CHANGES {
             let mut largest = vec![0.0_f64; all.len()];
@@ -89,9 +84,7 @@ impl Data<'_> {
                 let next = found.iter().zip(&largest);
                 let next: Vec<_> = next.map(|(one, largest)| one.also(*largest)).collect();
                 let explains = |(two, one): (&Two, &Condition)| {
-                    two.distance <= ALLOWED
-                        || (one.with_rounding.is_finite()
-                            && two.distance <= allowed(two, one.with_rounding))
+                    two.distance <= ALLOWED || (one.with_rounding.is_finite() && two.distance <= allowed(two, one.with_rounding))
                 };
                 if all.iter().zip(&next).all(explains) {
                     return next;
@@ -105,12 +98,7 @@ impl Data<'_> {
     }
 
     /// The exact run with other data.
-    fn near(
-        &self,
-        change: f64,
-        index: usize,
-        largest: f64,
-    ) -> Result<Numbers, pounding_scene::Error> {
+    fn near(&self, change: f64, index: usize, largest: f64) -> Result<Numbers, pounding_scene::Error> {
         let near = if index <= N_RECORDS {
             under(self.prepared, change, index)
         } else if index == N_RECORDS + 1 {

@@ -1,8 +1,6 @@
 //! What lies between the neighbours of a random row: gaps, laws, levels.
 
-use pounding_contact::{
-    Calibration, ContactLaw, FreePair, LawName, Stereomechanical, reduced_mass,
-};
+use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical, reduced_mass};
 
 use super::random::Random;
 use pounding_scene::{Contact, Structure};
@@ -29,10 +27,7 @@ pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact>
         let (gap_m, law) = (gap(random), law(random, style, two));
         let levels = some_levels.then(|| levels(random, two)).flatten();
         contacts.push(match contacts.first() {
-            Some(first) if alike => Contact {
-                levels,
-                ..first.clone()
-            },
+            Some(first) if alike => Contact { levels, ..first.clone() },
             _ => Contact { gap_m, law, levels },
         });
     }
@@ -99,9 +94,7 @@ fn law(random: &mut Random, style: Style, two: &[Structure]) -> ContactLaw {
 fn inverse_mass(structure: &Structure) -> f64 {
     match structure {
         Structure::Sdof(sdof) => 1.0 / sdof.mass_kg,
-        Structure::Building(building) => {
-            building.storeys.last().map_or(0.0, |top| 1.0 / top.mass_kg)
-        }
+        Structure::Building(building) => building.storeys.last().map_or(0.0, |top| 1.0 / top.mass_kg),
         Structure::Wall => 0.0,
     }
 }

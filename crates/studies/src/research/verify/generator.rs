@@ -7,9 +7,7 @@ use std::f64::consts::PI;
 use super::random::Random;
 use super::written::rewritten;
 use super::{contacts, motions};
-use pounding_scene::{
-    BoucWen, Building, Columns, Contact, Damping, Method, RunBudget, Scene, Sdof, Storey, Structure,
-};
+use pounding_scene::{BoucWen, Building, Columns, Contact, Damping, Method, RunBudget, Scene, Sdof, Storey, Structure};
 
 /// Most storeys of a building.
 const MOST_STOREYS: f64 = 12.0;
@@ -34,13 +32,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         method: Method::EXACT,
         budget: RunBudget::default(),
     };
-    let all = [
-        "record",
-        "duration_s",
-        "arrivals_s",
-        "structures",
-        "contacts",
-    ];
+    let all = ["record", "duration_s", "arrivals_s", "structures", "contacts"];
     rewritten(&scene, &all, &mut in_few_digits)
 }
 
@@ -81,14 +73,8 @@ fn structures(random: &mut Random) -> Vec<Structure> {
 /// The same structure under another name.
 fn named(structure: &Structure, name: String) -> Structure {
     match structure {
-        Structure::Sdof(sdof) => Structure::Sdof(Sdof {
-            name,
-            ..sdof.clone()
-        }),
-        Structure::Building(building) => Structure::Building(Building {
-            name,
-            ..building.clone()
-        }),
+        Structure::Sdof(sdof) => Structure::Sdof(Sdof { name, ..sdof.clone() }),
+        Structure::Building(building) => Structure::Building(Building { name, ..building.clone() }),
         Structure::Wall => Structure::Wall,
     }
 }
@@ -201,11 +187,7 @@ impl Kind {
             2 => Self::Bilinear,
             _ => Self::BoucWen {
                 exponent: random.one_of(&[1, 1, 2, 2, 3, 5, 10, 20]),
-                beta: if random.chance(0.4) {
-                    0.5
-                } else {
-                    random.within(0.0, 1.0)
-                },
+                beta: if random.chance(0.4) { 0.5 } else { random.within(0.0, 1.0) },
             },
         }
     }
@@ -242,11 +224,7 @@ fn arrivals(random: &mut Random, n: usize) -> Option<Vec<f64>> {
     }
     let delay = random.within(10.0, 40.0) / random.log_within(100.0, 2000.0);
     // Some delays are a whole number of samples, at which the ground's rate jumps under all of them at once.
-    let delay = if random.chance(0.3) {
-        0.01 * (100.0 * delay).ceil()
-    } else {
-        delay
-    };
+    let delay = if random.chance(0.3) { 0.01 * (100.0 * delay).ceil() } else { delay };
     let first_to_last = (0..n).map(|index| delay * index as f64);
     let mut arrivals: Vec<f64> = first_to_last.collect();
     if random.chance(0.5) {

@@ -181,7 +181,6 @@ fn nearest(touches: &[Meeting], from: usize, time: f64) -> Option<usize> {
     let apart = |one: &Meeting| (one.start - time).abs();
     let later = from + touches[from..].partition_point(|one| one.start < time);
     let near = later.saturating_sub(1).max(from)..touches.len().min(later + 1);
-    let nearest =
-        near.min_by(|one, other| apart(&touches[*one]).total_cmp(&apart(&touches[*other])));
+    let nearest = near.min_by(|one, other| apart(&touches[*one]).total_cmp(&apart(&touches[*other])));
     nearest.filter(|&nearest| apart(&touches[nearest]) <= SAME)
 }

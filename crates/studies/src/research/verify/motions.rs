@@ -13,10 +13,7 @@ const RECORDS: [&str; 2] = [
 pub(super) fn one(random: &mut Random) -> RecordUse {
     let reversed = random.chance(0.5);
     let (source, scale_to) = match random.below(20) {
-        0..=6 => (
-            file(random),
-            Some(ScaleTo::PgaG(random.log_within(0.1, 0.8))),
-        ),
+        0..=6 => (file(random), Some(ScaleTo::PgaG(random.log_within(0.1, 0.8)))),
         7..=13 => (stochastic(random), None),
         14..=15 => (ricker(random), None),
         16..=17 => (half_sine(random), None),
@@ -72,11 +69,7 @@ fn harmonic(random: &mut Random) -> Source {
     Source::Generated(Generated::Harmonic {
         amplitude_m_per_s2: random.within(0.5, 4.0),
         frequency_hz,
-        phase_rad: if random.chance(0.5) {
-            0.0
-        } else {
-            random.within(0.0, 6.0)
-        },
+        phase_rad: if random.chance(0.5) { 0.0 } else { random.within(0.0, 6.0) },
         ramp_periods: random.one_of(&[0.0, 1.0, 2.0]),
         // At least five periods, of which ramps take up to four.
         duration_s: random.within(3.0, 12.0).max(5.0 / frequency_hz),

@@ -92,8 +92,7 @@ impl Numbers {
             let all = || prepared.pairs().iter().zip(&pairs);
             let left = all().find(|(pair, _)| pair.right() == floor);
             let right = all().find(|(pair, _)| pair.left() == floor);
-            left.zip(right)
-                .is_some_and(|((_, left), (_, right))| are_at_once(left, right))
+            left.zip(right).is_some_and(|((_, left), (_, right))| are_at_once(left, right))
         };
         let pinched = (0..floors.len()).map(pinched).collect();
         let pairs = pairs.into_iter().map(as_one).collect();
@@ -152,11 +151,7 @@ impl Numbers {
                 place: Place::Pair(pair),
                 first: n_first,
                 second: n_second,
-                distance: if first.len() == second.len() {
-                    0.0
-                } else {
-                    f64::INFINITY
-                },
+                distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },
             });
         }
         all
@@ -164,11 +159,7 @@ impl Numbers {
 
     /// Of the touches given by pair and number, and of those that only the other run has, the one that begins first: its pair and
     /// instant \[s\].
-    pub(super) fn first_of(
-        &self,
-        wrong: impl Iterator<Item = (usize, usize)>,
-        other: &Self,
-    ) -> Option<(usize, f64)> {
+    pub(super) fn first_of(&self, wrong: impl Iterator<Item = (usize, usize)>, other: &Self) -> Option<(usize, f64)> {
         let own = wrong.map(|(pair, touch)| (pair, self.pairs[pair][touch].start));
         let pairs = self.pairs.iter().zip(&other.pairs).enumerate();
         let lone = pairs.flat_map(|(pair, (first, second))| {
@@ -176,19 +167,14 @@ impl Numbers {
             let lone = second.iter().zip(same).filter(|(_, same)| same.is_none());
             lone.map(move |(one, _)| (pair, one.start))
         });
-        own.chain(lone)
-            .min_by(|one, other| one.1.total_cmp(&other.1))
+        own.chain(lone).min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
     /// The touches of a pair from the last before an instant to the third after it, in words.
     pub(super) fn near(&self, pair: usize, time: f64) -> Vec<String> {
         let touches = &self.pairs[pair];
         let from = touches.iter().rposition(|one| one.start < time);
-        let near = touches
-            .iter()
-            .enumerate()
-            .skip(from.unwrap_or(0).saturating_sub(1))
-            .take(7);
+        let near = touches.iter().enumerate().skip(from.unwrap_or(0).saturating_sub(1)).take(7);
         let words = near.map(|(number, one)| {
             let Meeting {
                 start,
@@ -235,29 +221,16 @@ impl OfFloor {
         };
         let own = |what, first: f64, second: f64| two(what, first, second, first.abs());
         [
-            own(
-                Compared::Displacement,
-                self.displacement,
-                other.displacement,
-            ),
+            own(Compared::Displacement, self.displacement, other.displacement),
             own(Compared::Drift, self.drift, other.drift),
-            own(
-                Compared::RestoringForce,
-                self.restoring_force,
-                other.restoring_force,
-            ),
+            own(Compared::RestoringForce, self.restoring_force, other.restoring_force),
             two(
                 Compared::LastDisplacement,
                 self.last_displacement,
                 other.last_displacement,
                 self.displacement,
             ),
-            two(
-                Compared::Momentum,
-                self.momentum,
-                other.momentum,
-                self.momentum.max(ZERO * largest),
-            ),
+            two(Compared::Momentum, self.momentum, other.momentum, self.momentum.max(ZERO * largest)),
         ]
     }
 }

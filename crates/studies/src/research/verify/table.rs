@@ -113,16 +113,8 @@ impl Verdict {
     /// What is further off than is allowed, the worst kind first.
     fn disagreements(&self) -> &[Disagreement] {
         match self {
-            Self::Disagrees(all)
-            | Self::SecondRouteRounds(all)
-            | Self::ExactRounds(all)
-            | Self::Unknowable(all) => all,
-            Self::Agrees
-            | Self::ExactFails(_)
-            | Self::SecondRouteFails(_)
-            | Self::Refused(_)
-            | Self::Hangs(_)
-            | Self::Panics(_) => &[],
+            Self::Disagrees(all) | Self::SecondRouteRounds(all) | Self::ExactRounds(all) | Self::Unknowable(all) => all,
+            Self::Agrees | Self::ExactFails(_) | Self::SecondRouteFails(_) | Self::Refused(_) | Self::Hangs(_) | Self::Panics(_) => &[],
         }
     }
 }
@@ -138,27 +130,18 @@ impl Checked {
             | Verdict::Unknowable(_)
             | Verdict::SecondRouteFails(_) => true,
             Verdict::ExactFails(failure) => failure.is_known(),
-            Verdict::Disagrees(_)
-            | Verdict::Refused(_)
-            | Verdict::Hangs(_)
-            | Verdict::Panics(_) => false,
+            Verdict::Disagrees(_) | Verdict::Refused(_) | Verdict::Hangs(_) | Verdict::Panics(_) => false,
         }
     }
 
     /// The cause by which scenes are sorted: what they have in common that do not agree.
     pub fn cause(&self) -> String {
         match &self.verdict {
-            Verdict::Agrees
-            | Verdict::Disagrees(_)
-            | Verdict::SecondRouteRounds(_)
-            | Verdict::ExactRounds(_)
-            | Verdict::Unknowable(_) => {
+            Verdict::Agrees | Verdict::Disagrees(_) | Verdict::SecondRouteRounds(_) | Verdict::ExactRounds(_) | Verdict::Unknowable(_) => {
                 let worst = self.verdict.disagreements().first();
                 worst.map_or(String::new(), |one| one.two.what.words().into())
             }
-            Verdict::ExactFails(failure)
-            | Verdict::SecondRouteFails(failure)
-            | Verdict::Refused(failure) => failure.kind.clone(),
+            Verdict::ExactFails(failure) | Verdict::SecondRouteFails(failure) | Verdict::Refused(failure) => failure.kind.clone(),
             Verdict::Hangs(stage) | Verdict::Panics(stage) => stage.words().into(),
         }
     }
@@ -169,17 +152,12 @@ impl Checked {
         let line = |words: String| format!("scene {}: {fate}: {words}", self.index);
         match &self.verdict {
             Verdict::Agrees => Vec::new(),
-            Verdict::Disagrees(_)
-            | Verdict::SecondRouteRounds(_)
-            | Verdict::ExactRounds(_)
-            | Verdict::Unknowable(_) => {
+            Verdict::Disagrees(_) | Verdict::SecondRouteRounds(_) | Verdict::ExactRounds(_) | Verdict::Unknowable(_) => {
                 let all = self.verdict.disagreements();
                 let numbers = all.iter().map(|one| line(one.to_string()));
                 numbers.chain(self.story.iter().cloned()).collect()
             }
-            Verdict::ExactFails(failure)
-            | Verdict::SecondRouteFails(failure)
-            | Verdict::Refused(failure) => {
+            Verdict::ExactFails(failure) | Verdict::SecondRouteFails(failure) | Verdict::Refused(failure) => {
                 vec![line(format!("{}: {}", failure.kind, failure.message))]
             }
             Verdict::Hangs(stage) | Verdict::Panics(stage) => vec![line(stage.words().into())],
@@ -233,10 +211,7 @@ impl Summary<'_> {
     }
 
     fn count(&self, fate: Fate, class: Option<Class>) -> usize {
-        let has = |checked: &&Checked| {
-            class.is_none_or(|class| checked.classes.contains(&class))
-                && Fate::of(&checked.verdict) == fate
-        };
+        let has = |checked: &&Checked| class.is_none_or(|class| checked.classes.contains(&class)) && Fate::of(&checked.verdict) == fate;
         self.0.iter().filter(has).count()
     }
 
@@ -249,23 +224,14 @@ impl Summary<'_> {
             }
             let causes = self.causes(fate);
             let causes = causes.iter().filter(|(cause, _)| !cause.is_empty());
-            let causes: Vec<_> = causes
-                .map(|(cause, count)| format!("{cause} {count}"))
-                .collect();
-            writeln!(
-                out,
-                "  {:<16} {count:>6}  {}",
-                fate.words(),
-                causes.join(", ")
-            )?;
+            let causes: Vec<_> = causes.map(|(cause, count)| format!("{cause} {count}")).collect();
+            writeln!(out, "  {:<16} {count:>6}  {}", fate.words(), causes.join(", "))?;
         }
         Ok(())
     }
 
     fn write_classes(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        let seen = Fate::ALL
-            .into_iter()
-            .filter(|fate| self.count(*fate, None) > 0);
+        let seen = Fate::ALL.into_iter().filter(|fate| self.count(*fate, None) > 0);
         let seen: Vec<_> = seen.collect();
         write!(out, "\n{:<24} {:>6}", "scenes with", "all")?;
         for fate in &seen {
@@ -286,10 +252,7 @@ impl Summary<'_> {
     }
 
     fn write_largest(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(
-            out,
-            "\nlargest distance that is allowed, of what both routes ran"
-        )?;
+        writeln!(out, "\nlargest distance that is allowed, of what both routes ran")?;
         for (place, what) in Compared::ALL.into_iter().enumerate() {
             if matches!(what, Compared::Touches | Compared::Residual) {
                 continue;
@@ -301,10 +264,7 @@ impl Summary<'_> {
         let residuals = self.0.iter().filter_map(|checked| checked.residual);
         let largest = residuals.clone().fold(0.0, f64::max);
         let above = residuals.filter(|one| *one > RESIDUAL).count();
-        writeln!(
-            out,
-            "largest residual of the energy {largest:.1e}; {above} runs above {RESIDUAL:e}"
-        )?;
+        writeln!(out, "largest residual of the energy {largest:.1e}; {above} runs above {RESIDUAL:e}")?;
         let touches: usize = self.0.iter().map(|checked| checked.touches).sum();
         let grazes: usize = self.0.iter().map(|checked| checked.grazes).sum();
         writeln!(
@@ -330,15 +290,10 @@ impl Summary<'_> {
         ];
         let row = |checked: &Checked| {
             let number = |value: f64| {
-                if value.is_finite() {
-                    format!("{value:.1e}")
-                } else {
-                    String::new()
-                }
+                if value.is_finite() { format!("{value:.1e}") } else { String::new() }
             };
             let worst = checked.verdict.disagreements().first();
-            let of =
-                |value: fn(&Disagreement) -> f64| worst.map(value).map(number).unwrap_or_default();
+            let of = |value: fn(&Disagreement) -> f64| worst.map(value).map(number).unwrap_or_default();
             vec![
                 seed.to_string(),
                 checked.index.to_string(),
@@ -351,14 +306,8 @@ impl Summary<'_> {
                 checked.touches.to_string(),
             ]
         };
-        let apart = self
-            .0
-            .iter()
-            .filter(|one| !matches!(one.verdict, Verdict::Agrees));
-        to_csv(
-            &header.map(String::from),
-            &apart.map(row).collect::<Vec<_>>(),
-        )
+        let apart = self.0.iter().filter(|one| !matches!(one.verdict, Verdict::Agrees));
+        to_csv(&header.map(String::from), &apart.map(row).collect::<Vec<_>>())
     }
 }
 

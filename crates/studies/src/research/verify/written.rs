@@ -17,9 +17,7 @@ pub(super) fn rewritten(scene: &Scene, fields: &[&str], each: &mut dyn FnMut(f64
 fn rewrite(value: &mut Value, each: &mut dyn FnMut(f64) -> f64) {
     match value {
         Value::Number(number) if number.is_f64() => {
-            let other = number
-                .as_f64()
-                .and_then(|known| Number::from_f64(each(known)));
+            let other = number.as_f64().and_then(|known| Number::from_f64(each(known)));
             *value = other.map_or(Value::Null, Value::Number);
         }
         Value::Array(all) => all.iter_mut().for_each(|one| rewrite(one, each)),

@@ -124,11 +124,7 @@ impl Knowledge {
 ///
 /// # Errors
 /// [`pounding_scene::Error::Scene`] where a changed sample is not finite.
-pub(crate) fn under(
-    prepared: &Simulation,
-    change: f64,
-    index: usize,
-) -> Result<Simulation, pounding_scene::Error> {
+pub(crate) fn under(prepared: &Simulation, change: f64, index: usize) -> Result<Simulation, pounding_scene::Error> {
     prepared.under(|record| match index {
         0 => record.scaled(1.0 + change),
         _ => Noise::new(change, 0, index - 1).on(record),
@@ -145,13 +141,7 @@ impl Results {
     fn of(run: &Run<'_>) -> Result<Self, String> {
         let (outcome, _) = run.recorded()?;
         let mut pairs = vec![Vec::new(); run.prepared.pairs().len()];
-        for Collision {
-            pair,
-            start,
-            impulse,
-            ..
-        } in outcome.collisions.all()
-        {
+        for Collision { pair, start, impulse, .. } in outcome.collisions.all() {
             pairs[*pair].push([*start, *impulse]);
         }
         Ok(Self {
@@ -161,9 +151,7 @@ impl Results {
     }
 
     fn of_second_route(response: &Response) -> Self {
-        let of_pair = |met: &Vec<pounding_reference::Collision>| {
-            met.iter().map(|met| [met.start, met.impulse]).collect()
-        };
+        let of_pair = |met: &Vec<pounding_reference::Collision>| met.iter().map(|met| [met.start, met.impulse]).collect();
         Self {
             quantities: Quantities::of_second_route(response),
             pairs: response.collisions.iter().map(of_pair).collect(),

@@ -41,9 +41,7 @@ pub(super) fn all(races: &[Race], path: &Path) -> Result<Vec<(String, Vec<u8>)>,
     }
     figures.push(("layouts-transferred-momentum.png".into(), figure(layouts)));
     figures.push(("free-impact-and-uncoupled.png".into(), figure(others)));
-    let drawn = figures
-        .into_iter()
-        .filter(|(_, figure)| !figure.panels.is_empty());
+    let drawn = figures.into_iter().filter(|(_, figure)| !figure.panels.is_empty());
     drawn
         .map(|(name, figure)| {
             let png = render_png(&figure).map_err(|source| StudyError::Plot {
@@ -76,11 +74,7 @@ fn figure(mut panels: Vec<Panel>) -> Figure {
 }
 
 fn panel(race: &Race, quantity: MethodQuantity, [title, error]: [&str; 2]) -> Panel {
-    let mut curves: Vec<_> = race
-        .entrants
-        .iter()
-        .filter_map(|entrant| curve(entrant, quantity))
-        .collect();
+    let mut curves: Vec<_> = race.entrants.iter().filter_map(|entrant| curve(entrant, quantity)).collect();
     // Hollow marks over solid ones, so that both are seen.
     curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
     Panel {

@@ -5,9 +5,7 @@ use super::quantities::{MethodQuantity, Quantities};
 use super::run::{Ended, Run};
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
-use pounding_scene::{
-    ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant, parallel,
-};
+use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant, parallel};
 use pounding_solver::{Ledger, Work};
 
 /// All runs of one scene.
@@ -77,9 +75,7 @@ impl Measured {
 
     /// The largest relative error of some quantities \[–\].
     pub(crate) fn worst(&self, quantities: &[MethodQuantity]) -> f64 {
-        let errors = quantities
-            .iter()
-            .filter_map(|quantity| self.error(*quantity));
+        let errors = quantities.iter().filter_map(|quantity| self.error(*quantity));
         errors.fold(0.0, f64::max)
     }
 
@@ -102,26 +98,18 @@ impl Race {
 
     /// The fewest digits on which the two routes agree, of all quantities.
     pub(crate) fn fewest_digits(&self) -> Option<u32> {
-        let digits = MethodQuantity::ALL
-            .into_iter()
-            .filter_map(|quantity| self.digits(quantity));
+        let digits = MethodQuantity::ALL.into_iter().filter_map(|quantity| self.digits(quantity));
         digits.min()
     }
 
     /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
     pub(crate) fn agreed_count(&self) -> &'static str {
-        if self.knowledge.same_count {
-            "all"
-        } else {
-            "0"
-        }
+        if self.knowledge.same_count { "all" } else { "0" }
     }
 
     /// The runs of a method; nothing where it does not differ from another one.
     pub(crate) fn of(&self, key: &str) -> Option<&Entrant> {
-        self.entrants
-            .iter()
-            .find(|entrant| entrant.contender.key == key)
+        self.entrants.iter().find(|entrant| entrant.contender.key == key)
     }
 }
 
@@ -137,11 +125,7 @@ fn digits(distance: f64) -> u32 {
 }
 
 /// Runs every method on every scene.
-pub(super) fn races(
-    completed: &Completed,
-    ladder: &Ladder,
-    done: &(dyn Fn() + Sync),
-) -> Result<Vec<Race>, StudyError> {
+pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
     let runs: Vec<_> = scenes
         .iter()
@@ -187,14 +171,8 @@ fn knowledge(reference: &Run<'_>) -> Result<Knowledge, String> {
 
 impl Race {
     /// Measures the runs of a scene; fails with the reason where the reference failed.
-    fn new(
-        scene: &Scene,
-        rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>,
-        knowledge: Knowledge,
-    ) -> Result<Self, String> {
-        let reference = rungs
-            .iter()
-            .rfind(|((contender, _), _)| contender.key == REFERENCE);
+    fn new(scene: &Scene, rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>, knowledge: Knowledge) -> Result<Self, String> {
+        let reference = rungs.iter().rfind(|((contender, _), _)| contender.key == REFERENCE);
         let truth = match reference {
             Some((_, Ok((truth, ledger, _)))) => {
                 ledger.verdict().map_err(|broken| broken.to_string())?;

@@ -38,11 +38,7 @@ impl Trade {
     ///
     /// # Errors
     /// [`StudyError`] for a ladder that does not fit the scenes, and where there is no reference.
-    pub fn measure(
-        completed: &Completed,
-        ladder: &Ladder,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Self, StudyError> {
+    pub fn measure(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         check(completed, ladder)?;
         let races = measure::races(completed, ladder, done)?;
         Ok(Self {
@@ -53,10 +49,7 @@ impl Trade {
 
     /// Number of times that [`Self::measure`] calls `done`.
     pub(crate) fn n_runs(scenes: &[pounding_scene::Scene], ladder: &Ladder) -> usize {
-        scenes
-            .iter()
-            .map(|scene| entries(scene, ladder).count())
-            .sum()
+        scenes.iter().map(|scene| entries(scene, ladder).count()).sum()
     }
 
     /// Tables and figures by their path in the results folder.
@@ -89,12 +82,7 @@ fn check(completed: &Completed, ladder: &Ladder) -> Result<(), StudyError> {
         positive && !values.is_empty() && values.windows(2).all(|pair| pair[0] > pair[1])
     };
     let words = |values: &[f64]| format!("{values:?}");
-    if !falls(&ladder.tolerances)
-        || ladder
-            .tolerances
-            .iter()
-            .any(|value| !(1e-16..=1e-3).contains(value))
-    {
+    if !falls(&ladder.tolerances) || ladder.tolerances.iter().any(|value| !(1e-16..=1e-3).contains(value)) {
         return Err(completed.refuse(
             "output.trade.tolerances",
             words(&ladder.tolerances),
@@ -106,10 +94,7 @@ fn check(completed: &Completed, ladder: &Ladder) -> Result<(), StudyError> {
         (steps - steps.round()).abs() <= 1e-6 && steps < 1e9
     };
     let scenes = &completed.file.study.scenes;
-    let fit = ladder
-        .time_steps_s
-        .iter()
-        .all(|dt| scenes.iter().all(|scene| fits(scene, *dt)));
+    let fit = ladder.time_steps_s.iter().all(|dt| scenes.iter().all(|scene| fits(scene, *dt)));
     if !falls(&ladder.time_steps_s) || !fit {
         return Err(completed.refuse(
             "output.trade.time_steps_s",

@@ -7,19 +7,10 @@ use pounding_scene::{COMPARED_METHODS, holding};
 use pounding_text::to_csv;
 
 /// Errors asked for \[–\], with their names in per cent.
-const ALLOWED: [(f64, &str); 5] = [
-    (0.3, "30"),
-    (0.1, "10"),
-    (0.03, "3"),
-    (0.01, "1"),
-    (0.001, "0.1"),
-];
+const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
 
 /// The cheapest run of a method that holds what is asked, here and at every smaller setting of the ladder.
-pub(super) fn cheapest(
-    entrant: &Entrant,
-    holds: impl Fn(&Measured) -> bool,
-) -> Option<(&Rung, u64)> {
+pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<(&Rung, u64)> {
     let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
     // Of equal costs the finest.
     let rungs = holding(&entrant.rungs, holds).iter().rev();
@@ -40,11 +31,7 @@ pub(super) fn table(races: &[Race]) -> String {
         "cheapest_work",
     ];
     let methods = COMPARED_METHODS.iter().map(|contender| contender.key);
-    let header: Vec<_> = header
-        .into_iter()
-        .chain(methods)
-        .map(String::from)
-        .collect();
+    let header: Vec<_> = header.into_iter().chain(methods).map(String::from).collect();
     let mut rows = Vec::new();
     for race in races {
         for quantity in MethodQuantity::ALL {
@@ -55,17 +42,11 @@ pub(super) fn table(races: &[Race]) -> String {
                 let within = |error: f64| error <= allowed;
                 let agreed = agreed(race.digits(quantity));
                 let asked = [quantity.key().into(), percent.into(), agreed];
-                rows.push(row(race, asked, |measured| {
-                    measured.error(quantity).is_some_and(within)
-                }));
+                rows.push(row(race, asked, |measured| measured.error(quantity).is_some_and(within)));
             }
         }
         if race.truth.n_collisions > 0 {
-            let asked = [
-                "number_of_collisions".into(),
-                "0".into(),
-                race.agreed_count().into(),
-            ];
+            let asked = ["number_of_collisions".into(), "0".into(), race.agreed_count().into()];
             rows.push(row(race, asked, |measured| measured.same_count));
         }
     }
@@ -85,11 +66,7 @@ fn row(race: &Race, asked: [String; 3], holds: impl Fn(&Measured) -> bool) -> Ve
     let mut row = vec![race.scene.clone()];
     row.extend(asked);
     row.extend(match best {
-        Some((contender, (rung, cost))) => [
-            contender.key.into(),
-            setting(contender, rung.setting),
-            cost.to_string(),
-        ],
+        Some((contender, (rung, cost))) => [contender.key.into(), setting(contender, rung.setting), cost.to_string()],
         None => ["never".into(), String::new(), String::new()],
     });
     row.extend(found.into_iter().map(|entrant| match entrant {

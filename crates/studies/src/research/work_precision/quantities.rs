@@ -129,9 +129,7 @@ impl Quantities {
     }
 
     fn new(met: &[Met], moved: &[Moved]) -> Self {
-        let first = met
-            .iter()
-            .min_by(|one, other| one.start.total_cmp(&other.start));
+        let first = met.iter().min_by(|one, other| one.start.total_cmp(&other.start));
         let one = |value: Option<f64>| value.into_iter().collect();
         let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
         let values = MethodQuantity::ALL.map(|quantity| match quantity {
@@ -139,10 +137,7 @@ impl Quantities {
             MethodQuantity::FirstImpulse => one(first.map(|first| first.impulse)),
             MethodQuantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
             MethodQuantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
-            MethodQuantity::Displacement => moved
-                .iter()
-                .map(|structure| structure.displacement)
-                .collect(),
+            MethodQuantity::Displacement => moved.iter().map(|structure| structure.displacement).collect(),
             MethodQuantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
         });
         Self {

@@ -26,11 +26,7 @@ pub(super) fn references(races: &[Race]) -> String {
         for quantity in MethodQuantity::ALL {
             let values = race.truth.values(quantity);
             for (value, number) in values.iter().zip(1..) {
-                let structure = if values.len() == 1 {
-                    String::new()
-                } else {
-                    format!("{number}")
-                };
+                let structure = if values.len() == 1 { String::new() } else { format!("{number}") };
                 let mut row = vec![
                     race.scene.clone(),
                     quantity.key().into(),
@@ -101,12 +97,7 @@ fn known_as(known: Known, race: &Race) -> [String; 4] {
         error(Some(known.distance)),
         error(Some(known.condition)),
         error(Some(known.allowed(race.compliant))),
-        if known.holds(race.compliant) {
-            "yes"
-        } else {
-            "no"
-        }
-        .into(),
+        if known.holds(race.compliant) { "yes" } else { "no" }.into(),
     ]
 }
 

@@ -50,14 +50,15 @@ impl Trade {
     /// [`StudyError`] where the study cannot be read or measured, or is none of a trade.
     pub fn of_two_structures(path: &Path) -> Result<(Completed, Self), StudyError> {
         let mut file = StudyFile::read(path)?;
-        let wanted = |scene: &Scene| {
-            scene.structures.len() == 2 && scene.contacts.is_some() && scene.record.scale != 0.0
-        };
+        let wanted = |scene: &Scene| scene.structures.len() == 2 && scene.contacts.is_some() && scene.record.scale != 0.0;
         file.study.scenes.retain(wanted);
         let completed = Completed::run(file, &|| ())?;
-        let ladder = completed.file.study.output.ladder().ok_or_else(|| {
-            completed.refuse("output", "another".into(), "\"trade\" with a ladder")
-        })?;
+        let ladder = completed
+            .file
+            .study
+            .output
+            .ladder()
+            .ok_or_else(|| completed.refuse("output", "another".into(), "\"trade\" with a ladder"))?;
         let trade = Self::measure(&completed, ladder, &|| ())?;
         Ok((completed, trade))
     }
@@ -98,9 +99,7 @@ impl Trade {
 fn choose(entrant: &Entrant) -> Option<(&Rung, &Measured, bool)> {
     let exact = entrant.contender.key == REFERENCE;
     let allowed = if exact { EXACT } else { STEPPING };
-    let accurate = cheapest(entrant, |measured| {
-        measured.worst(&MethodQuantity::ALL) <= allowed
-    });
+    let accurate = cheapest(entrant, |measured| measured.worst(&MethodQuantity::ALL) <= allowed);
     let finest = || entrant.rungs.iter().rfind(|rung| rung.outcome.is_ok());
     let rung = accurate.map(|(rung, _)| rung).or_else(finest)?;
     Some((rung, rung.outcome.as_ref().ok()?, accurate.is_some()))

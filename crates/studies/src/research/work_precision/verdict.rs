@@ -23,15 +23,12 @@ pub(super) fn table(races: &[Race]) -> String {
         "central_difference_work",
         "work_of_exact_over_central_difference",
         "exact_needs_less_work",
-        &format!(
-            "time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece"
-        ),
+        &format!("time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece"),
         "why",
     ];
     let mut rows = Vec::new();
     for race in races {
-        let present = MethodQuantity::ALL
-            .map(|quantity| (!race.truth.values(quantity).is_empty()).then_some(quantity));
+        let present = MethodQuantity::ALL.map(|quantity| (!race.truth.values(quantity).is_empty()).then_some(quantity));
         let present: Vec<_> = present.into_iter().flatten().collect();
         for quantity in &present {
             rows.push(row(race, quantity.key(), &[*quantity]));
@@ -64,19 +61,15 @@ fn row(race: &Race, name: &str, quantities: &[MethodQuantity]) -> Vec<String> {
     let exact = need(race, REFERENCE, quantities, EXACT);
     let stepping = need(race, RIVAL, quantities, STEPPING);
     let both = exact.as_ref().zip(stepping.as_ref());
-    let ratio =
-        |of: fn(&Need) -> u64| both.map(|(exact, stepping)| of(exact) as f64 / of(stepping) as f64);
+    let ratio = |of: fn(&Need) -> u64| both.map(|(exact, stepping)| of(exact) as f64 / of(stepping) as f64);
     let (work, time) = (ratio(|need| need.work), ratio(|need| need.price));
     let less = match work {
         Some(ratio) => ratio < 1.0,
         None => exact.is_some(),
     };
-    let slow =
-        format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations");
+    let slow = format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations");
     let why = match (work, time) {
-        (Some(work), _) if work >= 1.0 => {
-            "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample"
-        }
+        (Some(work), _) if work >= 1.0 => "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample",
         (_, Some(time)) if time >= 1.0 => &slow,
         (Some(_), _) => "",
         (None, _) if exact.is_none() => "the exact method does not reach 1e-6",

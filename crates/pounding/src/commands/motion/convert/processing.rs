@@ -19,13 +19,7 @@ pub(super) struct Processing {
     #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_negative_numbers = true, value_parser = positive)]
     band_pass: Vec<f64>,
     /// Order of the filter, 1 to 10.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 4,
-        allow_negative_numbers = true,
-        requires = "band_pass"
-    )]
+    #[arg(long, value_name = "N", default_value_t = 4, allow_negative_numbers = true, requires = "band_pass")]
     order: u32,
     /// Filter forward only; both ways delay nothing.
     #[arg(long, requires = "band_pass")]
@@ -109,8 +103,7 @@ impl Processing {
         let [period, damping, acceleration] = &self.scale_to_sa[..] else {
             return Ok(None);
         };
-        let refused =
-            |name: &str, word: &str| format!("--scale-to-sa: found {word:?} as {name}, {TARGET}");
+        let refused = |name: &str, word: &str| format!("--scale-to-sa: found {word:?} as {name}, {TARGET}");
         let plain = |name, word: &String| {
             let is_plain = !word.contains('%');
             let number = part_of_one(word).ok().filter(|_| is_plain);

@@ -42,12 +42,7 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
         ),
     ));
     parts.push(paragraph("Direction", &direction(found)));
-    let unusual: Vec<String> = opened
-        .file()
-        .unusual()
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    let unusual: Vec<String> = opened.file().unusual().iter().map(ToString::to_string).collect();
     if !unusual.is_empty() {
         parts.push(paragraph("Unusual", &unusual.join("\n")));
     }
@@ -78,9 +73,7 @@ fn direction(found: &Found) -> String {
 
 /// One thing that was read, and where it stood.
 fn reading(one: &Reading) -> String {
-    let line = one
-        .line
-        .map_or(String::new(), |line| format!(" (line {line})"));
+    let line = one.line.map_or(String::new(), |line| format!(" (line {line})"));
     format!("{}: {}{line}", one.what, one.found)
 }
 
@@ -100,12 +93,7 @@ fn measures(found: &Found, gravity: f64) -> String {
     let rows = [
         (
             "PGA",
-            format!(
-                "{} g = {} m/s² at {} s",
-                short(measures.pga / gravity),
-                short(peak),
-                digits(time)
-            ),
+            format!("{} g = {} m/s² at {} s", short(measures.pga / gravity), short(peak), digits(time)),
         ),
         ("PGV", format!("{} m/s", short(measures.pgv))),
         ("PGD", format!("{} m", short(measures.pgd))),
@@ -124,9 +112,7 @@ fn several(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     let mut parts = Vec::new();
     if of_one_file {
         let formats = lines.iter().filter_map(|line| line.found.as_ref().ok());
-        let format = formats
-            .map(|found| found.opened.file().format().name())
-            .next();
+        let format = formats.map(|found| found.opened.file().format().name()).next();
         parts.push(format!(
             "{}{}",
             paragraph("File", &file.display().to_string()),
@@ -136,24 +122,14 @@ fn several(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     parts.push(table_of(lines, gravity, of_one_file));
     let said = suite.said(true).join("\n");
     parts.push(paragraph("Records", &by_options(&said)));
-    let unusual: Vec<String> = lines
-        .iter()
-        .flat_map(|line| unusual(line, of_one_file))
-        .collect();
+    let unusual: Vec<String> = lines.iter().flat_map(|line| unusual(line, of_one_file)).collect();
     if !unusual.is_empty() {
         parts.push(paragraph("Unusual", &unusual.join("\n")));
     }
     let drifting = |line: &&Line| line.found.as_ref().is_ok_and(|found| found.drift.is_some());
-    let drifting: Vec<String> = lines
-        .iter()
-        .filter(drifting)
-        .map(|line| name(line, of_one_file))
-        .collect();
+    let drifting: Vec<String> = lines.iter().filter(drifting).map(|line| name(line, of_one_file)).collect();
     if !drifting.is_empty() {
-        parts.push(paragraph(
-            "Drift",
-            &format!("{}: {DRIFT}", drifting.join("; ")),
-        ));
+        parts.push(paragraph("Drift", &format!("{}: {DRIFT}", drifting.join("; "))));
     }
     if of_one_file {
         parts.push(paragraph(
@@ -182,9 +158,7 @@ fn word(found: &Found) -> Option<&'static str> {
 fn unusual(line: &Line, of_one_file: bool) -> Vec<String> {
     let found = line.found.iter();
     let unusual = found.flat_map(|found| found.opened.file().unusual());
-    unusual
-        .map(|one| format!("{}: {one}", name(line, of_one_file)))
-        .collect()
+    unusual.map(|one| format!("{}: {one}", name(line, of_one_file))).collect()
 }
 
 /// The numbers of each motion that is read; the peak with the time at which it is.
@@ -200,9 +174,7 @@ fn table_of(lines: &[Line], gravity: f64, of_one_file: bool) -> String {
         ["D5–95", "[s]"],
     ];
     let row = |line: &Line| {
-        let Found {
-            opened, measures, ..
-        } = line.found.as_ref().ok()?;
+        let Found { opened, measures, .. } = line.found.as_ref().ok()?;
         let d5_95 = measures.d5_95.map(|interval| interval.duration());
         let (time, _) = opened.record.peak();
         Some(vec![
@@ -269,15 +241,7 @@ fn numbers(found: &Found) -> [(&'static str, Option<f64>); 15] {
 
 /// One row per motion.
 pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
-    let words = [
-        "file",
-        "component",
-        "direction",
-        "event",
-        "format",
-        "unit",
-        "gravity_m_per_s2",
-    ];
+    let words = ["file", "component", "direction", "event", "format", "unit", "gravity_m_per_s2"];
     let found = lines.iter().find_map(|line| line.found.as_ref().ok());
     let names = found.map(numbers).into_iter().flatten();
     let names: Vec<&str> = names.map(|(name, _)| name).collect();

@@ -16,24 +16,16 @@ fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
         ("peak_shear_force_time_s", one.peak_shear_force_time_s),
         ("peak_drift_m", one.peak_drift_m),
         ("peak_drift_time_s", one.peak_drift_time_s),
-        (
-            "residual_displacement_at_end_m",
-            one.residual_displacement_at_end_m,
-        ),
+        ("residual_displacement_at_end_m", one.residual_displacement_at_end_m),
         ("residual_drift_at_end_m", one.residual_drift_at_end_m),
         ("peak_acceleration_m_per_s2", one.peak_acceleration_m_per_s2),
         ("peak_acceleration_time_s", one.peak_acceleration_time_s),
         ("ductility", one.ductility),
         ("drift_ratio", one.drift_ratio),
-        (
-            "transferred_momentum_n_s",
-            Some(one.transferred_momentum_n_s),
-        ),
+        ("transferred_momentum_n_s", Some(one.transferred_momentum_n_s)),
     ];
     let numbers = numbers.into_iter();
-    numbers
-        .filter_map(|(name, value)| Some((name, value?)))
-        .collect()
+    numbers.filter_map(|(name, value)| Some((name, value?))).collect()
 }
 
 /// Numbers of a pair with their names, SI units: fields of its summary, those of a collision after its name.
@@ -44,10 +36,7 @@ fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 11] {
         ("first_start_s", first.map(|first| first.start_s)),
         ("first_impulse_n_s", first.map(|first| first.impulse_n_s)),
         ("largest_start_s", largest.map(|largest| largest.start_s)),
-        (
-            "largest_impulse_n_s",
-            largest.map(|largest| largest.impulse_n_s),
-        ),
+        ("largest_impulse_n_s", largest.map(|largest| largest.impulse_n_s)),
         ("peak_force_n", one.peak_force_n),
         ("peak_force_time_s", one.peak_force_time_s),
         ("total_impulse_n_s", Some(one.total_impulse_n_s)),
@@ -96,11 +85,7 @@ pub(super) fn csv(records: &Suite, lines: &[Line]) -> String {
     csv_text(&HEADER, rows.chain(left_out))
 }
 
-fn row(
-    line: &Line,
-    reversed: bool,
-    (place, quantity, value): (Place, &str, Option<f64>),
-) -> [Cell; 10] {
+fn row(line: &Line, reversed: bool, (place, quantity, value): (Place, &str, Option<f64>)) -> [Cell; 10] {
     let [building, floor, neighbour, neighbour_floor] = place;
     [
         line.motion.as_str().into(),
@@ -117,8 +102,7 @@ fn row(
 }
 
 fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 10]> {
-    let own =
-        |place: Place, quantity: &str, value| row(line, line.reversed, (place, quantity, value));
+    let own = |place: Place, quantity: &str, value| row(line, line.reversed, (place, quantity, value));
     let at = |floor: usize| -> [Cell; 2] {
         let structure = found.floors.all()[floor].structure;
         let building = found.names[structure].as_str();
@@ -132,11 +116,7 @@ fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 10]> {
         own(Place::default(), "pga_m_per_s2", Some(found.pga)),
         own(Place::default(), "scale_factor", Some(found.scale)),
         own(Place::default(), "largest_error", found.error),
-        own(
-            Place::default(),
-            "warnings",
-            Some(found.warnings.len() as f64),
-        ),
+        own(Place::default(), "warnings", Some(found.warnings.len() as f64)),
     ];
     for (floor, structure) in found.structures.iter().enumerate() {
         let numbers = of_structure(structure).into_iter();
@@ -148,20 +128,13 @@ fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 10]> {
         rows.extend(of_pair(pair).map(|(quantity, value)| own(place.clone(), quantity, value)));
     }
     if let Some(effects) = &found.effects {
-        let both = [
-            (line.reversed, &effects.as_given),
-            (!line.reversed, &effects.reversed),
-        ];
+        let both = [(line.reversed, &effects.as_given), (!line.reversed, &effects.reversed)];
         for (reversed, all) in both {
             for (floor, effects) in all.iter().enumerate() {
                 let facts = effects.facts().into_iter();
-                rows.extend(facts.map(|(quantity, value, _)| {
-                    row(
-                        line,
-                        reversed,
-                        (alone(floor), &format!("effect_{quantity}"), Some(value)),
-                    )
-                }));
+                rows.extend(
+                    facts.map(|(quantity, value, _)| row(line, reversed, (alone(floor), &format!("effect_{quantity}"), Some(value)))),
+                );
             }
         }
     }

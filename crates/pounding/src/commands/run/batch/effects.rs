@@ -9,9 +9,7 @@ use crate::text::{NONE, paragraph, table};
 /// A table with a line for every storey; nothing where nobody asked.
 pub(super) fn text(lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let all: Vec<(&Found, &Effects)> = found
-        .filter_map(|found| Some((found, found.effects.as_ref()?)))
-        .collect();
+    let all: Vec<(&Found, &Effects)> = found.filter_map(|found| Some((found, found.effects.as_ref()?))).collect();
     let Some((first, _)) = all.first() else {
         return Vec::new();
     };
@@ -22,30 +20,16 @@ pub(super) fn text(lines: &[Line]) -> Vec<String> {
         ["Acceleration", "× alone"],
     ];
     let floors = &first.floors;
-    let moving = floors
-        .by_structure()
-        .filter(|floor| !floors.all()[*floor].is_wall());
+    let moving = floors.by_structure().filter(|floor| !floors.all()[*floor].is_wall());
     let row = |floor: usize| {
         let ratio = |response: usize| {
-            let both = all
-                .iter()
-                .flat_map(|(_, one)| [&one.as_given[floor], &one.reversed[floor]]);
-            let ratios =
-                both.filter_map(|one| Some(one.responses()[response]?.amplification?.value));
+            let both = all.iter().flat_map(|(_, one)| [&one.as_given[floor], &one.reversed[floor]]);
+            let ratios = both.filter_map(|one| Some(one.responses()[response]?.amplification?.value));
             Distribution::of(ratios).map_or(NONE.into(), |all| {
-                format!(
-                    "{} / {}",
-                    two_decimals(all.median()),
-                    two_decimals(all.p84())
-                )
+                format!("{} / {}", two_decimals(all.median()), two_decimals(all.p84()))
             })
         };
-        vec![
-            floors.all()[floor].name.clone(),
-            ratio(0),
-            ratio(1),
-            ratio(2),
-        ]
+        vec![floors.all()[floor].name.clone(), ratio(0), ratio(1), ratio(2)]
     };
     let rows: Vec<_> = moving.map(row).collect();
     let notes = format!(

@@ -31,15 +31,7 @@ pub(super) fn rules(widths: &Widths<'_>) -> Figure {
         };
         panels.push(Panel {
             title: title.into(),
-            y: Axis::over(
-                if index % 2 == 0 {
-                    "Required / asked for (–)"
-                } else {
-                    ""
-                },
-                0.0,
-                2.2,
-            ),
+            y: Axis::over(if index % 2 == 0 { "Required / asked for (–)" } else { "" }, 0.0, 2.2),
             curves: SHOWN.map(curve).into(),
             levels: vec![1.0],
             legend: Legend::Shared,
@@ -62,11 +54,7 @@ fn ratio_of_periods() -> Axis {
 pub(super) fn shares(widths: &Widths<'_>) -> Figure {
     let share = |(rule, name, shade): (Rule, &str, Shade)| {
         let point = |ratio: &f64| (*ratio, 100.0 * widths.score(rule, Some(*ratio)).share());
-        let kind = if shade == Shade::Vermilion {
-            Kind::Dashed
-        } else {
-            Kind::Line
-        };
+        let kind = if shade == Shade::Vermilion { Kind::Dashed } else { Kind::Line };
         Curve::new(kind, shade, widths.ratios.iter().map(point).collect()).named(name)
     };
     Figure {
@@ -84,34 +72,18 @@ pub(super) fn shares(widths: &Widths<'_>) -> Figure {
 /// Panels of one ratio of periods side by side: what happens over the gap under every motion, with the median.
 pub(super) fn gaps(gaps: &Gaps<'_>) -> Figure {
     let rows = [
-        (
-            Quantity::LeftDrift,
-            Quantity::LeftBeyond,
-            "Slower: drift / alone (–)",
-        ),
-        (
-            Quantity::RightDrift,
-            Quantity::RightBeyond,
-            "Faster: drift / alone (–)",
-        ),
+        (Quantity::LeftDrift, Quantity::LeftBeyond, "Slower: drift / alone (–)"),
+        (Quantity::RightDrift, Quantity::RightBeyond, "Faster: drift / alone (–)"),
     ];
     let mut panels = Vec::new();
     for (row, (quantity, beyond, label)) in rows.into_iter().enumerate() {
         for (column, ratio) in gaps.ratios.iter().enumerate() {
-            let own: Vec<_> = gaps
-                .swept
-                .iter()
-                .filter(|one| one.asked.ratio.total_cmp(ratio).is_eq())
-                .collect();
+            let own: Vec<_> = gaps.swept.iter().filter(|one| one.asked.ratio.total_cmp(ratio).is_eq()).collect();
             let title = format!("Periods {ratio} : 1");
             panels.push(Panel {
                 title: if row == 0 { title } else { String::new() },
                 y: Axis {
-                    label: if column == 0 {
-                        label.into()
-                    } else {
-                        String::new()
-                    },
+                    label: if column == 0 { label.into() } else { String::new() },
                     range: Some((0.0, highest(gaps, quantity))),
                     ..Axis::default()
                 },

@@ -214,18 +214,17 @@ impl<'a> Gaps<'a> {
         let ratios = std::iter::once(None).chain(self.ratios.iter().copied().map(Some));
         for ratio in ratios {
             for quantity in Quantity::ALL {
-                let own = self.swept.iter().filter(|one| {
-                    ratio.is_none_or(|ratio| one.asked.ratio.total_cmp(&ratio).is_eq())
-                });
+                let own = self
+                    .swept
+                    .iter()
+                    .filter(|one| ratio.is_none_or(|ratio| one.asked.ratio.total_cmp(&ratio).is_eq()));
                 let rises: Vec<Rises> = own.map(|one| Rises::of(&one.curve(quantity))).collect();
                 let of = |number: fn(&Rises) -> f64| sorted(rises.iter().map(number));
                 let stretches = of(|rises| rises.stretches as f64);
                 let shares = of(|rises| rises.share);
                 let worst = of(|rises| rises.worst.0);
                 let rising = rises.iter().filter(|rises| rises.stretches > 0).count();
-                let known = |numbers: &[f64], part| {
-                    quantile(numbers, part).map_or_else(String::new, digits)
-                };
+                let known = |numbers: &[f64], part| quantile(numbers, part).map_or_else(String::new, digits);
                 rows.push(vec![
                     ratio.map_or_else(|| "all".into(), digits),
                     quantity.key().into(),
@@ -251,11 +250,7 @@ mod tests {
     fn reference_rises_of_a_curve_by_hand() {
         // Falls, rises by half, falls, rises to twice the least, ends lower.
         let values = [4.0, 2.0, 3.0, 1.5, 1.5, 2.0, 3.0, 0.5];
-        let values: Vec<_> = values
-            .iter()
-            .zip(0..)
-            .map(|(y, x)| (f64::from(x), *y))
-            .collect();
+        let values: Vec<_> = values.iter().zip(0..).map(|(y, x)| (f64::from(x), *y)).collect();
         let rises = Rises::of(&values);
         assert_eq!(rises.stretches, 2);
         assert_eq!((rises.share, rises.worst), (1.0 + 3.0, (2.0, 3.0, 6.0)));
@@ -263,11 +258,7 @@ mod tests {
 
     #[test]
     fn limit_what_falls_has_no_rises() {
-        for values in [
-            &[][..],
-            &[(0.0, 1.0)],
-            &[(0.0, 3.0), (0.5, 3.0), (1.0, 0.0)],
-        ] {
+        for values in [&[][..], &[(0.0, 1.0)], &[(0.0, 3.0), (0.5, 3.0), (1.0, 0.0)]] {
             let rises = Rises::of(values);
             assert_eq!((rises.stretches, rises.worst.0), (0, 1.0));
         }

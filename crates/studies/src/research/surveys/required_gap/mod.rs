@@ -27,11 +27,7 @@ fn asked<'a>(cases: &'a [Case], longer: &[f64], ratios: &[f64]) -> Vec<Asked<'a>
     let mut all = Vec::new();
     for &ratio in ratios {
         for &longer in longer {
-            let of = |case| Asked {
-                case,
-                longer,
-                ratio,
-            };
+            let of = |case| Asked { case, longer, ratio };
             all.extend(cases.iter().map(of));
         }
     }
@@ -48,11 +44,7 @@ impl Asked<'_> {
     }
 }
 
-pub(super) fn files(
-    settings: &RequiredGap,
-    file: &StudyFile,
-    cases: &[Case],
-) -> Result<Files, StudyError> {
+pub(super) fn files(settings: &RequiredGap, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let template = &rows(file, 2)?[0];
     let widths = widths::Widths::of(settings, template, cases)?;
     let gaps = gaps::Gaps::of(&settings.scan, template, cases)?;
@@ -63,9 +55,6 @@ pub(super) fn files(
         ("unsafe.png".into(), drawn(&figure::shares(&widths), file)?),
         ("gaps.csv".into(), gaps.table()),
         ("wider-and-worse.csv".into(), gaps.summary()),
-        (
-            "wider-and-worse.png".into(),
-            drawn(&figure::gaps(&gaps), file)?,
-        ),
+        ("wider-and-worse.png".into(), drawn(&figure::gaps(&gaps), file)?),
     ]))
 }

@@ -34,11 +34,7 @@ impl Score {
 }
 
 impl<'a> Widths<'a> {
-    pub(super) fn of(
-        settings: &RequiredGap,
-        template: &Scene,
-        cases: &'a [Case],
-    ) -> Result<Self, StudyError> {
+    pub(super) fn of(settings: &RequiredGap, template: &Scene, cases: &'a [Case]) -> Result<Self, StudyError> {
         let all = asked(cases, &settings.longer_periods_s, &settings.period_ratios);
         let found = each(&all, |one| {
             let prepared = one.case.prepared(&one.scene(template))?;
@@ -52,9 +48,7 @@ impl<'a> Widths<'a> {
 
     /// How a rule does where the ratio of periods is the one asked for, or anywhere.
     pub(super) fn score(&self, rule: Rule, ratio: Option<f64>) -> Score {
-        let of = |(asked, _): &&(Asked<'_>, Separation)| {
-            ratio.is_none_or(|ratio| asked.ratio.total_cmp(&ratio).is_eq())
-        };
+        let of = |(asked, _): &&(Asked<'_>, Separation)| ratio.is_none_or(|ratio| asked.ratio.total_cmp(&ratio).is_eq());
         let own = self.found.iter().filter(of);
         let ratios = sorted(own.map(|(_, one)| one.required / width_of(rule, one)));
         Score {
@@ -109,10 +103,7 @@ impl<'a> Widths<'a> {
         for ratio in ratios {
             for rule in Rule::COMMON {
                 let score = self.score(rule, ratio);
-                let mut row = vec![
-                    ratio.map_or_else(|| "all".into(), digits),
-                    rule.name().into(),
-                ];
+                let mut row = vec![ratio.map_or_else(|| "all".into(), digits), rule.name().into()];
                 row.extend([score.cases, score.unsafe_cases].map(|count| count.to_string()));
                 let quantiles = [0.5, 0.95, 1.0].map(|part| score.quantile(part));
                 row.push(digits(score.share()));

@@ -6,12 +6,7 @@ use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade};
 
 impl Survey<'_> {
     /// A panel per scene of a kept property: medians, and the paper's record; a note where pounding begins to help for good.
-    pub(super) fn figure(
-        &self,
-        lines: &[Line<'_>],
-        found: &[&[Vec<Middle>]],
-        turns: &[Turn],
-    ) -> Figure {
+    pub(super) fn figure(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
         let ratios = &self.settings.stiffness_ratios;
         let n_scenes = lines.len() / self.settings.keeps.len().max(1);
         let panel = |(index, (line, of_line)): (usize, (&Line<'_>, &&[Vec<Middle>]))| {
@@ -44,9 +39,7 @@ impl Survey<'_> {
 
     /// The last ratio at which the median of the peaks of a line falls below that alone, if it is noticeably less beyond.
     fn last_fall(&self, turns: &[Turn], index: usize, of_line: &[Vec<Middle>]) -> Option<f64> {
-        let falls = |turn: &&Turn| {
-            turn.line == index && !turn.of_paper && turn.quantity == Quantity::Peak && !turn.rises
-        };
+        let falls = |turn: &&Turn| turn.line == index && !turn.of_paper && turn.quantity == Quantity::Peak && !turn.rises;
         let last = turns.iter().rfind(falls)?.ratio;
         let beyond = self.settings.stiffness_ratios.iter().zip(of_line);
         let mut beyond = beyond.filter(|(ratio, _)| **ratio > last);
@@ -58,13 +51,8 @@ impl Survey<'_> {
 
     /// What is followed over the ratios; what leaves the panel stays at its edge.
     fn curves(&self, of_line: &[Vec<Middle>]) -> Vec<Curve> {
-        let looks = [
-            (Quantity::Peak, Shade::Ink),
-            (Quantity::Travel, Shade::Vermilion),
-        ];
-        let both = looks
-            .into_iter()
-            .flat_map(|look| [(look, false), (look, true)]);
+        let looks = [(Quantity::Peak, Shade::Ink), (Quantity::Travel, Shade::Vermilion)];
+        let both = looks.into_iter().flat_map(|look| [(look, false), (look, true)]);
         let curve = |((quantity, shade), of_paper): ((Quantity, Shade), bool)| {
             let point = |(ratio, middles): (&f64, &Vec<Middle>)| {
                 let value = self.followed(middles, quantity, of_paper)?;

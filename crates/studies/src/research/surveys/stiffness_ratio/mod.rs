@@ -83,11 +83,7 @@ struct Turn {
     rises: bool,
 }
 
-pub(super) fn files(
-    settings: &StiffnessRatio,
-    file: &StudyFile,
-    cases: &[Case],
-) -> Result<Files, StudyError> {
+pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let scenes = rows(file, 3)?;
     let mut lines = Vec::new();
     for &kept in &settings.keeps {
@@ -106,12 +102,7 @@ pub(super) fn files(
         papers: cases.iter().position(is_papers),
     };
     let tasks: Vec<(usize, f64)> = (0..lines.len())
-        .flat_map(|line| {
-            settings
-                .stiffness_ratios
-                .iter()
-                .map(move |ratio| (line, *ratio))
-        })
+        .flat_map(|line| settings.stiffness_ratios.iter().map(move |ratio| (line, *ratio)))
         .collect();
     let found = each(&tasks, |&(line, ratio)| survey.middles(&lines[line], ratio))?;
     let per_line = settings.stiffness_ratios.len();
@@ -120,10 +111,7 @@ pub(super) fn files(
     Ok(Files::from([
         ("middle.csv".into(), survey.table(&lines, &found)),
         ("turn-over.csv".into(), turn_table(&lines, &turns)),
-        (
-            "middle.png".into(),
-            drawn(&survey.figure(&lines, &found, &turns), file)?,
-        ),
+        ("middle.png".into(), drawn(&survey.figure(&lines, &found, &turns), file)?),
     ]))
 }
 
@@ -189,40 +177,31 @@ impl Survey<'_> {
                         if let (Some(one), Some(other)) = (of(0), of(1))
                             && (one < 1.0) != (other < 1.0)
                         {
-                            between.push((
-                                (line, quantity, of_paper),
-                                (ratios[0], ratios[1]),
-                                one < 1.0,
-                            ));
+                            between.push(((line, quantity, of_paper), (ratios[0], ratios[1]), one < 1.0));
                         }
                     }
                 }
             }
         }
-        each(
-            &between,
-            |&((line, quantity, of_paper), (mut low, mut high), rises)| {
-                for _ in 0..HALVINGS {
-                    let ratio = (low * high).sqrt();
-                    let middles = self.middles(&lines[line], ratio)?;
-                    let is_less = self
-                        .followed(&middles, quantity, of_paper)
-                        .is_some_and(|value| value < 1.0);
-                    if is_less == rises {
-                        low = ratio;
-                    } else {
-                        high = ratio;
-                    }
+        each(&between, |&((line, quantity, of_paper), (mut low, mut high), rises)| {
+            for _ in 0..HALVINGS {
+                let ratio = (low * high).sqrt();
+                let middles = self.middles(&lines[line], ratio)?;
+                let is_less = self.followed(&middles, quantity, of_paper).is_some_and(|value| value < 1.0);
+                if is_less == rises {
+                    low = ratio;
+                } else {
+                    high = ratio;
                 }
-                Ok(Turn {
-                    line,
-                    quantity,
-                    of_paper,
-                    ratio: (low * high).sqrt(),
-                    rises,
-                })
-            },
-        )
+            }
+            Ok(Turn {
+                line,
+                quantity,
+                of_paper,
+                ratio: (low * high).sqrt(),
+                rises,
+            })
+        })
     }
 
     /// A row per layout, kept property, ratio and quantity.
@@ -270,14 +249,7 @@ impl Survey<'_> {
 
 /// A row per place at which a quantity passes that alone.
 fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> Vec<u8> {
-    let header = [
-        "scene",
-        "kept",
-        "quantity",
-        "of",
-        "stiffness_ratio",
-        "from_there_on",
-    ];
+    let header = ["scene", "kept", "quantity", "of", "stiffness_ratio", "from_there_on"];
     let row = |turn: &Turn| {
         vec![
             lines[turn.line].scene.name.clone(),
@@ -290,12 +262,7 @@ fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> Vec<u8> {
             }
             .into(),
             digits(turn.ratio),
-            if turn.rises {
-                "more than alone"
-            } else {
-                "less than alone"
-            }
-            .into(),
+            if turn.rises { "more than alone" } else { "less than alone" }.into(),
         ]
     };
     csv(&header, &turns.iter().map(row).collect::<Vec<_>>())
@@ -321,9 +288,7 @@ impl Measured {
         let outcome = case.prepared(scene)?.run(yields.then_some(INTERVAL))?;
         let plastic = outcome.histories.iter().flat_map(|histories| {
             let states = histories.of(place).states.iter();
-            states.map(|state| {
-                state.displacement - state.restoring_force / structure.stiffness_n_per_m
-            })
+            states.map(|state| state.displacement - state.restoring_force / structure.stiffness_n_per_m)
         });
         let (mut travel, mut before) = (0.0, 0.0);
         for plastic in plastic {
