@@ -27,7 +27,12 @@ pub(crate) struct Pushes {
     all: Vec<Push<'static>>,
     /// Forces at the start of the spans before \[N\].
     earlier: Vec<f64>,
+    /// Steps until everything is zero again, as long as no pair pushes.
+    alive: u32,
 }
+
+/// Steps after which nothing is left of a push: it stands at the end of a span, at its start, and at the start of the span before.
+const REMEMBERED: u32 = 4;
 
 impl Pushes {
     /// Of a row before t = 0: nobody pushes.
@@ -35,7 +40,26 @@ impl Pushes {
         Self {
             all: incidence.incidents().iter().map(Push::from).collect(),
             earlier: vec![0.0; incidence.incidents().len()],
+            alive: 0,
         }
+    }
+
+    /// Lets a step begin.
+    #[inline]
+    pub(crate) fn pass(&mut self) {
+        self.alive = self.alive.saturating_sub(1);
+    }
+
+    /// Whether all forces and impulses are zero, and remain so unless a pair pushes.
+    #[inline]
+    pub(crate) fn are_idle(&self) -> bool {
+        self.alive == 0
+    }
+
+    /// The pushes of some slots; none where all are idle.
+    #[inline]
+    fn live(&mut self, slots: Range<usize>) -> &mut [Push<'static>] {
+        if self.are_idle() { &mut [] } else { &mut self.all[slots] }
     }
 
     /// Of the slots of a floor.
@@ -52,8 +76,21 @@ impl Pushes {
     /// Forgets the forces at the end of all spans under way.
     #[inline]
     pub(crate) fn forget_ends(&mut self) {
-        for push in &mut self.all {
+        for push in self.live(0..self.all.len()) {
             push.forces[1] = 0.0;
+        }
+    }
+
+    /// The force of a pair at the end of the spans under way.
+    #[inline]
+    pub(crate) fn set(&mut self, incidence: &Incidence, pair: usize, force: f64) {
+        if force != 0.0 {
+            self.alive = REMEMBERED;
+        } else if self.are_idle() {
+            return;
+        }
+        for slot in incidence.slots_of(pair) {
+            self.all[*slot].forces[1] = force;
         }
     }
 
@@ -66,9 +103,7 @@ impl Pushes {
         (pair, force): (usize, f64),
         mut give: impl FnMut(usize, bool, f64),
     ) {
-        for slot in row.incidence().slots_of(pair) {
-            self.all[*slot].forces[1] = force;
-        }
+        self.set(row.incidence(), pair, force);
         let [left, right] = row.pairs()[pair].relation.points();
         left.spread(force, |floor, force| give(floor, true, force));
         right.spread(force, |floor, force| give(floor, false, force));
@@ -77,7 +112,7 @@ impl Pushes {
     /// Lets all spans begin, with no impulse so far.
     #[inline]
     pub(crate) fn begin(&mut self) {
-        for push in &mut self.all {
+        for push in self.live(0..self.all.len()) {
             push.forces[0] = push.forces[1];
             push.impulse = 0.0;
         }
@@ -86,7 +121,7 @@ impl Pushes {
     /// Adds the forces at the end of the spans so far to their impulses, with this weight.
     #[inline]
     pub(crate) fn add(&mut self, weight: f64) {
-        for push in &mut self.all {
+        for push in self.live(0..self.all.len()) {
             push.impulse += weight * push.forces[1];
         }
     }
@@ -94,7 +129,7 @@ impl Pushes {
     /// Multiplies the sums of weighted forces by what they are to be multiplied by \[s\].
     #[inline]
     pub(crate) fn scale(&mut self, by: f64) {
-        for push in &mut self.all {
+        for push in self.live(0..self.all.len()) {
             push.impulse *= by;
         }
     }
@@ -102,7 +137,7 @@ impl Pushes {
     /// Ends the spans of a floor by the trapezoidal rule: `half` a step \[s\] each force, less the impulse that is too much.
     #[inline]
     pub(crate) fn end(&mut self, slots: Range<usize>, half: f64) {
-        for push in &mut self.all[slots] {
+        for push in self.live(slots) {
             push.impulse = half * (push.forces[0] + push.forces[1]) - push.impulse;
         }
     }
@@ -111,6 +146,9 @@ impl Pushes {
     /// spans before, at the start and at the end.
     #[inline]
     pub(crate) fn weigh<const N: usize>(&mut self, slots: Range<usize>, (scale, weights): (f64, [f64; N])) {
+        if self.are_idle() {
+            return;
+        }
         let ends = self.all[slots.clone()].iter_mut();
         for (push, earlier) in ends.zip(&mut self.earlier[slots]) {
             let known = [*earlier, push.forces[0], push.forces[1]];
@@ -131,6 +169,9 @@ impl Pushes {
     /// The force of a pair at the end of the spans under way \[N\]; it acts for half a step \[s\].
     #[inline]
     pub(crate) fn ends(&mut self, incidence: &Incidence, pair: usize, half: f64) -> f64 {
+        if self.are_idle() {
+            return 0.0;
+        }
         let mut force = 0.0;
         for slot in incidence.slots_of(pair) {
             let push = &mut self.all[*slot];
@@ -143,7 +184,7 @@ impl Pushes {
     /// Adds the impulses of the forces at the start of the spans of a floor, which act for half a step \[s\].
     #[inline]
     pub(crate) fn start(&mut self, slots: Range<usize>, half: f64) {
-        for push in &mut self.all[slots] {
+        for push in self.live(slots) {
             push.impulse += half * push.forces[0];
         }
     }
@@ -151,7 +192,7 @@ impl Pushes {
     /// Lets the next spans of a floor begin; their ends are open.
     #[inline]
     pub(crate) fn go_on(&mut self, slots: Range<usize>) {
-        for push in &mut self.all[slots] {
+        for push in self.live(slots) {
             push.forces = [push.forces[1], 0.0];
             push.impulse = 0.0;
         }

@@ -155,12 +155,6 @@ impl Load {
 const FEW: usize = 15;
 
 impl Span<'_> {
-    /// The same with the motion of the floor below at both ends; nothing on the ground.
-    #[inline]
-    pub(crate) fn over(self, below: Option<[Motion; 2]>) -> Self {
-        Self { below, ..self }
-    }
-
     /// Drift of the storey below the floor, and its rate, at both ends of the span.
     pub fn drifts(&self) -> [Motion; 2] {
         let ends = [Motion::from(&self.start), Motion::from(&self.end)];

@@ -122,6 +122,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn advance<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, ground: [Ground<'_>; 3], dt: f64) {
         self.stages.copy_from_slice(&self.states);
         self.slopes.fill((0.0, 0.0));
+        self.pushes.pass();
         self.pushes.begin();
         self.weigh_stage(row, 0, ground[0]);
         for (stage, ahead, ground) in [(1, 0.5 * dt, ground[1]), (2, 0.5 * dt, ground[1]), (3, dt, ground[2])] {
@@ -190,12 +191,10 @@ impl<Memory: Copy> Scratch<Memory> {
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
             let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
-            let span = Span::step(recorder.reads_weighed(), structure, times, [*start, *end], weights, loads);
-            let slots = row.incidence().slots_at(structure);
-            recorder.span(&Span {
-                pushes: self.pushes.of(slots),
-                ..span.over(row.below(structure, [starts, ends]))
-            });
+            let mut span = Span::step(recorder.reads_weighed(), structure, times, [*start, *end], weights, loads);
+            span.below = row.below(structure, [starts, ends]);
+            span.pushes = self.pushes.of(row.incidence().slots_at(structure));
+            recorder.span(&span);
         }
         self.states.copy_from_slice(&self.stages);
         Ok(())

@@ -95,6 +95,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     #[inline]
     fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let duration = step.clock.time_step;
+        self.pushes.pass();
         if self.when == VerletImpacts::Located {
             self.locate(row, step, work, recorder)?;
         }
@@ -258,12 +259,11 @@ impl<Memory: Copy> Scratch<Memory> {
             let (times, ends) = ((start_time, time), [*start, *end]);
             let slots = row.incidence().slots_at(structure);
             self.pushes.start(slots.clone(), 0.5 * h);
-            recorder.span(&Span {
-                impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
-                impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
-                pushes: self.pushes.of(slots.clone()),
-                ..Span::step(recorder.reads_weighed(), structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
-            });
+            let mut span = Span::step(recorder.reads_weighed(), structure, times, ends, (0.5 * h, [1.0, 1.0]), loads);
+            span.impulse_from_left = 0.5 * h * start.force_from_left + body.impulses.0;
+            span.impulse_from_right = 0.5 * h * start.force_from_right + body.impulses.1;
+            span.pushes = self.pushes.of(slots.clone());
+            recorder.span(&span);
             self.pushes.go_on(slots);
             self.states[structure] = *end;
             body.since = instant;

@@ -272,11 +272,10 @@ pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
 ) {
     let (times, reads_weighed) = (step.times(), recorder.reads_weighed());
     let (pushes, incidence) = (&mut scratch.pushes, row.incidence());
+    pushes.pass();
     for (pair, known) in scratch.pairs.iter().enumerate() {
         let force = if scratch.touching[pair] { known.force } else { 0.0 };
-        for slot in incidence.slots_of(pair) {
-            pushes.at(*slot).forces[1] = force;
-        }
+        pushes.set(incidence, pair, force);
     }
     let all: [&[State]; 2] = [&scratch.states, &scratch.ends];
     for (node, (start, end)) in all[0].iter().zip(all[1]).enumerate() {

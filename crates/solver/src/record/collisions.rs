@@ -210,6 +210,9 @@ impl Recorder for Collisions {
         *seen = [(span.end_time, span.end.displacement), seen[0]];
         self.steps = matches!(span.path, Path::Cubic(_));
         for push in span.pushes {
+            if push.is_none() && self.open[push.pair].is_none() {
+                continue;
+            }
             if push.on_left && self.pairs[push.pair].left() == span.structure {
                 self.push(span, push);
             }

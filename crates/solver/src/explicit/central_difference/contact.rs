@@ -14,6 +14,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
     /// earlier was negative.
     pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>, work: &mut Work) -> bool {
         let (row, bodies) = (self.row, &mut self.bodies);
+        if !fine {
+            self.pushes.pass();
+        }
         for (index, body) in bodies.iter_mut().enumerate() {
             if body.fine || !fine {
                 (body.force_from_left, body.force_from_right) = (0.0, 0.0);

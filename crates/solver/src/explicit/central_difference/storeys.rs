@@ -278,16 +278,14 @@ impl<Column: RestoringForce> Building<'_, Column> {
         ];
         let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
         let times = (body.start_time, time);
-        let span = Span::step(recorder.reads_weighed(), index, times, [body.start, end], weights, loads);
-        let (from_left, from_right) = body.excess;
+        let mut span = Span::step(recorder.reads_weighed(), index, times, [body.start, end], weights, loads);
+        span.impulse_from_left -= body.excess.0;
+        span.impulse_from_right -= body.excess.1;
+        span.below = below;
         let slots = self.row.incidence().slots_at(index);
         self.pushes.end(slots.clone(), weights.0);
-        recorder.span(&Span {
-            impulse_from_left: span.impulse_from_left - from_left,
-            impulse_from_right: span.impulse_from_right - from_right,
-            pushes: self.pushes.of(slots),
-            ..span.over(below)
-        });
+        span.pushes = self.pushes.of(slots);
+        recorder.span(&span);
     }
 
     /// Net restoring and damping force \[N\] on a floor at both ends of its span, at the velocities of the equations there;

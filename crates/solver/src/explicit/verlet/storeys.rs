@@ -137,13 +137,12 @@ impl<Column: RestoringForce> Building<'_, Column> {
             let body = &mut self.bodies[index];
             let slots = self.row.incidence().slots_at(index);
             self.pushes.start(slots.clone(), 0.5 * h);
-            recorder.span(&Span {
-                impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
-                impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
-                pushes: self.pushes.of(slots.clone()),
-                ..Span::step(recorder.reads_weighed(), index, times, [start, end], weights, loads)
-                    .over(self.row.below(index, [self.states, self.ends]))
-            });
+            let mut span = Span::step(recorder.reads_weighed(), index, times, [start, end], weights, loads);
+            span.impulse_from_left = 0.5 * h * start.force_from_left + body.impulses.0;
+            span.impulse_from_right = 0.5 * h * start.force_from_right + body.impulses.1;
+            span.below = self.row.below(index, [self.states, self.ends]);
+            span.pushes = self.pushes.of(slots.clone());
+            recorder.span(&span);
             self.pushes.go_on(slots);
             self.states[index] = end;
             body.since = instant;

@@ -134,7 +134,10 @@ fn report(ledger: &mut Ledger<'_>, floors: &[Motions; 2], start_time: f64, end_t
     let (lower, upper) = (span(0), span(1));
     let ends = |state: fn(&Span<'_>) -> State| Motion::from(&state(&lower));
     let below = [ends(|span| span.start), ends(|span| span.end)];
-    let upper = upper.over(Some(below));
+    let upper = Span {
+        below: Some(below),
+        ..upper
+    };
     ledger.span(&lower);
     ledger.span(&upper);
     [below[1], (&upper.end).into()]
