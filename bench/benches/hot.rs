@@ -1,7 +1,7 @@
-//! The hot loops one by one: a step of every method, of lanes, a piece of the exact method in flight and in contact.
+//! The hot loops separately: a step of every method, of lanes, a piece of the exact method in flight and in contact.
 //!
-//! `cargo bench --profile dev --package pounding-bench --bench hot`; an element is a step, in lanes a step of a scene, with
-//! the exact method a piece of a structure's motion.
+//! `cargo bench --profile dev --package pounding-bench --bench hot`. An element is a step; in lanes a step of a scene; for the exact method
+//! a piece of a structure's motion.
 
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -16,7 +16,7 @@ use pounding_solver::{
 };
 
 const MASS: f64 = 1e5;
-/// Scenes in lanes: as many as go in step on the machine with the widest vectors.
+/// Scenes in lanes: as many as run in step on the machine with the widest vectors.
 const LANES: usize = 16;
 const CLOCK: Clock = Clock {
     time_step: 0.01,
@@ -72,7 +72,7 @@ fn main() {
                 work.expect("the run ends")
             };
             let work = run();
-            // The exact method counts no steps, the others no pieces.
+            // The exact method counts only pieces, the others only steps.
             group.throughput(Throughput::Elements(work.steps.max(work.segments)));
             group.bench_function(method, |bencher| bencher.iter(run));
         }
@@ -94,7 +94,7 @@ fn main() {
     criterion.final_summary();
 }
 
-/// Two structures of 0.9 and 0.4 s.
+/// Two structures with periods of 0.9 and 0.4 s.
 fn row(gap: f64, law: ContactLaw) -> Row<Elastic> {
     let node = |period: f64| {
         let omega = 2.0 * PI / period;
@@ -105,7 +105,7 @@ fn row(gap: f64, law: ContactLaw) -> Row<Elastic> {
     Row::new(vec![node(0.9), node(0.4)], vec![pair]).expect("a valid row")
 }
 
-/// Accelerations of some 3 m/s² at the nodes of the clock.
+/// Accelerations of about 3 m/s² at the nodes of the clock.
 fn ground() -> Vec<f64> {
     let at = |step: usize| {
         let time = CLOCK.time_step * step as f64;

@@ -15,11 +15,11 @@
 //!
 //! Only ratios are kept, each taken in one run on one machine. `--peers` needs Python 3 and packages from its index.
 //!
-//! Left out: whether numbers are right, which tests ask, and error against counted work, which `cargo xtask reproduce` measures.
+//! Not in this crate: whether numbers are right, which tests check, and error against counted work, which `cargo xtask reproduce` measures.
 //! `cargo xtask check` times nothing. `docs/performance.md` explains the results.
 //!
-//! Where to start: `measure.rs`, the way to time and to write a table; `scenes.rs`, what runs in lanes, by hand and by other programs;
-//! `lanes/by_hand.rs`, the loop that lanes are measured by; `peers/entrants.rs`, the list of other programs. `benches/` holds the loops
+//! Where to start: `measure.rs`, timing and tables; `scenes.rs`, the scenes of lanes, of the loop by hand and of other programs;
+//! `lanes/by_hand.rs`, the loop that lanes are compared with; `peers/entrants.rs`, the list of other programs. `benches/` has the loops
 //! that criterion times.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
@@ -50,7 +50,7 @@ const TABLE: Table = Table {
     header: "scene,method,setting,error,accurate_enough,work_ratio,wall_time_ratio",
 };
 
-/// What is timed; all but the peers without an option.
+/// Kinds of timings; by default all except the peers.
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask bench", bin_name = "cargo xtask bench")]
 #[expect(
@@ -58,16 +58,16 @@ const TABLE: Table = Table {
     reason = "each is an option of the command line, and they exclude each other"
 )]
 struct Arguments {
-    /// Only what it saves to model only what a scene requires.
+    /// Only the savings of models without unneeded features.
     #[arg(long)]
     savings: bool,
-    /// Only what a floor of a building costs in a step.
+    /// Only the cost of a floor of a building in a step.
     #[arg(long, conflicts_with = "savings")]
     storeys: bool,
-    /// Only scenes side by side in lanes, sweeps of them, and rows of many structures.
+    /// Only scenes in lanes, sweeps of them, and rows of many structures.
     #[arg(long, conflicts_with_all = ["savings", "storeys"])]
     lanes: bool,
-    /// Only the same scenes by other programs and compiled loops.
+    /// Only a comparison with other programs and compiled loops.
     #[arg(long, conflicts_with_all = ["savings", "storeys", "lanes"])]
     peers: bool,
 }
@@ -90,9 +90,9 @@ fn main() -> ExitCode {
     }
 }
 
-/// Times every method on the scenes of two structures and keeps ratios to the central difference method; then all the rest.
+/// Times every method on the scenes of two structures and keeps ratios to the central difference method; then runs all other timings.
 fn run(root: &Path) -> Outcome<()> {
-    // The profile of the program: it is built already.
+    // The profile of the program, which is built already.
     let bench = ["bench", "--profile", "dev", "--package", "pounding-bench"];
     cargo(root, &[&bench[..], &["--bench", "methods"]].concat())?;
     let study = root.join("studies/trade.json");
@@ -122,7 +122,7 @@ fn run(root: &Path) -> Outcome<()> {
     lanes(root)
 }
 
-/// Times scenes side by side, sweeps of them, and rows of many structures.
+/// Times scenes in lanes, sweeps of them, and rows of many structures.
 fn lanes(root: &Path) -> Outcome<()> {
     structures::run(root)?;
     lanes::run(root)?;

@@ -1,4 +1,4 @@
-//! The way to time, and the way to write a table.
+//! Timing, and writing of tables.
 
 use std::error::Error;
 use std::fs;
@@ -8,13 +8,13 @@ use std::time::{Duration, Instant};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-/// What a benchmark gives, or why it gives nothing.
+/// Result of a benchmark, or its error.
 pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
 
 /// Wall times of runs \[s\], a list for each number in the order.
 ///
-/// A round runs the whole order, every other round backwards: other work of the machine meets all runs. Rounds go on until the patience
-/// ends, and there are at least as many as `least`.
+/// A round runs the whole order, every second round backwards, so that other load of the machine affects all runs. Rounds continue until
+/// the patience ends, at least `least` of them.
 pub(crate) fn in_turn(
     order: &[usize],
     (least, patience): (usize, Duration),
@@ -35,30 +35,30 @@ pub(crate) fn in_turn(
     Ok(times)
 }
 
-/// The median; the upper one of two, not a number of none.
+/// The median; the upper one of two, NaN of none.
 pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.into_iter().collect();
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The median ratio of times of the same rounds.
+/// The median ratio of times from common rounds.
 pub(crate) fn ratio(times: &[f64], others: &[f64]) -> f64 {
     median(times.iter().zip(others).map(|(time, other)| time / other))
 }
 
 /// A table of ratios.
 pub(crate) struct Table {
-    /// Where it is kept, from the top folder.
+    /// Path of the file, from the top folder.
     pub(crate) path: &'static str,
-    /// What is in it, for the terminal.
+    /// Title for the terminal.
     pub(crate) title: &'static str,
     pub(crate) header: &'static str,
 }
 
 impl Table {
-    /// Writes and prints lines. In a table that begins with the instructions of the machine each line gets them, and replaces those of the
-    /// same instructions; those of others stay.
+    /// Writes and prints lines. If the table begins with the instructions of the machine, each line gets them and replaces lines with these
+    /// instructions; lines of other machines stay.
     pub(crate) fn write(&self, root: &Path, lines: &[String]) -> Outcome<()> {
         let Self { path, title, header } = self;
         let before = fs::read_to_string(root.join(path)).unwrap_or_default();
@@ -79,7 +79,7 @@ impl Table {
     }
 }
 
-/// The widest instructions of this machine that tables tell apart.
+/// The widest vector instructions of this machine that tables distinguish.
 fn instructions() -> &'static str {
     fn lanes<S: Simd>(_: S) -> usize {
         <S::f64s as SimdBase<S>>::LEN

@@ -1,4 +1,4 @@
-//! What it saves to model only what a scene requires, on rows of 2 to 1000 structures.
+//! Savings of models without unneeded features, on rows of 2 to 1000 structures.
 
 use std::path::Path;
 use std::time::Duration;
@@ -17,10 +17,10 @@ const TABLE: Table = Table {
 };
 /// Lengths of the rows.
 const LENGTHS: [usize; 4] = [2, 10, 100, 1000];
-/// Runs of each row, at least, and for how long.
+/// Least number and duration of runs of each row.
 const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
 
-/// Times rows with one burden each beside the lean one, run by run in turn, and keeps the ratios of their medians.
+/// Times rows with a single additional feature against the lean row, in turn, and keeps the ratios of their medians.
 pub(super) fn run(root: &Path) -> Outcome<()> {
     let methods = [
         ("exact", json!({"exact": {}})),

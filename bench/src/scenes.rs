@@ -10,25 +10,25 @@ use rand_pcg::Pcg64;
 use crate::measure::Outcome;
 use crate::setting::{CLOCK, DAMPING, GAPS, GRAVITY, MASS, RESTITUTION, STIFFNESS, Way, between, random, structure};
 
-/// Scenes in a group, and those of each law: of structures and of towers.
+/// Number of scenes in a group, and numbers of scenes of each law: of structures and of towers.
 pub(crate) const GROUP: usize = 16;
 const STRUCTURES: usize = 4096;
 const TOWERS: usize = 1024;
 /// Storeys of both towers.
 pub(crate) const LEFT: usize = 8;
 pub(crate) const RIGHT: usize = 5;
-/// Least and largest mass of a floor of a tower, over that of a structure.
+/// Smallest and largest mass of a floor of a tower, over that of a structure.
 const MASSES: [f64; 2] = [0.5, 1.5];
-/// Least and largest period of a tower over its storeys \[s\].
+/// Smallest and largest period of a tower over its number of storeys \[s\].
 const PERIODS: [f64; 2] = [0.06, 0.15];
-/// Least and largest base shear at yield over the weight.
+/// Smallest and largest base shear at yield over the weight.
 const SHEARS: [f64; 2] = [0.1, 0.4];
-/// Stiffness after yielding over that before.
+/// Ratio of the stiffness after yielding to that before.
 const HARDENING: f64 = 0.05;
-/// Rayleigh damping has its ratio at the first mode, and at so many times its frequency.
+/// Second frequency of the Rayleigh damping, over that of the first mode.
 const DAMPED_TO: f64 = 5.0;
 
-/// Numbers of a group of scenes of two buildings; their storeys from the ground up.
+/// Numbers of a group of scenes of two buildings, with storeys from the ground up.
 #[derive(Debug, Clone)]
 pub(crate) struct Group<const L: usize, const R: usize> {
     pub(crate) left: [[Storey<Bilinear>; L]; GROUP],
@@ -47,7 +47,7 @@ pub(crate) fn laws() -> Outcome<[ContactLaw; 2]> {
     ])
 }
 
-/// Whether one of these laws is impulsive, and its numbers: e, or β̄ \[N/m^1.5\] and ξ̄ \[–\].
+/// Whether a law is impulsive, and its numbers: e, or β̄ \[N/m^1.5\] and ξ̄ \[–\].
 pub(crate) fn numbers(law: ContactLaw) -> (bool, [f64; 2]) {
     if let ContactLaw::NonlinearViscoelastic(law) = law {
         return (false, [law.impact_stiffness, law.impact_damping_ratio]);
@@ -83,7 +83,7 @@ pub(crate) fn towers() -> Vec<Group<LEFT, RIGHT>> {
     (0..TOWERS / GROUP).map(|_| group()).collect()
 }
 
-/// A tower of equal floors and storeys, which yield from a share of the weight on that falls with the floors above.
+/// A tower of equal floors and storeys. They yield at a share of the weight that falls with the number of floors above.
 fn tower<const N: usize>(random: &mut Pcg64) -> [Storey<Bilinear>; N] {
     let mass = MASS * between(random, MASSES);
     let omega = 2.0 * PI / (N as f64 * between(random, PERIODS));
@@ -104,9 +104,9 @@ fn tower<const N: usize>(random: &mut Pcg64) -> [Storey<Bilinear>; N] {
     })
 }
 
-/// Columns that run side by side.
+/// Columns that can run in lanes.
 pub(crate) trait Beside: Hysteretic {
-    /// The leaner column where the bilinear one never yields.
+    /// The leaner column if the bilinear column never yields.
     fn of(column: Bilinear) -> Self;
     fn rows<'a>(rows: &'a [&'a Row<Self>]) -> RowsOf<'a>;
 }

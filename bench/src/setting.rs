@@ -1,4 +1,4 @@
-//! What holds in all benchmarks of many scenes: the record, its steps, the methods, and the bounds of what is drawn.
+//! Common settings of all benchmarks of many scenes: the record, its steps, the methods, and the bounds of random numbers.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::measure::Outcome;
 
 /// The record that shakes the scenes, from the top folder.
 pub(crate) const RECORD: &str = "studies/records/el-centro-1940-ns-chopra.csv";
-/// Of the Earth \[m/s²\].
+/// Acceleration of gravity \[m/s²\].
 pub(crate) const GRAVITY: f64 = 9.81;
 /// Of the structures: mass \[kg\], damping ratio \[–\], least and largest period \[s\], least and largest gap \[m\].
 pub(crate) const MASS: f64 = 1e5;
@@ -22,12 +22,12 @@ pub(crate) const GAPS: [f64; 2] = [0.01, 0.08];
 pub(crate) const RESTITUTION: f64 = 0.65;
 pub(crate) const STIFFNESS: f64 = 2.75e9;
 
-/// Steps of runs in lanes, one by one and by hand.
+/// Steps of runs in lanes, alone and by hand.
 pub(crate) const CLOCK: Clock = Clock {
     time_step: 0.01,
     n_steps: 1000,
 };
-/// Time between two samples of the record \[s\], which is all that the exact method needs.
+/// Time between two samples of the record \[s\]; the exact method needs no other step.
 pub(crate) const RECORDED: f64 = 0.02;
 pub(crate) const STEPPING: CentralDifference = CentralDifference { contact_substeps: 1 };
 
@@ -42,7 +42,7 @@ pub(crate) const fn exact(tolerance: f64) -> Exact {
 /// A method, and the motion under which it runs.
 pub(crate) type Way<'a> = (Integrator, Excitation<'a>);
 
-/// Ten seconds of the record: accelerations \[m/s²\] at the nodes of the clock, and at its own.
+/// Ten seconds of the record: accelerations \[m/s²\] at the nodes of the clock, and at its samples.
 pub(crate) struct Ground {
     pub(crate) sampled: Vec<f64>,
     recorded: Vec<f64>,
@@ -56,7 +56,7 @@ impl Ground {
         })
     }
 
-    /// Central differences and the exact method, each with what it needs of the motion.
+    /// Central differences and the exact method, each with its form of the motion.
     pub(crate) fn methods(&self) -> Outcome<[Way<'_>; 2]> {
         let sampled = Excitation::new(CLOCK.time_step, &self.sampled)?;
         let recorded = Excitation::new(RECORDED, &self.recorded)?;
@@ -67,7 +67,7 @@ impl Ground {
     }
 }
 
-/// The clock of as long a time at the samples of the record.
+/// The clock of an equally long time at the samples of the record.
 pub(crate) fn recorded() -> Clock {
     Clock {
         time_step: RECORDED,
@@ -89,14 +89,14 @@ pub(crate) fn random() -> Pcg64 {
     Pcg64::new(7, 11)
 }
 
-/// A number between two.
+/// A random number between two bounds.
 pub(crate) fn between(random: &mut Pcg64, [low, high]: [f64; 2]) -> f64 {
     // The upper 53 bits: a number in [0, 1).
     let unit = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
     low + unit * (high - low)
 }
 
-/// A structure of one storey that never yields, with a period at random.
+/// A structure of one storey that never yields, with a random period.
 pub(crate) fn structure(random: &mut Pcg64) -> Storey<Bilinear> {
     let omega = 2.0 * PI / between(random, PERIODS);
     Storey {

@@ -1,4 +1,4 @@
-//! What a floor costs in a step, over the storeys of buildings and over their number.
+//! Cost of a floor in a step, over the number of storeys and the number of buildings.
 
 use std::path::Path;
 use std::time::Duration;
@@ -19,17 +19,17 @@ const FIGURE: &str = "results/storeys.png";
 /// Storeys of five buildings, and numbers of buildings of five storeys.
 const STOREYS: [usize; 7] = [1, 2, 3, 5, 10, 20, 50];
 const BUILDINGS: [usize; 4] = [2, 10, 30, 100];
-/// The row that both have in common, and the one whose time is the unit.
+/// The row common to both series, and the row whose time is the unit.
 const FIXED: RowSize = RowSize { storeys: 5, buildings: 5 };
 const SMALLEST: RowSize = RowSize { storeys: 1, buildings: 5 };
-/// Rounds over the rows of a method and condition, at least, and for how long: their median shrugs off those in which the machine was busy.
+/// Least number and duration of rounds over the rows of a method and condition: their median ignores rounds in which the machine was busy.
 const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
-/// Floors that are timed in a round of each size: what else the machine does weighs on short runs most, which are many.
+/// Floors per round and size. Other load affects short runs most, which are therefore many.
 const FLOORS_PER_ROUND: usize = 100;
-/// Floors up to which the exact method is timed in contact: a body of more takes minutes.
+/// Most floors in contact for the exact method: larger bodies take minutes.
 const MOST_EXACT: usize = 30;
 
-/// Times rows of buildings beside rows of one storey, in turn, and keeps medians of ratios and a figure.
+/// Times rows of buildings against rows of one storey, in turn, and keeps medians of ratios and a figure.
 pub(super) fn run(root: &Path) -> Outcome<()> {
     let (mut lines, mut costs) = (Vec::new(), Vec::new());
     for (name, method) in TimedRow::methods() {
@@ -60,18 +60,17 @@ fn sizes(method: Method, condition: Condition) -> impl Iterator<Item = RowSize> 
     sizes.filter(move |size| !exact_in_contact || size.floors() <= MOST_EXACT)
 }
 
-/// Of every size its time over that of the smallest row, and the cells of its line.
+/// For every size, its time over that of the smallest row, and the cells of its line.
 fn timed((method, condition): (Method, Condition), record: &Path) -> Outcome<Vec<(RowSize, f64, String)>> {
     let row = |size| TimedRow::new(size, condition, method, record);
     let sizes: Vec<RowSize> = sizes(method, condition).collect();
     let mut rows = Vec::new();
     for size in &sizes {
-        // The smallest one runs as often as it takes to run as many floors.
+        // The smallest row runs as often as needed for the same number of floors.
         let times = size.floors().div_ceil(SMALLEST.floors());
         rows.extend([(row(*size)?, 1), (row(size.of_one_storey())?, 1), (row(SMALLEST)?, times)]);
     }
-    // Those that are compared follow each other, another one first each time: the machine takes and gives back the processor in a rhythm
-    // of its own.
+    // Compared rows follow each other, each time in another order, because the machine changes its speed in a rhythm.
     let turns = |(one, size): (usize, &RowSize)| {
         let rotated = |turn: usize| (0..3).map(move |place| 3 * one + (turn + place) % 3);
         let turns = 0..FLOORS_PER_ROUND.div_ceil(size.floors());

@@ -1,4 +1,4 @@
-//! What a structure costs in rows of 2 to 1000, beside one in a row of two.
+//! Cost of a structure in rows of 2 to 1000, relative to a structure in a row of two.
 
 use std::path::Path;
 use std::time::Duration;
@@ -17,14 +17,14 @@ const TABLE: Table = Table {
     header: "instructions,run,structures,time_of_a_structure_over_one_of_two",
 };
 const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, 1000];
-/// Ways to run rows, with the structures in a round of each size and the number of sizes. The largest rows fill all lanes of any machine.
-/// The exact method would take minutes with rows of a thousand.
+/// Ways to run rows, with the number of structures per round and the number of sizes. The largest rows fill all lanes of any machine. The
+/// exact method would take minutes with rows of a thousand.
 const WAYS: [(&str, usize, usize); 3] = [
     ("central difference in lanes", 16_000, 7),
     ("central difference", 1000, 7),
     ("exact", 1000, 6),
 ];
-/// Rounds over the sizes, at least, and for how long.
+/// Least number and duration of rounds over the sizes.
 const ROUNDS: (usize, Duration) = (3, Duration::from_secs(6));
 
 /// Times rows of all sizes in turn and keeps medians of ratios.
@@ -66,7 +66,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     TABLE.write(root, &lines)
 }
 
-/// Rows of a size at random, of so many structures together.
+/// Random rows of a size, with this many structures together.
 fn rows(size: usize, in_round: usize) -> Outcome<Vec<Row<Elastic>>> {
     let mut random = random();
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: RESTITUTION });

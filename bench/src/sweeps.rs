@@ -1,4 +1,4 @@
-//! Sweeps as a user runs them, beside the loop by hand on all cores: time for a run, and memory.
+//! Sweeps as a user runs them, compared with the loop by hand on all cores: time per run, and memory.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ const TABLE: Table = Table {
     title: "Wall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads",
     header: "instructions,keeps,runs,steps,threads,time_over_loop_by_hand,largest_memory_mb",
 };
-/// What is timed.
+/// The timed sweeps.
 const SWEEPS: [Sweep; 8] = [
     Sweep(10_000, SHORT, "rows", 5),
     Sweep(100_000, SHORT, "rows", 5),
@@ -27,19 +27,19 @@ const SWEEPS: [Sweep; 8] = [
     Sweep(10_000_000, SHORT, SUMMARY, 3),
     Sweep(100_000_000, SHORT, SUMMARY, 1),
 ];
-/// What a sweep keeps in place of a row for every run: statistics of all.
+/// Name of a sweep that writes statistics instead of rows.
 const SUMMARY: &str = "summary";
 /// Ten seconds of the record, as in the other benchmarks.
 const SHORT: Clock = setting::CLOCK;
-/// Nearly all of it, in steps of half the length.
+/// Almost the whole record, in steps of half the length.
 const LONG: Clock = Clock {
     time_step: 0.005,
     n_steps: 6000,
 };
-/// How often a sweep that runs is asked for its memory.
+/// Interval of memory measurements of a running sweep.
 const LOOK: Duration = Duration::from_millis(2);
 
-/// So many runs of so many steps, what is written, and how often they are timed.
+/// Number of runs, their steps, the output, and the number of timings.
 struct Sweep(u64, Clock, &'static str, usize);
 
 /// Times sweeps and keeps the ratios.
@@ -52,7 +52,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     let mut lines = Vec::new();
     for sweep in &SWEEPS {
         let Sweep(runs, clock, keeps, _) = sweep;
-        // The loop by hand before and after: the speed of machines drifts.
+        // The loop by hand runs before and after, because the speed of machines drifts.
         let before = lanes::seconds_by_hand(root, threads, *clock)?;
         let (seconds, memory) = sweep.time(&program, &home, root)?;
         let after = lanes::seconds_by_hand(root, threads, *clock)?;
@@ -64,7 +64,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
 }
 
 impl Sweep {
-    /// Median time \[s\], and the most memory \[kB\], of a program that runs it from a folder.
+    /// Median time \[s\] and peak memory \[kB\] of a program that runs the sweep from a folder.
     fn time(&self, program: &Path, home: &Path, root: &Path) -> Outcome<(f64, u64)> {
         let file = home.join("sweep.json");
         fs::write(&file, self.text(root).to_string())?;
@@ -80,7 +80,7 @@ impl Sweep {
         Ok((median(times), memory))
     }
 
-    /// The scenes of the other benchmarks, with what is the default.
+    /// The scenes of the other benchmarks, with default settings.
     fn text(&self, root: &Path) -> Value {
         let structure =
             |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
@@ -110,7 +110,7 @@ impl Sweep {
     }
 }
 
-/// Wall time \[s\] of a program, and the most memory that it held \[kB\], where the system tells.
+/// Wall time \[s\] of a program, and its peak memory \[kB\] if the system reports it.
 fn timed(command: &mut Command) -> Outcome<(f64, u64)> {
     let start = Instant::now();
     let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());

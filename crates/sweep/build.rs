@@ -1,4 +1,4 @@
-//! Hashes the sources of the crates that compute, so that a sweep is not continued by code that may compute otherwise.
+//! Hashes the sources of the crates that compute, which identify a sweep: other code must not continue it.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// The folders of these crates, seen from this one.
+/// The folders of these crates, relative to this crate.
 const SOURCES: [&str; 7] = [
     "../contact/src",
     "../lanes/src",
@@ -17,14 +17,14 @@ const SOURCES: [&str; 7] = [
     "../text/src",
     "src",
 ];
-/// The file that says which versions of others they use; a source distribution of Python has its own alone.
+/// The lock files with the versions of dependencies; a source distribution of Python has only its own.
 const LOCKS: [&str; 2] = ["../../Cargo.lock", "../python/Cargo.lock"];
 
 fn main() -> Result<()> {
     let mut hash = Sha256::new();
     let exists = |path: &&str| Path::new(path).exists();
     let lock = LOCKS.into_iter().find(exists);
-    // Beside a package from a registry the others do not lie: all have its version.
+    // In a package from a registry the other crates are absent: all have its version.
     hash.update(env!("CARGO_PKG_VERSION"));
     let packaged = !SOURCES[..SOURCES.len() - 1].iter().any(exists);
     let sources = SOURCES.into_iter().skip(if packaged { SOURCES.len() - 1 } else { 0 });
@@ -34,7 +34,7 @@ fn main() -> Result<()> {
         files.sort();
         for file in files {
             let bytes = fs::read(&file)?;
-            // A checkout of Windows has other line ends, and may name folders with the other stroke.
+            // A checkout on Windows has other line ends, and may use backslashes in paths.
             let bytes: Vec<u8> = bytes.into_iter().filter(|byte| *byte != b'\r').collect();
             hash.update(file.to_string_lossy().replace('\\', "/"));
             hash.update((bytes.len() as u64).to_le_bytes());

@@ -1,4 +1,4 @@
-//! The paper's scenes and claims under other ground motions: those of the project's own list, or a folder of records.
+//! The paper's scenes and claims under other ground motions: those of the project's list, or a folder of records.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use pounding_studies::{Beyond, BeyondStudy, StudyFile};
 
-/// Where tables and figures go unless asked, from the top folder: of the project's motions, and of a folder of records.
+/// Default folders of tables and figures, from the top folder: for the project's motions, and for a folder of records.
 const USUAL: [&str; 2] = ["results/beyond", "target/beyond"];
 
 /// Runs the scenes under every record of a folder, or under the motions of the project; writes tables and figures.
@@ -32,7 +32,7 @@ pub(crate) fn run(root: &Path, records: Option<&Path>, out: Option<PathBuf>, sca
     let usual = USUAL[usize::from(records.is_some())];
     let folder = out.unwrap_or_else(|| root.join(usual));
     for (path, bytes) in &files {
-        // The folder is theirs alone.
+        // The folder contains only these files.
         let path = folder.join(path.strip_prefix("beyond").unwrap_or(path));
         fs::create_dir_all(path.parent().unwrap_or(&folder))
             .and_then(|()| fs::write(&path, bytes))
@@ -41,7 +41,7 @@ pub(crate) fn run(root: &Path, records: Option<&Path>, out: Option<PathBuf>, sca
     crate::reproduce::say(&format!("{}\n{} files in {}\n", summary(&made), files.len(), folder.display()))
 }
 
-/// In how many cases each claim holds, and what was left out.
+/// Number of cases in which each claim holds, and omitted records.
 fn summary(made: &Beyond) -> String {
     let mut text = String::from("The paper's claims under these motions in both directions\n");
     let mut line = |words: String| writeln!(text, "  {words}").expect("a string takes all");

@@ -1,4 +1,4 @@
-//! What must pass before a change lands.
+//! Checks that a change must pass.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-/// Steps that are commands of cargo: what they are for, arguments, and an environment variable.
+/// Steps that are commands of cargo: purpose, arguments, and an environment variable.
 const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
     ("format", &["fmt", "--all", "--", "--check"], ("CARGO_TERM_QUIET", "false")),
     (
@@ -14,7 +14,7 @@ const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
         &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"],
         ("CARGO_TERM_QUIET", "false"),
     ),
-    // A missing snapshot fails here instead of being written.
+    // A missing snapshot fails here and is not written.
     ("tests", &["test", "--workspace"], ("INSTA_UPDATE", "no")),
     (
         "documentation",
@@ -23,7 +23,7 @@ const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
     ),
 ];
 
-/// Holds the dependencies to deny.toml, where cargo-deny is installed; advisories, which it fetches, are left to who asks for them.
+/// Checks the dependencies against deny.toml if cargo-deny is installed. Advisories need the network and are not checked.
 fn denied(root: &Path, cargo: &OsStr) -> Result<(), String> {
     let deny = |arguments: &[&str]| {
         let mut command = Command::new(cargo);
@@ -43,14 +43,14 @@ fn denied(root: &Path, cargo: &OsStr) -> Result<(), String> {
     }
 }
 
-/// Checks the code with the Rust version that Cargo.toml declares, where rustup has it.
+/// Checks the code with the Rust version of Cargo.toml, if rustup has it.
 fn oldest(root: &Path) -> Result<(), String> {
     let version = env!("CARGO_PKG_RUST_VERSION");
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new("rustup");
         command.args(["run", version, "cargo"]).args(arguments);
         command.current_dir(root);
-        // Else it would build anew whatever the other version has built.
+        // A common target folder would rebuild everything for each version.
         command.env("CARGO_TARGET_DIR", root.join("target/oldest"));
         command
     };
@@ -66,8 +66,8 @@ fn oldest(root: &Path) -> Result<(), String> {
     }
 }
 
-/// Holds the packages below `cargo xtask` to the features that they have below the tests: others are built a second time, and with them
-/// all that is above.
+/// Checks that packages below `cargo xtask` have the same features as below the tests. Otherwise they, and all packages above, are built
+/// twice.
 fn built_once(root: &Path, cargo: &OsStr) -> Result<(), String> {
     let packages = |of: &[&str]| {
         let mut command = Command::new(cargo);

@@ -4,14 +4,14 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Where the targets lie, from the top folder.
+/// Folder of the targets, from the top folder.
 const TARGETS: &str = "fuzz/fuzz_targets";
-/// Seconds after which one input counts as a hang; with checks of overflow an exact run of huge numbers takes a few.
+/// Seconds after which an input counts as a hang. With overflow checks an exact run of huge numbers takes a few.
 const HANG: u32 = 30;
 /// Memory of a run \[MB\].
 const MEMORY: u32 = 1024;
 
-/// Runs every target, or the one that is asked for, for so many seconds; what is found stays in fuzz/artifacts.
+/// Runs every target, or a given one, for a number of seconds; findings stay in fuzz/artifacts.
 pub(crate) fn run(root: &Path, seconds: u32, only: Option<&str>) -> Result<(), String> {
     let mut all = targets(root)?;
     if let Some(only) = only {
@@ -24,11 +24,11 @@ pub(crate) fn run(root: &Path, seconds: u32, only: Option<&str>) -> Result<(), S
         println!("── {target}: {seconds} s");
         let dictionary = format!("fuzz/{target}.dict");
         let dictionary = root.join(&dictionary).exists().then(|| format!("-dict={dictionary}"));
-        // Inputs that it makes go where nobody commits them; it begins from the seeds, too.
+        // New inputs go to a folder that is not committed. The run also starts from the seeds.
         let made = root.join("target/fuzz").join(&target);
         fs::create_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
         let seeds = Path::new("fuzz/corpus").join(&target);
-        // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
+        // Without a sanitizer it runs on stable Rust; there is no unsafe code to watch.
         let arguments = ["fuzz", "run", "--sanitizer", "none", &target];
         let folders = [made.as_path(), &seeds, Path::new("--")];
         let limits = [

@@ -1,4 +1,4 @@
-//! Tasks of the project: what makes its results anew, and what must pass before a change lands.
+//! Tasks of the project: reproduction of its results, and checks of changes.
 //!
 //! ```text
 //! cargo xtask check              # before you hand over
@@ -21,11 +21,11 @@
 //! | `torture` | kills, races, damage, power failures, full disks: what exit code 0 promises | – |
 //! | `hyperqueue`, `slurm` | a sweep by a scheduler, held to the bytes of one without | – |
 //!
-//! Left out: the results themselves, which `pounding-studies` makes; timings, which `pounding-bench` runs; and what users of the program
-//! need, which is in `pounding`.
+//! Not in this crate: the results themselves, which `pounding-studies` makes; timings, which `pounding-bench` runs; features for users of
+//! the program, which are in `pounding`.
 //!
-//! Where to start: `check.rs`, the steps of a check; `reproduce.rs` and `results.rs`, how results are compared by bytes; `rooms.rs`,
-//! the rule that arrows between crates run down.
+//! Where to start: `check.rs`, the steps of a check; `reproduce.rs` and `results.rs`, the comparison of results by bytes; `rooms.rs`, the
+//! rule that arrows between crates run down.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 mod beyond;
@@ -59,70 +59,70 @@ struct Arguments {
 enum Task {
     /// Run every study and write every table and figure of the paper into results/.
     Reproduce {
-        /// Write nothing; fail when results/ is not what a fresh run gives.
+        /// Write nothing; fail if results/ differs from a fresh run.
         #[arg(long)]
         check: bool,
-        /// Run the whole of the extremes, too, and not the usual part of it alone: some minutes more.
+        /// Run all extremes instead of the usual part; takes some minutes more.
         #[arg(long)]
         all: bool,
     },
-    /// Ask the paper's claims under other ground motions in both directions, of its scenes, of buildings of several storeys, and
-    /// under weaker shaking; with --records under every record of a folder of your own.
+    /// Test the paper's claims under other ground motions in both directions, for its scenes and for buildings of several storeys, and
+    /// under weaker shaking. With --records: under every record of a folder.
     Beyond {
-        /// A folder of records instead of the motions of studies/beyond.json; those that cannot be read, and vertical ones, are listed as left out.
+        /// A folder of records instead of the motions of studies/beyond.json. Unreadable and vertical records are listed as left out.
         #[arg(long, value_name = "FOLDER")]
         records: Option<PathBuf>,
-        /// Folder for the tables and figures; without it results/beyond, and target/beyond with --records.
+        /// Folder for the tables and figures [default: results/beyond, or target/beyond with --records].
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
-        /// Leave the records as strong as they are, instead of scaling them to the peak of the paper's.
+        /// Keep the strength of the records instead of scaling them to the peak of the paper's record.
         #[arg(long, requires = "records")]
         as_recorded: bool,
     },
-    /// Run the surveys of studies/, one question asked of thousands of exact runs each, and write their folders of results/: a
-    /// minute or two each; no part of `check`.
+    /// Run the surveys of studies/, each with thousands of exact runs, and write their folders of results/. Takes a minute or two each; not
+    /// part of `check`.
     Studies {
-        /// Names of surveys, such as required-gap; all without one.
+        /// Names of surveys, such as required-gap [default: all].
         names: Vec<String>,
     },
-    /// Run random scenes by the exact method and by the second route, which share nothing but the scene, and say what disagrees, fails
-    /// or does not end; no part of `check`, but for some scenes among the tests.
+    /// Run random scenes by the exact method and by the second route, which share only the scene, and report scenes that disagree, fail or
+    /// do not end. Not part of `check`, except for some scenes in the tests.
     Verify(verify::Asked),
-    /// Print the crates with their lines, public names and what they use; fails where an arrow runs up or modules use each other in a
-    /// circle.
+    /// Print the crates with their lines, public names and dependencies. Fails if an arrow runs up or modules use each other in a circle.
     Rooms,
-    /// Format, lints, rooms, tests, documentation and `reproduce --check`: what must pass before a change lands.
+    /// Check a change before it lands: format, lints, rooms, tests, documentation and `reproduce --check`.
     Check {
         /// Instead build the Python package and run its tests, types and notebooks; needs Python 3.10 or newer and its package index.
         #[arg(long)]
         python: bool,
     },
-    /// Pack the wheel of Python, its sources and a stripped program into target/dist, and try them in a clean environment; needs
-    /// Python, no part of `check`.
+    /// Pack the wheel of Python, its sources and a stripped program into target/dist, and try them in a clean environment. Needs Python;
+    /// not part of `check`.
     Dist,
-    /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
-    /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
-    /// storeys.csv, bench/lanes.csv, bench/buildings.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
+    /// Time every method on the scenes of two structures, with its accuracy, and also lean models, floors of buildings and scenes in lanes.
+    /// Writes ratios into results/wall-time.csv, savings.csv, storeys.csv, bench/lanes.csv, bench/buildings.csv, bench/sweeps.csv and
+    /// bench/structures.csv. Not part of `check`.
     #[command(disable_help_flag = true)]
     Bench {
-        /// What is timed alone, such as --lanes; --help names all.
+        /// A single kind of timing, such as --lanes; --help lists all.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
-    /// Run a sweep by `HyperQueue` from the Python package index and compare it with one without; needs Python, no part of `check`.
+    /// Run a sweep by `HyperQueue` from the Python package index and compare it with a sweep without a scheduler. Needs Python; not part of
+    /// `check`.
     Hyperqueue,
-    /// Run the same sweep by SLURM on this machine and compare it with one without; needs root and Debian's packages slurm-wlm and munge,
-    /// no part of `check`.
+    /// Run this sweep by SLURM on this machine and compare it with a sweep without a scheduler. Needs root and Debian's packages slurm-wlm
+    /// and munge; not part of `check`.
     Slurm,
-    /// Kill, race, damage and cut off sweeps, and hold them to docs/exit-code-0.md; some minutes, no part of `check`, whose tests hold a
-    /// part of it. As root on Linux with ext4, strace and Python it leaves nothing out.
+    /// Kill, race, damage and cut off sweeps, and check docs/exit-code-0.md. Takes some minutes; `check` runs a part of it. Complete only
+    /// as root on Linux with ext4, strace and Python.
     Torture(torture::Rounds),
-    /// Feed random bytes to every reader, to folders of records, to scene and to sweep files; needs cargo-fuzz, no part of `check`.
+    /// Feed random bytes to every reader, to folders of records, to scene files and to sweep files. Needs cargo-fuzz; not part of `check`.
     Fuzz {
-        /// The one target that runs, such as record; all without it.
+        /// A single target, such as record [default: all].
         #[arg(long)]
         target: Option<String>,
-        /// How long each target runs, in seconds.
+        /// Duration of each target in seconds.
         #[arg(long, default_value_t = 60)]
         seconds: u32,
     },
@@ -156,7 +156,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the timings, which are a crate of their own: nothing else builds it.
+/// Runs the timings, which are a separate crate that nothing else builds.
 fn bench(root: &Path, arguments: &[String]) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)

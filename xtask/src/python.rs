@@ -1,4 +1,4 @@
-//! The Python package: built, held to its tests, and packed.
+//! The Python package: build, tests and packing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use crate::step::step;
 
 /// The package, from the top folder.
 const PACKAGE: &str = "crates/python";
-/// What its tests need beside it.
+/// Packages that its tests need.
 const TESTS: [&str; 12] = [
     "maturin>=1.9.4,<2",
     "numpy",
@@ -23,18 +23,18 @@ const TESTS: [&str; 12] = [
     "nbformat",
     "ipykernel",
 ];
-/// Second routes that have no wheel for every machine, and what is left out without them.
+/// Second routes without wheels for every machine, and the tests that are skipped without them.
 const SECOND_ROUTES: [(&str, &str); 2] = [
     ("openseespy", "the notebook beside OpenSees"),
     ("obspy", "miniSEED and SAC as ObsPy writes them"),
 ];
-/// Its types, as they stand in the package and as they are made anew.
+/// Type stubs of the package, compared with generated ones.
 const STUBS: &str = "python/pounding/_pounding.pyi";
 
 /// How a wheel is built.
 #[derive(Clone, Copy)]
 enum Built {
-    /// As the workspace is, beside it: what both need is there already.
+    /// Built like the workspace, next to it, so that common dependencies are shared.
     ToCheck,
     ToPublish,
 }
@@ -47,7 +47,7 @@ impl Built {
         }
     }
 
-    /// Where it is built, from the top folder.
+    /// Folder of the build, from the top folder.
     fn target(self) -> &'static str {
         match self {
             Self::ToCheck => "target",
@@ -56,7 +56,7 @@ impl Built {
     }
 }
 
-/// Builds the wheel in an environment of its own, and runs tests, types and notebooks.
+/// Builds the wheel in a separate environment, and runs tests, types and notebooks.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
     let python = environment(root, "python")?;
     let mut install = pip(&python, &["install", "--quiet"]);
@@ -69,7 +69,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     }
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let build = &mut Command::new(cargo);
-    // With its tests, which have built it already: alone it has other features.
+    // Built together with its tests, which use the same features.
     let program = ["test", "--workspace", "--no-run", "--test", "program"];
     step(build.args(program), root)?;
     let wheel = wheel(root, &python, Built::ToCheck)?;
@@ -83,7 +83,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     step(&mut tests, &package)
 }
 
-/// Packs wheel, source distribution and a stripped program into `target/dist`, and tries them in an environment of nothing else.
+/// Packs wheel, source distribution and a stripped program into `target/dist`, and tries them in an empty environment.
 pub(crate) fn dist(root: &Path) -> Result<(), String> {
     let python = environment(root, "dist")?;
     step(pip(&python, &["install", "--quiet"]).arg(TESTS[0]), root)?;
@@ -106,13 +106,13 @@ pub(crate) fn dist(root: &Path) -> Result<(), String> {
     let mut tried = Command::new(clean);
     step(tried.args(["-c", TRIED]), &out)?;
     step(Command::new(out.join("pounding")).arg("--version"), &out)?;
-    // As a registry would build them; of files that are not committed it says so.
+    // As a registry would build them; cargo refuses files that are not committed.
     step(Command::new(&cargo).args(["package", "--workspace", "--locked"]), root)?;
     println!("packed into {}", out.display());
     Ok(())
 }
 
-/// A run that fails where the wheel does not work.
+/// A run that fails if the wheel does not work.
 const TRIED: &str = "import pounding
 pulse = pounding.formula('ricker', amplitude=3.0, frequency=1.0, time_step=0.01)
 weak, stiff = (pounding.sdof(mass=mass, period=period) for mass, period in [(75e3, 1.2), (3e6, 0.3)])
@@ -120,7 +120,7 @@ run = pounding.row(weak, stiff, gap=0.03, restitution=0.65).run(pulse)
 assert len(run.table('impacts')) > 0
 print(run)";
 
-/// Compares the types that the package has with those of the library; writes them where they are missing.
+/// Compares the types of the package with those of the library; writes them if they are missing.
 fn stubs(root: &Path, python: &Path) -> Result<(), String> {
     let made = root.join("target/python-stubs");
     fresh(&made)?;
@@ -144,7 +144,7 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
     }
 }
 
-/// The Python of an environment below `target`, made where it is missing.
+/// The Python of an environment below `target`, created if it is missing.
 fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
     let home = root.join("target").join(format!("venv-{name}"));
     let python = home.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
@@ -155,7 +155,7 @@ fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
     Ok(python)
 }
 
-/// Builds the wheel; its path.
+/// Builds the wheel and returns its path.
 fn wheel(root: &Path, python: &Path, built: Built) -> Result<PathBuf, String> {
     let out = root.join("target/wheels");
     fresh(&out)?;

@@ -1,4 +1,4 @@
-//! Every table and figure of the paper, and how close they came.
+//! Every table and figure of the paper, and their agreement with it.
 
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _, stdout};
@@ -51,7 +51,7 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
     }
 }
 
-/// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
+/// Writes to standard output; a reader that closes the pipe (`| head`) is no failure.
 pub(crate) fn say(text: &str) -> Result<(), String> {
     match stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output cannot be written: {error}")),
@@ -59,7 +59,7 @@ pub(crate) fn say(text: &str) -> Result<(), String> {
     }
 }
 
-/// How close the numbers came, and where to look.
+/// Agreement of the numbers, and where to look.
 fn summary(made: &Reproduction) -> String {
     let numbers = |verdict| {
         let with = |comparison: &&Comparison| comparison.verdict == verdict;

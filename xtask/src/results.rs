@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders that hold generated files only; anything else in them is stale.
+/// Folders with generated files only; other files in them are stale.
 const GENERATED: [&str; 8] = ["", "tables", "figures", "trade", "laws", "beyond", "beyond/weaker", "extremes/part"];
-/// The same, where the whole of the extremes is run.
+/// A folder that is generated only by a complete run of the extremes.
 const WHOLE: &str = "extremes";
-/// What `reproduce` does not make: what is written by hand, and what `bench` measures.
+/// Files that `reproduce` does not make: written by hand, or measured by `bench`.
 const KEPT: [&str; 5] = ["README.md", "savings.csv", "storeys.csv", "storeys.png", "wall-time.csv"];
 
 /// Writes the files that changed and removes stale ones; returns how many changed.
@@ -31,9 +31,9 @@ pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result
     Ok(changed)
 }
 
-/// What differs between the folder and a fresh run, in words.
+/// Differences between the folder and a fresh run, in words.
 ///
-/// Figures are compared on Linux x86-64 only: elsewhere their bytes are untested.
+/// Figures are compared only on Linux x86-64: their bytes are untested elsewhere.
 pub(crate) fn differences(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<String>, String> {
     let compares_figures = cfg!(all(target_os = "linux", target_arch = "x86_64"));
     let mut differences = Vec::new();
@@ -52,7 +52,7 @@ pub(crate) fn differences(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> 
     Ok(differences)
 }
 
-/// The first line that differs, for text.
+/// The first line that differs, for text files.
 fn first_difference(found: &[u8], fresh: &[u8]) -> String {
     let (Ok(found), Ok(fresh)) = (std::str::from_utf8(found), std::str::from_utf8(fresh)) else {
         return "other bytes".into();
@@ -73,7 +73,7 @@ fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBu
     folders.extend(whole.then_some(Path::new(WHOLE)));
     folders.extend(files.keys().filter_map(|file| file.parent()));
     for name in folders {
-        // A folder that is not there yet holds nothing stale.
+        // A missing folder contains nothing stale.
         let Ok(entries) = fs::read_dir(folder.join(name)) else {
             continue;
         };

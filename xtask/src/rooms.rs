@@ -1,7 +1,7 @@
-//! The crates and their modules: what may know what, and how large each is.
+//! The crates and their modules: allowed dependencies, and sizes.
 //!
-//! An arrow goes from who uses to what is used. Between crates arrows go down the list of [`CRATES`] alone; the modules of a folder
-//! have no circle among themselves, whatever lies inside them.
+//! An arrow goes from a user to the used item. Between crates, arrows only go down the list of [`CRATES`]. The modules of a folder must not
+//! form a circle; modules inside them count as part of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -13,7 +13,7 @@ mod source;
 use circles::circle;
 use source::Source;
 
-/// Folders of the crates in storeys, from the ground up: a crate may use what is below its storey.
+/// Folders of the crates in storeys, from the ground up: a crate may use crates below its storey.
 const CRATES: [&[&str]; 8] = [
     &["crates/files", "crates/text"],
     &["crates/contact", "crates/motion", "crates/plot"],
@@ -25,13 +25,13 @@ const CRATES: [&[&str]; 8] = [
     &["xtask"],
 ];
 
-/// Largest part of all code lines that one crate may have \[–\].
+/// Largest part of all code lines in a single crate \[–\].
 const LARGEST: f64 = 0.3;
 
 /// Prints the table of crates.
 ///
 /// # Errors
-/// Names arrows that run up, circles of modules, and a crate that has become too large.
+/// Arrows that run up, circles of modules, or a crate that has become too large.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
     let mut faults = Vec::new();
     let mut below = BTreeSet::new();
@@ -71,7 +71,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
 }
 
-/// Name of a crate without what all have.
+/// Name of a crate without the common prefix.
 fn short(name: &str) -> &str {
     name.strip_prefix("pounding-").unwrap_or(name)
 }
@@ -100,7 +100,7 @@ fn circles_of(name: &str, source: &Source) -> Vec<String> {
     found.collect()
 }
 
-/// Which modules of a folder use which others of it.
+/// For each module of a folder, the other modules of the folder that it uses.
 fn siblings(folder: &[String], source: &Source) -> BTreeMap<String, BTreeSet<String>> {
     let inside = |module: &[String]| {
         let rest = module.strip_prefix(folder)?;

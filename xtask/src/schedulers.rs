@@ -1,4 +1,4 @@
-//! A sweep by schedulers of clusters on this machine, held to the bytes of the same sweep without them.
+//! A sweep by cluster schedulers on this machine, compared byte by byte with this sweep without them.
 
 use std::fs;
 use std::path::Path;
@@ -8,14 +8,14 @@ use crate::step::step;
 
 /// The sweep, from the top folder.
 const SWEEP: &str = "studies/sweeps/gap-and-period.json";
-/// The script that submits it to `HyperQueue`, from the top folder, and what is installed for it.
+/// The script that submits it to `HyperQueue`, from the top folder, and the packages that it needs.
 const HYPERQUEUE: &str = "studies/jobs/hyperqueue.py";
 const PACKAGE: &str = "hyperqueue==0.27.0";
 const SHARDS: &str = "5";
 /// The script that starts SLURM and submits it, from the top folder.
 const SLURM: &str = "studies/jobs/slurm_here.sh";
 
-/// By `HyperQueue` from the Python package index, in an environment beside the built program.
+/// Runs the sweep by `HyperQueue` from the Python package index, in an environment next to the built program.
 pub(crate) fn hyperqueue(root: &Path) -> Result<(), String> {
     compare(root, "hyperqueue", |home, sweep, table| {
         let install = &mut Command::new("python3");
@@ -29,7 +29,7 @@ pub(crate) fn hyperqueue(root: &Path) -> Result<(), String> {
     })
 }
 
-/// By a SLURM of this machine alone, from Debian's packages; as root.
+/// Runs the sweep by SLURM on this machine only, from Debian's packages; needs root.
 pub(crate) fn slurm(root: &Path) -> Result<(), String> {
     compare(root, "slurm", |home, sweep, table| {
         let mut submit = Command::new(root.join(SLURM));
@@ -38,7 +38,7 @@ pub(crate) fn slurm(root: &Path) -> Result<(), String> {
     })
 }
 
-/// Runs the sweep without a scheduler, and by what submits it: given a folder of its own, the sweep and the table.
+/// Runs the sweep without a scheduler, and by the command of `submit`, which receives an empty folder, the sweep and the table.
 fn compare(root: &Path, scheduler: &str, submit: impl Fn(&Path, &Path, &Path) -> Result<Command, String>) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     step(Command::new(cargo).args(["build", "--package", "pounding"]), root)?;

@@ -6,7 +6,7 @@ use std::process::Command;
 /// Runs a command in a folder.
 ///
 /// # Errors
-/// It does not start, or does not succeed.
+/// The command does not start, or fails.
 pub(crate) fn step(command: &mut Command, folder: &Path) -> Result<(), String> {
     println!("── {command:?}");
     let status = command.current_dir(folder).status();

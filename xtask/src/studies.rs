@@ -1,4 +1,4 @@
-//! Surveys: one question asked of thousands of exact runs each, too long for `reproduce`.
+//! Surveys with thousands of exact runs each, too long for `reproduce`.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::time::Instant;
 use indicatif::ProgressBar;
 use pounding_studies::{StudyFile, SurveyStudy};
 
-/// Runs the surveys of these names, or all where none is given; writes their folders of results/.
+/// Runs the surveys with these names, or all if none is given; writes their folders of results/.
 pub(crate) fn run(root: &Path, names: &[String]) -> Result<(), String> {
     let files = StudyFile::read_all(&root.join("studies")).map_err(|error| error.to_string())?;
     let surveys = SurveyStudy::all(&files).map_err(|error| error.to_string())?;
@@ -24,7 +24,7 @@ pub(crate) fn run(root: &Path, names: &[String]) -> Result<(), String> {
         spinner.finish_and_clear();
         let made = made.map_err(|error| error.to_string())?;
         let results = root.join("results");
-        // The folder is the survey's alone.
+        // The folder contains only this survey.
         let folder = results.join(survey.id());
         let fail = |error| format!("{}: cannot be written: {error}", folder.display());
         if folder.exists() {

@@ -1,5 +1,5 @@
-//! Sweeps that are killed, raced, damaged, cut off from their disk and refused by it: never a wrong table with exit code 0, and
-//! nothing lost that was finished.
+//! Sweeps that are killed, raced, damaged, cut off from their disk and refused by it. Exit code 0 must never come with a wrong table, and
+//! finished runs must not be lost.
 
 mod bench;
 mod bytes;
@@ -12,10 +12,10 @@ use std::path::Path;
 
 use bench::Bench;
 
-/// How often each is tried.
+/// Number of repetitions of each test.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Rounds {
-    /// Power failures, which need root, ext4 and Python; are left out where one is missing.
+    /// Power failures. They need root, ext4 and Python, and are skipped if any is missing.
     #[arg(long, default_value_t = 100)]
     power_failures: u32,
     /// Kills at random moments.
@@ -24,7 +24,7 @@ pub(crate) struct Rounds {
     /// Races of two processes for one table.
     #[arg(long, default_value_t = 100)]
     races: u32,
-    /// Leave out errors of writing, which need strace.
+    /// Skip errors of writing, which need strace.
     #[arg(long)]
     no_write_errors: bool,
     /// Seed of the random moments.
@@ -33,7 +33,7 @@ pub(crate) struct Rounds {
 }
 
 impl Rounds {
-    /// As many as a check has time for; no power failures and refused calls, which not every machine can make.
+    /// Few rounds for `check`, without power failures and refused calls, which need special machines.
     pub(crate) const FEW: Self = Self {
         power_failures: 0,
         kills: 10,
@@ -43,10 +43,10 @@ impl Rounds {
     };
 }
 
-/// Runs all of it.
+/// Runs all tests.
 ///
 /// # Errors
-/// Names the first promise that was broken, and leaves the folder as it was then.
+/// Names the first broken promise, and leaves the folder in its state.
 pub(crate) fn run(root: &Path, rounds: &Rounds) -> Result<(), String> {
     let mut bench = Bench::new(root, rounds.seed)?;
     bytes::run(&bench)?;

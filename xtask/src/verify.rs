@@ -8,10 +8,10 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use pounding_studies::verify::{Campaign, Checked, Summary};
 
-/// Where scenes that do not agree are written, from the top folder.
+/// Default folder of scenes that do not agree, from the top folder.
 const USUAL: &str = "target/verify";
 
-/// What is asked of a campaign.
+/// Settings of a campaign.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Asked {
     /// Scenes in JSON instead of random ones.
@@ -26,15 +26,15 @@ pub(crate) struct Asked {
     /// Seed of the scenes.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Seconds that a part of the work on one scene may take before it counts as a hang.
+    /// Seconds after which a part of the work on a scene counts as a hang.
     #[arg(long, default_value_t = 120)]
     patience: u64,
-    /// Folder for the scenes that do not agree, each a file that `pounding run` replays, and a table of them; without it target/verify.
+    /// Folder for the scenes that do not agree, as files that `pounding run` replays, with a table [default: target/verify].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
-/// Runs a campaign, prints what disagrees and how many scenes do, and writes those as files.
+/// Runs a campaign, prints disagreements and their number, and writes these scenes as files.
 pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
     let campaign = Campaign {
         studies: root.join("studies"),
@@ -49,7 +49,7 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {elapsed}").expect("the template is well formed");
     let bar = ProgressBar::new(asked.scenes as u64).with_style(style);
     let scenes: Vec<usize> = (asked.first..asked.first + asked.scenes).collect();
-    // At once: a campaign is long, and what it found until it is stopped is not lost.
+    // Written at once: a campaign is long, and findings must survive a stop.
     let written = Mutex::new(Ok(()));
     let checked = campaign.run(&scenes, &|one| {
         bar.inc(1);
@@ -99,7 +99,7 @@ fn of_files(campaign: &Campaign, files: &[PathBuf]) -> Result<(), String> {
     }
 }
 
-/// Writes the scene, which its folder's copy of the records shakes.
+/// Writes the scene, with the folder's copy of its record.
 fn write(campaign: &Campaign, checked: &Checked, folder: &Path) -> Result<(), String> {
     let path = folder.join(format!("{}-{}.json", campaign.seed, checked.index));
     let scene = campaign.scene(checked.index);

@@ -1,9 +1,9 @@
-//! The loop of exactly two buildings, written for the vectors of the machine: what lanes are measured by.
+//! A loop for exactly two buildings, written for the vectors of the machine, as a benchmark for lanes.
 //!
-//! It has the equations of the central difference method and knows its scenes: the number of storeys, one law at every level, and a right
-//! building that is no taller. Structures of one storey are elastic, storeys of others bilinear. Floors are solved for each alone. The
-//! dashpots between them then cost a product and a sum per floor on the way down, and again on the way up. Only these wait for the floor
-//! before.
+//! It has the equations of the central difference method, specialised for its scenes. They have a fixed number of storeys, a single law at
+//! every level, and a right building that is at most as tall. Structures of one storey are elastic, storeys of others bilinear. Floors are
+//! solved separately. The dashpots between them then cost a product and a sum per floor on the way down, and again on the way up. Only
+//! these wait for the floor before.
 
 #![expect(
     clippy::inline_always,
@@ -17,8 +17,8 @@ use pounding_contact::ContactLaw;
 use super::tower::{Struck, Tower, V};
 use crate::scenes::{GROUP, Group, numbers};
 
-/// Peak displacements of all floors, those of the left building first, peak drifts in the same order (0 of lowest storeys), and the sum of
-/// the impulses at each level.
+/// Peak displacements of all floors, those of the left building first; peak drifts in this order (0 for lowest storeys); and the sum of the
+/// impulses at each level.
 pub(super) type Found = Vec<[f64; GROUP]>;
 
 /// Numbers that the loop keeps.
@@ -26,13 +26,13 @@ pub(super) type Found = Vec<[f64; GROUP]>;
 pub(super) enum Keeps {
     /// Peaks and impulses.
     Peaks,
-    /// Impulses alone.
+    /// Only impulses.
     Nothing,
 }
 
-/// Runs a group of scenes of `L` and `R` storeys through accelerations of the ground \[m/s²\] at steps \[s\].
+/// Runs a group of scenes of `L` and `R` storeys through ground accelerations \[m/s²\] at steps \[s\].
 ///
-/// `IN_STEP` vectors of scenes make each step together and do not wait for each other.
+/// `IN_STEP` vectors of scenes make each step together, without waiting for each other.
 pub(super) fn run<const L: usize, const R: usize, const IN_STEP: usize>(
     level: Level,
     (group, law): (&Group<L, R>, ContactLaw),
@@ -49,13 +49,13 @@ pub(super) fn run<const L: usize, const R: usize, const IN_STEP: usize>(
     })
 }
 
-/// As many scenes as a vector has room for.
+/// As many scenes as fit into a vector.
 struct Scenes<S: Simd, const L: usize, const R: usize> {
     left: Tower<S, L>,
     right: Tower<S, R>,
     gap: V<S>,
     pairs: [Pair<S>; R],
-    /// Whether the element pushed somewhere at the node before: the impulse of the step in which it lets go is open.
+    /// Whether the element pushed anywhere at the node before: the impulse of the step in which it releases is open.
     pushed: bool,
 }
 
@@ -67,7 +67,7 @@ struct Pair<S: Simd> {
     impulse: V<S>,
 }
 
-/// What all scenes have in common: the step \[s\], and e, or β̄ \[N/m^1.5\] and ξ̄.
+/// Common constants of all scenes: the step \[s\], and e, or β̄ \[N/m^1.5\] and ξ̄.
 #[derive(Clone, Copy)]
 struct Loop<S, const PEAKS: bool, const IMPULSIVE: bool> {
     simd: S,
@@ -145,7 +145,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
         }
     }
 
-    /// A step with impacts after it, where touching floors approach.
+    /// A step with impacts after it, if touching floors approach.
     #[inline(always)]
     fn impact<const L: usize, const R: usize>(self, scenes: &mut Scenes<S, L, R>, ground: V<S>, deformations: &[V<S>; R]) {
         let zero = V::<S>::splat(self.simd, 0.0);
@@ -169,7 +169,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
         }
     }
 
-    /// Lets a building go on from a node, and keeps how it was there, before impacts.
+    /// Advances a building from a node, and keeps its state there, before impacts.
     #[inline(always)]
     fn struck<const N: usize, const R: usize>(self, tower: &mut Tower<S, N>, ground: V<S>) -> Struck<S, N> {
         let before = tower.motions;
@@ -211,7 +211,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
         scenes.right.step::<PEAKS, true, R>(ground, &right);
     }
 
-    /// The force of the element at a deformation and its rate; not a number where the pair is apart.
+    /// The force of the element at a deformation and its rate; NaN if the pair is apart.
     #[inline(always)]
     fn force(self, reduced_mass: V<S>, deformation: V<S>, rate: V<S>) -> V<S> {
         let [stiffness, ratio] = self.law;
@@ -230,7 +230,7 @@ impl<S: Simd, const L: usize, const R: usize> Scenes<S, L, R> {
         let peaks = self.left.peaks.iter().chain(&self.right.peaks);
         let motions = self.left.motions.iter().chain(&self.right.motions);
         for (floor, (peak, motion)) in peaks.zip(motions).enumerate() {
-            // The last displacement keeps a bare loop from being optimised away.
+            // The last displacement prevents a bare loop from being optimised away.
             let displacement = peak[0].max(motion.displacement.abs() * 1e-300);
             displacement.store_slice(&mut found[floor][lanes.clone()]);
             peak[1].store_slice(&mut found[L + R + floor][lanes.clone()]);

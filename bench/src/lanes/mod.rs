@@ -1,4 +1,4 @@
-//! Scenes side by side, beside the same scenes alone, the exact method, and the loop written by hand.
+//! Scenes in lanes, compared with these scenes alone, the exact method, and the loop written by hand.
 
 mod by_hand;
 mod tower;
@@ -32,13 +32,13 @@ const TOWERS: Table = Table {
 #[derive(Clone, Copy)]
 enum Way {
     ByHand(Keeps),
-    /// As many scenes as this at a time.
+    /// In lanes, this many scenes at a time.
     Lanes(usize),
-    /// One after the other with what records spans: by central differences, or by the exact method.
+    /// Scene after scene with recorders: by central differences, or by the exact method.
     Alone(usize),
 }
 
-/// Ways in tables, and how many scenes run: all of them, or the first. The first way is the unit.
+/// Ways in tables, and number of scenes that run: all, or the first. The first way is the unit.
 type Ways = &'static [(&'static str, Way, usize)];
 const ALL: usize = usize::MAX;
 const OF_STRUCTURES: Ways = &[
@@ -57,13 +57,13 @@ const OF_TOWERS: Ways = &[
 ];
 /// Scenes of towers whose errors are measured.
 const MEASURED: usize = 16;
-/// Relative distance of lanes and the loop by hand above which nothing is measured: sums may be taken in another order, and impacts enlarge
-/// what rounding makes of it.
+/// Largest relative distance of lanes and the loop by hand; nothing is measured beyond. Sums may be taken in another order, and impacts
+/// enlarge the effect of rounding.
 const MOST_APART: f64 = 1e-9;
-/// Rounds over all ways of a law, at least, and for how long.
+/// Least number and duration of rounds over all ways of a law.
 const ROUNDS: (usize, Duration) = (5, Duration::from_secs(10));
 
-/// Times all and keeps the ratios.
+/// Runs all timings and keeps the ratios.
 pub(super) fn run(root: &Path) -> Outcome<()> {
     let ground = Ground::new(root)?;
     let (mut of_structures, mut of_towers) = (Vec::new(), Vec::new());
@@ -77,7 +77,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     TOWERS.write(root, &of_towers)
 }
 
-/// Time of a scene of so many steps in the bare loop by hand with impacts, on so many threads at once \[s\].
+/// Time of a scene with this number of steps in the bare loop by hand with impacts, on this number of threads \[s\].
 pub(super) fn seconds_by_hand(root: &Path, threads: usize, clock: Clock) -> Outcome<f64> {
     let ground = setting::ground(root, clock)?;
     let (groups, law) = (scenes::structures(), laws()?[0]);
@@ -98,7 +98,7 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize, clock: Clock) -> Outc
     Ok(median(times.concat()) / scenes as f64)
 }
 
-/// Scenes of a law, whose numbers vary, with so many vectors in step in the loop by hand.
+/// Scenes of a law with varying numbers; the loop by hand runs `IN_STEP` vectors in step.
 struct Compared<'a, const L: usize, const R: usize, const IN_STEP: usize>(&'a [Group<L, R>], ContactLaw, &'a Ground);
 
 fn by_hand<const L: usize, const R: usize, const IN_STEP: usize>(
@@ -110,7 +110,7 @@ fn by_hand<const L: usize, const R: usize, const IN_STEP: usize>(
 }
 
 impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN_STEP> {
-    /// Times the scenes in all ways; a line for each, with the error of central differences where the exact method runs storeys.
+    /// Times the scenes in all ways. Returns a line for each, with the error of central differences if the exact method runs storeys.
     fn lines<Column: Beside>(&self, ways: Ways) -> Outcome<Vec<String>> {
         let Self(groups, law, ground) = self;
         let rows = scenes::rows::<Column, L, R>(groups, *law)?;
@@ -163,7 +163,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
         Ok(ways.iter().enumerate().map(line).collect())
     }
 
-    /// Holds peaks and impulses of lanes to those of the loop by hand.
+    /// Compares peaks and impulses of lanes with those of the loop by hand.
     fn hold(&self, sums: &SceneSums) -> Outcome<()> {
         let Self(groups, law, ground) = self;
         let levels = Levels::new(&[L, R]);
@@ -196,7 +196,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
     }
 }
 
-/// The median over scenes of the largest relative error of the peak displacements of a scene, of the first method beside the second.
+/// The median over scenes of the largest relative error of the peak displacements of a scene, of the first method relative to the second.
 fn error<Column: Beside>(rows: &[&Row<Column>], methods: [setting::Way<'_>; 2]) -> Outcome<f64> {
     let mut errors = Vec::new();
     for row in rows {

@@ -1,4 +1,4 @@
-//! A building in as many scenes as a vector has room for: structures of one storey are elastic, storeys of others bilinear.
+//! A building in as many scenes as fit into a vector: structures of one storey are elastic, storeys of others bilinear.
 
 #![expect(
     clippy::inline_always,
@@ -10,7 +10,7 @@ use pounding_solver::{Bilinear, Storey};
 
 use crate::scenes::GROUP;
 
-/// A number of as many scenes as a vector has room for.
+/// A number of as many scenes as fit into a vector.
 pub(super) type V<S> = <S as Simd>::f64s;
 
 /// Floors from the ground up, and the largest magnitudes of their displacements and drifts.
@@ -25,7 +25,7 @@ pub(super) struct Tower<S: Simd, const N: usize> {
 pub(super) struct Floor<S: Simd> {
     pub(super) inverse_mass: V<S>,
     stiffness: V<S>,
-    /// Stiffness that yielding takes.
+    /// The yielding part of the stiffness.
     hysteretic: V<S>,
     yield_drift: V<S>,
     solve: V<S>,
@@ -36,11 +36,11 @@ pub(super) struct Floor<S: Simd> {
     from_above: V<S>,
     /// Share of the next increment of the floor below in it.
     from_below: V<S>,
-    /// Damping coefficients of the storey, against the ground and of the storey above, over the mass: only impacts ask for them.
+    /// Damping coefficients over the mass, of the storey, against the ground and of the storey above; needed only for impacts.
     rates: [V<S>; 3],
 }
 
-/// What a floor carries from step to step.
+/// State of a floor from step to step.
 #[derive(Clone, Copy)]
 pub(super) struct Motion<S: Simd> {
     pub(super) displacement: V<S>,
@@ -51,9 +51,9 @@ pub(super) struct Motion<S: Simd> {
 /// A building at a node at which floors were hit.
 pub(super) struct Struck<S: Simd, const N: usize> {
     pub(super) before: [Motion<S>; N],
-    /// After the impacts.
+    /// Velocities after the impacts.
     pub(super) velocities: [V<S>; N],
-    /// Without damping.
+    /// Accelerations without damping.
     pub(super) accelerations: [V<S>; N],
 }
 
@@ -61,7 +61,7 @@ pub(super) struct Struck<S: Simd, const N: usize> {
 type Storeys<const N: usize> = [[Storey<Bilinear>; N]; GROUP];
 
 impl<S: Simd, const N: usize> Tower<S, N> {
-    /// At rest, in the scenes from the first of these on.
+    /// A tower at rest, in the scenes that start with `first`.
     #[inline(always)]
     pub(super) fn at_rest(simd: S, (storeys, first): (&Storeys<N>, usize), dt: f64, ground: f64) -> Self {
         let zero = V::<S>::splat(simd, 0.0);
@@ -78,7 +78,7 @@ impl<S: Simd, const N: usize> Tower<S, N> {
         }
     }
 
-    /// Lets all floors go on under forces at the lowest levels, if there are any; their accelerations without damping.
+    /// Advances all floors, with forces at the lowest levels if there are any; returns their accelerations without damping.
     #[inline(always)]
     pub(super) fn step<const PEAKS: bool, const PUSHED: bool, const LEVELS: usize>(
         &mut self,
@@ -126,7 +126,7 @@ impl<S: Simd, const N: usize> Tower<S, N> {
         accelerations
     }
 
-    /// Joins the increments of floors, solved for one by one, by the dashpots between them, and lets the floors go on.
+    /// Couples the increments of floors, solved separately, by the dashpots between them, and advances the floors.
     #[inline(always)]
     fn join(&mut self, mut next: [V<S>; N]) {
         let mut above = next[N - 1] + self.motions[N - 1].increment;
@@ -146,8 +146,8 @@ impl<S: Simd, const N: usize> Tower<S, N> {
         }
     }
 
-    /// Lets floors begin anew from velocities after impacts, at the node before this one: those that were hit at the lowest levels,
-    /// and those beside them, whose dashpots feel it.
+    /// Restarts floors from velocities after impacts, at the node before: floors that were hit at the lowest levels, and their neighbours,
+    /// whose dashpots feel the jump.
     #[inline(always)]
     pub(super) fn restart<const LEVELS: usize>(&mut self, dt: f64, hits: &[S::mask64s; LEVELS], struck: &Struck<S, N>) {
         let velocities = &struck.velocities;
@@ -186,7 +186,7 @@ fn floors<S: Simd, const N: usize>(simd: S, (storeys, first): (&Storeys<N>, usiz
     };
     let (zero, one) = (V::<S>::splat(simd, 0.0), V::<S>::splat(simd, 1.0));
     let (inertia, half) = (V::<S>::splat(simd, 1.0 / (dt * dt)), 0.5 / dt);
-    // Of the floor above: dashpot, and diagonal elements with and without the dashpot below it.
+    // Of the floor above: its dashpot, and diagonal elements with and without the dashpot below it.
     let (mut upper, mut pivot, mut free) = (zero, one, zero);
     let mut level = N;
     let mut floors = [(); N].map(|()| {

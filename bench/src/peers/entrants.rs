@@ -1,15 +1,15 @@
-//! Who takes part, with which methods and settings.
+//! The programs compared, with their methods and settings.
 
 use pounding_studies::Competitor;
 
 use super::own::{EXACT, EXACT_LANES, LANES};
 use super::scenes::Kind;
 
-/// A method of somebody over a ladder of settings.
+/// A method of a program over a ladder of settings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entrant {
     pub(super) competitor: Competitor,
-    /// What answers: this project, or a tool of `worker.py`.
+    /// Tool: this project, or a tool of `worker.py`.
     pub(super) tool: &'static str,
     pub(super) method: &'static str,
     /// Name in figures.
@@ -17,7 +17,7 @@ pub(super) struct Entrant {
     pub(super) knob: Knob,
 }
 
-/// All who run the scenes of a kind.
+/// All entrants that run scenes of a kind.
 pub(super) fn entrants(kind: Kind) -> impl Iterator<Item = Entrant> {
     let all = ENTRANTS.iter().filter(move |(.., runs)| runs.contains(&kind));
     all.map(|&(competitor, [tool, method, label], knob, _)| Entrant {
@@ -29,16 +29,16 @@ pub(super) fn entrants(kind: Kind) -> impl Iterator<Item = Entrant> {
     })
 }
 
-/// What a ladder changes.
+/// The setting that a ladder changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Knob {
     /// The time step \[s\].
     TimeStep,
     /// The tolerance \[–\].
     Tolerance,
-    /// The tolerance \[–\] of this project's exact method, which refuses more than 1e-3.
+    /// The tolerance \[–\] of this project's exact method, at most 1e-3.
     OwnTolerance,
-    /// Nothing: the exact method has no setting where contact is impulsive.
+    /// No setting: the exact method has none for impulsive contact.
     Nothing,
 }
 
@@ -46,7 +46,7 @@ pub(super) enum Knob {
 const TIME_STEPS: [f64; 12] = [2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 2e-6];
 const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const OWN_TOLERANCES: [f64; 9] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12];
-/// What the exact method is asked for where its tolerance changes nothing.
+/// Tolerance of the exact method where it changes nothing.
 const NOTHING: [f64; 1] = [1e-16];
 
 impl Knob {
@@ -59,7 +59,7 @@ impl Knob {
         }
     }
 
-    /// What a setting is, in tables.
+    /// A setting in tables.
     pub(super) fn words(self, setting: f64) -> String {
         match self {
             Self::TimeStep => format!("{setting:e} s"),
@@ -69,7 +69,7 @@ impl Knob {
     }
 }
 
-/// This project in tables.
+/// Name of this project in tables.
 pub(super) const OURS: &str = "pounding";
 
 const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
@@ -78,7 +78,7 @@ const COMPLIANT: &[Kind] = &[Kind::Compliant];
 const PRESSED: &[Kind] = &[Kind::Compliant, Kind::Towers];
 const ALL: &[Kind] = &[Kind::Impulsive, Kind::Compliant, Kind::Towers];
 
-/// Who competes, with tool, method and label, over which ladder, and on which scenes; in the order of tables and legends.
+/// Entrants with tool, method and label, their ladder, and their scenes, in the order of tables and legends.
 #[rustfmt::skip]
 const ENTRANTS: [(Competitor, [&str; 3], Knob, &[Kind]); 15] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};

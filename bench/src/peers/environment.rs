@@ -1,4 +1,4 @@
-//! The Python environment of the other programs, and the process in it that answers.
+//! The Python environment of the other programs, and its worker process.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write as _};
@@ -11,7 +11,7 @@ use super::entrants::Entrant;
 use super::scenes::{Found, Measured};
 use crate::measure::Outcome;
 
-/// What is installed. Newer ones change what is measured: they are taken on purpose.
+/// Installed packages. Newer versions change measurements, so that updates are deliberate.
 const PACKAGES: [&str; 5] = [
     "numpy==2.4.6",
     "numba==0.68.1",
@@ -20,7 +20,7 @@ const PACKAGES: [&str; 5] = [
     "openseespy==3.7.1.2",
 ];
 
-/// What runs in it.
+/// Source files of the environment.
 const FILES: [(&str, &str); 8] = [
     ("worker.py", include_str!("worker.py")),
     ("exchange.py", include_str!("exchange.py")),
@@ -32,7 +32,7 @@ const FILES: [(&str, &str); 8] = [
     ("opensees.py", include_str!("opensees.py")),
 ];
 
-/// Sets up the environment in a folder, or keeps the one that is there, and writes the sources and the scenes.
+/// Creates the environment in a folder, or keeps an existing one, and writes the sources and the scenes.
 pub(super) fn prepare(home: &Path, scenes: &Value) -> Outcome<()> {
     let write = |name: &str, text: &str| fs::write(home.join(name), text);
     fs::create_dir_all(home)?;
@@ -77,7 +77,7 @@ fn step(command: &mut Command) -> Result<(), String> {
     }
 }
 
-/// The process that answers requests, a line each.
+/// The process that answers requests, line by line.
 pub(super) struct Worker {
     child: Child,
     requests: ChildStdin,
@@ -86,7 +86,7 @@ pub(super) struct Worker {
 }
 
 impl Worker {
-    /// Starts it; imports and what they compile take some seconds.
+    /// Starts the process; imports and their compilation take some seconds.
     pub(super) fn start(home: &Path) -> Outcome<Self> {
         let log = fs::File::create(home.join("worker.log"))?;
         let mut child = Command::new(home.join("env/bin/python"))
@@ -115,7 +115,7 @@ impl Worker {
         Ok(serde_json::from_str(&line).map_err(said)?)
     }
 
-    /// Which programs there are, a line each.
+    /// The available programs, one per line.
     pub(super) fn present(&self) -> String {
         let programs = self.present.as_object().into_iter().flatten();
         let line = |(name, version): (&String, &Value)| {
@@ -131,12 +131,12 @@ impl Worker {
         programs.map(line).collect::<Vec<_>>().join("\n")
     }
 
-    /// Whether a tool can be asked.
+    /// Whether a tool is available.
     pub(super) fn has(&self, tool: &str) -> bool {
         self.present[tool].is_string()
     }
 
-    /// What a program found, or why it found nothing.
+    /// Result of a program, or its error.
     pub(super) fn ask(&mut self, entrant: &Entrant, setting: f64, law: &str) -> Outcome<Measured> {
         let request = json!({
             "tool": entrant.tool,
@@ -163,7 +163,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // It has nothing to save.
+        // The process has nothing to save.
         let ended = self.child.kill().and_then(|()| self.child.wait());
         drop(ended);
     }

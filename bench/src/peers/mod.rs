@@ -1,8 +1,8 @@
-//! The same scenes by this project, by other programs and by compiled loops: CPU time and error of each, in one run.
+//! Scenes solved by this project, by other programs and by compiled loops: CPU time and error of each, in a single run.
 //!
-//! Two elastic structures under El Centro, with impacts and with the nonlinear viscoelastic element, and two towers of several storeys that
-//! yield, with that element. Other programs run in one Python process (`worker.py`); all settings take turns, so that what else the machine
-//! does meets everybody. Only ratios are kept.
+//! The scenes are two elastic structures under El Centro, with impacts and with the nonlinear viscoelastic element, and two yielding towers
+//! of several storeys with this element. Other programs run in a Python process (`worker.py`). All settings take turns, so that other load
+//! of the machine affects all of them. Only ratios are kept.
 
 mod entrants;
 mod environment;
@@ -21,21 +21,21 @@ use environment::Worker;
 use race::Raced;
 use scenes::Scenes;
 
-/// All settings, and their figure: those of the last machine.
+/// All settings, and their figure, from the last machine.
 const SETTINGS: Table = Table {
     path: "results/bench/peers.csv",
     title: "CPU time of a scene over that of central differences in lanes with steps of 0.01 s",
     header: "law,tool,method,setting,error,cpu_time_ratio,over_ours_at_this_error",
 };
 const FIGURE: &str = "results/bench/peers.png";
-/// Error levels, of one machine of each kind of instructions.
+/// Error levels, from one machine of each kind of instructions.
 const LEVELS: Table = Table {
     path: "results/bench/peers-levels.csv",
     title: "Best of others over our cheapest method at an error",
     header: "instructions,law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours",
 };
 
-/// Races all and keeps ratios and a figure.
+/// Runs the comparison and keeps ratios and a figure.
 pub(super) fn run(root: &Path) -> Outcome<()> {
     let ground = scenes::ground(root)?;
     let all = Scenes::of_all_kinds(&ground)?;

@@ -1,4 +1,4 @@
-//! This project's methods, timed as the others are.
+//! This project's methods, timed like the others.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -17,10 +17,10 @@ pub(super) const LANES: &str = "central_difference_in_lanes";
 pub(super) const EXACT: &str = "exact";
 pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 
-/// A measurement repeats what is shorter, as `worker.py` does.
+/// Least duration of a measurement; shorter runs are repeated, as in `worker.py`.
 const LEAST: Duration = Duration::from_millis(20);
 
-/// Runs the scenes by a method at a setting and measures the CPU time of one.
+/// Runs the scenes by a method at a setting and measures the CPU time of a scene.
 pub(super) fn measured(scenes: &Scenes<'_>, method: &str, setting: f64) -> Outcome<Measured> {
     match (method, &scenes.rows) {
         (LANES, Rows::Structures(rows)) => in_lanes(scenes, rows, setting),
@@ -32,7 +32,7 @@ pub(super) fn measured(scenes: &Scenes<'_>, method: &str, setting: f64) -> Outco
     }
 }
 
-/// Vectors full of scenes: those that are compared, and others like them.
+/// Runs full vectors of scenes: those that are compared, and others like them.
 fn in_lanes<Column: Beside>(scenes: &Scenes<'_>, rows: &[Row<Column>], time_step: f64) -> Outcome<Measured> {
     let clock = clock(time_step);
     let together = SideBySide::new(STEPPING, scenes.excitation, clock)?;
@@ -42,9 +42,9 @@ fn in_lanes<Column: Beside>(scenes: &Scenes<'_>, rows: &[Row<Column>], time_step
     }))
 }
 
-/// The same by the exact method, which keeps no time step: a clock says how long it runs.
+/// Runs full vectors of scenes by the exact method, which uses only the end of a clock.
 fn exact_in_lanes(scenes: &Scenes<'_>, rows: &[Row<Elastic>], tolerance: f64) -> Outcome<Measured> {
-    // The least that lanes take; with impacts it changes nothing.
+    // The smallest tolerance of lanes; with impacts it changes nothing.
     let settings = exact(tolerance.max(1e-12));
     let together = ExactSideBySide::new(settings, scenes.excitation, recorded())?;
     let rows: Vec<_> = rows.iter().enumerate().collect();
@@ -54,7 +54,7 @@ fn exact_in_lanes(scenes: &Scenes<'_>, rows: &[Row<Elastic>], tolerance: f64) ->
     }))
 }
 
-/// What a run of all scenes side by side takes and tells; a scene that it does not tell has no error that could be compared.
+/// CPU time and results of a run of all scenes in lanes. A scene without results has no error to compare.
 fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured {
     let mut tallies = SceneSums::default();
     let seconds = timed(|| {
@@ -75,7 +75,7 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
     }
 }
 
-/// One scene after the other by the exact method, each with its recorders.
+/// Runs scene after scene by the exact method, each with its recorders.
 fn alone<Column: Hysteretic>(scenes: &Scenes<'_>, rows: &[Row<Column>], tolerance: f64) -> Measured {
     let mut found = Vec::new();
     let seconds = timed(|| {
@@ -91,7 +91,7 @@ fn alone<Column: Hysteretic>(scenes: &Scenes<'_>, rows: &[Row<Column>], toleranc
     }
 }
 
-/// CPU time of a run \[s\], repeated where it is short, after one that is not timed.
+/// CPU time of a run \[s\], after an untimed run; short runs are repeated.
 fn timed(mut run: impl FnMut()) -> f64 {
     run();
     let start = ProcessTime::now();

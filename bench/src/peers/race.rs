@@ -1,4 +1,4 @@
-//! All settings of everybody in turn.
+//! All settings of all entrants in turn.
 
 use std::time::Duration;
 
@@ -16,14 +16,14 @@ pub(super) struct Rung {
     seconds: Vec<f64>,
 }
 
-/// An entrant and what it did.
+/// An entrant and its results.
 #[derive(Debug, Clone)]
 pub(super) struct Run {
     pub(super) entrant: Entrant,
     pub(super) rungs: Vec<Rung>,
 }
 
-/// All that ran the scenes of a kind.
+/// All entrants on the scenes of a kind.
 #[derive(Debug, Clone)]
 pub(super) struct Raced {
     /// Name of the kind in tables.
@@ -37,9 +37,9 @@ pub(super) struct Raced {
 
 /// The time step \[s\] at which central differences in lanes are the unit.
 const UNIT_STEP: f64 = 0.01;
-/// A ladder ends with the setting at which the scenes take longer.
+/// Longest duration of the scenes; a ladder ends with the setting that exceeds it.
 const LONGEST: Duration = Duration::from_secs(3);
-/// Rounds over all settings, and how long all rounds of a setting may take together.
+/// Rounds over all settings, and the longest total duration of all rounds of a setting.
 const ROUNDS: usize = 7;
 const PATIENCE: Duration = Duration::from_secs(2);
 
@@ -49,7 +49,7 @@ impl Rung {
         median(self.seconds.clone())
     }
 
-    /// How long all measurements so far took, and one more \[s\].
+    /// Duration of all measurements so far, plus another one \[s\].
     fn with_another(&self) -> f64 {
         let sum: f64 = self.seconds.iter().sum();
         SCENES as f64 * (sum + self.seconds())
@@ -77,7 +77,7 @@ fn measured(entrant: &Entrant, setting: f64, scenes: &Scenes<'_>, worker: &mut W
     }
 }
 
-/// Races everybody on the scenes of a kind.
+/// Runs all entrants on the scenes of a kind.
 pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Outcome<Raced> {
     let [law, title] = scenes.kind.names();
     let takes_part = |entrant: &Entrant| entrant.tool == OURS || worker.has(entrant.tool);

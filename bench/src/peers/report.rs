@@ -1,16 +1,16 @@
-//! What the race says: every setting, error levels, the least error of everybody, and the figure.
+//! Tables of the comparison: every setting, error levels, the smallest error of each entrant, and the figure.
 
 use pounding_studies::{Competitor, WorkPrecision};
 
 use super::race::{Raced, Run};
 use super::work;
 
-/// Errors at which everybody is compared \[–\].
+/// Error levels of the comparison \[–\].
 const LEVELS: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
 
 type Points<'a> = Vec<(&'a Run, Vec<(f64, f64)>)>;
 
-/// CPU times and errors of those that are meant.
+/// CPU times and errors of selected runs.
 fn points(raced: &Raced, meant: impl Fn(&Run) -> bool) -> Points<'_> {
     let runs = raced.runs.iter().filter(|run| meant(run));
     runs.map(|run| (run, run.points())).collect()
@@ -25,7 +25,7 @@ fn ratio(value: f64) -> String {
     }
 }
 
-/// Every setting of everybody: error, CPU time over the unit, and over that of our cheapest method with the same error.
+/// Every setting of every entrant: error, CPU time over the unit, and over that of our cheapest method with this error.
 pub(super) fn settings(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
@@ -51,10 +51,10 @@ pub(super) fn settings(all: &[Raced]) -> Vec<String> {
     lines
 }
 
-/// At every error level our cheapest method, and the best package and the best compiled loop over it.
+/// For every error level, our cheapest method, and the best package and the best compiled loop relative to it.
 ///
-/// Where nobody comes to the error the ratio has a `>`: that of what was spent on the finest settings, in vain. Where the coarsest setting is as
-/// accurate it has a `<`: a coarser one might do.
+/// A ratio has a `>` if no entrant reaches the error: it is that of the finest settings. It has a `<` if the coarsest setting is as
+/// accurate: a coarser setting might suffice.
 pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
@@ -72,7 +72,7 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     lines
 }
 
-/// Who is best at an error, and its CPU time over ours.
+/// The best entrant at an error, and its CPU time over ours.
 fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     if let Some((run, seconds)) = work::cheapest(points, level) {
         let name = format!("{} {}", run.entrant.tool, run.entrant.method);
@@ -83,7 +83,7 @@ fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     bound.map_or_else(|| String::from(","), |seconds| format!("none,>{}", ratio(seconds / ours)))
 }
 
-/// The least error of everybody: whether all come to the same answer.
+/// Prints the smallest error of each entrant, which shows whether all agree.
 pub(super) fn check(all: &[Raced]) {
     println!("\nLeast error against the exact method, over all settings:");
     for raced in all {

@@ -1,4 +1,4 @@
-//! What everybody solves: random scenes that touch, and their exact answers.
+//! Random scenes with contact, and their exact answers.
 
 use std::error::Error;
 use std::path::Path;
@@ -12,10 +12,11 @@ use crate::measure::{Outcome, median};
 use crate::scenes::{Beside, LEFT, RIGHT, laws, numbers, rows, structures, towers};
 use crate::setting::{self, CLOCK, STEPPING, exact, recorded};
 
-/// Scenes whose errors are measured, and those that run in lanes: as many as a sweep hands over at once, of which the former are the first.
+/// Number of scenes with measured errors, and of scenes in lanes (as many as a sweep passes at once). The former are the first of the
+/// latter.
 pub(super) const SCENES: usize = 8;
 pub(super) const IN_LANES: usize = 256;
-/// A scene whose least impact is a smaller part of its largest is left out: bounces that come to rest ask for a rule that packages lack.
+/// Least ratio of the smallest to the largest impact. Scenes below are left out: bounces that come to rest need a rule that packages lack.
 const LEAST_IMPACT: f64 = 1e-3;
 
 /// The tolerance of answers, and the tops of two structures of one storey.
@@ -30,14 +31,14 @@ pub(super) type Found = [f64; 3];
 pub(super) enum Kind {
     /// Two elastic structures with impacts.
     Impulsive,
-    /// The same with the nonlinear viscoelastic element.
+    /// Two elastic structures with the nonlinear viscoelastic element.
     Compliant,
-    /// Two towers of bilinear storeys, with that element at every level that faces another.
+    /// Two towers of bilinear storeys, with the nonlinear viscoelastic element at every common level.
     Towers,
 }
 
 impl Kind {
-    /// Its name in tables, and in figures.
+    /// Name in tables, and in figures.
     pub(super) const fn names(self) -> [&'static str; 2] {
         match self {
             Self::Impulsive => ["stereomechanical", "Impacts, e = 0.65"],
@@ -53,17 +54,17 @@ pub(super) enum Rows {
     Towers(Vec<Row<Bilinear>>),
 }
 
-/// Scenes of one kind.
+/// Scenes of a kind.
 pub(super) struct Scenes<'a> {
     pub(super) kind: Kind,
     law: ContactLaw,
-    /// All rows; errors are measured on the first.
+    /// All rows; errors are measured on the first ones.
     pub(super) rows: Rows,
     /// The nodes of the tops of both buildings.
     pub(super) tops: [usize; 2],
     pub(super) n_pairs: usize,
     pub(super) excitation: Excitation<'a>,
-    /// Exact answers of the first.
+    /// Exact answers of the first scenes.
     answers: Vec<Found>,
 }
 
@@ -80,7 +81,7 @@ pub(super) fn clock(time_step: f64) -> Clock {
     }
 }
 
-/// The numbers to compare of a scene by the exact method at a tolerance, and its collisions; `None` if it fails.
+/// The numbers to compare, from the exact method at a tolerance, and the collisions; `None` if it fails.
 pub(super) fn solved<Column: Hysteretic>(
     row: &Row<Column>,
     tops: [usize; 2],
@@ -97,13 +98,13 @@ pub(super) fn solved<Column: Hysteretic>(
     ran.ok().map(|_| ([left, right, impulse], collisions))
 }
 
-/// Accelerations of the record at its own step \[m/s²\].
+/// Accelerations of the record at its step \[m/s²\].
 pub(super) fn ground(root: &Path) -> Outcome<Vec<f64>> {
     setting::ground(root, recorded())
 }
 
 impl<'a> Scenes<'a> {
-    /// The scenes of all kinds: those of structures are the same with both laws as far as they touch.
+    /// The scenes of all kinds. Those of structures are equal for both laws, among the scenes with contact.
     pub(super) fn of_all_kinds(ground: &'a [f64]) -> Outcome<[Self; 3]> {
         let excitation = Excitation::new(setting::RECORDED, ground)?;
         let [impacts, element] = laws()?;
@@ -141,12 +142,12 @@ impl<'a> Scenes<'a> {
         ])
     }
 
-    /// The median over the scenes of the largest relative error of a scene; infinite where half of them have none.
+    /// The median over the scenes of the largest relative error of a scene; infinite if half of them have none.
     pub(super) fn error(&self, found: &[Found]) -> f64 {
         let of_scene = |(found, answer): (&Found, &Found)| {
             let errors = found.iter().zip(answer);
             let errors = errors.map(|(found, answer)| (found - answer).abs() / answer);
-            // Not a number is an error, too.
+            // NaN counts as an error, too.
             errors.fold(
                 0.0,
                 |worst: f64, error| {
@@ -158,7 +159,7 @@ impl<'a> Scenes<'a> {
     }
 }
 
-/// Structures that touch, and in which no bounce dies away, with the answers of the first.
+/// Structures that touch, without decaying bounces, with the answers of the first.
 fn plain(all: &[Row<Elastic>], excitation: Excitation<'_>) -> Outcome<(Vec<Row<Elastic>>, Vec<Found>)> {
     let (mut rows, mut answers) = (Vec::new(), Vec::new());
     for row in all {
@@ -190,7 +191,7 @@ fn touching(all: Vec<Row<Bilinear>>, excitation: Excitation<'_>) -> Outcome<Vec<
     Ok(rows.map(|(_, row)| row).take(IN_LANES).collect())
 }
 
-/// The scenes as the worker reads them.
+/// The scenes in the format of the worker.
 pub(super) fn as_json(all: &[Scenes<'_>], ground: &[f64]) -> Value {
     let kind = |scenes: &Scenes<'_>| {
         let rows: Vec<Value> = match &scenes.rows {
@@ -219,8 +220,8 @@ fn structures_as_json(row: &Row<Elastic>) -> Value {
     ])
 }
 
-/// Storeys of both towers from the ground up: mass, dampings against the floor below and against the ground, stiffness, yield force and
-/// hardening; and the gap.
+/// Storeys of both towers from the ground up (mass, dampings against the floor below and against the ground, stiffness, yield force and
+/// hardening), and the gap.
 fn towers_as_json(row: &Row<Bilinear>) -> Value {
     let levels = Levels::new(&[LEFT, RIGHT]);
     let storey = |node: &usize| {
@@ -228,7 +229,7 @@ fn towers_as_json(row: &Row<Bilinear>) -> Value {
         let column = &node.column;
         let ground_damping = match node.support {
             Support::Floor(floor) => floor.ground_damping,
-            // Those of the lowest storey are one.
+            // The lowest storey has a single damping.
             Support::Ground => 0.0,
         };
         json!([
@@ -244,11 +245,11 @@ fn towers_as_json(row: &Row<Bilinear>) -> Value {
     json!({"towers": towers, "gap": row.pairs()[0].gap()})
 }
 
-/// What one measurement gives.
+/// Result of a measurement.
 #[derive(Debug, Clone)]
 pub(super) struct Measured {
     /// CPU time of a scene \[s\].
     pub(super) seconds: f64,
-    /// What was found in each.
+    /// Results of each scene.
     pub(super) found: Vec<Found>,
 }

@@ -1,9 +1,9 @@
-//! CPU time at an error, from what a ladder of settings measured.
+//! CPU time for an error, from measurements over a ladder of settings.
 
-/// CPU time to come to an error, from CPU times and errors of the settings of a method.
+/// CPU time for an error, from CPU times and errors of the settings of a method.
 ///
-/// Between the cheapest setting that is as accurate and the most accurate one that is cheaper, a power law. Nothing where no setting is as
-/// accurate; that of the cheapest where it is accurate already: nobody knows how much less would do.
+/// Uses a power law between the cheapest setting that is accurate enough and the most accurate cheaper setting. `None` if no setting is
+/// accurate enough. If the cheapest setting is already accurate enough, returns its time, as an upper bound.
 pub(super) fn at_error(points: &[(f64, f64)], error: f64) -> Option<f64> {
     let mut points = points.to_vec();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -25,20 +25,20 @@ pub(super) fn at_error(points: &[(f64, f64)], error: f64) -> Option<f64> {
     None
 }
 
-/// Whether the cheapest setting has an error at most: nobody knows how much less would do.
+/// Whether the cheapest setting has at most this error: its time is then an upper bound.
 pub(super) fn is_bound(points: &[(f64, f64)], error: f64) -> bool {
     let cheapest = points.iter().min_by(|one, other| one.0.total_cmp(&other.0));
     cheapest.is_some_and(|(_, reached)| *reached <= error)
 }
 
-/// The least CPU time of several methods to come to an error, and which of them.
+/// The smallest CPU time of several methods for an error, and the method.
 pub(super) fn cheapest<T: Copy>(methods: &[(T, Vec<(f64, f64)>)], error: f64) -> Option<(T, f64)> {
     let reaching = methods.iter();
     let reaching = reaching.filter_map(|(name, points)| Some((*name, at_error(points, error)?)));
     reaching.min_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// What all of them need at least where none comes to an error: the least of what each spent on its costliest setting.
+/// Lower bound of the CPU time if no method reaches the error: the smallest time of the costliest settings.
 pub(super) fn spent_in_vain<T>(methods: &[(T, Vec<(f64, f64)>)]) -> Option<f64> {
     let costliest = methods.iter().filter_map(|(_, points)| {
         let times = points.iter().map(|(time, _)| *time);
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn extreme_errors_that_rise_and_vanish() {
-        // The second setting is worse than the first, and dearer: it takes no part.
+        // The second setting is worse than the first, and costlier: it is ignored.
         let points = [(1.0, 1e-1), (5.0, 1.0), (10.0, 1e-3)];
         let found = at_error(&points, 1e-2).unwrap();
         assert!((found - 10f64.sqrt()).abs() < 1e-12, "found {found}");

@@ -13,7 +13,7 @@ pub enum Calibration {
     Exact,
 }
 
-/// A law that cannot be calibrated as asked.
+/// A law that cannot be calibrated as requested.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
     /// A stiffness or an e out of range.

@@ -1,28 +1,30 @@
 use crate::{Action, ContactForce, ContactLaw, FreeImpact, FreePair, Overlap, ParameterError, Stereomechanical};
 
-/// Whether the formula of a law would pull, and is clamped at F = 0 instead.
+/// Whether the formula of a law would pull and is clamped at F = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Clamp {
-    /// It never pulls.
+    /// The formula never pulls.
     Never,
-    /// It would only where something else drives the pair apart faster than v₀/a; in no free impact.
+    /// The formula pulls only if other forces drive the pair apart faster than v₀/a. It never pulls in a free impact.
     DrivenApart,
-    /// It would at the end of every collision.
+    /// The formula pulls at the end of every collision.
     EveryCollision,
 }
 
 impl FreeImpact {
     /// Integrates the collision of a free pair under a law.
     ///
-    /// Returns `None` for an impulsive law, and where [`FreeImpact::of_form`] does.
+    /// Returns `None` for an impulsive law, and if [`FreeImpact::of_form`] returns `None`.
     pub fn of(law: &ContactLaw, pair: &FreePair) -> Option<Self> {
         Self::of_form(&law.form(pair.reduced_mass, pair.approach_speed)?, pair)
     }
 }
 
 impl ContactLaw {
-    /// The law with its stiffness, and what grows with it ([`crate::Parameter::stiffens`]), times a factor. Laws whose damping is a ratio
-    /// or a factor \[–\] keep their restitution. An impulsive law stays as it is.
+    /// The law with its stiffness times a factor, and with it each parameter that grows with the stiffness
+    /// ([`crate::Parameter::stiffens`]).
+    ///
+    /// Laws with a damping ratio or factor \[–\] keep their restitution. An impulsive law is unchanged.
     #[must_use]
     pub fn stiffened(mut self, factor: f64) -> Self {
         for (parameter, number) in self.parameters() {
@@ -33,7 +35,7 @@ impl ContactLaw {
         self
     }
 
-    /// Name as scene files spell it.
+    /// Name in scene files.
     pub const fn name(&self) -> &'static str {
         self.about().names[0].name
     }
@@ -48,12 +50,12 @@ impl ContactLaw {
         parameters.try_for_each(|(parameter, number)| parameter.allowed.check(parameter.name, *number))
     }
 
-    /// The law, if it acts as an impulse.
+    /// The stereomechanical law, if this law is impulsive.
     pub const fn impulsive(&self) -> Option<Stereomechanical> {
         if let Self::Stereomechanical(law) = self { Some(*law) } else { None }
     }
 
-    /// Whether the law gives a force over time, and not an impulse.
+    /// Whether the law gives a force over time instead of an impulse.
     #[inline]
     pub const fn is_compliant(&self) -> bool {
         self.impulsive().is_none()
@@ -64,13 +66,12 @@ impl ContactLaw {
         self.about().knows_approach_speed
     }
 
-    /// Force and tangents of a compliant law while a pair touches; nothing for an impulsive one.
+    /// Force and tangents of a compliant law while a pair touches; `None` for an impulsive law.
     ///
-    /// Precondition: `overlap.deformation` > 0. Tangents jump at δ̇ = 0 and where the force is clamped, and may grow
-    /// without bound as δ → 0.
+    /// Precondition: `overlap.deformation` > 0. Tangents jump at δ̇ = 0 and at the clamp. They may grow without bound as δ → 0.
     #[inline]
     pub fn respond(&self, overlap: &Overlap) -> Option<ContactForce> {
-        // Its root is taken as the paper writes it: the last digits of the paper's tables depend on that.
+        // The root is written as in the paper: the last digits of the paper's tables depend on it.
         if let Self::NonlinearViscoelastic(law) = self {
             return Some(law.respond(overlap));
         }
@@ -78,20 +79,20 @@ impl ContactLaw {
         Some(form.respond(overlap.deformation, overlap.rate))
     }
 
-    /// Force and tangents of a pair at δ ≤ 0 that a step is about to bring together, for a solver that iterates.
+    /// Force and tangents of a pair at δ ≤ 0 that a step is about to close, for a solver that iterates.
     ///
-    /// A linear dashpot acts from the touch on: its force jumps there, and at the end of a step there may be no equilibrium
-    /// either with it or without. kδ + cδ̇, clamped, goes through. Forces that begin at zero have nothing to go through.
+    /// A linear dashpot acts from the first touch: its force jumps there, and the end of a step may have no equilibrium on either side of
+    /// the jump. The continuation kδ + cδ̇, clamped, has one. Forces that begin at zero need no continuation.
     pub fn before_touch(&self, overlap: &Overlap) -> Option<ContactForce> {
         let form = self.form(overlap.reduced_mass, overlap.approach_speed)?;
         form.before_touch(overlap.deformation, overlap.rate)
     }
 
-    /// Whether the law's formula would pull and is clamped.
+    /// Whether the formula of the law would pull and is clamped.
     pub fn clamp(&self) -> Clamp {
         match self.form(1.0, 1.0) {
             Some(form) if form.action == Action::Both && form.damper.coefficient > 0.0 => {
-                // A damper that falls more slowly with the deformation than the spring prevails at last.
+                // If the damper falls more slowly with the deformation than the spring, it prevails at the end of the collision.
                 if form.damper.power == form.spring.power {
                     Clamp::DrivenApart
                 } else {
@@ -102,7 +103,7 @@ impl ContactLaw {
         }
     }
 
-    /// Largest deformation δmax \[m\] of a free pair, where a closed form exists.
+    /// Largest deformation δmax \[m\] of a free pair, if a closed form exists.
     pub fn max_deformation(&self, pair: &FreePair) -> Option<f64> {
         let stored = self.stored()?;
         let form = self.form(pair.reduced_mass, pair.approach_speed)?;

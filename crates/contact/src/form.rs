@@ -5,14 +5,14 @@
 
 use crate::{ContactForce, Number};
 
-/// The form that every compliant law shares: F = K δ^n + C δ^κ δ̇, never below 0.
+/// The form of every compliant law: F = K δ^n + C δ^κ δ̇, never below 0.
 ///
-/// A law gives K, C and the powers; the reduced mass and the approach speed of the pair are in C already.
+/// A law gives K, C and the powers. C already contains the reduced mass and the approach speed of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Form<N = f64> {
-    /// K \[N/m^n\] and n.
+    /// Spring: K \[N/m^n\] and n.
     pub spring: Term<N>,
-    /// C \[N·s/m^(1+κ)\] and κ.
+    /// Damper: C \[N·s/m^(1+κ)\] and κ.
     pub damper: Term<N>,
     /// When the damper acts.
     pub action: Action,
@@ -47,7 +47,7 @@ pub enum Power {
 pub enum Action {
     /// While approaching and while parting.
     Both,
-    /// While approaching (δ̇ > 0) alone.
+    /// While approaching (δ̇ > 0) only.
     Approach,
 }
 
@@ -63,7 +63,7 @@ impl Power {
         }
     }
 
-    /// This power of x ≥ 0, by products and square roots.
+    /// This power of x ≥ 0, computed from products and square roots.
     #[inline(always)]
     pub fn of<N: Number>(self, x: N) -> N {
         match self {
@@ -85,27 +85,27 @@ impl<N: Number> Term<N> {
 }
 
 impl Term {
-    /// Deformation ≥ 0 \[m\] at which it has a value ≥ 0; the term must not be constant.
+    /// Deformation ≥ 0 \[m\] at which the term has a given value ≥ 0. The term must not be constant.
     pub fn deformation(&self, value: f64) -> f64 {
         libm::pow(value / self.coefficient, 1.0 / self.power.value())
     }
 }
 
 impl<N: Number> Form<N> {
-    /// The force before it is clamped \[N\]; below 0 the law would pull.
+    /// The force before the clamp \[N\]. It is negative if the law would pull.
     #[inline(always)]
     pub fn unclamped(&self, deformation: N, rate: N) -> N {
         self.spring.at(deformation) + self.damping(deformation, rate) * rate
     }
 
-    /// The force at δ > 0 \[N\], 0 where the law would pull.
+    /// The force at δ > 0 \[N\]; 0 if the law would pull.
     #[inline(always)]
     pub fn force(&self, deformation: N, rate: N) -> N {
         let (force, zero) = (self.unclamped(deformation, rate), rate.like(0.0));
         N::select(zero.exceeds(force), zero, force)
     }
 
-    /// Force and tangents at δ > 0; all are 0 where the law would pull.
+    /// Force and tangents at δ > 0. All are 0 if the law would pull.
     #[inline(always)]
     pub fn respond(&self, deformation: N, rate: N) -> ContactForce<N> {
         let spring = self.spring.at(deformation);
@@ -141,7 +141,7 @@ impl<N: Number> Form<N> {
 }
 
 impl Form {
-    /// A spring and a damper, each by its coefficient and power.
+    /// A form from the coefficient and power of its spring and of its damper.
     pub const fn new(spring: (f64, Power), damper: (f64, Power), action: Action) -> Self {
         Self {
             spring: Term {
@@ -156,7 +156,7 @@ impl Form {
         }
     }
 
-    /// The same at δ ≤ 0, where the damper acts from the touch on; nothing elsewhere.
+    /// Force and tangents at δ ≤ 0 if the damper is a linear dashpot, else `None`; see [`crate::ContactLaw::before_touch`].
     pub(crate) fn before_touch(&self, deformation: f64, rate: f64) -> Option<ContactForce> {
         let (stiffness, damping) = (self.spring.coefficient, self.damper.coefficient);
         let force = stiffness * deformation + damping * rate;

@@ -1,14 +1,14 @@
-//! A free impact integrated numerically, to rounding: what no closed form gives.
+//! Numerical integration of a free impact to rounding, for laws without a closed form.
 //!
-//! With δ = L w⁴, a time σ that runs as dt = w³ dσ, and units in which m = v₀ = K = 1, every law of the crate is a
-//! polynomial: 4 w′ = v, v′ = −w³ (w⁴ⁿ + C w^4κ v). Extrapolated midpoint steps (W. B. Gragg; R. Bulirsch and J. Stoer,
-//! *Numer. Math.* 8 (1966) 1) of order 12 then meet no singularity: not at the first touch, where the damper of the
-//! nonlinear viscoelastic element starts like δ^(1/4), nor at the parting.
+//! With δ = L w⁴, a time σ with dt = w³ dσ, and units in which m = v₀ = K = 1, every law of the crate is a polynomial: 4 w′ = v, v′ = −w³
+//! (w⁴ⁿ + C w^4κ v). Extrapolated midpoint steps (W. B. Gragg; R. Bulirsch and J. Stoer, *Numer. Math.* 8 (1966) 1) of order 12 then meet
+//! no singularity. The damper of the nonlinear viscoelastic element, which starts like δ^(1/4) at the first touch, becomes smooth, and so
+//! does the parting.
 
 use crate::form::{Action, Form, Power, Term};
 use crate::{FreePair, search};
 
-/// What a free impact does.
+/// Result of a free impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeImpact {
     /// Coefficient of restitution delivered \[–\].
@@ -19,22 +19,22 @@ pub struct FreeImpact {
     pub peak_force: f64,
     /// Impulse \[N·s\].
     pub impulse: f64,
-    /// Time from the first touch to the parting \[s\], δ = 0 at both; a clamped force may have ended earlier.
+    /// Time from the first touch to the parting \[s\]: δ = 0 at both. A clamped force may end earlier.
     pub duration: f64,
-    /// Time from the first touch until the force ends \[s\]: what runs call the duration of a collision.
+    /// Time from the first touch to the end of the force \[s\]. A run reports it as the duration of a collision.
     pub force_duration: f64,
 }
 
-/// Steps after which an impact is given up: damping so strong that hardly anything comes back.
+/// Most steps of an impact. Only damping so strong that almost nothing comes back needs more.
 const MOST_STEPS: u32 = 20_000;
-/// Estimated error of a step above which it is halved, in the impact's own units.
+/// A step is halved if its estimated error exceeds this value, in the units of the impact.
 const TOLERANCE: f64 = 1e-14;
-/// Longest step.
+/// Longest step, in the units of the impact.
 const LONGEST: f64 = 0.5;
-/// Columns of the extrapolation; the step of column j is divided into 2(j+1) parts.
+/// Columns of the extrapolation. Column j divides the step into 2(j+1) parts.
 const N_COLUMNS: usize = 6;
 
-/// Fourth root of the deformation, its rate, time: each in the impact's own units.
+/// Fourth root of the deformation, its rate, and time, in the units of the impact.
 #[derive(Clone, Copy)]
 struct State {
     root: f64,
@@ -46,7 +46,7 @@ struct State {
 #[derive(Clone, Copy)]
 struct Orbit {
     spring: Power,
-    /// Acts over the whole of a phase: a step may look beyond its end.
+    /// The damper acts in both phases, so that a step may look beyond the end of its phase.
     damper: Term,
     length: f64,
     force: f64,
@@ -56,7 +56,7 @@ struct Orbit {
 impl FreeImpact {
     /// Integrates the collision of a free pair under a form.
     ///
-    /// Returns `None` where the damping is so strong that the return takes more than twenty thousand steps. Takes about a millisecond.
+    /// Returns `None` if the damping is so strong that the return takes more than 20 000 steps. Takes about a millisecond.
     pub fn of_form(form: &Form, pair: &FreePair) -> Option<Self> {
         let orbit = Orbit::new(form, pair);
         let mut peak = 0.0;
@@ -65,7 +65,7 @@ impl FreeImpact {
             peak = search::maximum(0.0, step, force).max(peak);
         })?;
         let end = orbit.returning(form.action).part(middle)?;
-        // A clamped pair flies the rest.
+        // The rest is free flight: the force of the pair is clamped.
         let flight = deformation(end.root.max(0.0)) / -end.rate;
         let seconds = |time: f64| time * orbit.length / orbit.speed;
         Some(Self {
@@ -79,7 +79,7 @@ impl FreeImpact {
     }
 }
 
-/// Coefficient of restitution alone \[–\]; nothing where the damping is too strong.
+/// Coefficient of restitution \[–\]; `None` if the damping is too strong.
 pub(crate) fn restitution(form: &Form, pair: &FreePair) -> Option<f64> {
     let orbit = Orbit::new(form, pair);
     let middle = orbit.approach(|_, _| ())?;
@@ -111,7 +111,7 @@ impl Orbit {
         }
     }
 
-    /// The same impact after the largest deformation.
+    /// The impact after the largest deformation.
     fn returning(mut self, action: Action) -> Self {
         if action == Action::Approach {
             self.damper.coefficient = 0.0;
@@ -119,13 +119,13 @@ impl Orbit {
         self
     }
 
-    /// The force of a state before the clamp.
+    /// The force of a state, before the clamp.
     fn force(&self, state: State) -> f64 {
         let deformation = deformation(state.root);
         self.spring.of(deformation) + self.damper.at(deformation) * state.rate
     }
 
-    /// From the first touch to the largest deformation; `visit` sees every step.
+    /// Integrates from the first touch to the largest deformation; `visit` sees every step.
     fn approach(&self, mut visit: impl FnMut(State, f64)) -> Option<State> {
         let mut state = State {
             root: 0.0,
@@ -146,7 +146,7 @@ impl Orbit {
         }
     }
 
-    /// From the largest deformation to the end of the force.
+    /// Integrates from the largest deformation to the end of the force.
     fn part(&self, mut state: State) -> Option<State> {
         let (mut step, mut n_steps) = (LONGEST, 0);
         loop {
@@ -163,7 +163,7 @@ impl Orbit {
         }
     }
 
-    /// One step, shortened until its error is small; the step to try next is left behind.
+    /// Makes one step, shortened until its error is small. `step` is then the next step to try.
     fn step(&self, state: State, step: &mut f64, n_steps: &mut u32) -> Option<(State, f64)> {
         loop {
             *n_steps += 1;

@@ -1,6 +1,6 @@
 use crate::form::{Power, Term};
 
-/// Two masses on which nothing acts but their collision.
+/// Two masses with no force other than that of their collision.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreePair {
     /// Reduced mass m \[kg\], > 0; see [`crate::reduced_mass`].
@@ -10,7 +10,7 @@ pub struct FreePair {
 }
 
 impl FreePair {
-    /// Unit mass at unit speed, for laws whose e is that of every pair.
+    /// Unit mass at unit speed, for laws whose e does not depend on the pair.
     pub const UNIT: Self = Self {
         reduced_mass: 1.0,
         approach_speed: 1.0,
@@ -27,7 +27,7 @@ impl FreePair {
         0.5 * self.reduced_mass * self.approach_speed * self.approach_speed * lost
     }
 
-    /// Deformation \[m\] at which a spring stores a part \[–\] of the kinetic energy.
+    /// Deformation \[m\] at which a spring stores a given part \[–\] of the kinetic energy.
     pub(crate) fn deformation(&self, spring: Term, stored: f64) -> f64 {
         let (m, v) = (self.reduced_mass, self.approach_speed);
         // K δ^(n+1)/(n+1) = ½ m v₀² · stored.

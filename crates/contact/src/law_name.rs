@@ -3,27 +3,27 @@ use crate::parameter::RESTITUTION;
 use crate::{Calibration, CalibrationError, ContactLaw, FreePair, LawName, Parameter};
 
 impl LawName {
-    /// The law of this name, as commands spell it.
+    /// The law with this name in commands.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|law| law.name() == name)
     }
 
-    /// Facts of its force.
+    /// Facts about the force.
     pub fn about(self) -> &'static About {
         self.blank().about()
     }
 
-    /// Its names, formula and source.
+    /// Name, formula and source.
     pub fn named(self) -> &'static Name {
         &self.about().names[self.place()]
     }
 
-    /// Name, as commands spell it.
+    /// Name in commands.
     pub fn name(self) -> &'static str {
         self.named().name
     }
 
-    /// Parameters as scene files spell them, under the name of [`ContactLaw::name`].
+    /// Parameters as scene files spell them, below the name of [`ContactLaw::name`].
     pub fn parameters(self) -> Vec<&'static Parameter> {
         let mut law = self.blank();
         law.parameters().into_iter().map(|(row, _)| row).collect()
@@ -47,11 +47,11 @@ impl LawName {
 
     /// The law with a stiffness (in [`LawName::stiffness_unit`]) and the damping for an e in (0, 1\].
     ///
-    /// The pair is looked at only where the e of a law depends on it; the stiffness is not for the impulsive law, which takes e = 0
-    /// as well. Springs without damping take e = 1 alone.
+    /// The pair matters only for laws whose e depends on it. The impulsive law ignores the stiffness and also accepts e = 0. Springs
+    /// without damping accept only e = 1.
     ///
     /// # Errors
-    /// [`CalibrationError`] for a stiffness or an e out of range, and where the literature has no formula.
+    /// [`CalibrationError`] if a stiffness or an e is out of range, or if the literature has no formula.
     pub fn calibrated(self, stiffness: f64, (e, calibration): (f64, Calibration), pair: &FreePair) -> Result<ContactLaw, CalibrationError> {
         let (exact, law) = (self.about().exact, self.name());
         let is_damped = matches!(exact, Exact::Any(_) | Exact::Pair(..));
@@ -73,7 +73,7 @@ impl LawName {
         Ok(law)
     }
 
-    /// The law with these numbers, in the order of its parameters.
+    /// The law with these values, in the order of its parameters.
     pub(crate) fn with(self, numbers: impl IntoIterator<Item = f64>) -> ContactLaw {
         let mut law = self.blank();
         for ((_, place), number) in law.parameters().into_iter().zip(numbers) {

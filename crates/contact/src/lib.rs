@@ -1,13 +1,13 @@
-//! Contact laws of structural pounding: what two neighbours do to each other while they touch.
+//! Contact laws of structural pounding: the force or impulse between two neighbours that touch.
 //!
-//! A law is a value with its parameters. It knows no time step, no row and no record. *Impulsive* laws change velocities at an
-//! instant ([`Stereomechanical`]). *Compliant* laws give a force that depends on the [`Overlap`]. Every compliant law is one
-//! [`Form`], F = K δ^n + C δ^κ δ̇ ≥ 0.
+//! A law is a value with its parameters. It knows no time step, no row and no record. *Impulsive* laws change velocities at an instant
+//! ([`Stereomechanical`]). *Compliant* laws give a force that depends on the [`Overlap`]. Every compliant law is a [`Form`], F = K δ^n + C
+//! δ^κ δ̇ ≥ 0.
 //!
 //! ```
 //! use pounding_contact::{Calibration, FreeImpact, FreePair, LawName, reduced_mass};
 //!
-//! // 75 t hit 3000 t at 0.5 m/s. Impact stiffness 2.75e9 N/m^1.5; a coefficient of restitution e = 0.65 is asked for.
+//! 75 t hit 3000 t at 0.5 m/s. Impact stiffness 2.75e9 N/m^1.5; the requested coefficient of restitution is e = 0.65.
 //! let pair = FreePair { reduced_mass: reduced_mass(1.0 / 75e3, 1.0 / 3e6), approach_speed: 0.5 };
 //! let law = |calibration| LawName::HertzDamp.calibrated(2.75e9, (0.65, calibration), &pair);
 //!
@@ -21,13 +21,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Each law of the list is a file of `laws`: its parameters, its force, its sources. The paper's laws are its equation (4) and Table 3.
-//! That table prints the power as 3 and the root otherwise; the published forces follow from the form above, which is Jankowski's (2005).
+//! Each law is a file of `laws`, with its parameters, its force and its sources. The paper's laws are its equation (4) and Table 3. Table 3
+//! prints the power as 3 and another root; the published forces follow from the form above, which is Jankowski's (2005).
 //!
-//! Left out: finding contacts, time stepping and more than two bodies (`pounding-solver`); how a file gives a law (`pounding-scene`).
+//! Not in this crate: finding contacts, time stepping and more than two bodies (`pounding-solver`); laws in scene files (`pounding-scene`).
 //!
-//! Where to start: [`ContactLaw`], the law of a pair; [`LawName`], the list with sources and calibrations; [`FreePair`] and
-//! [`FreeImpact`], two bodies that collide and nothing else.
+//! Where to start: [`ContactLaw`], the law of a pair; [`LawName`], the list with sources and calibrations; [`FreePair`] and [`FreeImpact`],
+//! two bodies that collide freely.
 
 pub mod approach_damper;
 mod calibration;

@@ -1,7 +1,7 @@
-//! What a formula is written in: one scene, or several side by side.
+//! The number type of formulas: a single scene, or several scenes in lanes.
 //!
-//! Everything generic over [`Number`] is inlined always: instructions on several lanes exist only inside the function that has
-//! found the machine to have them.
+//! Everything generic over [`Number`] is always inlined: lane instructions may appear only inside the function that has checked that the
+//! machine supports them.
 
 #![expect(
     clippy::inline_always,
@@ -10,22 +10,22 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// A number of one scene (`f64`), or the same number of several scenes side by side (lanes).
+/// The number of a single scene (`f64`), or the numbers of several scenes in lanes.
 ///
-/// Formulas that are generic over it are written once for both, and a lane gets the bits that its scene gets alone: every
-/// operation is that of `f64`, lane by lane. A choice has both sides computed and takes one ([`Self::select`]); what costs much
-/// and is seldom wanted is asked for first ([`Self::any`]).
+/// Formulas that are generic over it are written once for both. A lane gets exactly the bits that its scene gets alone: every operation is
+/// that of `f64`, lane by lane. A choice computes both sides and takes one ([`Self::select`]). Before a side that is costly and rarely
+/// needed, ask [`Self::any`].
 pub trait Number:
     Copy + std::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The answer to a question: of every lane yes or no.
+    /// The answer to a question: yes or no for every lane.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
-    /// The same value in every lane of a number like this one.
+    /// This value in every lane.
     #[must_use]
     fn like(self, value: f64) -> Self;
 
-    /// Without its sign.
+    /// Absolute value.
     #[must_use]
     fn abs(self) -> Self;
 
@@ -33,13 +33,13 @@ pub trait Number:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Where this is more than another; nowhere where one of them is not a number.
+    /// Whether this is greater than another number; no if either is NaN.
     fn exceeds(self, other: Self) -> Self::Mask;
 
     /// Whether any lane says yes.
     fn any(mask: Self::Mask) -> bool;
 
-    /// The first where the mask says yes, else the second.
+    /// The first value for lanes in which the mask says yes, else the second.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 

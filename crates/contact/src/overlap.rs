@@ -1,4 +1,4 @@
-/// What a law sees of a pair while it touches; exists only then.
+/// State of a pair while it touches, as a contact law sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
     /// Deformation at the contact δ = `u_left` − `u_right` − gap \[m\], > 0.
@@ -7,7 +7,7 @@ pub struct Overlap {
     pub rate: f64,
     /// Reduced mass of the pair \[kg\], > 0; see [`reduced_mass`].
     pub reduced_mass: f64,
-    /// Rate of deformation at the first touch of the present contact v₀ \[m/s\], ≥ 0; 0 where the pair did not approach.
+    /// Rate of deformation at the first touch of the present contact v₀ \[m/s\], ≥ 0; 0 if the pair did not approach.
     pub approach_speed: f64,
 }
 

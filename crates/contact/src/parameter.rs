@@ -1,28 +1,28 @@
-//! Parameters of contact laws: a row says everything that is known of one, for files, messages, sweeps and lists.
+//! Parameters of contact laws. Files, messages, sweeps and lists read these entries.
 
 /// A parameter of a contact law.
 #[derive(Debug, Clone, Copy)]
 pub struct Parameter {
-    /// Name, as scene files spell it.
+    /// Name in scene files.
     pub name: &'static str,
-    /// Unit, – where it has none.
+    /// Unit; – if it has none.
     pub unit: &'static str,
-    /// Its meaning, with its symbol.
+    /// Meaning, with symbol.
     pub meaning: &'static str,
-    /// The values allowed.
+    /// Allowed values.
     pub allowed: Range,
-    /// Whether a law that becomes stiffer has more of it, in proportion.
+    /// Whether the parameter grows in proportion to the stiffness of a law that becomes stiffer.
     pub stiffens: bool,
-    /// A usual value: that of the pounding literature, where it has one.
+    /// A usual value, from the pounding literature if it has one.
     pub usual: f64,
 }
 
-/// The values allowed of a number.
+/// The allowed values of a number.
 #[derive(Debug, Clone, Copy)]
 pub struct Range {
-    /// In words.
+    /// The allowed values in words.
     pub words: &'static str,
-    /// Whether a value is one of them.
+    /// Whether a value is allowed.
     pub holds: fn(f64) -> bool,
 }
 
@@ -30,11 +30,11 @@ pub struct Range {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{parameter}: found {}, allowed {allowed}", pounding_text::plain(*found))]
 pub struct ParameterError {
-    /// Name of the parameter, as scene files spell it.
+    /// Name of the parameter in scene files.
     pub parameter: &'static str,
     /// The value found.
     pub found: f64,
-    /// The values allowed, in words.
+    /// The allowed values, in words.
     pub allowed: &'static str,
 }
 
@@ -50,7 +50,7 @@ impl Range {
         holds: |number| number >= 0.0 && number.is_finite(),
     };
 
-    /// Refuses a value of a parameter that is not allowed.
+    /// Refuses a value that is not allowed.
     pub(crate) fn check(self, parameter: &'static str, found: f64) -> Result<(), ParameterError> {
         if (self.holds)(found) {
             return Ok(());
@@ -63,7 +63,7 @@ impl Range {
     }
 }
 
-/// e \[–\]: the parameter of an impulsive law, and what a compliant one is asked to deliver.
+/// e \[–\]: the parameter of an impulsive law, and the target of the calibration of a compliant law.
 pub const RESTITUTION: Parameter = Parameter {
     name: "restitution",
     unit: "–",
@@ -93,7 +93,7 @@ pub const HERTZ: Parameter = Parameter {
     stiffens: true,
     usual: 2.75e9,
 };
-/// ξ̄ \[–\] of a damper in parts of the critical one.
+/// ξ̄ \[–\] of a damper, as a part of critical damping.
 pub const RATIO: Parameter = Parameter {
     name: "impact_damping_ratio",
     unit: "–",
@@ -102,7 +102,7 @@ pub const RATIO: Parameter = Parameter {
     stiffens: false,
     usual: 0.35,
 };
-/// a \[–\] of a damper that knows the approach speed, 1 + aδ̇/v₀.
+/// a \[–\] of a damper that depends on the approach speed, 1 + aδ̇/v₀.
 pub const FACTOR: Parameter = Parameter {
     name: "impact_damping_factor",
     unit: "–",

@@ -1,4 +1,4 @@
-//! Laws in files: `{ name = { parameters } }`, where an e may stand in place of the damping.
+//! Laws in files: `{ name = { parameters } }`. An e may replace the damping.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -16,18 +16,18 @@ use crate::{Calibration, ContactLaw, FreePair, LawName, Parameter};
 const CALIBRATION: &str = "calibration";
 
 impl LawName {
-    /// The names that files know: one of every force.
+    /// The names that files know: one for each force.
     fn forces() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|law| law.place() == 0)
     }
 
-    /// The parameter in whose place files may give an e.
+    /// The damping parameter that an e may replace in files.
     fn damping(self) -> Option<&'static Parameter> {
         let is_damped = matches!(self.about().exact, Exact::Any(_));
         self.parameters().pop().filter(|_| is_damped)
     }
 
-    /// The names of its settings: the parameters, then what may stand in place of the damping.
+    /// Names of the settings: the parameters, then those that may replace the damping.
     fn settings(self) -> Words {
         static ALL: LazyLock<Vec<Vec<&str>>> = LazyLock::new(|| {
             let all = LawName::ALL.into_iter().map(|law| {
@@ -42,7 +42,7 @@ impl LawName {
 }
 
 impl ContactLaw {
-    /// An example in JSON of every law, with usual numbers.
+    /// An example in JSON of every law, with usual values.
     pub fn examples() -> impl Iterator<Item = String> {
         LawName::forces().map(|law| {
             let mut parameters = law.parameters();
@@ -85,10 +85,10 @@ impl<'de> Deserialize<'de> for ContactLaw {
     }
 }
 
-/// Words that are known.
+/// Known words.
 type Words = &'static [&'static str];
 
-/// Reads the name of a law or of a setting, one of those that are known; gives its place among them.
+/// Reads the name of a law or of a setting and gives its index among the known words.
 enum Word {
     Law,
     Setting(Words),
@@ -183,7 +183,7 @@ impl<'de> Visitor<'de> for Settings {
             return Ok(law.with(numbers?));
         };
         let stiffness = number(0)?;
-        // One choice of a file; e is delivered exactly unless it says otherwise, whatever the pair.
+        // By default the law delivers e exactly, for every pair.
         let refused = match (numbers[1], numbers[2], calibration) {
             (Some(damping), None, None) => return Ok(law.with([stiffness, damping])),
             (None, Some(e), calibration) => {

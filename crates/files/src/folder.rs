@@ -1,4 +1,4 @@
-//! A folder of results: written beside its place under another name and synced, then put there, so that nobody finds half of it.
+//! A folder of results. It is written and synced under another name next to its place, then renamed, so that it never appears half written.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -8,49 +8,49 @@ use std::path::{Path, PathBuf};
 
 use crate::{Lock, Users, folder_of, sync_folder};
 
-/// What tells a folder of results from any other.
+/// How to recognise a folder of results.
 #[derive(Debug, Clone, Copy)]
 pub struct ResultNames {
-    /// Whether results can have a file of this name.
+    /// Whether results may have a file with this name.
     pub has: fn(&str) -> bool,
-    /// Every folder of results has one of these.
+    /// Every folder of results contains a file with at least one of these names.
     pub marks: &'static [&'static str],
 }
 
-/// What becomes of a folder that holds other things than results.
+/// Treatment of a folder that contains other things than results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Others<'a> {
-    /// It is refused, with the word that would let them stay, such as `--overwrite`.
+    /// The folder is refused. The message names the option that keeps the other files, such as `--overwrite`.
     Refused(&'a str),
-    /// They stay, and results are put beside them.
+    /// The other files stay, and results are added.
     Stay,
 }
 
-/// What lies where a folder is to be written.
+/// Contents of the place at which a folder is to be written.
 enum Found {
     Nothing,
-    /// An empty folder, or the results of an earlier run: files of their names and nothing else.
+    /// An empty folder, or the results of an earlier run: only files with their names.
     Results,
-    /// A folder with something else in it, for example this.
+    /// A folder with another file, for example this one.
     Other(String),
 }
 
-/// A folder that this process alone writes, until it is dropped.
+/// A folder that only this process writes, until the value is dropped.
 #[derive(Debug)]
 pub struct ResultFolder {
     path: PathBuf,
     names: ResultNames,
-    /// Hidden names beside it: what is being written, and what it replaces.
+    /// Hidden names next to the folder: the new folder, and the folder that it replaces.
     new: PathBuf,
     old: PathBuf,
     lock: Lock,
 }
 
 impl ResultFolder {
-    /// Takes a folder and checks that it can be written, before anything runs.
+    /// Opens a folder and checks that it can be written, before anything runs.
     ///
     /// # Errors
-    /// What stands in the way, and what to do about it.
+    /// The obstacle, and how to remove it.
     pub fn open(path: &Path, names: ResultNames, others: Others<'_>) -> Result<Self, String> {
         let [new, old] = ["new", "old"].map(|end| beside(path, end));
         names.found_in(path)?;
@@ -73,12 +73,12 @@ impl ResultFolder {
         }
     }
 
-    /// Whether other processes are kept off; if not, the disk knows no locks.
+    /// Whether other processes are locked out; false if the disk has no locks.
     pub fn is_locked(&self) -> bool {
         self.lock.is_kept()
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -91,11 +91,10 @@ impl ResultFolder {
         results.map(|entry| entry.path())
     }
 
-    /// Writes files into the folder; what it holds besides results stays. They are on disk when this returns, and before it nobody
-    /// finds some of them.
+    /// Writes files into the folder; other files stay. The files are on disk when this returns, and become visible all at once.
     ///
     /// # Errors
-    /// What cannot be written, and what the system says.
+    /// The file that cannot be written, and the message of the system.
     pub fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
         let found = self.names.found_in(&self.path)?;
         let placed = self.fill(files).and_then(|()| match found {
@@ -105,7 +104,7 @@ impl ResultFolder {
         });
         let placed = placed.and_then(|()| sync_folder(folder_of(&self.path)));
         placed.map_err(|error| {
-            // What was begun is of no use to anybody.
+            // A half-written folder is useless.
             let _ = fs::remove_dir_all(&self.new);
             self.refused(&error)
         })
@@ -115,7 +114,7 @@ impl ResultFolder {
         format!("{} cannot be written: {error}", self.path.display())
     }
 
-    /// Undoes what an earlier process was ended in.
+    /// Completes or reverts what an interrupted process began.
     fn restore(&self) -> io::Result<()> {
         if self.new.exists() {
             fs::remove_dir_all(&self.new)?;
@@ -138,7 +137,7 @@ impl ResultFolder {
         sync_folder(&self.new)
     }
 
-    /// Puts the new folder in the place of the old one.
+    /// Renames the new folder to the place of the old one.
     fn replace(&self) -> io::Result<()> {
         fs::rename(&self.path, &self.old)?;
         if let Err(error) = fs::rename(&self.new, &self.path) {
@@ -149,7 +148,7 @@ impl ResultFolder {
         fs::remove_dir_all(&self.old)
     }
 
-    /// Puts files among others; then results of an earlier run go.
+    /// Moves files among others, then deletes results of an earlier run.
     fn mix(&self, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
         for name in files.keys() {
             fs::rename(self.new.join(name), self.path.join(name))?;
@@ -169,7 +168,7 @@ impl ResultFolder {
 }
 
 impl ResultNames {
-    /// What lies there.
+    /// Contents of a folder.
     fn found_in(self, folder: &Path) -> Result<Found, String> {
         let unreadable = |error: io::Error| format!("{}: {error}", folder.display());
         match fs::metadata(folder) {
@@ -188,7 +187,7 @@ impl ResultNames {
         if let Some(other) = names.iter().find(is_other) {
             return Ok(Found::Other(other.clone()));
         }
-        // Files of these names that no run wrote together are somebody else's.
+        // Files with these names that no run wrote together belong to the user.
         let is_marked = names.iter().any(|name| self.marks.contains(&name.as_str()));
         Ok(match names.first() {
             Some(first) if !is_marked => Found::Other(first.clone()),
@@ -197,7 +196,7 @@ impl ResultNames {
     }
 }
 
-/// A hidden name beside a folder, in the same folder so that renaming moves nothing.
+/// A hidden name next to a folder, in its parent folder, so that renaming moves no data.
 fn beside(folder: &Path, end: &str) -> Result<PathBuf, String> {
     let Some(own) = folder.file_name() else {
         return Err(format!(
@@ -226,7 +225,7 @@ mod tests {
         names.map(|name| (name.into(), word.into())).into()
     }
 
-    /// A process can be killed between any two of its steps; whoever comes next finds one run, whole, and tidies up.
+    /// A process can be killed between any two of its steps. The next process finds a single, complete run, and cleans up.
     #[test]
     fn issue_a_kill_between_two_renames_loses_no_results() {
         type Step = fn(&ResultFolder) -> io::Result<()>;

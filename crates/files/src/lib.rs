@@ -1,10 +1,10 @@
-//! Files of a program that promises something about them: written whole and durably, read within bounds, by one process at a time.
+//! Files with guarantees: written completely and durably, read within bounds, by a single process at a time.
 //!
-//! - [`write`](fn@write) and [`NewFile`]: a file is there whole or not at all, and after a power failure, too.
-//! - [`ResultFolder`]: the same of a folder of files.
-//! - [`read`](fn@read): a regular file of bounded length; a device or a pipe is refused before it is opened.
-//! - [`Lock`]: one process writes an output; the next one is told who does.
-//! - [`input_at`]: whether an output is one of the inputs under any of its names.
+//! - [`write`](fn@write) and [`NewFile`]: a file is either complete or absent, even after a power failure.
+//! - [`ResultFolder`]: a folder of files with this guarantee.
+//! - [`read`](fn@read): a regular file of bounded length. Devices and pipes are refused before they are opened.
+//! - [`Lock`]: a single process writes an output; another process learns which process holds it.
+//! - [`input_at`]: whether an output is also an input, under any of its names.
 //!
 //! ```
 //! use pounding_files::{Existing, Length, read, write};
@@ -18,7 +18,7 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 //!
-//! Left out: what the files hold.
+//! Not in this crate: the contents of the files.
 
 mod folder;
 mod lock;
@@ -43,7 +43,7 @@ pub fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A hidden name beside a file.
+/// A hidden name next to a file.
 pub fn hidden(path: &Path, end: &str) -> PathBuf {
     let mut name = OsString::from(".");
     name.push(path.file_name().unwrap_or_default());

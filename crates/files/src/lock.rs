@@ -1,4 +1,4 @@
-//! One writer of an output, who says so in a hidden file beside it.
+//! A single writer per output, named in a hidden file next to it.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read as _, Write as _};
@@ -11,21 +11,21 @@ use crate::{folder_of, hidden};
 /// How many processes may work on an output at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Users {
-    /// This one.
+    /// Only this process.
     One,
-    /// This one and others that also say so.
+    /// This process and other processes that share the output in this way.
     Several,
 }
 
-/// How often a lock is asked for: whoever leaves an output has it alone for a moment, to tidy up.
+/// Number of attempts to lock: a process that leaves an output locks it for a moment, to clean up.
 const PATIENCE: u32 = 20;
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// Why an output is not ours.
+/// Why an output cannot be locked.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LockError {
-    /// Another process has it.
+    /// Another process holds the output.
     #[error(
         "{}: found {holder} at work on it, allowed is one process; wait for its end, or name another output",
         output.display()
@@ -33,10 +33,10 @@ pub enum LockError {
     Held {
         /// The output.
         output: PathBuf,
-        /// Who has it.
+        /// The process that holds it.
         holder: String,
     },
-    /// The system refuses the lock, for another reason than that the disk has none.
+    /// The system refuses the lock, although the disk has locks.
     #[error(
         "{}: found no lock ({source}), allowed is a lock that keeps other processes off; let whoever runs this disk mend it, or name \
          an output on another disk",
@@ -45,32 +45,32 @@ pub enum LockError {
     Refused {
         /// The file of the lock.
         path: PathBuf,
-        /// What the system says.
+        /// The message of the system.
         source: io::Error,
     },
-    /// The system refuses the file of the lock.
+    /// The system refuses the lock file.
     #[error("{}: {source}", path.display())]
     File {
         /// The file of the lock.
         path: PathBuf,
-        /// What the system says.
+        /// The message of the system.
         source: io::Error,
     },
 }
 
-/// The right to write an output, until it is dropped or the process ends in any way.
+/// The right to write an output, until the value is dropped or the process ends in any way.
 ///
-/// It is an advisory lock of the system, which machines that share a disk share as far as that disk passes locks on: NFS from version
-/// 4 on and SMB do. Where there are no locks at all, [`is_kept`](Self::is_kept) is false.
+/// It is an advisory lock of the system. Machines that share a disk share the lock if the disk supports this: NFS version 4 or later and
+/// SMB do. Without locks, [`is_kept`](Self::is_kept) is false.
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,
-    /// `None` where the system has no locks.
+    /// `None` if the system has no locks.
     file: Option<File>,
 }
 
 impl Lock {
-    /// Takes an output, for itself or together with others. The folder that it lies in is made where there is none.
+    /// Locks an output, alone or together with others. Creates its folder if there is none.
     ///
     /// # Errors
     /// [`LockError`].
@@ -82,7 +82,7 @@ impl Lock {
         Self::by(output, lock)
     }
 
-    /// Takes an output by this call of the system.
+    /// Locks an output by this system call.
     fn by(output: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> Result<Self, LockError> {
         let path = hidden(output, "lock");
         let fault = |source| LockError::File {
@@ -115,7 +115,7 @@ impl Lock {
                     return Err(LockError::Refused { path, source });
                 }
             }
-            // The last one may have deleted the file between the opening and the lock.
+            // The last process may have deleted the file after this process opened it and before it locked it.
             if is_at(&file, &path).map_err(fault)? {
                 sign(&file).map_err(fault)?;
                 return Ok(Self { path, file: Some(file) });
@@ -123,7 +123,7 @@ impl Lock {
         }
     }
 
-    /// Whether other processes are kept off. If not, the disk knows no locks.
+    /// Whether other processes are locked out; false if the disk has no locks.
     pub fn is_kept(&self) -> bool {
         self.file.is_some()
     }
@@ -132,7 +132,7 @@ impl Lock {
 impl Drop for Lock {
     fn drop(&mut self) {
         let Some(file) = &self.file else { return };
-        // Who works with others leaves the file to the last one.
+        // A process that shares the lock leaves the file to the last process.
         let is_last = file.unlock().is_ok() && file.try_lock().is_ok();
         if is_last && is_at(file, &self.path).unwrap_or(false) {
             let _ = fs::remove_file(&self.path);
@@ -140,20 +140,20 @@ impl Drop for Lock {
     }
 }
 
-/// Writes who has the lock, for whoever comes next.
+/// Writes the name of the holder for the next process.
 fn sign(mut file: &File) -> io::Result<()> {
     file.set_len(0)?;
     write!(file, "process {}{}", std::process::id(), machine())
 }
 
-/// Name of this machine, where it is told.
+/// Name of this machine, if known.
 fn machine() -> String {
     let told = fs::read_to_string("/proc/sys/kernel/hostname").ok();
     let told = told.or_else(|| ["HOSTNAME", "COMPUTERNAME"].iter().find_map(|name| std::env::var(name).ok()));
     told.map_or_else(String::new, |name| format!(" on {}", name.trim()))
 }
 
-/// Who signed, as far as it can be read.
+/// The holder, if its name can be read.
 fn holder(file: File) -> String {
     let mut signed = String::new();
     let longest = 200;
@@ -185,7 +185,7 @@ mod tests {
         assert!(Lock::of(&output, Users::One).is_err());
         drop(several);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "the last one tidies up");
-        // What a kill leaves holds nobody off.
+        // The file that a killed process leaves locks nobody out.
         fs::write(hidden(&output, "lock"), "process 1").unwrap();
         assert!(Lock::of(&output, Users::One).is_ok());
     }
@@ -201,12 +201,12 @@ mod tests {
         assert!(Lock::of(&output, Users::One).unwrap().is_kept());
     }
 
-    /// A disk whose locks fail counted as one without locks: two processes could write one table, and nobody said so.
+    /// A disk whose locks fail counted as a disk without locks: two processes could write the same table, without a message.
     #[test]
     fn issue_a_lock_that_fails_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let output = folder.path().join("table.csv");
-        // ENOLCK and EACCES of Linux, and one that no system names.
+        // ENOLCK and EACCES of Linux, and an unknown number.
         for number in [37, 13, 9999] {
             let refused = |_: &File| {
                 let error = io::Error::from_raw_os_error(number);
@@ -217,7 +217,7 @@ mod tests {
         }
     }
 
-    /// The file comes and goes, and still there is one at a time.
+    /// The lock file comes and goes, and there is still only one process at a time.
     #[test]
     fn extreme_many_take_turns() {
         use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,4 +1,4 @@
-//! Files written under a hidden name beside their own, synced, renamed, and the folder synced.
+//! Files that are written under a hidden name next to their place, synced, renamed, followed by a sync of the folder.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -10,19 +10,19 @@ use tempfile::{Builder, NamedTempFile};
 use crate::same::is_at;
 use crate::{folder_of, hidden};
 
-/// What becomes of a file that is there already.
+/// Treatment of an existing file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
-    /// It stays, and writing fails with [`ErrorKind::AlreadyExists`].
+    /// The existing file stays, and writing fails with [`ErrorKind::AlreadyExists`].
     Kept,
-    /// It goes when the new one is on disk.
+    /// The existing file is replaced once the new file is on disk.
     Replaced,
 }
 
-/// Writes a file of these bytes, which is on disk when this returns. What a process that was ended here left beside it goes.
+/// Writes a file with these bytes. It is on disk when this returns. Deletes the remains of interrupted processes next to it.
 ///
 /// # Errors
-/// What the system refuses; then whatever was there is there still.
+/// The error of the system; an existing file is then unchanged.
 pub fn write(path: &Path, bytes: &[u8], existing: Existing) -> io::Result<()> {
     tidy(path);
     let mut file = NewFile::beside(path)?;
@@ -30,13 +30,13 @@ pub fn write(path: &Path, bytes: &[u8], existing: Existing) -> io::Result<()> {
     file.put(existing)
 }
 
-/// End of the hidden name of a file that is not whole.
+/// End of the hidden name of an incomplete file.
 const NEW: &str = ".new";
-/// Letters and digits before it, drawn at random.
+/// Number of random letters and digits before the end.
 const DRAWN: usize = 6;
 
-/// A file that is being written under a hidden name. Dropped, it is deleted. A process that is ended by a signal drops nothing: then the
-/// file stays until [`tidy`].
+/// A file that is being written under a hidden name. It is deleted when dropped. A process that is ended by a signal drops nothing;
+/// [`tidy`] later deletes the file.
 #[derive(Debug)]
 pub struct NewFile {
     hidden: NamedTempFile,
@@ -44,10 +44,10 @@ pub struct NewFile {
 }
 
 impl NewFile {
-    /// Begins a file that will be at `path`. Behind a link it will be where the link points.
+    /// Begins a file that will be at `path`. If `path` is a link, the file will be at its target.
     ///
     /// # Errors
-    /// What the system refuses, and a `path` where something other than a regular file is.
+    /// The error of the system, or an error if `path` is not a regular file.
     pub fn beside(path: &Path) -> io::Result<Self> {
         let place = place_of(path)?;
         let name = place.file_name().ok_or(ErrorKind::InvalidInput)?;
@@ -55,7 +55,7 @@ impl NewFile {
         let begin: OsString = begin.into_iter().collect();
         let mut builder = Builder::new();
         builder.prefix(&begin).suffix(NEW).rand_bytes(DRAWN);
-        // Else only its owner may read it.
+        // By default only its owner may read it.
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt as _;
@@ -63,7 +63,7 @@ impl NewFile {
         }
         let hidden = loop {
             let hidden = builder.tempfile_in(folder_of(&place))?;
-            // Whoever tidies up may have found it before it was held.
+            // A process that cleans up may have found the file before it was locked.
             if is_held(hidden.as_file()) && is_at(hidden.as_file(), hidden.path())? {
                 break hidden;
             }
@@ -79,10 +79,10 @@ impl NewFile {
         self.hidden.path()
     }
 
-    /// Puts the file in its place. It is on disk when this returns.
+    /// Moves the file to its place. It is on disk when this returns.
     ///
     /// # Errors
-    /// [`ErrorKind::AlreadyExists`], and what the system refuses; then whatever was there is there still.
+    /// [`ErrorKind::AlreadyExists`], or the error of the system; an existing file is then unchanged.
     pub fn put(self, existing: Existing) -> io::Result<()> {
         self.hidden.as_file().sync_all()?;
         let place = self.place.clone();
@@ -90,8 +90,7 @@ impl NewFile {
         sync_folder(folder_of(&place))
     }
 
-    /// Puts the file in its place, where everybody finds it whole, and a power failure may still empty it: until
-    /// [`sync`](fn@crate::sync).
+    /// Moves the file to its place, where it is complete. A power failure may still empty it until [`sync`](fn@crate::sync).
     ///
     /// # Errors
     /// Those of [`put`](Self::put).
@@ -114,7 +113,7 @@ impl Write for NewFile {
     }
 }
 
-/// Where a file goes: `path`, or what it is a link to.
+/// Destination of a file: `path`, or the target if it is a link.
 fn place_of(path: &Path) -> io::Result<PathBuf> {
     let is_link = fs::symlink_metadata(path).is_ok_and(|about| about.is_symlink());
     let place = if is_link { fs::canonicalize(path)? } else { path.to_path_buf() };
@@ -128,21 +127,21 @@ fn place_of(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// Lets what a file holds survive a power failure, its name left out.
+/// Makes the contents of a file, but not its name, survive a power failure.
 ///
 /// # Errors
-/// What the system refuses.
+/// The error of the system.
 pub fn sync(path: &Path) -> io::Result<()> {
-    // Windows syncs only what is open for writing.
+    // Windows syncs only files that are open for writing.
     OpenOptions::new().write(true).open(path)?.sync_all()
 }
 
-/// Lets the names in a folder survive a power failure.
+/// Makes the names in a folder survive a power failure.
 ///
 /// # Errors
-/// What the system refuses; a system that cannot sync folders is no error.
+/// The error of the system. A system that cannot sync folders is no error.
 pub fn sync_folder(folder: &Path) -> io::Result<()> {
-    // Windows opens no folders, and keeps their names by itself.
+    // Windows does not open folders, and keeps their names anyway.
     if !cfg!(unix) {
         return Ok(());
     }
@@ -152,8 +151,8 @@ pub fn sync_folder(folder: &Path) -> io::Result<()> {
     }
 }
 
-/// Deletes what was begun beside a file and is not being written: a process that was ended by a signal leaves it. Where it cannot be
-/// deleted it stays; a disk without locks cannot tell whether somebody writes it.
+/// Deletes incomplete files next to a file that no process is writing; a process that was ended by a signal leaves them. A file that cannot
+/// be deleted stays. A disk without locks cannot tell whether a process is writing it.
 pub fn tidy(path: &Path) {
     let Ok(place) = place_of(path) else { return };
     for left in leftovers(&place) {
@@ -165,18 +164,18 @@ pub fn tidy(path: &Path) {
             }
             Ok::<_, io::Error>(())
         };
-        // Nobody asked for its end, and the next one tries again.
+        // Errors are ignored: the next process tries again.
         let _ = is_left();
     }
 }
 
-/// Keeps a file from those who tidy up, as far as the disk has locks; false while one of them holds it.
+/// Locks a file against cleaning up, if the disk has locks; false while a process that cleans up holds it.
 fn is_held(file: &File) -> bool {
-    // A lock of Windows would keep this process's other threads off, too.
+    // A lock of Windows would also exclude other threads of this process.
     !cfg!(unix) || !matches!(file.try_lock(), Err(TryLockError::WouldBlock))
 }
 
-/// Files that were begun beside one and not ended.
+/// Incomplete files next to a file.
 fn leftovers(path: &Path) -> Vec<PathBuf> {
     let begin = hidden(path, "");
     let begin = begin.file_name().unwrap_or_default().as_encoded_bytes();
@@ -215,7 +214,7 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
-    /// A `convert` or `export` that was ended while it wrote left its file for ever.
+    /// A `convert` or `export` that was interrupted while it wrote left its file for ever.
     #[cfg(unix)]
     #[test]
     fn issue_what_a_kill_leaves_goes_with_the_next_file() {
@@ -233,7 +232,7 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), others.len());
     }
 
-    /// One writes while others tidy up: each file is there, and nothing else.
+    /// A process writes while others clean up: each file is complete, and nothing else is left.
     #[test]
     fn extreme_many_write_and_tidy_at_once() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,20 +1,20 @@
-//! Regular files, no longer than allowed.
+//! Regular files with a bounded length.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// The longest that a file may be.
+/// Largest length of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Length {
     /// Number of bytes.
     most: u64,
-    /// What to do about a longer one.
+    /// Advice for a longer file.
     help: &'static str,
 }
 
 impl Length {
-    /// At most so many bytes; `help` says what to do about more.
+    /// At most `most` bytes; `help` is the advice for a longer file.
     pub const fn new(most: u64, help: &'static str) -> Self {
         Self { most, help }
     }
@@ -29,17 +29,17 @@ fn refused(message: String) -> io::Error {
     io::Error::new(ErrorKind::InvalidInput, message)
 }
 
-/// Reads a regular file to its end. A file that says it has no length is empty, whatever it would give.
+/// Reads a regular file to its end. A file with a stated length of 0 is empty, whatever reading it would return.
 ///
 /// # Errors
-/// What the system says; a pipe, a device and a file that is too long are refused before memory is taken.
+/// The error of the system. Pipes, devices and files that are too long are refused before memory is allocated.
 pub fn read(path: &Path, length: Length) -> io::Result<Vec<u8>> {
-    // Opened first, a pipe would wait for somebody to fill it.
+    // Opening a pipe would wait for a writer.
     check(&fs::metadata(path)?, length)?;
     let file = File::open(path)?;
     let about = file.metadata()?;
     check(&about, length)?;
-    // Files of /proc say so, too: `/proc/kmsg` lets its reader wait for a message of the kernel.
+    // Files of /proc also state a length of 0: reading `/proc/kmsg` waits for a message of the kernel.
     if about.is_file() && about.len() == 0 {
         return Ok(Vec::new());
     }
@@ -48,20 +48,20 @@ pub fn read(path: &Path, length: Length) -> io::Result<Vec<u8>> {
     within(bytes, length)
 }
 
-/// Whether a regular file of these bytes is there; nothing else is opened.
+/// Whether there is a regular file with these bytes; nothing else is opened.
 ///
 /// # Errors
-/// What the system says, also [`ErrorKind::NotFound`].
+/// The error of the system, including [`ErrorKind::NotFound`].
 pub fn holds(path: &Path, bytes: &[u8]) -> io::Result<bool> {
     let about = fs::metadata(path)?;
     let may = about.is_file() && about.len() == bytes.len() as u64;
     Ok(may && fs::read(path)? == bytes)
 }
 
-/// Reads what a stream, such as standard input, gives to its end.
+/// Reads a stream, such as standard input, to its end.
 ///
 /// # Errors
-/// What the system says, and a stream that is too long.
+/// The error of the system, or an error if the stream is too long.
 pub fn read_stream(stream: impl Read, length: Length) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     stream.take(length.most + 1).read_to_end(&mut bytes)?;
@@ -76,7 +76,7 @@ fn within(bytes: Vec<u8>, length: Length) -> io::Result<Vec<u8>> {
 }
 
 fn check(about: &fs::Metadata, length: Length) -> io::Result<()> {
-    // Of a folder the system says best what is wrong.
+    // The system describes the error for a folder best.
     if about.is_dir() {
         return Ok(());
     }
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(read(folder.path(), MOST).unwrap_err().kind(), ErrorKind::IsADirectory);
     }
 
-    /// A pipe in the place of a file that is compared was waited for.
+    /// The comparison waited for a pipe in the place of a file.
     #[cfg(unix)]
     #[test]
     fn issue_what_is_no_file_holds_nothing() {
@@ -129,7 +129,7 @@ mod tests {
         }
     }
 
-    /// It was read until memory ended.
+    /// A device was read until memory was full.
     #[cfg(unix)]
     #[test]
     fn issue_a_device_without_end_is_refused() {

@@ -1,4 +1,4 @@
-//! Whether two names are of one file.
+//! Whether two names belong to the same file.
 
 use std::fs::File;
 use std::io;
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use same_file::Handle;
 
-/// The input that `output` would write over, under this name or another: a link of either kind, or another way to the same folder.
-/// `None` if there is none, or nothing is at `output` yet.
+/// The input that `output` would overwrite, under this name or another: a link of either kind, or another path to the same folder. `None`
+/// if there is none, or if `output` does not exist yet.
 pub fn input_at<'a>(output: &Path, inputs: &'a [PathBuf]) -> Option<&'a Path> {
-    // Opened it could wait for somebody, as a pipe does.
+    // Opening it could wait for a writer, as for a pipe.
     if !output.is_file() {
         return None;
     }
@@ -19,7 +19,7 @@ pub fn input_at<'a>(output: &Path, inputs: &'a [PathBuf]) -> Option<&'a Path> {
     inputs.find(|input| read(input).flatten().is_some_and(|input| input == written))
 }
 
-/// Whether a file is still what lies at a path.
+/// Whether a file is still the file at a path.
 pub(crate) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     match Handle::from_path(path) {
         Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),

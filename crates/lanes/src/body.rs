@@ -1,4 +1,4 @@
-//! A structure of several scenes side by side.
+//! A structure of several scenes in lanes.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -10,14 +10,14 @@ use pounding_solver::formulas::first_increment;
 use pounding_solver::formulas::{Dashpot, damping_force};
 use pounding_solver::{Node, RestoringForce};
 
-/// A structure: what does not change, and what does from step to step.
+/// A structure: its constants, and its state from step to step.
 pub(super) struct Body<S: Simd, Column: RestoringForce<Lanes<S>>> {
     pub(super) constants: Constants<S, Column>,
     pub(super) motion: Motion<S, Column::Memory>,
     pub(super) contact: InContact<S>,
 }
 
-/// What does not change.
+/// Constants of a structure.
 pub(super) struct Constants<S: Simd, Column> {
     pub(super) coefficients: Coefficients<Lanes<S>>,
     column: Column,
@@ -25,31 +25,31 @@ pub(super) struct Constants<S: Simd, Column> {
     damping: Lanes<S>,
 }
 
-/// What a structure carries from step to step.
+/// State of a structure from step to step.
 #[derive(Clone, Copy)]
 pub(super) struct Motion<S: Simd, Memory> {
-    /// Displacement at the node that comes next \[m\].
+    /// Displacement at the next node \[m\].
     pub(super) displacement: Lanes<S>,
-    /// What it is more than at the node before, and what it was more there than at the one before that.
+    /// Increment of the displacement since the node before, and the increment before that \[m\].
     pub(super) increment: Lanes<S>,
     earlier: Lanes<S>,
     memory: Memory,
-    /// Of the displacement so far \[m\].
+    /// Extremes of the displacement so far \[m\].
     extremes: Extremes<S>,
 }
 
-/// Least and largest of what was met.
+/// Smallest and largest value so far.
 #[derive(Clone, Copy)]
 pub(super) struct Extremes<S: Simd>([Lanes<S>; 2]);
 
-/// What matters at nodes at which some lane touches.
+/// Data for nodes at which some lane touches.
 pub(super) struct InContact<S: Simd> {
-    /// Whether some lane touches a neighbour at the node under way, or has books of it to close.
+    /// Whether some lane touches a neighbour at the present node, or must close the books of a touch.
     pub(super) is_near: bool,
-    /// Pounding forces \[N\]; those of compliant pairs are renewed at every such node.
+    /// Pounding forces \[N\]. Those of compliant pairs are updated at every such node.
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
-    /// At t = 0, and at nodes at which impulsive pairs touch.
+    /// The state at t = 0, and at nodes at which impulsive pairs touch.
     pub(super) at_node: AtNode<S>,
 }
 
@@ -60,21 +60,21 @@ pub(super) struct Passed<S: Simd> {
     pub(super) restoring_force: Lanes<S>,
 }
 
-/// A structure at a node, as the step from it finds it.
+/// A structure at a node, at the start of the next step.
 #[derive(Clone, Copy)]
 pub(super) struct AtNode<S: Simd> {
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\].
     pub(super) displacement: Lanes<S>,
     pub(super) velocity: Lanes<S>,
     pub(super) restoring_force: Lanes<S>,
-    /// Velocity after the jumps there \[m/s\].
+    /// Velocity after the jumps at the node \[m/s\].
     pub(super) jumped: Lanes<S>,
 }
 
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
-    /// A structure of some rows of the same shape at t = 0, from what gathers a number of it, and the drift of its storey \[m\].
+    /// A structure of rows of a common shape at t = 0, and the drift of its storey \[m\]. `gather` collects a number from each row.
     ///
-    /// It does not move before it [begins](Self::begin).
+    /// The structure does not move before [`begin`](Self::begin).
     #[inline(always)]
     pub(super) fn new<Single: SideBySideColumn<Beside<Lanes<S>> = Column>>(
         gather: impl Fn(&dyn Fn(&Node<Single>) -> f64) -> Lanes<S>,
@@ -90,7 +90,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let loaded = column.loaded(drift);
         let zero = damping.like(0.0);
         let mut coefficients = Coefficients::of(inverse_mass, damping, mobile, dt);
-        // A wall stays where it is, whatever the acceleration: one multiplication less in every step.
+        // A wall never moves, whatever the acceleration. This saves a multiplication in every step.
         coefficients.solve = mobile * coefficients.solve;
         Self {
             constants: Constants {
@@ -119,7 +119,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         }
     }
 
-    /// Begins a run from the acceleration in equilibrium \[m/s²\].
+    /// Begins a run with the acceleration in equilibrium \[m/s²\].
     #[inline(always)]
     pub(super) fn begin(&mut self, acceleration: Lanes<S>) {
         let time_step = self.constants.coefficients.time_step;
@@ -135,7 +135,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         self.constants.step(&mut self.motion, apart, ground);
     }
 
-    /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
+    /// The step from a node at which some lane touches. `jumps` keeps the state from which velocity jumps start.
     #[inline(always)]
     pub(super) fn step_in_contact(&mut self, ground: Lanes<S>, jumps: bool) {
         let pounding = self.contact.pounding();
@@ -154,20 +154,20 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         self.constants.velocity_before(&self.motion)
     }
 
-    /// Its dashpot after the velocity jumps of a node.
+    /// Its dashpot after the velocity jumps at a node.
     #[inline(always)]
     pub(super) fn dashpot(&self) -> Dashpot<Lanes<S>> {
         self.constants.dashpot(&self.contact.at_node)
     }
 
-    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\].
+    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps at a node \[m/s²\].
     #[inline(always)]
     pub(super) fn acceleration(&self, ground: Lanes<S>) -> Lanes<S> {
         let pounding = self.contact.pounding();
         self.constants.acceleration(&self.contact.at_node, pounding, ground)
     }
 
-    /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump, in these lanes.
+    /// Sets the next displacement from the velocity and the acceleration \[m/s²\] after a jump, in these lanes.
     #[inline(always)]
     pub(super) fn restart(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
         let node = &self.contact.at_node;
@@ -184,7 +184,7 @@ impl<S: Simd> InContact<S> {
 }
 
 impl<S: Simd> AtNode<S> {
-    /// Where the velocity has jumped.
+    /// Lanes in which the velocity has jumped.
     #[inline(always)]
     pub(super) fn jumps(&self) -> Mask<S> {
         self.jumped.differs(self.velocity)
@@ -192,7 +192,7 @@ impl<S: Simd> AtNode<S> {
 }
 
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
-    /// Force of the columns at a drift \[m\], which they remember \[N\].
+    /// Force of the columns at a drift \[m\]; the columns remember it \[N\].
     #[inline(always)]
     pub(super) fn respond(&self, motion: &mut Motion<S, Column::Memory>, drift: Lanes<S>) -> Lanes<S> {
         let response = self.column.respond(drift, motion.memory);
@@ -200,14 +200,14 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         response.force
     }
 
-    /// Velocity at the node before that of a motion \[m/s\].
+    /// Velocity of a motion at the node before \[m/s\].
     #[inline(always)]
     pub(super) fn velocity_before(&self, motion: &Motion<S, Column::Memory>) -> Lanes<S> {
         let Motion { earlier, increment, .. } = *motion;
         self.coefficients.velocity([earlier, increment])
     }
 
-    /// The dashpot after the velocity jumps of a node.
+    /// The dashpot after the velocity jumps at a node.
     #[inline(always)]
     fn dashpot(&self, node: &AtNode<S>) -> Dashpot<Lanes<S>> {
         Dashpot {
@@ -216,7 +216,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         }
     }
 
-    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\], with a pounding force \[N\].
+    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps at a node \[m/s²\], with a pounding force \[N\].
     #[inline(always)]
     pub(super) fn acceleration(&self, node: &AtNode<S>, pounding: Lanes<S>, ground: Lanes<S>) -> Lanes<S> {
         let pounding = pounding - damping_force(self.dashpot(node), None, None);
@@ -224,7 +224,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         self.coefficients.smooth((pounding, node.restoring_force), felt)
     }
 
-    /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump at a node, in these lanes.
+    /// Sets the next displacement from the velocity and the acceleration \[m/s²\] after a jump at a node, in these lanes.
     #[inline(always)]
     pub(super) fn restart(&self, motion: &mut Motion<S, Column::Memory>, node: &AtNode<S>, acceleration: Lanes<S>, lanes: Mask<S>) {
         let time_step = self.coefficients.time_step;
@@ -234,7 +234,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         motion.displacement = Number::select(lanes, displacement, motion.displacement);
     }
 
-    /// The step of a structure of one storey from a node with this net pounding force \[N\], which it passes.
+    /// The step of a structure of one storey from a node with this net pounding force \[N\]; returns the passed node.
     #[inline(always)]
     pub(super) fn step(&self, motion: &mut Motion<S, Column::Memory>, pounding: Lanes<S>, ground: Lanes<S>) -> Passed<S> {
         let displacement = motion.displacement;
@@ -255,19 +255,19 @@ impl<S: Simd, Memory> Motion<S, Memory> {
         self.extremes.peak(self.displacement, lane)
     }
 
-    /// Holds what will be part of the next increment \[m\], in place of the one before the last, which no step needs.
+    /// Stores a part of the next increment \[m\], in place of the second-last increment, which no step needs.
     #[inline(always)]
     pub(super) fn hold(&mut self, increment: Lanes<S>) {
         self.earlier = increment;
     }
 
-    /// What it holds \[m\].
+    /// The stored part of the next increment \[m\].
     #[inline(always)]
     pub(super) fn held(&self) -> Lanes<S> {
         self.earlier
     }
 
-    /// Goes on by the next increment \[m\].
+    /// Moves by the next increment \[m\].
     #[inline(always)]
     pub(super) fn go_on(&mut self, increment: Lanes<S>) {
         self.extremes = self.extremes.with(self.displacement);
@@ -278,27 +278,26 @@ impl<S: Simd, Memory> Motion<S, Memory> {
 }
 
 impl<S: Simd> Extremes<S> {
-    /// Those of one value.
+    /// Extremes of a single value.
     #[inline(always)]
     pub(super) fn of(value: Lanes<S>) -> Self {
         Self([value; 2])
     }
 
-    /// Those of none.
+    /// Extremes of no value.
     #[inline(always)]
     pub(super) fn none(simd: S) -> Self {
         Self([f64::INFINITY, f64::NEG_INFINITY].map(|value| Lanes::splat(simd, value)))
     }
 
-    /// Those of all that was met, and of a value.
+    /// Extremes that include another value.
     #[inline(always)]
     pub(super) fn with(self, value: Lanes<S>) -> Self {
         let [least, largest] = self.0;
         Self([least.min(value), largest.max(value)])
     }
 
-    /// That of the largest magnitude in a lane; nothing where it is one to the left and one to the right, and where the last value
-    /// is no longer finite.
+    /// The value of largest magnitude in a lane. `None` if it is reached on both sides, or if the last value is not finite.
     #[inline(always)]
     pub(super) fn peak(&self, last: Lanes<S>, lane: usize) -> Option<f64> {
         let [least, largest] = self.0.map(|extreme| extreme.lane(lane));

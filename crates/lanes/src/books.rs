@@ -1,21 +1,20 @@
-//! What a verdict asks of the compliant contact of a pair, side by side: pushes that do not pull, and collisions that do not create
-//! energy.
+//! Books of the compliant contact of pairs in lanes, for a verdict: no push may pull, and no collision may create energy.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::number::{Lanes, Mask};
 
-/// Rounding between these sums and those of a [`Ledger`](pounding_solver::Ledger), relative to the energies: what is so near to breaking a law is
-/// doubted, and a run of the scene alone decides.
+/// Rounding between these sums and those of a [`Ledger`](pounding_solver::Ledger), relative to the energies. A scene this close to
+/// violating a law is doubted, and decided by a run of the scene alone.
 const ROUNDING: f64 = 1e-9;
 
-/// The energy of the collision under way, weighed as the ledger weighs it: impulses of a step times the mean of the rates at its ends.
+/// The energy of the present collision, evaluated as in the ledger: impulses of a step times the mean of the rates at its ends.
 pub(super) struct Books<S: Simd> {
-    /// Of the step before: its impulse \[N·s\], and the approach rate at its start \[m/s\].
+    /// Impulse of the step before \[N·s\], and the approach rate at its start \[m/s\].
     impulse: Lanes<S>,
     rate: Lanes<S>,
-    /// Steps with a push, and energy taken from the structures and given back in them \[J\].
+    /// Steps with a push, and the energies taken from the structures and given back \[J\].
     n_steps: Lanes<S>,
     taken: Lanes<S>,
     given: Lanes<S>,
@@ -47,7 +46,7 @@ impl<S: Simd> Books<S> {
         }
     }
 
-    /// Takes a step, and with the rate at its start the energy of the step before.
+    /// Books a step and, with the rate at its start, the energy of the step before.
     #[inline(always)]
     pub(super) fn follow(&mut self, push: Push<S>) {
         let zero = push.force.like(0.0);
@@ -56,12 +55,12 @@ impl<S: Simd> Books<S> {
         self.given = self.given + (-work).max(zero);
         let pushed = self.impulse.differs(zero);
         self.n_steps = self.n_steps + Number::select(pushed, zero.like(1.0), zero);
-        // Forces of more than one sign may have no impulse.
+        // Forces of different signs may have no impulse.
         self.doubtful = self.doubtful | zero.exceeds(push.force);
         (self.impulse, self.rate) = (push.impulse, push.rate);
     }
 
-    /// Closes the books of collisions that have ended: what one of n steps can spoil is the nth part.
+    /// Closes the books of collisions that have ended: an error of a single step out of n is the nth part.
     #[inline(always)]
     pub(super) fn close(&mut self, ended: Mask<S>) {
         let zero = self.taken.like(0.0);
@@ -73,13 +72,13 @@ impl<S: Simd> Books<S> {
         self.n_steps = Number::select(ended, zero, self.n_steps);
     }
 
-    /// Doubts what happens in these lanes.
+    /// Marks these lanes as doubtful.
     #[inline(always)]
     pub(super) fn doubt(&mut self, lanes: Mask<S>) {
         self.doubtful = self.doubtful | lanes;
     }
 
-    /// Whether only a run of the scene alone can say that it keeps the laws of mechanics.
+    /// Whether only a run of the scene alone can show that it obeys the laws of mechanics.
     #[inline(always)]
     pub(super) fn is_doubtful(&self, lane: usize) -> bool {
         self.doubtful.test(lane)

@@ -1,4 +1,4 @@
-//! How far neighbours of several scenes side by side come towards each other: what [`Closings`](pounding_solver::Closings) follows in one scene.
+//! How far neighbours come towards each other, for scenes in lanes; see [`Closings`](pounding_solver::Closings) for a single scene.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -13,7 +13,7 @@ use pounding_solver::formulas::{Cubic, CubicNode as Node, controls};
 #[derive(Clone, Copy)]
 pub(super) struct Nearest<S: Simd>(Lanes<S>);
 
-/// Displacement \[m\] and velocity \[m/s\] of the left neighbour less those of the right one, at an instant \[s\].
+/// Displacement \[m\] and velocity \[m/s\] of the left neighbour minus those of the right neighbour, at an instant \[s\].
 #[derive(Clone, Copy)]
 pub(super) struct Apart<S: Simd> {
     pub(super) time: Lanes<S>,
@@ -22,19 +22,19 @@ pub(super) struct Apart<S: Simd> {
 }
 
 impl<S: Simd> Nearest<S> {
-    /// Before they move.
+    /// The value before any motion.
     #[inline(always)]
     pub(super) fn new(simd: S) -> Self {
         Self(Lanes::splat(simd, f64::NEG_INFINITY))
     }
 
-    /// That of a lane \[m\].
+    /// The value of a lane \[m\].
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> f64 {
         self.0.lane(lane)
     }
 
-    /// Follows the cubics between two instants, in these lanes. They do not go above their control points, so that most are left at once.
+    /// Adds the cubics between two instants, in these lanes. Their control points bound them, so that most cubics are skipped.
     #[inline(always)]
     pub(super) fn follow(&mut self, start: &Apart<S>, end: &Apart<S>, lanes: Mask<S>) {
         let ends = [start, end].map(|apart| [apart.displacement, apart.velocity]);
@@ -61,29 +61,30 @@ impl<S: Simd> Nearest<S> {
     }
 }
 
-/// Those of the pairs of some scenes, from node to node of the central difference method.
+/// Closings of the pairs of a group, from node to node of the central difference method.
 pub(super) struct Closings<S: Simd> {
     time_step: f64,
-    /// Number of the node under way.
+    /// Number of the present node.
     node: usize,
-    /// Velocities of all structures at the last node, in their order \[m/s\].
+    /// Velocities of all structures at the last node, in the order of structures \[m/s\].
     velocities: Vec<Lanes<S>>,
     gaps: Vec<Gap<S>>,
 }
 
-/// What is between two neighbours.
+/// The gap between two neighbours.
 struct Gap<S: Simd> {
     /// Index of the pair in the row, and places of the neighbours among the structures.
     pair: usize,
     places: [usize; 2],
-    /// At the node before, after its jumps, and at the one under way.
+    /// State at the node before, after its jumps, and at the present node.
     last: Apart<S>,
     displacement: Lanes<S>,
     nearest: Nearest<S>,
 }
 
 impl<S: Simd> Closings<S> {
-    /// Of these pairs, each at the node of its left neighbour, for steps of this length \[s\]; `place` says where the structure of a node lies.
+    /// Closings of these pairs, listed by the node of the left neighbour, for steps of this length \[s\]; `place` gives the place of a
+    /// node's structure.
     #[inline(always)]
     pub(super) fn new((simd, time_step): (S, f64), pairs: &[Option<Pair<S>>], place: impl Fn(usize) -> usize) -> Self {
         let zero = Lanes::splat(simd, 0.0);
@@ -115,7 +116,7 @@ impl<S: Simd> Closings<S> {
         Some(gap.nearest.lane(lane))
     }
 
-    /// Looks where structures are before the step from a node.
+    /// Reads the displacements of structures before the step from a node.
     #[inline(always)]
     pub(super) fn look<Column: RestoringForce<Lanes<S>>>(&mut self, structures: &[Body<S, Column>]) {
         for gap in &mut self.gaps {
@@ -124,7 +125,7 @@ impl<S: Simd> Closings<S> {
         }
     }
 
-    /// Takes the velocities that structures have there, known after that step, before they jump.
+    /// Reads the velocities of structures at this node, known after the step, before they jump.
     #[inline(always)]
     pub(super) fn arrive<Column: RestoringForce<Lanes<S>>>(&mut self, structures: &[Body<S, Column>]) {
         for (velocity, structure) in self.velocities.iter_mut().zip(structures) {
@@ -146,7 +147,7 @@ impl<S: Simd> Closings<S> {
         self.node += 1;
     }
 
-    /// Takes the velocity of a structure after an impact \[m/s\].
+    /// Sets the velocity of a structure after an impact \[m/s\].
     #[inline(always)]
     pub(super) fn jump(&mut self, place: usize, velocity: Lanes<S>) {
         self.velocities[place] = velocity;

@@ -1,28 +1,28 @@
-//! Columns of several scenes side by side.
+//! Columns of several scenes in lanes.
 
 use pounding_contact::Number;
 
 use pounding_solver::formulas::returned;
 use pounding_solver::{Bilinear, Elastic, Response, RestoringForce, Row};
 
-/// Rows with columns of one kind.
+/// Rows with columns of a common type.
 ///
-/// A choice and no type parameter: what runs them is long, has a version for every set of instructions, and is compiled in this
-/// crate alone.
+/// An enum instead of a type parameter: the code behind it is long, has a version for every instruction set, and must be compiled only in
+/// this crate.
 #[derive(Debug, Clone, Copy)]
 pub enum RowsOf<'a> {
     /// Columns that never yield.
     Elastic(&'a [&'a Row<Elastic>]),
-    /// Columns that yield at one point.
+    /// Columns that yield at a sharp knee.
     Bilinear(&'a [&'a Row<Bilinear>]),
 }
 
-/// Columns that run side by side with their like.
+/// Columns that can run in lanes.
 pub(super) trait SideBySideColumn: RestoringForce {
-    /// The same columns of several scenes.
+    /// The columns of several scenes.
     type Beside<N: Number>: RestoringForce<N>;
 
-    /// Gathers a number of every scene's columns.
+    /// Collects the columns of all scenes; `gather` collects a number from each.
     fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Self::Beside<N>;
 }
 
@@ -36,12 +36,12 @@ impl SideBySideColumn for Elastic {
     }
 }
 
-/// Perfectly plastic columns of several scenes, with what every step asks for.
+/// Perfectly plastic columns of several scenes, with the values that every step needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plastic<N> {
     /// Stiffness \[N/m\] and yield force \[N\].
     limits: [N; 2],
-    /// Drift at which columns that were not displaced yield \[m\].
+    /// Drift of first yielding \[m\].
     at_yield: N,
 }
 
@@ -56,13 +56,13 @@ impl<N: Number> RestoringForce<N> for Plastic<N> {
     #[inline(always)]
     fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
         let drift = (displacement, plastic_displacement);
-        // Nobody asks for the tangent.
+        // The tangent is not used.
         let tangents = [self.limits[0].like(0.0); 2];
         returned(drift, self.limits, self.at_yield, tangents)
     }
 }
 
-/// Columns of several scenes that harden.
+/// Hardening columns of several scenes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Hardening<N> {
     plastic: Plastic<N>,

@@ -1,4 +1,4 @@
-//! The ground motions of scenes side by side: one for all of them, or one for each.
+//! The ground motions of scenes in lanes: one for all, or one for each.
 
 use std::ops::RangeInclusive;
 
@@ -12,9 +12,9 @@ use pounding_solver::{Excitation, RunError};
 /// The ground motions of scenes.
 #[derive(Debug, Clone, Copy)]
 pub enum Excitations<'a> {
-    /// All scenes have this one.
+    /// A motion for all scenes.
     Common(Excitation<'a>),
-    /// Each scene has its own, in the order of the scenes.
+    /// A motion for each scene, in the order of the scenes.
     Each(&'a [Excitation<'a>]),
 }
 
@@ -25,7 +25,7 @@ impl<'a> From<Excitation<'a>> for Excitations<'a> {
 }
 
 impl<'a> Excitations<'a> {
-    /// Those of scenes, of which there is at least one: one for all where their samples lie at one place.
+    /// The motions of at least one scene: a common motion if all samples are at the same address.
     pub fn of(each: &'a [Excitation<'a>]) -> Self {
         let are_one = |two: &[Excitation<'_>]| {
             let at_one_place = std::ptr::eq(two[0].samples(), two[1].samples());
@@ -37,7 +37,7 @@ impl<'a> Excitations<'a> {
         }
     }
 
-    /// Whether there is one for each of so many scenes.
+    /// Whether there is a motion for each of this many scenes.
     pub(super) fn are_for(&self, n_scenes: usize) -> bool {
         match self {
             Self::Common(_) => true,
@@ -48,7 +48,7 @@ impl<'a> Excitations<'a> {
     /// Time between two samples \[s\].
     ///
     /// # Errors
-    /// [`RunError::Setting`] where it is not the same for all.
+    /// [`RunError::Setting`] if it differs between motions.
     pub(super) fn time_step(&self) -> Result<f64, RunError> {
         let all = match self {
             Self::Common(excitation) => std::slice::from_ref(excitation),
@@ -63,7 +63,7 @@ impl<'a> Excitations<'a> {
         Ok(step)
     }
 
-    /// That of a scene.
+    /// The motion of a scene.
     pub(super) fn of_scene(&self, scene: usize) -> Excitation<'a> {
         match self {
             Self::Common(excitation) => *excitation,
@@ -74,13 +74,13 @@ impl<'a> Excitations<'a> {
 
 /// Ground accelerations of a group of scenes at the nodes of a clock \[m/s²\].
 pub(super) enum Grounds<'a> {
-    /// One motion for all scenes, with all of its nodes.
+    /// A motion for all scenes, sampled at all nodes.
     Common(&'a [f64]),
-    /// A motion for every scene, sampled piece by piece.
+    /// A motion for each scene, sampled piece by piece.
     Own(Own<'a>),
 }
 
-/// A motion for every scene.
+/// A motion for each scene.
 pub(super) struct Own<'a> {
     each: &'a [Excitation<'a>],
     time_step: f64,
@@ -90,7 +90,7 @@ pub(super) struct Own<'a> {
 }
 
 impl<'a> Grounds<'a> {
-    /// Of a motion for every scene.
+    /// Grounds with a motion for each scene.
     pub(super) fn own(each: &'a [Excitation<'a>], time_step: f64) -> Self {
         Self::Own(Own {
             each,
@@ -100,7 +100,7 @@ impl<'a> Grounds<'a> {
         })
     }
 
-    /// Makes the nodes of some steps of a group ready.
+    /// Samples the nodes of some steps of a group.
     pub(super) fn sample<S: Simd, Column>(&mut self, rows: Rows<'_, Column>, steps: RangeInclusive<usize>) {
         let Self::Own(own) = self else {
             return;
@@ -119,7 +119,7 @@ impl<'a> Grounds<'a> {
         }));
     }
 
-    /// The accelerations at a node that is ready.
+    /// The accelerations at a sampled node.
     #[inline(always)]
     pub(super) fn at<S: Simd>(&self, simd: S, step: usize) -> Lanes<S> {
         match self {

@@ -1,4 +1,4 @@
-//! How the structures of a row go on from a node: decided once per run.
+//! How the structures of a row advance from a node; chosen once per run.
 
 use fearless_simd::Simd;
 
@@ -8,13 +8,13 @@ use super::rows::Rows;
 use super::scenes::Structure;
 use pounding_solver::formulas::Link;
 
-/// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the
-/// ground \[m/s²\].
+/// How the structures of rows of a common shape, or the floors of their buildings, advance from a node under a ground acceleration
+/// \[m/s²\].
 pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
-    /// Of some rows, for a time step \[s\].
+    /// A frame for rows and a time step \[s\].
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self;
 
-    /// Where the structure of a node of the row lies among the structures.
+    /// Place of the structure of a node among the structures.
     fn place(&self, node: usize) -> usize;
 
     /// The node of the structure at a place.
@@ -26,17 +26,17 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
     /// The step from a node at which no lane touches.
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
-    /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
+    /// The step from a node at which some lane touches. `jumps` keeps the state from which velocity jumps start.
     fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool);
 
-    /// Lets what these impacts have hit begin anew from the velocities after them.
+    /// Restarts the structures hit by these impacts from their new velocities.
     fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>);
 
-    /// Drift of largest magnitude of the storey below the floor at a place in a lane \[m\], where lanes know it.
+    /// Drift of largest magnitude of the storey below the floor at a place, in a lane \[m\]; `None` if lanes cannot decide its sign.
     fn peak_drift(&self, structures: &[Structure<S, Column>], place: usize, lane: usize) -> Option<f64>;
 }
 
-/// Structures of one storey, each for itself.
+/// Structures of one storey, each separate.
 pub(super) struct Single;
 
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
@@ -83,7 +83,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     #[inline(always)]
     fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>) {
         for link in struck {
-            // One that two pairs share has begun anew with the first of them.
+            // The structure shared by two pairs was restarted with the first pair.
             let first = if link.is_joined { link.right } else { link.left };
             for structure in &mut structures[first..=link.right] {
                 let jumps = structure.contact.at_node.jumps();

@@ -1,4 +1,4 @@
-//! As many scenes as there are lanes, at one node after the other.
+//! A group of as many scenes as there are lanes, advanced node by node.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -17,18 +17,18 @@ use super::{PairSums, SceneSums, Shaken};
 use pounding_solver::RestoringForce;
 use pounding_solver::formulas::{Rounds, Touching};
 
-/// Scenes of one shape.
+/// Scenes of a common shape.
 pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
     pub(super) simd: S,
     time_step: f64,
     pub(super) structures: Vec<Structure<S, Column>>,
-    /// For every node the pair of which its structure is the left neighbour.
+    /// For every node, the pair with its structure as left neighbour.
     pub(super) pairs: Vec<Option<Pair<S>>>,
     frame: F,
     rounds: Rounds<Lanes<S>>,
-    /// `None` where nobody asks how close neighbours come.
+    /// `None` if closings are not requested.
     closings: Option<Closings<S>>,
-    /// Whether compliant pairs that touched at the node before have their books to close.
+    /// Whether compliant pairs that touched at the node before must close their books.
     busy: bool,
     /// Steps in which some lane touches.
     pub(super) touching_steps: u64,
@@ -53,7 +53,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         group
     }
 
-    /// Takes the scenes of other rows of the same shape in place of those it has.
+    /// Replaces the scenes by those of other rows of this shape.
     #[inline(always)]
     pub(super) fn renew(&mut self, rows: Rows<'_, Column>) {
         self.frame = F::of(self.simd, rows, self.time_step);
@@ -89,7 +89,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         self.frame.begin(&mut self.structures, ground);
     }
 
-    /// A step from a node with this acceleration of the ground \[m/s²\].
+    /// A step from a node under this ground acceleration \[m/s²\].
     #[inline(always)]
     pub(super) fn step(&mut self, ground: Lanes<S>) {
         let touches = self.deform();
@@ -105,7 +105,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         }
     }
 
-    /// Follows the neighbours to a node, after the step from it and before velocities jump there.
+    /// Updates closings at a node, after the step from it and before velocities jump there.
     #[inline(always)]
     fn arrive(&mut self) {
         if let Some(closings) = &mut self.closings {
@@ -113,7 +113,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         }
     }
 
-    /// Tells what happened in a lane as that of a scene.
+    /// Reports the results of a lane as those of a scene.
     #[inline(always)]
     pub(super) fn tell(&self, lane: usize, scene: usize, tallies: &mut SceneSums) {
         for node in 0..self.structures.len() {
@@ -137,7 +137,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         }
     }
 
-    /// Deformations at a node; true where some lane touches.
+    /// Computes deformations at a node; true if some lane touches.
     #[inline(always)]
     fn deform(&mut self) -> bool {
         let zero = Lanes::splat(self.simd, 0.0);
@@ -153,7 +153,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         Lanes::any(touching)
     }
 
-    /// A step from a node at which some lane touches, or did at the node before.
+    /// A step from a node at which some lane touches, or touched at the node before.
     #[inline(always)]
     fn contact_step(&mut self, ground: Lanes<S>) {
         let (mut jumps, mut busy) = (false, false);

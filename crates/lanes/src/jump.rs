@@ -1,4 +1,4 @@
-//! Velocity jumps of several scenes side by side.
+//! Velocity jumps of several scenes in lanes.
 
 use fearless_simd::Simd;
 
@@ -9,8 +9,8 @@ use super::number::Lanes;
 use super::scenes::Scenes;
 use pounding_solver::formulas::Rounds;
 
-/// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there, and is told to those
-/// who follow neighbours.
+/// Applies velocity jumps at a node to impulsive pairs that touch and approach. Structures that jump are restarted, and closings are
+/// updated.
 #[inline(always)]
 pub(super) fn jump<S: Simd, Column: SideBySideColumn>(
     rounds: &mut Rounds<Lanes<S>>,
@@ -32,7 +32,7 @@ pub(super) fn jump<S: Simd, Column: SideBySideColumn>(
     rounds.clear();
 }
 
-/// Strikes all pairs that touch; false where none approaches.
+/// Strikes all pairs that touch; false if none approaches.
 #[inline(always)]
 fn strike_all<S: Simd, Column: SideBySideColumn>(
     rounds: &mut Rounds<Lanes<S>>,

@@ -1,11 +1,11 @@
-//! Contact laws of several scenes side by side.
+//! Contact laws of several scenes in lanes.
 
 use fearless_simd::Simd;
 use pounding_contact::{ContactLaw, Form, NonlinearViscoelastic, Number, Term, ViscoelasticPair};
 
 use super::number::{Lanes, MOST_LANES, Mask};
 
-/// A contact law with the numbers of every lane.
+/// A contact law with the parameters of every lane.
 pub(super) enum Law<S: Simd> {
     Impulsive(Impulsive<S>),
     Viscoelastic(ViscoelasticPair<Lanes<S>>),
@@ -20,20 +20,20 @@ pub(super) struct Impulsive<S: Simd> {
     pub(super) factor: Lanes<S>,
 }
 
-/// A law of the common form; its damper may know the rate of the first touch.
+/// A law of the common form. Its damper may depend on the rate of the first touch.
 pub(super) struct Formed<S: Simd> {
     laws: [ContactLaw; MOST_LANES],
     reduced_masses: [f64; MOST_LANES],
     remembers: bool,
-    /// Rate of the first touch of the contact that goes on \[m/s\].
+    /// Rate of the first touch of the present contact \[m/s\].
     approach_speeds: [f64; MOST_LANES],
-    /// Where that is known.
+    /// Lanes in which this rate is known.
     known: Mask<S>,
     form: Form<Lanes<S>>,
 }
 
 impl<S: Simd> Law<S> {
-    /// Of laws of one kind, and the reduced masses of their pairs \[kg\].
+    /// Laws of a common kind, with the reduced masses of their pairs \[kg\].
     #[inline(always)]
     pub(super) fn new(simd: S, laws: [ContactLaw; MOST_LANES], masses: [f64; MOST_LANES]) -> Self {
         if laws[0].impulsive().is_some() {
@@ -72,7 +72,7 @@ impl<S: Simd> Law<S> {
         }))
     }
 
-    /// Force of a compliant law \[N\] at a deformation and its rate, 0 where the pair does not overlap; nothing of an impulsive one.
+    /// Force of a compliant law \[N\] at a deformation and its rate, 0 if the pair does not overlap; `None` for an impulsive law.
     #[inline(always)]
     pub(super) fn force(&mut self, deformation: Lanes<S>, rate: Lanes<S>) -> Option<Lanes<S>> {
         let zero = rate.like(0.0);
@@ -90,7 +90,7 @@ impl<S: Simd> Law<S> {
 }
 
 impl<S: Simd> Formed<S> {
-    /// Takes the rate as approach speed where an overlap is new, and forgets that of pairs that do not overlap.
+    /// Stores the rate as approach speed of new overlaps, and forgets that of pairs that do not overlap.
     #[inline(always)]
     fn remember(&mut self, overlaps: Mask<S>, rate: Lanes<S>) {
         if !self.remembers {
@@ -111,7 +111,7 @@ impl<S: Simd> Formed<S> {
     }
 }
 
-/// The form of compliant laws of one kind, with reduced masses and approach speeds.
+/// The form of compliant laws of a common kind, with reduced masses and approach speeds.
 #[inline(always)]
 fn form<S: Simd>(simd: S, (laws, masses, speeds): (&[ContactLaw; MOST_LANES], &[f64; MOST_LANES], &[f64; MOST_LANES])) -> Form<Lanes<S>> {
     let forms = std::array::from_fn::<_, MOST_LANES, _>(|lane| {

@@ -1,18 +1,17 @@
-//! Many scenes at once, side by side in the lanes of the machine's vectors.
+//! Many scenes at once, in the lanes of the machine's vectors.
 //!
-//! Rows of one shape, which differ in numbers, run together by central differences ([`SideBySide`]) or by the exact method
-//! ([`ExactSideBySide`]): what a step does to one number it does to those of up to eight scenes at the same time. The formulas are those of
-//! the solver, generic over [`Number`](pounding_contact::Number). By central differences every lane gives the bits of its scene alone. A
-//! step looks at contact laws only where some lane touches. What a run leaves is little: peaks and sums ([`SceneSums`]); who wants
-//! histories runs a scene alone.
+//! Rows of a common shape with different numbers run together by central differences ([`SideBySide`]) or by the exact method
+//! ([`ExactSideBySide`]). Every operation of a step acts on up to eight scenes at once. The formulas are those of the solver, generic over
+//! [`Number`](pounding_contact::Number). By central differences every lane gives exactly the bits of its scene alone. A step evaluates
+//! contact laws only if some lane touches. The results are peaks and sums ([`SceneSums`]); for histories, run a scene alone.
 //!
-//! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many.
-//! `Frame` decides once per run whether structures go on each for itself or by buildings.
+//! Buildings of several storeys run in lanes, too: a single loop solves their equations for one scene and for many. `Frame` chooses once
+//! per run whether structures advance separately or by buildings.
 //!
-//! Left out: other methods; motions that travel, sub-steps in contact, columns that yield smoothly, pairs that are no
+//! Not in this crate: other methods, motions that travel, sub-steps in contact, columns that yield smoothly, and pairs that are no
 //! [chain](Row::is_chain).
 //!
-//! Where to start: [`SideBySide`], then `group.rs`, as many scenes as there are lanes; for the exact method `exact/mod.rs`.
+//! Where to start: [`SideBySide`], then `group.rs`, a group of as many scenes as there are lanes. For the exact method: `exact/mod.rs`.
 
 #![expect(
     clippy::inline_always,
@@ -57,29 +56,29 @@ use pounding_solver::{Budget, CentralDifference, Clock, Pair, RestoringForce, Ro
 pub struct SideBySide<'a> {
     clock: Clock,
     excitations: Excitations<'a>,
-    /// Acceleration of a common one at every node \[m/s²\]; others are sampled when their scenes run.
+    /// Acceleration of a common motion at every node \[m/s²\]. Separate motions are sampled when their scenes run.
     common: Vec<f64>,
     level: Level,
     budget: Budget,
     closings: bool,
 }
 
-/// What groups need of it.
+/// Settings that groups need.
 struct Shaken {
     time_step: f64,
     budget: Budget,
-    /// Whether neighbours are followed where they come close.
+    /// Whether the closing of neighbours is recorded.
     closings: bool,
 }
 
-/// Steps of structures between two looks at whether to stop: a fraction of a second.
+/// Structure steps between two checks of the stop flag: a fraction of a second.
 const BETWEEN: usize = 1 << 16;
 
 impl<'a> SideBySide<'a> {
-    /// Samples the ground motions for a clock, that of the longest run.
+    /// Samples the ground motions for the clock of the longest run.
     ///
     /// # Errors
-    /// [`RunError::Setting`] for settings out of range, and for sub-steps in contact.
+    /// [`RunError::Setting`] if a setting is out of range, or if there are sub-steps in contact.
     pub fn new(settings: CentralDifference, excitations: impl Into<Excitations<'a>>, clock: Clock) -> Result<Self, RunError> {
         settings.check()?;
         let substeps = settings.contact_substeps;
@@ -100,20 +99,20 @@ impl<'a> SideBySide<'a> {
         })
     }
 
-    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    /// Also ends runs when the budget's `stop` is set; unfinished scenes are then not told. The rest of the budget is ignored.
     #[must_use]
     pub fn within(self, budget: Budget) -> Self {
         Self { budget, ..self }
     }
 
-    /// The same, and tells how far neighbours come towards each other ([`PairSums::closing`]); steps without contact take longer then.
+    /// Also records how far neighbours come towards each other ([`PairSums::closing`]). This slows down steps without contact.
     #[must_use]
     pub fn with_closings(self, closings: bool) -> Self {
         Self { closings, ..self }
     }
 
-    /// Whether two rows have the same floors and pairs, which are a [chain](Row::is_chain), with laws of the same kinds, and the ground motion
-    /// arrives everywhere in the first at once.
+    /// Whether two rows have equal floors and pairs that form a [chain](Row::is_chain), with laws of equal kinds. The ground motion must
+    /// arrive everywhere at once in the first row.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
         let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
         let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
@@ -127,11 +126,11 @@ impl<'a> SideBySide<'a> {
             && pairs.all(|(pair, other)| pair.relation.points() == other.relation.points() && kind(pair) == kind(other))
     }
 
-    /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
-    /// cannot run side by side.
+    /// Runs rows of a common shape, each for its number of steps, and stores their results. Returns false without any result if they cannot
+    /// run in lanes.
     ///
-    /// Rows of one shape [are alike](Self::are_alike); no row has more steps than the clock. If each has a ground motion of its own, there
-    /// are as many of them as rows.
+    /// Rows of a common shape [are alike](Self::are_alike). No row may have more steps than the clock. If each scene has its own ground
+    /// motion, the motions must be as many as the rows.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
@@ -165,10 +164,10 @@ impl<'a> SideBySide<'a> {
         dispatch!(self.level, simd => run::run(simd, &method, task));
         let is_compliant = |pair: &Pair| pair.law.is_compliant();
         let both = first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
-        // Impacts of a rest are one collision, which only a run of the scene alone can tell.
+        // The impacts of a rest are one collision, which only a run of the scene alone can count.
         for (scene, row) in rows.iter().enumerate() {
             if both {
-                // Velocities that jump in a compliant contact are not in its books.
+                // The books do not contain velocity jumps during compliant contact.
                 tallies.doubt(scene);
             }
             let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
@@ -181,7 +180,7 @@ impl<'a> SideBySide<'a> {
     }
 }
 
-/// Whether rows are of one shape that can run side by side.
+/// Whether rows have a common shape that can run in lanes.
 fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
     rows.iter().all(|row| SideBySide::are_alike(row, rows[0]))
 }

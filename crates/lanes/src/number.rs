@@ -1,6 +1,6 @@
-//! Numbers of several scenes side by side.
+//! Numbers of several scenes in lanes.
 //!
-//! Loops over lanes are written out: a closure that is not inlined has no instructions on lanes.
+//! Loops over lanes are written out: a closure that is not inlined cannot use lane instructions.
 
 use std::fmt;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -8,16 +8,16 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use fearless_simd::prelude::*;
 use pounding_contact::Number;
 
-/// Scenes in a number on the machine that has the most; another takes the first of them.
+/// Scenes in a number on the machine with the widest vectors. Other machines use the first of them.
 ///
-/// As many as a register of the machine has room for: with eight everywhere, runs on AVX2 take 1.2 to 1.4 times as long.
+/// The number of lanes matches the registers of the machine: with eight lanes everywhere, runs on AVX2 take 1.2 to 1.4 times as long.
 pub(super) const MOST_LANES: usize = 8;
 
-/// The same number of as many scenes as a vector has lanes.
+/// A number of as many scenes as a vector has lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Lanes<S: Simd>(S::f64s);
 
-/// Of every lane yes or no.
+/// Yes or no for every lane.
 #[derive(Clone, Copy)]
 pub(super) struct Mask<S: Simd>(S::mask64s);
 
@@ -28,7 +28,7 @@ impl<S: Simd> Lanes<S> {
         <S::f64s as SimdBase<S>>::LEN
     };
 
-    /// The same value in every lane.
+    /// A value in every lane.
     #[inline(always)]
     pub(super) fn splat(simd: S, value: f64) -> Self {
         Self(S::f64s::splat(simd, value))
@@ -46,43 +46,43 @@ impl<S: Simd> Lanes<S> {
         self.0.as_slice()
     }
 
-    /// The value of one lane.
+    /// The value of a lane.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> f64 {
         self.0.as_slice()[lane]
     }
 
-    /// Gives one lane a value.
+    /// Sets the value of a lane.
     #[inline(always)]
     pub(super) fn set(&mut self, lane: usize, value: f64) {
         self.0.as_mut_slice()[lane] = value;
     }
 
-    /// What proves that the machine has the instructions.
+    /// The proof that the machine has the instructions.
     #[inline(always)]
     pub(super) fn token(self) -> S {
         self.0.token()
     }
 
-    /// The lesser of both.
+    /// The lesser of two numbers.
     #[inline(always)]
     pub(super) fn min(self, other: Self) -> Self {
         Self(self.0.min(other.0))
     }
 
-    /// The larger of both.
+    /// The larger of two numbers.
     #[inline(always)]
     pub(super) fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0))
     }
 
-    /// Where this is another value; also where one of them is not a number.
+    /// Lanes with different values, including those in which either is NaN.
     #[inline(always)]
     pub(super) fn differs(self, other: Self) -> Mask<S> {
         Mask(!self.0.simd_eq(other.0))
     }
 
-    /// Where this is at least as much as another.
+    /// Lanes in which this is at least another value.
     #[inline(always)]
     pub(super) fn reaches(self, other: Self) -> Mask<S> {
         Mask(self.0.simd_ge(other.0))
@@ -90,13 +90,13 @@ impl<S: Simd> Lanes<S> {
 }
 
 impl<S: Simd> Mask<S> {
-    /// Yes in every lane, or no.
+    /// Yes in every lane, or no in every lane.
     #[inline(always)]
     pub(super) fn splat(simd: S, yes: bool) -> Self {
         Self(S::mask64s::splat(simd, yes))
     }
 
-    /// A bit for every lane, that of the first one the lowest.
+    /// A bit for every lane, the first lane lowest.
     #[inline(always)]
     pub(super) fn bits(self) -> u64 {
         self.0.to_bitmask()

@@ -1,4 +1,4 @@
-//! Rows of one shape, as many as there are lanes.
+//! As many rows of a common shape as there are lanes.
 
 use fearless_simd::Simd;
 
@@ -10,10 +10,10 @@ use super::scenes::{Pair, Structure};
 use super::tally::SceneSum;
 use pounding_solver::{Node, Row};
 
-/// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
+/// Rows of a common shape, at most as many as there are lanes. Lanes without a row repeat the last row.
 pub(super) struct Rows<'a, Column> {
     pub(super) rows: &'a [&'a Row<Column>],
-    /// Index of the first among all scenes.
+    /// Index of the first row among all scenes.
     pub(super) first: usize,
 }
 
@@ -38,7 +38,7 @@ impl<'a, Column> Rows<'a, Column> {
 }
 
 impl<Column: SideBySideColumn> Rows<'_, Column> {
-    /// A structure of all rows as it is before it feels the ground, for a time step \[s\].
+    /// A structure of all rows before it feels the ground, for a time step \[s\].
     #[inline(always)]
     pub(super) fn structure<S: Simd>(self, simd: S, node: usize, time_step: f64) -> Structure<S, Column> {
         let displacement = |node| self.gather(simd, node, &|node| node.initial_displacement);
@@ -49,7 +49,7 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         Body::new(|number| self.gather(simd, node, number), drift, time_step)
     }
 
-    /// A number of a structure of all rows.
+    /// A number of a structure, from all rows.
     #[inline(always)]
     pub(super) fn gather<S: Simd>(self, simd: S, node: usize, number: &dyn Fn(&Node<Column>) -> f64) -> Lanes<S> {
         let mut values = [0.0; MOST_LANES];
@@ -59,7 +59,7 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         Lanes::new(simd, &values)
     }
 
-    /// The pair of a structure and its right neighbour, if the rows have one.
+    /// The pair of a structure and its right neighbour; `None` if the rows have none.
     #[inline(always)]
     pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
         let mut pairs = self.rows[0].pairs().iter();

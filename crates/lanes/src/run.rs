@@ -12,7 +12,7 @@ use super::storeys::Storeys;
 use super::{BETWEEN, SceneSums, Shaken};
 use pounding_solver::Row;
 
-/// Rows of one shape with the number of steps of each, and where what happened in them is told.
+/// Rows of a common shape with the number of steps of each, and the receiver of their results.
 pub(super) struct Task<'a, Column> {
     pub(super) rows: &'a [&'a Row<Column>],
     pub(super) n_steps: &'a [usize],
@@ -20,7 +20,7 @@ pub(super) struct Task<'a, Column> {
     pub(super) tallies: &'a mut SceneSums,
 }
 
-/// Runs rows of one shape, each for its number of steps, and tells what happened in them.
+/// Runs rows of a common shape, each for its number of steps, and reports their results.
 #[inline(always)]
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(simd: S, method: &Shaken, task: Task<'_, Column>) {
     let first = task.rows[0];
@@ -31,7 +31,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(simd: S, method: &Shaken, t
     }
 }
 
-/// The same, and their structures go on as the frame says.
+/// Runs rows whose structures advance by a frame.
 #[inline(always)]
 fn run_in<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(simd: S, method: &Shaken, mut task: Task<'_, Column>) {
     let mut group: Option<Group<S, Column, F>> = None;
@@ -50,7 +50,7 @@ fn run_in<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(simd: S, metho
     }
 }
 
-/// All steps of a group; what happened in a scene is told at its end.
+/// Makes all steps of a group and reports each scene at its end.
 #[inline(always)]
 fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
     method: &Shaken,

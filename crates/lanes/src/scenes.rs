@@ -15,11 +15,11 @@ pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Bes
 pub(super) struct Pair<S: Simd> {
     /// Its index among the pairs of the row.
     pub(super) index: usize,
-    /// Whether it has books open from the node before; kept, for in a step without contact asking the books costs a mask.
+    /// Whether it has open books from the node before. Stored, because asking the books would cost a mask in steps without contact.
     pub(super) lingers: bool,
     pub(super) gap: Lanes<S>,
     pub(super) law: Law<S>,
-    /// Deformation at the node under way \[m\].
+    /// Deformation at the present node \[m\].
     pub(super) deformation: Lanes<S>,
     pub(super) tally: SceneSum<S>,
 }

@@ -1,4 +1,4 @@
-//! Buildings of several storeys side by side.
+//! Buildings of several storeys in lanes.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -14,21 +14,21 @@ use pounding_solver::formulas::Link;
 use pounding_solver::formulas::{Below, damping_force};
 use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
 
-/// The floors of some rows of one shape, building by building, each from the ground up.
+/// The floors of rows of a common shape, building by building, each from the ground up.
 pub(super) struct Storeys<S: Simd> {
     buildings: Buildings,
-    /// Where each node of the row lies among them.
+    /// Place of each node of the row among the floors.
     places: Vec<usize>,
     coefficients: Vec<FloorCoefficients<Lanes<S>>>,
-    /// Damping coefficient of every floor against the ground, besides that of its storey \[N·s/m\].
+    /// Damping coefficient of every floor against the ground, in addition to that of its storey \[N·s/m\].
     ground_damping: Vec<Lanes<S>>,
     /// Acceleration of every floor without damping, at nodes at which some lane touches \[m/s²\].
     accelerations: Vec<Lanes<S>>,
-    /// Of the drift of every storey on another floor \[m\].
+    /// Extremes of the drift of every storey on another floor \[m\].
     drifts: Vec<Extremes<S>>,
 }
 
-/// One building at a node; `IN_CONTACT` where some lane of the row touches.
+/// A building at a node; `IN_CONTACT` if some lane of the row touches.
 struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
     zero: Lanes<S>,
     structures: &'a mut [Structure<S, Column>],
@@ -37,7 +37,7 @@ struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
 }
 
 impl<S: Simd> Storeys<S> {
-    /// Lets all floors go on from a node.
+    /// Advances all floors from a node.
     #[inline(always)]
     fn go_on<Column: SideBySideColumn, const IN_CONTACT: bool>(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         for range in self.buildings.ranges() {
@@ -77,7 +77,7 @@ impl<S: Simd> Storeys<S> {
         own.smooth((pounding, restoring), own.mobile * ground)
     }
 
-    /// The same, and where that or its velocity has jumped.
+    /// Acceleration of a floor in equilibrium after the velocity jumps, and the lanes in which it or the velocity has jumped.
     #[inline(always)]
     fn after_jump<Column: SideBySideColumn>(
         &self,
@@ -222,7 +222,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         }
     }
 
-    /// Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
+    /// Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
     #[inline(always)]
     fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &[Link], ground: Lanes<S>) {
         for range in self.buildings.ranges() {

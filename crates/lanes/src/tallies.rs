@@ -1,26 +1,26 @@
-//! What many scenes side by side leave.
+//! Results of many scenes in lanes.
 
-/// Displacements that no structure reaches \[m\]: the scene grows without bound, and what its numbers round to breaks laws. Far below, a step
-/// rounds less than what methods take for a touch.
+/// Displacements that no structure reaches \[m\]: beyond, the scene grows without bound, and its rounding breaks laws. Far below, the
+/// rounding of a step is less than the tolerance of a touch.
 const FARTHEST: f64 = 1e3;
 
-/// What happened to one pair of a scene.
+/// Results of a pair of a scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PairSums {
-    /// Number of collisions, as [`Collisions`](pounding_solver::Collisions) counts them.
+    /// Number of collisions, counted as in [`Collisions`](pounding_solver::Collisions).
     pub collisions: f64,
-    /// Sum of their impulses \[N·s\].
+    /// Sum of the impulses of the collisions \[N·s\].
     pub impulse: f64,
-    /// The largest of them \[N·s\].
+    /// Largest impulse of a collision \[N·s\].
     pub largest_impulse: f64,
-    /// Largest pounding force \[N\] of a compliant pair; 0 of an impulsive one, whose force has no limit.
+    /// Largest pounding force \[N\] of a compliant pair; 0 for an impulsive pair, whose force is unbounded.
     pub peak_force: f64,
-    /// Largest displacement of the left neighbour less that of the right one \[m\], as [`Closings`](pounding_solver::Closings) finds it; nothing
-    /// unless asked for.
+    /// Largest displacement of the left neighbour minus that of the right neighbour \[m\], as in [`Closings`](pounding_solver::Closings);
+    /// `None` unless requested.
     pub closing: Option<f64>,
 }
 
-/// What happened in many scenes of one shape, in their order.
+/// Results of many scenes of a common shape, in their order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SceneSums {
     pub(super) n_structures: usize,
@@ -30,40 +30,40 @@ pub struct SceneSums {
     pub(super) pairs: Vec<PairSums>,
     pub(super) told: Vec<bool>,
     doubted: Vec<bool>,
-    /// Steps of groups of scenes, as many as a vector of the machine has lanes.
+    /// Steps of groups of scenes; a group has as many scenes as a vector has lanes.
     pub steps: u64,
-    /// Those of them in which some scene of the group touched.
+    /// Steps in which some scene of the group touched.
     pub touching_steps: u64,
 }
 
 impl SceneSums {
-    /// Displacement of the largest magnitude of a structure, or of a floor of a building \[m\], with its sign.
+    /// Displacement of largest magnitude of a structure, or of a floor of a building \[m\], with its sign.
     pub fn displacement(&self, scene: usize, structure: usize) -> f64 {
         self.displacements[scene * self.n_structures + structure]
     }
 
-    /// Drift of the largest magnitude of the storey below a floor \[m\], with its sign; on the ground it is the displacement.
+    /// Drift of largest magnitude of the storey below a floor \[m\], with its sign; on the ground, the displacement.
     pub fn drift(&self, scene: usize, floor: usize) -> f64 {
         self.drifts[scene * self.n_structures + floor]
     }
 
-    /// What happened to a pair.
+    /// Results of a pair.
     pub fn pair(&self, scene: usize, pair: usize) -> PairSums {
         self.pairs[scene * self.n_pairs + pair]
     }
 
-    /// Whether what happened in a scene is known. It is not where structures have gone further than any does, or a floor or
-    /// a storey has gone as far to the left as to the right, so that only the order tells the sign of its peak: a run of the scene alone
-    /// says.
+    /// Whether the results of a scene are known. Otherwise the scene needs a run alone. Results are unknown if structures have moved beyond
+    /// all bounds. They are also unknown if a floor or a storey has moved equally far to both sides, so that only the order gives the sign
+    /// of its peak.
     pub fn is_told(&self, scene: usize) -> bool {
         self.told[scene]
     }
 
-    /// Whether the books of its contacts leave open that a scene breaks a law of mechanics: a run of it alone says.
+    /// Whether the books of its contacts leave open that a scene breaks a law of mechanics. The scene then needs a run alone.
     ///
-    /// By stepping methods they book compliant collisions as a [`Ledger`](pounding_solver::Ledger) does, and doubt a little more than it refuses.
-    /// Impacts are not booked: every round of them takes energy, or leaves it, as e is 1 at most and no impulse pulls. Nor is the exact
-    /// method, which carries impacts and contacts to rounding or tolerance, under laws that take energy and never pull.
+    /// In stepping methods the books treat compliant collisions like a [`Ledger`](pounding_solver::Ledger), and doubt a little more than it
+    /// refuses. Impacts are not booked: no round of impacts adds energy, because e is at most 1 and no impulse pulls. The exact method is
+    /// not booked either: it computes impacts and contacts to rounding or tolerance, under laws that take energy and never pull.
     pub fn is_doubted(&self, scene: usize) -> bool {
         self.doubted[scene]
     }
@@ -72,7 +72,7 @@ impl SceneSums {
         self.doubted[scene] = true;
     }
 
-    /// Makes room for so many scenes, with so many structures and pairs each; none is told.
+    /// Makes room for `n_scenes` scenes with these numbers of structures and pairs; none is told yet.
     pub fn begin(&mut self, n_scenes: usize, (n_structures, n_pairs): (usize, usize)) {
         (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
         self.displacements.clear();
@@ -88,7 +88,7 @@ impl SceneSums {
         (self.steps, self.touching_steps) = (0, 0);
     }
 
-    /// Takes a scene of others, of the same shape, as one of its own.
+    /// Copies a scene from the results of others of this shape.
     pub fn take(&mut self, scene: usize, (others, place): (&Self, usize)) {
         let range = |place: usize, n: usize| place * n..(place + 1) * n;
         let (own, its) = (range(scene, self.n_structures), range(place, self.n_structures));
@@ -100,18 +100,18 @@ impl SceneSums {
         self.doubted[scene] = others.doubted[place];
     }
 
-    /// Takes displacement and drift of largest magnitude of a floor of a scene \[m\]; without one of them the scene is not told.
+    /// Sets the displacement and drift of largest magnitude of a floor of a scene \[m\]. If either is `None`, the scene is not told.
     pub(super) fn take_floor(&mut self, scene: usize, node: usize, peaks: [Option<f64>; 2]) {
         let [displacement, drift] = peaks.map(|peak| peak.unwrap_or(f64::NAN));
         self.displacements[scene * self.n_structures + node] = displacement;
         self.drifts[scene * self.n_structures + node] = drift;
-        // The first of a scene says, and any other may take it back.
+        // The first floor of a scene marks it as known, and any other floor may revoke this.
         let is_known = |peak: f64| peak.abs() < FARTHEST;
         let known = peaks.iter().all(|peak| peak.is_some_and(is_known));
         self.told[scene] = known && (node == 0 || self.told[scene]);
     }
 
-    /// Takes what happened to a pair of a scene.
+    /// Sets the results of a pair of a scene.
     pub(super) fn take_pair(&mut self, scene: usize, pair: usize, tally: PairSums) {
         self.pairs[scene * self.n_pairs + pair] = tally;
     }

@@ -1,4 +1,4 @@
-//! What is counted of the collisions of a pair, side by side.
+//! Sums over the collisions of a pair in lanes.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -7,22 +7,22 @@ use super::PairSums;
 use super::books::{Books, Push};
 use super::number::{Lanes, Mask};
 
-/// Collisions of a pair so far, as [`Collisions`](pounding_solver::Collisions) counts them.
+/// Collisions of a pair so far, counted as in [`Collisions`](pounding_solver::Collisions).
 pub(super) struct SceneSum<S: Simd> {
     collisions: Lanes<S>,
     /// Sum of the impulses of the collisions that have ended \[N·s\].
     impulse: Lanes<S>,
-    /// The largest of them \[N·s\].
+    /// Largest impulse of these collisions \[N·s\].
     largest_impulse: Lanes<S>,
     /// Largest pounding force of a compliant pair \[N\].
     peak_force: Lanes<S>,
-    /// Where a compliant collision goes on, and its impulse so far \[N·s\].
+    /// Lanes with a compliant collision in progress, and its impulse so far \[N·s\].
     open: Mask<S>,
     current: Lanes<S>,
-    /// Pounding force, and overlap, at the node before.
+    /// Pounding force and overlap at the node before.
     force: Lanes<S>,
     overlapped: Mask<S>,
-    /// Of compliant contact.
+    /// Books of compliant contact.
     pub(super) books: Books<S>,
 }
 
@@ -44,7 +44,7 @@ impl<S: Simd> SceneSum<S> {
         }
     }
 
-    /// Whether a compliant collision of some lane may not have ended, or does an overlap.
+    /// Whether, in some lane, a compliant collision may not have ended or an overlap remains.
     #[inline(always)]
     pub(super) fn lingers(&self) -> bool {
         Lanes::any(self.open | self.overlapped)
@@ -56,13 +56,13 @@ impl<S: Simd> SceneSum<S> {
         self.force
     }
 
-    /// Takes the step of a compliant pair to a node, and where it overlaps there.
+    /// Adds the step of a compliant pair to a node; `overlaps` marks the lanes that overlap there.
     #[inline(always)]
     pub(super) fn follow(&mut self, push: Push<S>, overlaps: Mask<S>) {
         let Push { force, impulse, .. } = push;
         let zero = force.like(0.0);
         self.books.follow(push);
-        // A clamped force lets go of neighbours that overlap, and may push again; others have parted.
+        // A clamped force releases neighbours that still overlap, and may push again; others have parted.
         let goes_on = self.open & self.overlapped;
         let ends = self.open & !self.overlapped;
         if Lanes::any(ends) {
@@ -73,7 +73,7 @@ impl<S: Simd> SceneSum<S> {
         }
         let acts = (self.force + force).exceeds(zero);
         let begins = acts & !goes_on;
-        // For the ledger neighbours that touch again at once have one collision.
+        // In the ledger, neighbours that touch again at once have a single collision.
         self.books.doubt(begins & ends);
         let one = zero.like(1.0);
         self.collisions = Number::select(begins, self.collisions + one, self.collisions);
@@ -84,7 +84,7 @@ impl<S: Simd> SceneSum<S> {
         self.overlapped = overlaps;
     }
 
-    /// Takes impulses \[N·s\]; 0 where there is none.
+    /// Adds impulses \[N·s\]; 0 in lanes without an impact.
     #[inline(always)]
     pub(super) fn strike(&mut self, impulse: Lanes<S>) {
         let zero = impulse.like(0.0);
@@ -94,14 +94,14 @@ impl<S: Simd> SceneSum<S> {
         self.largest_impulse = self.largest_impulse.max(impulse);
     }
 
-    /// The largest impulse, with those of collisions that go on or end, in these lanes.
+    /// The largest impulse, including the present collisions in these lanes.
     #[inline(always)]
     fn with_current(&self, lanes: Mask<S>) -> Lanes<S> {
         let largest = self.largest_impulse.max(self.current);
         Number::select(lanes, largest, self.largest_impulse)
     }
 
-    /// What happened in a lane.
+    /// Results of a lane.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> PairSums {
         let impulse = Number::select(self.open, self.impulse + self.current, self.impulse);

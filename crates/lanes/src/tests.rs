@@ -1,4 +1,4 @@
-//! Machines with narrower vectors than this one.
+//! Simulation of machines with narrower vectors.
 
 use fearless_simd::Level;
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
@@ -10,10 +10,10 @@ const CLOCK: Clock = Clock {
     time_step: 0.01,
     n_steps: 400,
 };
-/// No whole number of groups of any width.
+/// Not a multiple of any group width.
 const SCENES: usize = 13;
 
-/// Structures of other periods in every scene, so many, of so many storeys.
+/// Rows with this many structures of this many storeys; periods differ between scenes.
 fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elastic>> {
     let row = |scene: usize| {
         let node = |index: usize| {
@@ -44,7 +44,7 @@ fn laws() -> [ContactLaw; 2] {
     ]
 }
 
-/// What was told of every structure and its right neighbour, in bits.
+/// Results of every structure and its right neighbour, in bits.
 fn bits(tallies: &SceneSums, structures: usize) -> Vec<[u64; 5]> {
     let of = |scene: usize| {
         assert!(tallies.is_told(scene), "{structures}: scene {scene} was given up");
@@ -69,7 +69,7 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
     };
     for law in laws() {
         let [mut one, mut other] = [SceneSums::default(), SceneSums::default()];
-        // Two structures have code of their own, up to three go two groups in step.
+        // Two structures have separate code; up to three advance two groups together.
         let shapes = [(2, 1), (3, 1), (5, 1), (2, 3)];
         for shape in shapes {
             let (rows, structures) = (rows(law, shape), shape.0);

@@ -1,11 +1,10 @@
-//! What a file holds, before the caller says what one g is worth.
+//! Contents of a file, before the caller sets the value of one g.
 
 use crate::{AccelerationUnit, Direction, Format, Reading, Record, RecordError, Unusual};
 
-/// An `Accelerogram` is what a file holds: a time step and values in the unit of the file.
+/// An `Accelerogram` is the contents of a file: a time step, and values in the unit of the file.
 ///
-/// The first value is at t = 0. There is at least one, all are finite, and the time step is above
-/// zero.
+/// The first value is at t = 0. There is at least one value, all are finite, and the time step is above zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accelerogram {
     pub(crate) format: Format,
@@ -19,7 +18,7 @@ pub struct Accelerogram {
 }
 
 impl Accelerogram {
-    /// Returns the format that the file was found to be in.
+    /// Returns the format of the file.
     pub fn format(&self) -> Format {
         self.format
     }
@@ -39,35 +38,34 @@ impl Accelerogram {
         self.unit
     }
 
-    /// Returns what the file says of itself: the comments of a CSV or the title lines of other
-    /// formats, one per line.
+    /// Returns the description in the file: the comments of a CSV or the title lines of other formats, one per line.
     pub fn provenance(&self) -> &str {
         &self.provenance
     }
 
-    /// Returns what was read and where it stood: format, component, number of samples, time step,
-    /// unit, the peak that the header states, and whatever else bears on the values.
+    /// Returns the values read from the file with their places: format, component, number of samples, time step, unit, the peak in the
+    /// header, and other information about the values.
     pub fn readings(&self) -> &[Reading] {
         &self.readings
     }
 
-    /// Returns the name of the component that was read; `None` if the file names none.
+    /// Returns the name of the component that was read; `None` if the file has no name.
     pub fn component(&self) -> Option<&str> {
         let component = self.readings.iter().find(|one| one.what == "component")?;
         Some(&component.found)
     }
 
-    /// Returns how the component lies; `None` if its name does not tell.
+    /// Returns the direction of the component; `None` if its name does not show it.
     pub fn direction(&self) -> Option<Direction> {
         Direction::of_component(self.component()?)
     }
 
-    /// Returns whether the file itself says that its values are accelerations, by a unit or in words.
+    /// Returns whether the file states that its values are accelerations, by a unit or in words.
     pub fn states_acceleration(&self) -> bool {
         self.states_acceleration
     }
 
-    /// Returns what looks wrong and can yet be right: an unusual time step, a large peak, a seismometer's channel.
+    /// Returns properties that look wrong and may still be right: an unusual time step, a large peak, a channel of a seismometer.
     pub fn unusual(&self) -> &[Unusual] {
         &self.unusual
     }

@@ -4,17 +4,17 @@ use crate::butterworth::Cascade;
 use crate::record::within;
 use crate::{Record, RecordError};
 
-/// Highest order; above it the response rings for longer than records last.
+/// Highest order; filters of a higher order ring for longer than records last.
 const HIGHEST_ORDER: u32 = 10;
 
-/// Lowest corner in cycles per sample: its square is still known to five digits beside one.
+/// Lowest corner in cycles per sample: compared with one, its square still has five digits.
 const LOWEST_CORNER: f64 = 1e-6;
 
 /// How often a filter runs over a record.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Passes {
-    /// Forward and backward: nothing is delayed, every gain counts twice (one half at the corners), and some of the
-    /// motion appears before its cause.
+    /// Forward and backward: there is no delay, and every gain counts twice (one half at the corners). Some of the motion appears before
+    /// its cause.
     #[default]
     ForwardAndBackward,
     /// Forward only, from rest: causal, with the delays of the filter.
@@ -23,16 +23,15 @@ pub enum Passes {
 
 /// A Butterworth band-pass filter.
 ///
-/// Its gain in one pass is 1/√2 at the corners. What the filter lets ring before the first and after the last sample is
-/// cut off; where velocity and displacement matter, put zeros there first (D. M. Boore, *Bull. Seism. Soc. Am.* 95
-/// (2005) 745).
+/// Its gain in a single pass is 1/√2 at the corners. The response of the filter before the first and after the last sample is cut off. If
+/// velocity and displacement matter, add zeros there first (D. M. Boore, *Bull. Seism. Soc. Am.* 95 (2005) 745).
 #[derive(Debug, Clone, PartialEq)]
 pub struct BandPass {
-    /// Order of the low-pass filter that the band is made of, 1 ..= 10; the band-pass filter has twice as many poles.
+    /// Order of the low-pass prototype, 1 ..= 10; the band-pass filter has twice as many poles.
     pub order: u32,
-    /// Corner below which the motion is taken away \[Hz\], at least 1e-6 over the time step.
+    /// Corner below which the motion is removed \[Hz\], at least 1e-6 over the time step.
     pub low_corner: f64,
-    /// Corner above which it is \[Hz\], above the low one and below half of one over the time step.
+    /// Corner above which the motion is removed \[Hz\], above the low corner and below half of one over the time step.
     pub high_corner: f64,
     /// How often the filter runs over the record.
     pub passes: Passes,
@@ -46,7 +45,7 @@ impl BandPass {
         let allowed = "a number of Hz, at least 1e-6 over the time step";
         let resolved = self.low_corner * time_step >= LOWEST_CORNER;
         within("low_corner", self.low_corner, resolved, allowed)?;
-        // Before the highest frequency: of exchanged corners the wrong one would be blamed.
+        // Checked before the highest frequency: otherwise swapped corners would blame the wrong one.
         if self.low_corner >= self.high_corner {
             return Err(RecordError::Corners {
                 low: self.low_corner,
@@ -56,13 +55,13 @@ impl BandPass {
         below_nyquist("high_corner", self.high_corner, time_step)
     }
 
-    /// Samples that are reflected at either end: three times the number of poles and one, as `scipy` does.
+    /// Number of samples that are reflected at either end: three times the number of poles plus one, as in `scipy`.
     fn padding(&self) -> usize {
         3 * (2 * self.order as usize + 1)
     }
 }
 
-/// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart do not hold, or none.
+/// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart cannot represent, or a non-positive one.
 pub(crate) fn below_nyquist(setting: &'static str, found: f64, time_step: f64) -> Result<(), RecordError> {
     let nyquist = 0.5 / time_step;
     if found < nyquist {
@@ -75,12 +74,11 @@ pub(crate) fn below_nyquist(setting: &'static str, found: f64, time_step: f64) -
 impl Record {
     /// Returns the record through a band-pass filter.
     ///
-    /// Forward and backward, the record is extended at either end by 3 (2·order + 1) samples, turned about its end
-    /// point, and the filter starts settled on the first of them; both as in `scipy.signal.sosfiltfilt`.
+    /// Forward and backward, the record is extended at either end by 3 (2·order + 1) samples, rotated about its end point. The filter
+    /// starts in the steady state of the first sample. Both are as in `scipy.signal.sosfiltfilt`.
     ///
     /// # Errors
-    /// Refuses settings out of range, a corner that the time step does not allow, and a record no longer than its
-    /// extension.
+    /// Refuses settings out of range, a corner that the time step does not allow, and a record that is not longer than its extension.
     pub fn band_passed(&self, filter: &BandPass) -> Result<Self, RecordError> {
         filter.check(self.time_step())?;
         let [low, high] = [filter.low_corner, filter.high_corner].map(|corner| corner * self.time_step());

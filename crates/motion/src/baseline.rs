@@ -1,19 +1,19 @@
-//! Whether a record leaves the ground moving, as an offset of its baseline does.
+//! Detection of a ground that keeps moving after the record, as with an offset of the baseline.
 
 use crate::Record;
 
-/// The end of a record over which the velocity is averaged, as so manieth part of its steps: waves average out, a drift
-/// does not.
+/// The final part of a record over which the velocity is averaged, as one over this number of its steps: waves average out, a drift does
+/// not.
 const END: usize = 10;
 
 /// Share of the peak velocity above which the mean velocity at the end is called a drift.
 ///
-/// Ten processed components of seven networks (PEER, CSMIP, COSMOS, SMC, ESM, `GeoNet`) leave 3e-5 to 0.075; the largest
-/// is El Centro 1940 as digitised by hand and printed to five decimals. A USC record whose integral from rest misses its own
-/// peak displacement by a factor of a hundred leaves 0.51, a raw one of counts 0.95.
+/// Ten processed components of seven networks (PEER, CSMIP, COSMOS, SMC, ESM, `GeoNet`) have 3e-5 to 0.075. The largest is El Centro 1940,
+/// digitised by hand and printed to five decimals. A USC record whose integral from rest misses its own peak displacement by a factor of a
+/// hundred has 0.51, a raw record of counts 0.95.
 const DRIFT: f64 = 0.1;
 
-/// What is left of the velocity of the ground at the end of a record.
+/// Residual velocity of the ground at the end of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drift {
     /// Mean velocity over the last tenth of the record, with its sign \[m/s\].
@@ -23,12 +23,11 @@ pub struct Drift {
 }
 
 impl Record {
-    /// Returns the velocity that the ground keeps where it should be at rest again; none up to a tenth of the peak
-    /// velocity.
+    /// Returns the velocity that the ground keeps when it should be at rest again; `None` up to a tenth of the peak velocity.
     ///
-    /// After an earthquake the ground stands still, be it somewhere else. A velocity that does not come back to zero, and
-    /// with it a displacement that runs away, tells of an offset of the baseline (D. M. Boore and J. J. Bommer, *Soil Dyn.
-    /// Earthq. Eng.* 25 (2005) 93), or of a record that was cut before the motion ended.
+    /// After an earthquake the ground is at rest, possibly at another place. A velocity that does not return to zero, with a growing
+    /// displacement, shows an offset of the baseline (D. M. Boore and J. J. Bommer, *Soil Dyn. Earthq. Eng.* 25 (2005) 93), or a record
+    /// that was cut before the motion ended.
     pub fn drift(&self) -> Option<Drift> {
         let integrated = self.integrated();
         let displacement = &integrated.displacement;
@@ -62,7 +61,7 @@ mod tests {
         Record::new(0.01, samples, "a sine").expect("a record")
     }
 
-    /// An offset of half a per cent of the peak moves the ground by a quarter of a metre, and nothing was said.
+    /// An offset of 0.5 % of the peak moves the ground by a quarter of a metre, and there was no message.
     #[test]
     fn issue_an_offset_of_the_baseline_is_found() {
         assert_eq!(shaken(0.0).drift(), None);

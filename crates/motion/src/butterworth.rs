@@ -1,10 +1,10 @@
 //! Design of a digital Butterworth band-pass filter as second-order sections.
 //!
-//! Own code: the filter libraries at hand take tan, sin and cos from the platform, and the records they filter would
-//! differ in their last digits from machine to machine. Here they come from `libm`, and all else is + − × ÷ √.
+//! Own code: existing filter libraries take tan, sin and cos from the platform, so that filtered records would differ in their last digits
+//! between machines. Here these functions come from `libm`, and all other operations are + − × ÷ √.
 //!
-//! Source: A. V. Oppenheim and R. W. Schafer, *Discrete-Time Signal Processing*, on the bilinear transformation; the
-//! band is that of `scipy.signal.butter(order, [low, high], "bandpass")`.
+//! Source: A. V. Oppenheim and R. W. Schafer, *Discrete-Time Signal Processing*, on the bilinear transformation; the band is that of
+//! `scipy.signal.butter(order, [low, high], "bandpass")`.
 
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ impl Section {
         output
     }
 
-    /// Forgets all but an input that has been constant for ever, of which nothing passes.
+    /// Sets the steady state of a constant input, whose output is zero.
     fn settle(&mut self, input: f64) {
         self.memory = [-self.gain * input; 2];
     }
@@ -82,7 +82,7 @@ impl Cascade {
         self.sections.iter_mut().fold(input, through)
     }
 
-    /// Forgets all but an input that has been constant for ever.
+    /// Sets the steady state of a constant input.
     pub(crate) fn settle(&mut self, input: f64) {
         let mut input = input;
         for section in &mut self.sections {
@@ -92,13 +92,13 @@ impl Cascade {
     }
 }
 
-/// The root of s² − 2·half·s + centre, of which the coefficients are complex and real, that is farther from zero.
+/// The root of s² − 2·half·s + centre that is farther from zero; `half` is complex, `centre` real.
 fn outer_root([re, im]: [f64; 2], centre: f64) -> [f64; 2] {
     let [square_re, square_im] = [re * re - im * im - centre, 2.0 * re * im];
     let size = (square_re * square_re + square_im * square_im).sqrt();
     // The larger part of the square root first, the other from the product: neither loses digits.
     let large = (0.5 * (size + square_re.abs())).sqrt();
-    // Both vanish together where the two roots coincide.
+    // Both vanish together if the two roots coincide.
     let small = if large > 0.0 { 0.5 * square_im / large } else { 0.0 };
     let [root_re, root_im] = if square_re >= 0.0 { [large, small] } else { [small, large] };
     let sign = if re * root_re + im * root_im >= 0.0 { 1.0 } else { -1.0 };

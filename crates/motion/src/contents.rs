@@ -1,32 +1,32 @@
-//! Contents of a file: components, places of sensors, and the record they belong to.
+//! Contents of a file: components, places of sensors, and the record to which they belong.
 
 use crate::{Direction, Format, Site};
 
 /// `Contents` lists the components of a file and tells which record they belong to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contents {
-    /// The format that the file was found to be in.
+    /// The format of the file.
     pub format: Format,
     /// The components in their order, at least one.
     pub channels: Vec<Channel>,
-    /// Where and when the motion was recorded.
+    /// Place and time of the recording.
     pub identity: Identity,
 }
 
 /// A `Channel` is one component of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
-    /// Its name, by which a caller may choose it; `None` in a file of one that has no name.
+    /// Name by which a caller may choose the component; `None` for the only component of a file without names.
     pub name: Option<String>,
-    /// How it lies; `None` if its name does not tell.
+    /// Direction; `None` if the name does not show it.
     pub direction: Option<Direction>,
-    /// Where its sensor is.
+    /// Place of the sensor.
     pub site: Site,
 }
 
-/// An `Identity` tells where and when a motion was recorded; a field is `None` if the file does not say.
+/// An `Identity` is the place and time of a recording; a field is `None` if the file does not state it.
 ///
-/// Components of one record have equal identities. Texts are in capitals with one blank between words. A time is written as
+/// Components of a record have equal identities. Texts are in capitals with a single blank between words. A time is written as
 /// `1999-09-20T17:47:15` if the file has a date and a time of day, else as in the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {

@@ -1,26 +1,26 @@
-//! What the caller says of a file that the file does not say itself.
+//! Information from the caller that the file lacks.
 
 use crate::AccelerationUnit;
 
-/// `Declared` is what the caller knows of a file; nothing by default.
+/// `Declared` is the caller's knowledge about a file; empty by default.
 ///
-/// What a file says itself may be repeated, but not contradicted.
+/// The caller may repeat information of the file, but not contradict it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Declared {
     /// Unit of the accelerations.
     pub unit: Option<AccelerationUnit>,
     /// Time between two samples \[s\], above zero.
     ///
-    /// Of pairs of time and value whose times are uneven it is the step to which they are resampled, linear between pairs.
+    /// For pairs of time and value with uneven times it is the step for resampling, linear between pairs.
     pub time_step: Option<f64>,
-    /// Which of several components is taken: its name, see [`components`](crate::components), a part of it that no other
-    /// has, or its number from 1; capitals do not matter.
+    /// The component to read: its name (see [`components`](crate::components)), a unique part of it, or its number from 1. Case does not
+    /// matter.
     pub component: Option<String>,
-    /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
+    /// Value of a digitiser count, in [`unit`](Self::unit); not zero.
     pub per_count: Option<f64>,
-    /// Whether the values are accelerations although the file suggests otherwise: a seismometer's channel or a header with
-    /// `cm/s` suggests velocities, values that never change sign suggest a spectrum.
+    /// Whether the values are accelerations although the file suggests otherwise. A seismometer's channel or a header with `cm/s` suggests
+    /// velocities; values of a single sign suggest a spectrum.
     pub acceleration: bool,
-    /// Whether several numbers to a line without names are consecutive values of one component.
+    /// Whether lines of several numbers without names are consecutive values of a single component.
     pub in_rows: bool,
 }

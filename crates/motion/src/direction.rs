@@ -1,6 +1,6 @@
-//! Whether a component is vertical, by what formats and file names call it.
+//! Whether a component is vertical, according to its name in formats and files.
 
-/// A `Direction` is how a component lies, as far as its name tells.
+/// A `Direction` is the direction of a component, as far as its name shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Along the ground: an azimuth, a compass point, a channel code such as HNE.
@@ -58,11 +58,11 @@ const CHANNEL: [&str; 7] = ["CHAN", "CHN", "CHA", "CHANNEL", "CANAL", "COLUMN", 
 const INSTRUMENTS: &str = "NLGHMP";
 
 impl Direction {
-    /// Returns how a component lies by the words of its name: `UP`, `CHAN 1: 90 DEG`, `1 Up`, `N08W`, `V;+`, `HNZ`,
-    /// `BHZ00`; `None` where no word is known.
+    /// Returns the direction from the words of a component's name: `UP`, `CHAN 1: 90 DEG`, `1 Up`, `N08W`, `V;+`, `HNZ`, `BHZ00`; `None` if
+    /// no word is known.
     ///
-    /// A word for up or down counts wherever it stands, other words from the last on. What stands in brackets is left out, and
-    /// so is the number of a channel.
+    /// A word for up or down counts at any position; other words are searched from the last. Text in brackets and the number of a channel
+    /// are ignored.
     pub fn of_component(name: &str) -> Option<Self> {
         let name = name.to_ascii_uppercase();
         let name = name.split('(').next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Which format a file is in, and what every format does alike.
+//! Detection of the format of a file, and common steps of all formats.
 
 mod afad;
 mod at2;
@@ -48,27 +48,27 @@ use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
 use spacing::Spacing;
 
-/// Ctrl-Z, which old programs put behind a text.
+/// Ctrl-Z, which old programs write after a text.
 const END_OF_TEXT: u8 = 0x1a;
 
 /// The bytes of a file and, should it be a text, its lines.
 struct File<'t> {
     bytes: &'t [u8],
     lines: Vec<Line<'t>>,
-    /// Whether the caller says that values follow one another in rows.
+    /// Whether the caller states that values follow each other in rows.
     in_rows: bool,
 }
 
-/// How one format is read; each of its files has one of these.
+/// The reader of a format.
 struct Reader {
     format: Format,
     /// Whether the file is in this format, by its content.
     recognises: fn(&File<'_>) -> bool,
-    /// The components in their order; none where a file holds one that has no name.
+    /// The components in their order; empty for a single component without a name.
     components: fn(&File<'_>) -> Result<Vec<Component>, ReadError>,
-    /// The component of that index, 0 where none has a name.
+    /// Reads the component with this index, or 0 if there are no names.
     read: fn(&File<'_>, usize) -> Result<Draft, ReadError>,
-    /// What it says of where and when its motion was recorded.
+    /// Reads place and time of the recording.
     identity: fn(&File<'_>) -> Identity,
 }
 
@@ -104,24 +104,24 @@ const READERS: [Reader; 26] = [
     plain::READER,
 ];
 
-/// Reads the bytes of a file in any [`Format`], recognised by its content and not by a file name.
+/// Reads the bytes of a file in any [`Format`], which is recognised by its content, not by a file name.
 ///
-/// The file must say everything itself; see [`read_declared`].
+/// The file must contain all information; see [`read_declared`].
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`ReadError`].
+/// Names the place, the value found, the values allowed and the remedy; see [`ReadError`].
 pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
     read_declared(bytes, &Declared::default())
 }
 
-/// Reads the bytes of a file in any [`Format`], with what the caller knows of it.
+/// Reads the bytes of a file in any [`Format`], with the caller's knowledge of it.
 ///
-/// Where a header states the number of samples or their peak, the values must have both. The text
-/// may hold any bytes; those that are not UTF-8 are replaced in titles and refused in numbers.
+/// If a header states the number of samples or their peak, the values must agree. The text may contain any bytes; bytes that are not UTF-8
+/// are replaced in titles and refused in numbers.
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`ReadError`]. Refuses what
-/// neither the file nor the caller says, and what both say differently.
+/// Names the place, the value found, the values allowed and the remedy; see [`ReadError`]. Refuses missing information, and contradictions
+/// between file and caller.
 pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, ReadError> {
     let (text, commas) = commas::with_points(bytes);
     let file = File {
@@ -143,7 +143,7 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
     settled.map_err(|error| damage::located(error, &file))
 }
 
-/// Returns the format that a file is in, by its content; none where that is not known.
+/// Returns the format of a file, by its content; `None` if it is unknown.
 ///
 /// A file of a known format may still be refused when it is read.
 pub fn recognised(bytes: &[u8]) -> Option<Format> {
@@ -152,11 +152,10 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
     reader(&file).ok().map(|reader| reader.format)
 }
 
-/// Returns the names of the components of a file, in their order; none for a file with one that
-/// has no name.
+/// Returns the names of the components of a file, in their order; empty for a single component without a name.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
+/// Refuses a file of an unknown format, and a file whose components are not found; see [`ReadError`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -164,11 +163,11 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
     Ok(names(components))
 }
 
-/// Returns what a file holds, before a component is chosen: its components, how they lie and where their sensors are, and
-/// where and when they were recorded.
+/// Returns the contents of a file before a component is chosen: its components with their directions and sensors, and place and time of the
+/// recording.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
+/// Refuses a file of an unknown format, and a file whose components are not found; see [`ReadError`].
 pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -198,20 +197,20 @@ fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
     components.into_iter().map(|component| component.name).collect()
 }
 
-/// The lines from each at which something begins to the next.
+/// The blocks of lines, each from a line at which `begins` is true to the next.
 fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
     let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
     starts.push(lines.len());
     starts.windows(2).map(|pair| &lines[pair[0]..pair[1]]).collect()
 }
 
-/// For the formats whose files hold one component without a name.
+/// For formats with a single component without a name.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
 fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(Vec::new())
 }
 
-/// For the formats whose files do not say where and when.
+/// For formats without place and time.
 fn no_identity(_: &File<'_>) -> Identity {
     Identity::default()
 }

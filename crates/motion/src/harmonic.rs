@@ -8,8 +8,7 @@ use crate::{Record, RecordError};
 
 /// A harmonic ground acceleration A·sin(2πft + φ), which may rise at its start and fall at its end.
 ///
-/// Between samples the record is linear, so that its amplitude there is less by up to (πfΔt)²/2 of itself: 1.2 % at
-/// twenty samples a period.
+/// Between samples the record is linear. This reduces its amplitude by up to (πfΔt)²/2 of itself: 1.2 % at twenty samples per period.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Harmonic {
     /// Amplitude A \[m/s²\], finite; a negative one shifts by half a period.

@@ -27,9 +27,9 @@
 //! Where to start:
 //!
 //! - [`Record`]: a motion in m/s²; its methods scale, resample, filter, integrate and measure it.
-//! - [`read`], [`Format`] and [`Declared`]: formats of files, and what a caller says of them.
-//! - [`contents`] and [`NamedFile`]: components of a file, places of sensors, and which files belong to one record.
-//! - A format is one file in `src/format`; `src/format.rs` lists all.
+//! - [`read`], [`Format`] and [`Declared`]: formats of files, and information from the caller.
+//! - [`contents`] and [`NamedFile`]: components of a file, places of sensors, and files that belong to a common record.
+//! - A format is a file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
 mod at_rest;

@@ -128,7 +128,7 @@ impl<'a> Iterator for Fields<'a> {
 
 /// Most lines of a text: two for each sample of the longest record. They take 480 MB.
 const MOST: usize = 20_000_000;
-/// The same of a text most lines of which are empty, which is no record: they take more memory than twelve times the text.
+/// Most lines of a text whose lines are mostly empty, which is no record: such lines take more memory than twelve times the text.
 const MOST_EMPTY: usize = 1_000_000;
 
 /// The lines of a text that end in LF, CR LF or CR, without a byte order mark.

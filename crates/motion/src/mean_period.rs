@@ -11,11 +11,11 @@ const BAND: [f64; 2] = [0.25, 20.0];
 const SPACING: f64 = 0.05;
 
 impl Record {
-    /// Returns the mean period Tm = Σ C²/f / Σ C² \[s\] over the Fourier amplitudes C of the samples at frequencies f of 0.25
-    /// to 20 Hz; nothing where these are zero, or so large that their squares are no numbers.
+    /// Returns the mean period Tm = Σ C²/f / Σ C² \[s\] over the Fourier amplitudes C of the samples at frequencies f of 0.25 to 20 Hz.
+    /// `None` if all are zero, or so large that their squares are not finite.
     ///
-    /// Zeros are appended until the frequencies are 0.05 Hz apart or closer. Source: E. M. Rathje, N. A. Abrahamson and J. D.
-    /// Bray, *J. Geotech. Geoenviron. Eng.* 124 (1998) 150. Time grows with the number of samples: 1 ms for 4 000 of them.
+    /// Zeros are appended until the frequencies are at most 0.05 Hz apart. Source: E. M. Rathje, N. A. Abrahamson and J. D. Bray, *J.
+    /// Geotech. Geoenviron. Eng.* 124 (1998) 150. Time grows with the number of samples: 1 ms for 4 000 of them.
     pub fn mean_period(&self) -> Option<f64> {
         let n_least = 1.0 / (SPACING * self.time_step());
         let mut length = self.samples().len().next_power_of_two();

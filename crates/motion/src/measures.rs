@@ -29,7 +29,7 @@ pub struct Measures {
     /// Cumulative absolute velocity ∫|a| dt over the whole record, without threshold \[m/s\] (EPRI report NP-5930,
     /// 1988; the "standardised" one of 1991 leaves out seconds below 0.025 g).
     pub cav: f64,
-    /// When the Arias intensity grows from 5 % to 75 % of its final value; nothing where that is zero or infinite.
+    /// Interval in which the Arias intensity grows from 5 % to 75 % of its final value; `None` if that is zero or infinite.
     pub d5_75: Option<Interval>,
     /// When it grows from 5 % to 95 % (M. D. Trifunac and A. G. Brady, *Bull. Seism. Soc. Am.* 65 (1975) 581).
     pub d5_95: Option<Interval>,

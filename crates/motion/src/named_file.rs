@@ -30,7 +30,7 @@ pub struct NamedFile {
     pub direction: Option<Direction>,
     /// Azimuth, up to 360 \[°\]; or a number that looks like one.
     pub azimuth: Option<u16>,
-    /// What the values are.
+    /// Quantity of the values.
     pub quantity: Option<Quantity>,
     /// Number of the record in PEER's data bases.
     pub rsn: Option<u32>,
@@ -47,9 +47,9 @@ impl NamedFile {
 
     /// Reads the names of one folder together, and keeps their order.
     ///
-    /// Names that differ in one word for a direction are of one record, wherever the word stands. A number is an azimuth only where
-    /// one other is a right angle apart, or a vertical component stands beside it: `r001`, `r002`, `r091` are three records. A letter
-    /// such as `U` is up beside `E` or `N`; letters that count, as in `A`, `B`, `E`, tell nothing.
+    /// Names that differ only in a word for a direction belong to a common record, wherever the word is. A number is an azimuth only if
+    /// another number is a right angle apart, or a vertical component is next to it: `r001`, `r002`, `r091` are three records. A letter
+    /// such as `U` is up next to `E` or `N`; letters that count, as in `A`, `B`, `E`, have no meaning.
     pub fn of_all<N: AsRef<OsStr>>(names: &[N]) -> Vec<Self> {
         let names: Vec<_> = names.iter().map(|name| name.as_ref().to_string_lossy()).collect();
         let places: Vec<Vec<Place>> = names.iter().map(|name| Place::all_of(name)).collect();

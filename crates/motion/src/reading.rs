@@ -5,7 +5,7 @@ use std::fmt;
 /// A `Reading` is one thing that was read of a file, so that nothing is taken silently.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// What it is, such as `unit` or `time step`.
+    /// Name of the reading, such as `unit` or `time step`.
     pub what: &'static str,
     /// Line of the file, from 1; none in binary files and for what was declared or concluded.
     pub line: Option<usize>,

@@ -4,12 +4,11 @@ use crate::{RecordError, error};
 
 /// A time this close to a sample, in time steps, is the time of that sample.
 ///
-/// The quotient of two decimal numbers misses the whole number by a few parts in 10¹⁶ of itself, so
-/// 10⁻⁹ holds for records of some millions of samples and is far below any interval that was
-/// measured.
+/// The quotient of two decimal numbers misses a whole number by a few parts in 10¹⁶. 10⁻⁹ therefore suffices for records of some millions
+/// of samples, and is far below any measured interval.
 const COINCIDENCE: f64 = 1e-9;
 
-/// Largest number of samples that is read, and that resampling and formulas make: 80 MB of them, of which a run keeps some copies.
+/// Largest number of samples, for files, resampling and formulas: 80 MB, in a few copies per run.
 pub(crate) const MAX_SAMPLES: usize = 10_000_000;
 
 /// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
@@ -101,9 +100,9 @@ impl Record {
 
     /// Returns the record sampled every `time_step` \[s\], linear between the samples of this one.
     ///
-    /// Grid points that coincide with a sample take it exactly, so an integer fraction of the step
-    /// changes nothing. A longer step skips peaks, and no filter guards against aliasing. What
-    /// remains after the last grid point inside the record, less than one new step, is dropped.
+    /// Grid points that coincide with a sample take it exactly: an integer fraction of the step changes no value. A longer step skips
+    /// peaks, and no filter prevents aliasing. The rest after the last grid point inside the record, which is shorter than a new step, is
+    /// dropped.
     ///
     /// # Errors
     /// Refuses a time step that is not finite and above zero, or that needs more than 10⁷ samples.

@@ -49,7 +49,7 @@ fn is(known: &str, word: &str) -> bool {
 }
 
 impl Site {
-    /// What is unusual of a place that is not the ground.
+    /// The warning for a place that is not the ground.
     pub(crate) fn off_the_ground(&self) -> Option<Unusual> {
         match self {
             Self::Ground => None,

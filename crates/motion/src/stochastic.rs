@@ -24,10 +24,9 @@ const MOST_PRODUCTS: f64 = 1e10;
 /// give the same bits on every machine; a shorter time step that divides the duration samples the same motion, before it
 /// is brought to rest and scaled to a peak.
 ///
-/// The high-pass filter alone does not bring the ground to rest at the end: an envelope that comes and goes within few
-/// of its periods leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore taken
-/// away such that velocity and displacement end at zero. That weakens the motion at periods above the
-/// strong shaking's duration.
+/// The high-pass filter alone does not bring the ground to rest at the end. An envelope that comes and goes within few periods of the
+/// filter leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore subtracted, such that velocity and
+/// displacement end at zero. This weakens the motion at periods above the duration of the strong shaking.
 ///
 /// Time grows with samples times terms: 0.03 s for 40 s at 0.005 s up to 25 Hz.
 #[derive(Debug, Clone, PartialEq)]

@@ -68,7 +68,7 @@ impl AccelerationUnit {
         }
     }
 
-    /// What one of this unit is in another one, with the standard g of 9.80665 m/s².
+    /// Value of this unit in another unit, with the standard g of 9.80665 m/s².
     pub fn worth_in(self, other: Self) -> f64 {
         if self == other {
             return 1.0;

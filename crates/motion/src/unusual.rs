@@ -13,10 +13,10 @@ const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
 /// Peaks of records that are chosen for buildings \[g\]. A weaker one in a unit that is declared is held against other units.
 const CHOSEN_PEAKS: RangeInclusive<f64> = 0.1..=1.5;
 
-/// Part of the peak that resampling may take without a word.
+/// Part of the peak that resampling may remove silently.
 const USUAL_LOSS: f64 = 1e-3;
 
-/// Part by which a peak may differ from that of the header without a word.
+/// Relative difference of a peak from that of the header that is accepted silently.
 const USUAL_DIFFERENCE: f64 = 0.05;
 
 /// An `Unusual` is something that looks wrong in a file and can yet be right.
@@ -81,12 +81,12 @@ pub enum Unusual {
     },
     /// Values that are declared to be accelerations, where the file speaks for velocities.
     Velocity {
-        /// What the file says.
+        /// Text of the file.
         found: String,
     },
     /// A sensor in a borehole or on a structure.
     OffTheGround {
-        /// What the file says of its place.
+        /// Text of the file about its place.
         found: String,
     },
 }
@@ -95,7 +95,7 @@ impl Unusual {
     /// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
     pub const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
 
-    /// What looks wrong of the time step \[s\] and the peak \[g\] of a record; that it is zero is told elsewhere.
+    /// Unusual time step \[s\] and peak \[g\] of a record. A zero peak is reported elsewhere.
     pub(crate) fn of_record(time_step: f64, peak: f64) -> impl Iterator<Item = Self> {
         let step = (!USUAL_STEPS.contains(&time_step)).then_some(Self::TimeStep { found: time_step });
         let is_usual = Self::USUAL_PEAKS.contains(&peak) || peak <= 0.0;
@@ -103,7 +103,7 @@ impl Unusual {
         step.into_iter().chain(peak)
     }
 
-    /// What a declared unit makes of the values, if the peak \[g\] is weak and usual of strong motion in another unit.
+    /// Warning about a declared unit if the peak \[g\] is weak, but usual for strong motion in another unit.
     pub(crate) fn of_unit(declared: AccelerationUnit, peak: f64) -> Option<Self> {
         let is_weak = (*Self::USUAL_PEAKS.start()..*CHOSEN_PEAKS.start()).contains(&peak);
         // The plain units: thousandths and tenths of g are no slip.
@@ -119,7 +119,7 @@ impl Unusual {
         })
     }
 
-    /// What resampling took off the peak, if that is much.
+    /// Warning if resampling removed much of the peak.
     pub(crate) fn of_resampling(lost: f64) -> Option<Self> {
         (lost > USUAL_LOSS).then_some(Self::Resampled { lost })
     }

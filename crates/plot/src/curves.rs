@@ -1,4 +1,4 @@
-//! What a curve looks like, in its panel and in a legend.
+//! Appearance of a curve, in its panel and in a legend.
 
 use super::clip::{self, Box2};
 use super::scale::Frame;
@@ -10,7 +10,7 @@ const LINE: f64 = 1.05;
 /// Width of a thin curve and of the outline of an area in points.
 const THIN: f64 = 0.65;
 
-/// How much an area hides what lies behind it.
+/// Opacity of an area.
 const OPACITY: f64 = 0.5;
 
 /// Draws a curve in its panel.
@@ -38,7 +38,7 @@ fn marked(curve: &Curve, at: Point) -> Vec<Shape> {
         .map_or_else(Vec::new, |mark| marks::shapes(mark, at, curve.shade))
 }
 
-/// Returns points of the curve on the paper, close enough to each other to tell what a box would hide.
+/// Returns points of the curve on the paper, dense enough to find what a box would hide.
 pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
     let placed = |&point: &Point| frame.place(point);
     let points: Vec<Point> = match curve.kind {
@@ -133,7 +133,7 @@ fn stem(curve: &Curve, (x, y): (f64, f64), frame: &Frame) -> Vec<Shape> {
     let (foot, head) = ((frame.across(x), frame.base()), frame.place((x, y)));
     let cut = (head.0, head.1.clamp(bottom, top));
     let mut shapes = vec![Shape::line(foot, cut, pen(curve))];
-    // A head at the edge would claim that the value ends there.
+    // A head at the edge would suggest that the value ends there.
     if clip::contains(frame.edges, head) {
         shapes.extend(marked(curve, head));
     }
@@ -174,7 +174,7 @@ fn bars(curve: &Curve, frame: &Frame) -> impl Iterator<Item = (Point, Point)> {
         .map(|piece| (piece[0], piece[1]))
 }
 
-/// Draws a bar; one without length is a stroke.
+/// Draws a bar; a bar without length is a stroke.
 fn bar(((left, middle), (right, _)): (Point, Point), shade: Shade) -> Shape {
     Shape::Rectangle {
         corner: (left, middle - marks::TALL / 2.0),

@@ -1,4 +1,4 @@
-//! Lines cut into dashes, which plotters does not do on an SVG.
+//! Lines split into dashes, which plotters does not do in an SVG.
 
 use super::Point;
 

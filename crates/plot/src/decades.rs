@@ -11,11 +11,11 @@ const FEW: usize = 3;
 /// Least length of a decade that is divided \[mm\].
 const DIVIDED: f64 = 8.0;
 
-/// Chooses the ticks of a range of positive numbers, and where short ones stand between them.
+/// Chooses the ticks of a range of positive numbers, and the places of short ticks between them.
 ///
-/// Decades are written, as many as `fit`; where there are fewer than three, 1, 2 and 5 of each; and in a range
-/// with hardly a decade, what a linear axis would have. Between decades 2 to 9 get short ticks if a decade is long
-/// enough \[mm\]; between every second or third, the others do.
+/// Decades get labels, as many as `fit`. A range with fewer than three decades has labels at 1, 2 and 5 of each, and a range with hardly a
+/// decade has those of a linear axis. Between decades, 2 to 9 get short ticks if a decade is long enough \[mm\]. If only every second or
+/// third decade has a label, the others get short ticks.
 pub(super) fn choose(range: (f64, f64), decade: f64, fit: impl Fn(&[Tick]) -> bool) -> (Vec<Tick>, Vec<f64>) {
     let (first, last) = (exponent(range.0, f64::ceil), exponent(range.1, f64::floor));
     let decades: Vec<i32> = (first..=last).collect();
@@ -48,7 +48,7 @@ pub(super) fn choose(range: (f64, f64), decade: f64, fit: impl Fn(&[Tick]) -> bo
     (chosen, Vec::new())
 }
 
-/// Returns the decade beside a number; one that the number meets but for its last digits counts as met.
+/// Returns the decade next to a number. A number within rounding of a decade counts as this decade.
 #[expect(clippy::cast_possible_truncation, reason = "finite numbers have small exponents")]
 fn exponent(value: f64, round: fn(f64) -> f64) -> i32 {
     let exponent = libm::log10(value);
@@ -76,7 +76,7 @@ fn digits((from, to): (f64, f64)) -> (Vec<Tick>, Vec<f64>) {
     for n in first..=last {
         for digit in 1..=9 {
             let value = ticks::decimal(digit, n);
-            // The ends of an axis may be off by rounding.
+            // The ends of an axis may have rounding errors.
             if value < from * (1.0 - 1e-9) || to * (1.0 + 1e-9) < value {
                 continue;
             }

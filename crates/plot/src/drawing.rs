@@ -12,11 +12,11 @@ pub struct Drawing {
     pub width: f64,
     /// Height of the paper \[mm\].
     pub height: f64,
-    /// What is on it, from back to front.
+    /// The shapes, from back to front.
     pub shapes: Vec<Shape>,
 }
 
-/// A pen is how a line looks.
+/// A pen is the appearance of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
     /// Colour.
@@ -28,7 +28,7 @@ pub struct Pen {
 }
 
 impl Pen {
-    /// Returns the pen of an unbroken line of that width in points.
+    /// Returns the pen of an unbroken line with this width in points.
     pub const fn solid(shade: Shade, points: f64) -> Self {
         Self {
             shade,
@@ -37,7 +37,7 @@ impl Pen {
         }
     }
 
-    /// Returns the pen of a dashed line of that width in points.
+    /// Returns the pen of a dashed line with this width in points.
     pub const fn dashed(shade: Shade, points: f64) -> Self {
         Self {
             shade,
@@ -47,23 +47,23 @@ impl Pen {
     }
 }
 
-/// A fill is how the inside of a shape looks.
+/// A fill is the appearance of the inside of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fill {
     /// Colour.
     pub shade: Shade,
-    /// How much it hides what lies behind, 0 to 1.
+    /// Opacity, 0 to 1.
     pub opacity: f64,
 }
 
 impl Fill {
-    /// Returns a fill that hides what lies behind.
+    /// Returns an opaque fill.
     pub const fn solid(shade: Shade) -> Self {
         Self { shade, opacity: 1.0 }
     }
 }
 
-/// The part of a text that stands at its point, along the line of writing.
+/// The part of a text that is at its point, along the line of writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Align {
     /// The first letter.
@@ -74,7 +74,7 @@ pub enum Align {
     End,
 }
 
-/// A shape is one thing on the paper. Lengths are in millimetres.
+/// A shape is an element on the paper. Lengths are in millimetres.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
     /// A rectangle, filled or outlined or both.
@@ -112,27 +112,27 @@ pub enum Shape {
     Line {
         /// The points in order.
         points: Vec<Point>,
-        /// How it looks.
+        /// Appearance of the line.
         pen: Pen,
     },
-    /// A straight line with a head at both ends, as on a dimension.
+    /// A straight line with a head at both ends, as in a dimension.
     Arrow {
         /// One end.
         from: Point,
         /// The other end.
         to: Point,
-        /// How the shaft looks; the heads have the same colour.
+        /// Appearance of the shaft; the heads have the same colour.
         pen: Pen,
     },
-    /// One line of text; the middle of its capital letters is at the height of `at`.
+    /// A line of text; the middle of its capital letters is at the height of `at`.
     Text {
-        /// Where.
+        /// Position.
         at: Point,
-        /// What.
+        /// The text.
         text: String,
         /// Size in points.
         points: f64,
-        /// Which part of the text stands at `at`.
+        /// Part of the text that is at `at`.
         align: Align,
         /// Whether it is written upwards.
         upright: bool,

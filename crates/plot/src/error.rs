@@ -1,6 +1,6 @@
-//! What can be wrong with a picture.
+//! Errors of pictures.
 
-/// A picture cannot be drawn; each variant is one thing that its author can put right.
+/// A picture cannot be drawn. Each variant is a fault that its author can correct.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlotError {
     /// A figure has no panel, or no column to put panels in.
@@ -9,9 +9,9 @@ pub enum PlotError {
     /// The paper is too small to hold the panels, or not between 1 mm and 2 m wide and high.
     #[error("{width_mm} mm × {height_mm} mm is no size that the picture fits in: make it larger or show less")]
     Size {
-        /// Width asked for \[mm\].
+        /// Requested width \[mm\].
         width_mm: f64,
-        /// Height asked for \[mm\].
+        /// Requested height \[mm\].
         height_mm: f64,
     },
     /// The weights of the panels are not all positive numbers.
@@ -32,8 +32,7 @@ pub enum PlotError {
         /// Index of the point in its curve, from 0.
         point: usize,
     },
-    /// A marker, reference line or note of a panel is not at finite numbers, or not at positive ones along a logarithmic
-    /// axis.
+    /// A marker, reference line or note of a panel is at a non-finite number, or at a number ≤ 0 along a logarithmic axis.
     #[error(
         "panel {panel} has a marker, a level or a note at a number that is not finite, or not positive along a \
          logarithmic axis"
@@ -42,8 +41,7 @@ pub enum PlotError {
         /// Index of the panel, from 0.
         panel: usize,
     },
-    /// An axis cannot span this range: its ends must be finite, in order, far enough apart to be told from each other,
-    /// and positive if it is logarithmic.
+    /// An axis cannot span this range. Its ends must be finite, in order, sufficiently different, and positive if the axis is logarithmic.
     #[error("axis `{axis}` cannot run from {from} to {to}")]
     Range {
         /// Label of the axis.
@@ -73,10 +71,10 @@ pub enum PlotError {
         /// The whole text.
         text: String,
     },
-    /// The picture was understood but the renderer refused it: a mistake of ours.
+    /// The renderer refused a valid picture: a fault of this crate.
     #[error("the renderer refused the picture at the stage `{stage}`")]
     Renderer {
-        /// Which step of rendering.
+        /// The failed step of rendering.
         stage: &'static str,
     },
 }

@@ -1,19 +1,19 @@
-//! What a figure shows, as plain data.
+//! The contents of a figure, as plain data.
 
 use super::Shade;
 
-/// A figure is a stack of panels over one x axis, or a grid of panels.
+/// A figure is a stack of panels over a common x axis, or a grid of panels.
 ///
-/// Panels fill the rows from left to right, `columns` to a row. A panel without an x axis of its own shares
-/// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only. A panel whose y axis has no label
-/// and equals that of its left neighbour shares it in the same way.
+/// Panels fill the rows from left to right, `columns` per row. A panel without a separate x axis shares [`Figure::x`]; the numbers of a
+/// shared axis are below the lowest panel only. A panel whose y axis has no label and equals that of its left neighbour shares it in the
+/// same way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// Height on paper \[inch\].
     pub height_in: f64,
-    /// How many panels stand side by side.
+    /// Number of panels per row.
     pub columns: usize,
-    /// The x axis of all panels that have none of their own.
+    /// The x axis of all panels without a separate x axis.
     pub x: Axis,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
@@ -30,14 +30,14 @@ impl Default for Figure {
     }
 }
 
-/// An axis is a label with its unit, the range shown, and how values take its length.
+/// An axis has a label with its unit, a range, and a scale.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Axis {
     /// Quantity and unit, as in `Time (s)`; may be empty.
     pub label: String,
-    /// Lowest and highest value shown; `None` takes them from the data.
+    /// Lowest and highest value; `None` takes them from the data.
     pub range: Option<(f64, f64)>,
-    /// How values take its length.
+    /// Mapping from values to the length of the axis.
     pub scale: Scale,
 }
 
@@ -73,7 +73,7 @@ impl Axis {
     }
 }
 
-/// How values take the length of an axis.
+/// Mapping from values to the length of an axis.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Scale {
     /// Equal differences take equal lengths.
@@ -81,14 +81,14 @@ pub enum Scale {
     Linear,
     /// Equal ratios take equal lengths; every value must be positive.
     Log,
-    /// Names at 0, 1, 2 and so on, from the left or from the top; all are shown, whatever the range asked for.
+    /// Names at 0, 1, 2 and so on, from the left or from the top; all are shown, whatever the requested range.
     Names(Vec<String>),
 }
 
-/// A panel is one plot of a figure.
+/// A panel is a single plot of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// Written above, at the left; may be empty.
+    /// Title above the panel, at the left; may be empty.
     pub title: String,
     /// The x axis, if it is not that of the figure.
     pub x: Option<Axis>,
@@ -100,11 +100,11 @@ pub struct Panel {
     pub markers: Vec<f64>,
     /// Values of y marked by thin dark lines through the panel.
     pub levels: Vec<f64>,
-    /// Texts beside points.
+    /// Texts next to points.
     pub notes: Vec<Note>,
-    /// Where the labels of the curves are explained.
+    /// Place of the legend of its curves.
     pub legend: Legend,
-    /// Height in comparison with the other panels of the column; positive.
+    /// Height relative to the other panels of the column; positive.
     pub weight: f64,
 }
 
@@ -124,32 +124,31 @@ impl Default for Panel {
     }
 }
 
-/// Where the legend of a panel stands. Only curves with a label enter it.
+/// Place of the legend of a panel. Only curves with a label enter it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Legend {
     /// In rows above the panel, where it hides nothing.
     Above,
-    /// Inside, in the corner with the least to hide.
+    /// Inside, in the corner where it hides least.
     Inside,
-    /// Above all panels, together with the other panels that say so; equal labels are explained once.
+    /// Above all panels, together with other panels that choose this; equal labels appear once.
     Shared,
-    /// Nowhere.
+    /// No legend.
     Hidden,
 }
 
-/// A curve is a list of points and how they are shown.
+/// A curve is a list of points and their appearance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Name in the legend, if any.
     pub label: Option<String>,
     /// The points, in the units of the axes; all must be finite, and positive on a logarithmic axis.
     pub points: Vec<(f64, f64)>,
-    /// How they are shown.
+    /// Appearance of the points.
     pub kind: Kind,
     /// Colour.
     pub shade: Shade,
-    /// What stands at every point; lines have nothing there without one, [`Kind::Points`] and [`Kind::Stems`] the
-    /// form of their shade.
+    /// Mark at every point. `None` is no mark for lines; for [`Kind::Points`] and [`Kind::Stems`] it is the mark of the shade.
     pub mark: Option<Mark>,
 }
 
@@ -187,7 +186,7 @@ impl Curve {
     }
 }
 
-/// How the points of a curve are shown.
+/// Appearance of the points of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Joined by a line.
@@ -200,13 +199,13 @@ pub enum Kind {
     Stems,
     /// Joined by a line, and filled down to zero; stretches at zero stay empty.
     Area,
-    /// Each by itself.
+    /// Separate points.
     Points,
-    /// Two and two the ends of a broad horizontal bar; see [`Curve::bars`].
+    /// Pairs of points are the ends of broad horizontal bars; see [`Curve::bars`].
     Bars,
 }
 
-/// What stands at a point.
+/// Mark at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// A filled circle.
@@ -233,28 +232,28 @@ pub enum Mark {
     Stroke,
 }
 
-/// A note is a text beside a point of a panel: to its right, or on the first side where it hides less.
+/// A note is a text next to a point of a panel: to its right, or on the first side where it hides less.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
     /// The point, in the units of the axes.
     pub at: (f64, f64),
-    /// What is written.
+    /// The text.
     pub text: String,
 }
 
 impl Note {
-    /// Returns a note beside a point.
+    /// Returns a note next to a point.
     pub fn new(at: (f64, f64), text: impl Into<String>) -> Self {
         Self { at, text: text.into() }
     }
 }
 
-/// More lines through a panel than this would hide its curves.
+/// Most marker lines in a panel: more would hide its curves.
 const MOST_MARKERS: usize = 60;
-/// Impacts closer than this are one meeting and get one line \[s\].
+/// Impacts closer than this share a line \[s\].
 const SAME_MEETING: f64 = 0.04;
 
-/// Where lines through panels mark impacts that start at these instants \[s\]; nowhere if they were too many.
+/// Places of lines through panels that mark impacts starting at these instants \[s\]; empty if there are too many.
 pub fn sparse_markers(mut starts: Vec<f64>) -> Vec<f64> {
     starts.sort_by(f64::total_cmp);
     starts.dedup_by(|later, earlier| *later - *earlier < SAME_MEETING);

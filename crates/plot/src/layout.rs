@@ -1,4 +1,4 @@
-//! Where the panels of a figure stand.
+//! Positions of the panels of a figure.
 
 use super::panel::{FOOT, LABEL_LINE, LABEL_POINTS, OVERHANG, Plot, RIGHT, TICK, TITLE};
 use super::ruler::{Ruler, TICK_POINTS};
@@ -11,16 +11,16 @@ const WIDTH: f64 = 7.0 * 25.4;
 /// Free margin around a figure \[mm\].
 const MARGIN: f64 = 1.2;
 
-/// Room above a panel that has nothing there \[mm\].
+/// Room above a panel without a title or legend \[mm\].
 const TOP: f64 = 1.4;
 
-/// Distance of rows, beside what is written above and below them \[mm\].
+/// Distance of rows, in addition to the text above and below them \[mm\].
 const ROW_SPACE: f64 = 2.2;
 
 /// Distance of columns \[mm\].
 const COLUMN_SPACE: f64 = 4.0;
 
-/// Room taken left of a panel as long as its numbers are not known \[mm\].
+/// Room left of a panel whose numbers are not known yet \[mm\].
 const USUAL_GUTTER: f64 = 14.0;
 
 /// Least width and height of a panel worth drawing \[mm\].
@@ -33,11 +33,11 @@ struct Cell<'a> {
     ranges: (Range, Range),
     row: usize,
     column: usize,
-    /// Whether the numbers of its axes are written.
+    /// Whether the axes have numbers.
     numbered: (bool, bool),
 }
 
-/// A band is the height that a row has for its panels, and where that starts \[mm\].
+/// A band is the height of the panels of a row, and its start \[mm\].
 struct Band {
     bottom: f64,
     height: f64,
@@ -63,7 +63,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
     let ruler = |cell: &Cell<'_>| Ruler::up(&cell.panel.y, cell.ranges.1, bands[cell.row].height);
     let rulers: Vec<Ruler> = cells.iter().map(ruler).collect();
     let columns = columns(&cells, &rulers, &bands, figure.columns);
-    // A legend that is too wide to start at the axis starts further left.
+    // A legend that is too wide starts further left than the axis.
     let left = columns[0].left.min(WIDTH - MARGIN - shared.width());
     let mut shapes = shared.shapes((left, height - MARGIN));
     for (cell, y_ruler) in cells.iter().zip(rulers) {
@@ -105,7 +105,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
     })
 }
 
-/// Refuses what cannot be laid out.
+/// Refuses figures that cannot be laid out.
 fn check(figure: &Figure) -> Result<(), PlotError> {
     if figure.panels.is_empty() || figure.columns == 0 {
         return Err(PlotError::NoPanel);
@@ -138,12 +138,12 @@ fn check(figure: &Figure) -> Result<(), PlotError> {
     Ok(())
 }
 
-/// Tells whether a value can stand on an axis.
+/// Whether a value can be on an axis.
 fn fits(axis: &Axis, value: f64) -> bool {
     value.is_finite() && (value > 0.0 || axis.scale != Scale::Log)
 }
 
-/// Refuses texts that would run into a neighbour of a panel of a width.
+/// Refuses texts that would overlap a neighbour of a panel with this width.
 fn check_texts(cell: &Cell<'_>, width: f64) -> Result<(), PlotError> {
     let room = width + RIGHT + COLUMN_SPACE;
     let written = |text| (text, text::width(text, LABEL_POINTS));
@@ -171,7 +171,7 @@ fn cells(figure: &Figure) -> Result<Vec<Cell<'_>>, PlotError> {
             None => x_range(axis, &sharing)?,
         };
         let y = y_range(panel)?;
-        // Numbers are left out only where the panel below repeats them, or the panel to the left has them.
+        // Numbers are omitted only if the panel below, or the panel to the left, has them.
         let below = panels.get(index + figure.columns);
         let footed = panel.x.is_some() || below.is_none_or(|below| below.x.is_some());
         let beside = cells.last().filter(|_| column > 0 && panel.y.label.is_empty());
@@ -196,7 +196,7 @@ fn names_width(axis: &Axis) -> f64 {
     }
 }
 
-/// Divides the height among the rows by their weights, after what is written above and below them.
+/// Divides the height among the rows by their weights, after subtracting the text above and below them.
 fn bands(cells: &[Cell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
     let rows = cells.last().map_or(0, |cell| cell.row + 1);
     let most =
@@ -219,7 +219,7 @@ fn bands(cells: &[Cell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
     bands
 }
 
-/// Divides the width among the columns so that all panels are equally wide, after what is written left of them.
+/// Divides the width among the columns, after subtracting the text to the left of them. All panels are equally wide.
 fn columns(cells: &[Cell<'_>], rulers: &[Ruler], bands: &[Band], n: usize) -> Vec<Column> {
     let gutters: Vec<f64> = (0..n)
         .map(|column| {

@@ -1,4 +1,4 @@
-//! The explanation of the curves of a panel.
+//! The legend of a panel.
 
 use super::scale::Frame;
 use super::text::{self, MM_PER_POINT};
@@ -42,7 +42,7 @@ pub(super) fn height(panel: &Panel, width: f64) -> f64 {
     ROW * count(rows)
 }
 
-/// Draws the legend of a panel above or inside; `width` is what its rows may take.
+/// Draws the legend of a panel, above or inside; `width` is the room for its rows.
 pub(super) fn shapes(panel: &Panel, frame: &Frame, width: f64) -> Vec<Shape> {
     match panel.legend {
         Legend::Above => above(panel, frame, width),
@@ -53,7 +53,7 @@ pub(super) fn shapes(panel: &Panel, frame: &Frame, width: f64) -> Vec<Shape> {
 
 /// A legend above all panels of a figure.
 pub(super) struct Shared<'a> {
-    /// The columns of entries; as many in each, but for the last.
+    /// The columns of entries; all have equal length, except the last.
     columns: Vec<Vec<(&'a Curve, &'a str)>>,
 }
 
@@ -143,7 +143,7 @@ fn rows(panel: &Panel, width: f64) -> Vec<Vec<Entry<'_>>> {
     rows
 }
 
-/// Draws the entries under each other on nearly white paper, in the corner where that hides least.
+/// Draws the entries below each other on nearly white paper, in the corner where this hides least.
 fn inside(panel: &Panel, frame: &Frame) -> Vec<Shape> {
     let entries: Vec<(&Curve, &str)> = labelled(panel).collect();
     if entries.is_empty() {
@@ -168,13 +168,13 @@ fn inside(panel: &Panel, frame: &Frame) -> Vec<Shape> {
     shapes
 }
 
-/// Returns the lower left corner of the box that hides the fewest points; of equals, the upper right one.
+/// Returns the lower left corner of the box that hides the fewest points; of equal boxes, the upper right one.
 fn emptiest(panel: &Panel, frame: &Frame, (width, height): Point) -> Point {
     let ((left, bottom), (right, top)) = frame.edges;
     let (near, far) = (left + MARGIN, right - MARGIN - width);
     let (low, high) = (bottom + MARGIN, top - MARGIN - height);
     let mut points: Vec<Point> = panel.curves.iter().flat_map(|curve| curves::traces(curve, frame)).collect();
-    // A note counts for much: a hidden word is worse than a hidden stretch of curve.
+    // A note has a large weight: a hidden word is worse than a hidden piece of a curve.
     points.extend(panel.notes.iter().flat_map(|note| [frame.place(note.at); 20]));
     let hidden = |&(x, y): &Point| {
         let near = ((x - MARGIN, y - MARGIN), (x + width + MARGIN, y + height + MARGIN));

@@ -1,9 +1,8 @@
-//! Figures of print quality, described as plain data and drawn the same on every run.
+//! Figures of print quality, described as plain data and identical in every run.
 //!
-//! A [`Figure`] says what to show: panels with curves, marks, notes, and axes that are linear, logarithmic or of names.
-//! A [`Drawing`] says where every line and letter goes, in millimetres; schematic pictures are written as one directly.
-//! Both are a [`Picture`], and both end in [`render_png`] or [`render_both`]. A figure is laid out into a drawing, so there is one way
-//! to paper only.
+//! A [`Figure`] describes the contents: panels with curves, marks, notes, and axes that are linear, logarithmic or of names. A [`Drawing`]
+//! gives the position of every line and letter in millimetres; schematic pictures are drawings from the start. Both are a [`Picture`] for
+//! [`render_png`] or [`render_both`]. A figure is laid out into a drawing, so that there is only one way to paper.
 //!
 //! ```
 //! use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade, render_png};
@@ -22,12 +21,12 @@
 //! # Ok::<(), pounding_plot::PlotError>(())
 //! ```
 //!
-//! Quantities arrive in the units of their axis: this crate converts nothing and knows no mechanics.
-//! The one font is bundled, so no font of the machine is ever read.
+//! Quantities are in the units of their axis: this crate converts nothing and knows no mechanics. The only font is bundled; no font of the
+//! machine is read.
 //!
-//! Left out on purpose: second y axes, colour maps, interactivity. `pounding-report` decides which figures a run gets.
+//! Not in this crate: second y axes, colour maps, interactivity. `pounding-report` chooses the figures of a run.
 //!
-//! Where to start: [`Figure`] and [`Panel`], which are all fields; [`Drawing`] and [`Shape`] for a schematic; [`PlotError`] for all
+//! Where to start: [`Figure`] and [`Panel`], which consist of fields; [`Drawing`] and [`Shape`] for a schematic; [`PlotError`] for all
 //! reasons of a refusal.
 
 mod clip;
@@ -59,13 +58,13 @@ pub use error::PlotError;
 pub use figure::{Axis, Curve, Figure, Kind, Legend, Mark, Note, Panel, Scale, sparse_markers};
 pub use shade::Shade;
 
-/// A picture is anything that can say where each of its lines and letters goes.
+/// A picture gives the position of each of its lines and letters.
 pub trait Picture {
     /// Returns the picture as primitives in millimetres.
     ///
     /// # Errors
     ///
-    /// What the picture describes cannot be drawn: see [`PlotError`].
+    /// [`PlotError`] if the picture cannot be drawn.
     fn drawing(&self) -> Result<Cow<'_, Drawing>, PlotError>;
 }
 
@@ -81,28 +80,28 @@ impl Picture for Figure {
     }
 }
 
-/// Renders a picture as a PNG of 300 dots per inch, eight bits per colour, on white.
+/// Renders a picture as a PNG with 300 dots per inch, eight bits per colour, on white.
 ///
 /// # Errors
 ///
-/// What the picture describes cannot be drawn: see [`PlotError`].
+/// [`PlotError`] if the picture cannot be drawn.
 pub fn render_png(picture: &impl Picture) -> Result<Vec<u8>, PlotError> {
     raster::png(&page::svg(&*picture.drawing()?)?)
 }
 
-/// Renders a picture as SVG and as the same PNG as [`render_png`].
+/// Renders a picture as SVG and as the PNG of [`render_png`].
 ///
-/// The letters of the SVG are outlines, so that it looks the same where the font is not at hand.
+/// The letters of the SVG are outlines, so that it looks the same without the font.
 ///
 /// # Errors
 ///
-/// What the picture describes cannot be drawn: see [`PlotError`].
+/// [`PlotError`] if the picture cannot be drawn.
 pub fn render_both(picture: &impl Picture) -> Result<(String, Vec<u8>), PlotError> {
     let svg = page::svg(&*picture.drawing()?)?;
     Ok((raster::outlined(&svg)?, raster::png(&svg)?))
 }
 
-/// The text with a question mark for what the bundled font does not have.
+/// The text with a question mark for each character that the bundled font lacks.
 pub fn writable(text: &str) -> String {
     let known = |character| {
         if text::covered(character) { character } else { '?' }

@@ -12,7 +12,7 @@ const STROKE: f64 = 0.9;
 pub(super) const TALL: f64 = 3.2;
 
 impl Mark {
-    /// Returns the mark of a shade where none is asked for: it tells points apart even in grey.
+    /// Returns the default mark of a shade, which distinguishes points even in grey.
     pub(super) fn of(shade: Shade) -> Self {
         match shade {
             Shade::Vermilion => Self::Square,

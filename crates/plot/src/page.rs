@@ -3,7 +3,7 @@
 //! Plotters counts in whole units, so the canvas is large: a hundred units to the millimetre.
 //! Nothing outside this file and `text.rs` knows plotters.
 //!
-//! The bitmap backend and the charts of plotters are not used: whole pixels, letters badly spaced.
+//! The bitmap backend and the charts of plotters are not used: they have whole pixels and bad letter spacing.
 
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -15,22 +15,22 @@ use super::{Align, Drawing, Fill, Pen, PlotError, Point, Shade, Shape, dash, tex
 /// Units of the canvas in a millimetre.
 const UNITS: f64 = 100.0;
 
-/// Plotters divides the size of text by this before writing it.
+/// Plotters divides the size of text by this number.
 const TEXT_SIZE: f64 = 1.24;
 
-/// Plotters puts the middle of text this much above its baseline, as a part of the size.
+/// Plotters puts the middle of text this far above its baseline, as a part of the size.
 const MIDDLE: f64 = 0.25;
 
 /// Length and half width of the head of an arrow, in widths of the line.
 const HEAD: (f64, f64) = (7.0, 2.6);
 
-/// Draws a picture as an SVG whose letters still need the bundled font.
+/// Draws a picture as an SVG whose letters need the bundled font.
 pub(super) fn svg(drawing: &Drawing) -> Result<String, PlotError> {
     text::check(drawing)?;
     unchecked(drawing)
 }
 
-/// Draws a picture, whatever characters it holds.
+/// Draws a picture with any characters.
 pub(super) fn unchecked(drawing: &Drawing) -> Result<String, PlotError> {
     let (width_mm, height_mm) = (drawing.width, drawing.height);
     let sound = |length: f64| (1.0..=2000.0).contains(&length);
@@ -52,10 +52,10 @@ pub(super) fn unchecked(drawing: &Drawing) -> Result<String, PlotError> {
     Ok(with_header(&written, drawing))
 }
 
-/// The error of a canvas in memory, which cannot fail.
+/// The error of a canvas in memory, which cannot occur.
 const REFUSED: PlotError = PlotError::Renderer { stage: "SVG" };
 
-/// Gives the large canvas its size on paper; lines meet in round corners, so that spikes stay spikes.
+/// Sets the size of the large canvas on paper; lines meet in round corners, so that spikes stay spikes.
 fn with_header(written: &str, drawing: &Drawing) -> String {
     let body = written.split_once('>').map_or("", |(_, body)| body);
     let (width, height) = (drawing.width, drawing.height);
@@ -66,7 +66,7 @@ fn with_header(written: &str, drawing: &Drawing) -> String {
     )
 }
 
-/// Tells whether all of a shape is at finite places on the paper or not far off.
+/// Whether all of a shape is at finite positions on the paper or close to it.
 fn on_paper(drawing: &Drawing, shape: &Shape) -> bool {
     let reach = 10.0 * drawing.width.max(drawing.height);
     let near = |&(x, y): &Point| x.abs() <= reach && y.abs() <= reach;
@@ -184,7 +184,7 @@ impl Page<'_> {
         self.canvas.fill_polygon(corners, &inside(fill)).map_err(|_| REFUSED)
     }
 
-    /// Draws a line around corners, and on to the second, so that it closes with a corner.
+    /// Draws a line around corners, and on to the second corner, so that it closes with a corner.
     fn outline(&mut self, corners: &[Point], pen: Pen) -> Result<(), PlotError> {
         let points = corners.iter().chain(corners.iter().take(2));
         self.line(&points.copied().collect::<Vec<_>>(), pen)
@@ -217,14 +217,14 @@ impl Page<'_> {
         self.line(&[start, end], pen)
     }
 
-    /// Draws a head that points in a direction of length 1; returns where its shaft ends.
+    /// Draws a head in a direction of length 1; returns the end of its shaft.
     fn head(&mut self, tip: Point, (dx, dy): Point, pen: Pen) -> Result<Point, PlotError> {
         let width = pen.points * MM_PER_POINT;
         let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
         let neck = (tip.0 - long * dx, tip.1 - long * dy);
         let sides = [(neck.0 - wide * dy, neck.1 + wide * dx), (neck.0 + wide * dy, neck.1 - wide * dx)];
         self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
-        // The shaft ends inside the head, or its square end would blunt the tip.
+        // The shaft ends inside the head; otherwise its square end would blunt the tip.
         Ok((tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy))
     }
 
@@ -241,7 +241,7 @@ impl Page<'_> {
             return Ok(());
         };
         let em = points * MM_PER_POINT;
-        // From the middle of a plotters text to the middle of its capital letters, downwards.
+        // From the middle of a plotters text down to the middle of its capital letters.
         let drop = (CAPITAL / 2.0 - MIDDLE) * em;
         let (at, turn) = if *upright {
             ((at.0 + drop, at.1), FontTransform::Rotate270)

@@ -1,4 +1,4 @@
-//! One panel on the paper.
+//! A panel on the paper.
 
 use super::clip::{self, Box2};
 use super::marks::SIZE;
@@ -27,7 +27,7 @@ pub(super) const TITLE: f64 = 5.0;
 /// Room below a panel for numbers, and more for the label \[mm\].
 pub(super) const FOOT: (f64, f64) = (4.8, 4.6);
 
-/// How much longer than its panel the label of a y axis may be \[mm\].
+/// Largest excess length of the label of a y axis over its panel \[mm\].
 pub(super) const OVERHANG: f64 = 3.0;
 
 const AXIS: Pen = Pen::solid(Shade::Ink, 0.7);
@@ -49,16 +49,16 @@ pub(super) struct Plot<'a> {
     pub(super) x: &'a Axis,
     pub(super) x_ruler: Ruler,
     pub(super) y_ruler: Ruler,
-    /// Whether the numbers of the axes are written, and the label of the x axis.
+    /// Whether the axes have numbers, and the x axis its label.
     pub(super) numbered: (bool, bool),
     /// Left end of the paper of this panel \[mm\].
     pub(super) margin: f64,
-    /// What the rows of a legend may take \[mm\].
+    /// Width available for the rows of a legend \[mm\].
     pub(super) legend_width: f64,
 }
 
 impl Plot<'_> {
-    /// Draws the panel with all that belongs to it.
+    /// Draws the panel completely.
     pub(super) fn shapes(&self) -> Vec<Shape> {
         let mut shapes = self.grid();
         shapes.extend(self.marks());
@@ -153,7 +153,7 @@ impl Plot<'_> {
         shapes
     }
 
-    /// Returns the height of the middle of a label of the y axis; a long one may not end above its panel.
+    /// Returns the height of the middle of a label of the y axis; a long label may not end above its panel.
     fn label_middle(&self, line: &str) -> f64 {
         let ((_, bottom), (_, top)) = self.frame.edges;
         let half = text::width(line, LABEL_POINTS) / 2.0;
@@ -167,7 +167,7 @@ impl Plot<'_> {
         (!title.is_empty()).then(|| Shape::text(at, &**title, LABEL_POINTS, Align::Start))
     }
 
-    /// Writes a note beside its point on nearly white paper, to its right or on the next side that hides less.
+    /// Writes a note next to its point on nearly white paper, to its right or on the next side that hides less.
     fn note(&self, note: &Note) -> [Shape; 2] {
         let size = (text::width(&note.text, NOTE_POINTS), text::height(NOTE_POINTS));
         let traces: Vec<Point> = self
@@ -178,7 +178,7 @@ impl Plot<'_> {
             .collect();
         let boxes = self.beside(self.frame.place(note.at), size);
         let hidden = |&(low, high): &Box2| {
-            // The width of lines and forms counts too.
+            // The width of lines and marks counts, too.
             let near = ((low.0 - SIZE, low.1 - SIZE), (high.0 + SIZE, high.1 + SIZE));
             traces.iter().filter(|&&point| clip::contains(near, point)).count()
         };
@@ -192,7 +192,7 @@ impl Plot<'_> {
         [Shape::filled(low, (high.0 - low.0, high.1 - low.1), paper), text]
     }
 
-    /// Returns the paper of a note of a size right, left, above and below a point, moved into the panel.
+    /// Returns the boxes of a note with this size to the right, left, above and below a point, moved into the panel.
     fn beside(&self, (x, y): Point, size: Point) -> [Box2; 4] {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let (wide, high) = (size.0 / 2.0 + NOTE_EDGE.0, size.1 / 2.0 + NOTE_EDGE.1);

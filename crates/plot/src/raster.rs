@@ -11,7 +11,7 @@ use super::{PlotError, text};
 /// Resolution of the pictures \[dots per inch\].
 const DOTS_PER_INCH: f32 = 300.0;
 
-/// The same in dots per metre, as PNG counts.
+/// Resolution in dots per metre, the unit of PNG.
 const DOTS_PER_METRE: u32 = 11811;
 
 /// Units of length in an inch of an SVG.
@@ -24,10 +24,10 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     let (width, height) = (dots(tree.size().width() * scale), dots(tree.size().height() * scale));
     let mut pixels = Pixmap::new(width, height).ok_or(PlotError::Renderer { stage: "pixels" })?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    // The paper is white and hides what is behind: every fourth byte, the alpha, is full.
+    // The paper is white and opaque: every fourth byte, the alpha, is 255.
     let pixels = pixels.data().chunks_exact(4);
     let colours: Vec<u8> = pixels.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]].map(level)).collect();
-    // Which filter packs better depends on the picture.
+    // The picture decides which filter packs better.
     let plain = encode((width, height), &colours, Filter::NoFilter)?;
     let differences = encode((width, height), &colours, Filter::Up)?;
     Ok(if plain.len() <= differences.len() { plain } else { differences })
@@ -36,19 +36,19 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
 /// Returns the picture as an SVG that needs no font.
 pub(super) fn outlined(svg: &str) -> Result<String, PlotError> {
     let options = WriteOptions {
-        // Units are hundredths of a millimetre: whole ones but for letters.
+        // Units are hundredths of a millimetre: whole numbers except in letters.
         coordinates_precision: 1,
         ..WriteOptions::default()
     };
     Ok(tree(svg)?.to_string(&options))
 }
 
-/// Rounds a colour to sixteen levels, 0, 17, …, 255: enough for smooth edges, and a fifth off the size of the file.
+/// Rounds a colour to sixteen levels, 0, 17, …, 255. They suffice for smooth edges and reduce the file by a fifth.
 fn level(value: u8) -> u8 {
     (value / 17 + u8::from(value % 17 > 8)) * 17
 }
 
-/// Reads an SVG, with the bundled font alone.
+/// Reads an SVG, with only the bundled font.
 fn tree(svg: &str) -> Result<Tree, PlotError> {
     let options = Options {
         fontdb: text::database(),

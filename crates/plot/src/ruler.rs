@@ -1,4 +1,4 @@
-//! What stands along an axis: numbers or names, and short ticks between them.
+//! Labels along an axis: numbers or names, and short ticks between them.
 
 use super::scale::Range;
 use super::ticks::{self, Tick};
@@ -13,26 +13,25 @@ const NUMBER_SPACE: (f64, f64) = (2.2, 6.2);
 /// Least distance of the middles of powers of ten and of names along the y axis \[mm\].
 const LINE_SPACE: (f64, f64) = (4.6, 3.4);
 
-/// A ruler is what stands along an axis.
+/// A ruler is the sequence of labels along an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ruler {
     /// Numbers or names.
     pub(super) ticks: Vec<Tick>,
     /// Short ticks without a number.
     pub(super) between: Vec<f64>,
-    /// Whether names stand too close to each other to be read.
+    /// Whether names are too close to each other to be readable.
     pub(super) crowded: bool,
 }
 
 impl Ruler {
-    /// Chooses what stands along an x axis of a length \[mm\].
+    /// Chooses the labels along an x axis of a length \[mm\].
     pub(super) fn across(axis: &Axis, range: Range, length: f64) -> Self {
         let fit = |ticks: &[Tick]| spacing(ticks, range, length) >= NUMBER_SPACE.0 + widest(ticks).max(4.0);
         Self::choose(axis, range, length, (12, fit))
     }
 
-    /// Chooses what stands along a y axis of a length \[mm\]: about ten numbers, or as many as stand apart in a low
-    /// panel.
+    /// Chooses the labels along a y axis of a length \[mm\]: about ten numbers, or as many as a low panel can hold.
     pub(super) fn up(axis: &Axis, range: Range, length: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "paper is at most 2 m high")]
         let most = (length / NUMBER_SPACE.1).clamp(0.0, 9.0) as u32;

@@ -6,7 +6,7 @@ use super::{Axis, Curve, Kind, Panel, PlotError, Point, Scale};
 /// Part of the range left free above and below the data.
 const HEADROOM: f64 = 0.07;
 
-/// A range is the lowest and the highest value of an axis, and how the values between take its length.
+/// A range is the lowest and the highest value of an axis, with the mapping in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub(super) from: f64,
@@ -14,7 +14,7 @@ pub(super) struct Range {
     rule: Rule,
 }
 
-/// How values take the length of an axis.
+/// Mapping from values to the length of an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Rule {
     /// Equal differences, equal lengths.
@@ -26,7 +26,7 @@ enum Rule {
 }
 
 impl Range {
-    /// Returns where a value stands, 0 at the start and 1 at the end of its axis.
+    /// Returns the position of a value: 0 at the start and 1 at the end of its axis.
     pub(super) fn fraction(&self, value: f64) -> f64 {
         let Self { from, to, rule } = *self;
         let fraction = match rule {
@@ -37,17 +37,17 @@ impl Range {
             }
             Rule::Down => (to - value) / (to - from),
         };
-        // Far outside it does not matter where; the bound keeps what follows finite.
+        // Far outside, the exact position does not matter; the bound keeps results finite.
         fraction.clamp(-1e6, 1e6)
     }
 
-    /// Tells whether a value stands on the axis.
+    /// Whether a value is on the axis.
     pub(super) fn contains(&self, value: f64) -> bool {
         self.from <= value && value <= self.to
     }
 }
 
-/// A frame is the inside of a panel: which part of the paper it covers, and which values it shows.
+/// A frame is the inside of a panel: its area on the paper, and its range of values.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// Lower left and upper right corner on the paper \[mm\].
@@ -59,30 +59,30 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Returns where a value of x stands on the paper.
+    /// Returns the position of a value of x on the paper.
     pub(super) fn across(&self, x: f64) -> f64 {
         let ((left, _), (right, _)) = self.edges;
         left + self.x.fraction(x) * (right - left)
     }
 
-    /// Returns where a value of y stands on the paper.
+    /// Returns the position of a value of y on the paper.
     pub(super) fn up(&self, y: f64) -> f64 {
         let ((_, bottom), (_, top)) = self.edges;
         bottom + self.y.fraction(y) * (top - bottom)
     }
 
-    /// Returns where a point stands on the paper.
+    /// Returns the position of a point on the paper.
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Point {
         (self.across(x), self.up(y))
     }
 
-    /// Returns the value of y within the panel that is closest to zero: where stems and areas start.
+    /// Returns the value of y within the panel that is closest to zero: the start of stems and areas.
     pub(super) fn base(&self) -> f64 {
         self.up(0.0_f64.clamp(self.y.from, self.y.to))
     }
 }
 
-/// Returns the range of an x axis: its own, or that of the curves of the panels that share it.
+/// Returns the range of an x axis: its range if set, or that of the curves of the panels that share it.
 pub(super) fn x_range(axis: &Axis, panels: &[&Panel]) -> Result<Range, PlotError> {
     let curves = || panels.iter().flat_map(|panel| &panel.curves);
     let points = curves().flat_map(|curve| &curve.points).map(|point| point.0);
@@ -90,7 +90,7 @@ pub(super) fn x_range(axis: &Axis, panels: &[&Panel]) -> Result<Range, PlotError
     settle(axis, points, headroom, Rule::Linear)
 }
 
-/// Returns the range of the y axis of a panel: its own, or that of the curves, with zero where they start from it.
+/// Returns the range of the y axis of a panel: its range if set, or that of the curves, including zero if they start there.
 pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
     let points = panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     let stands = panel.y.scale != Scale::Log && panel.curves.iter().any(starts_from_zero);
@@ -98,21 +98,21 @@ pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
     settle(&panel.y, values, HEADROOM, Rule::Down)
 }
 
-/// Tells whether a curve needs room at its sides: its forms reach over its ends, and a loop should not be cut.
+/// Whether a curve needs room at its sides: its marks extend beyond its ends, and a loop should not be cut.
 fn is_airy(curve: &Curve) -> bool {
     let turns_back = curve.points.windows(2).any(|pair| pair[1].0 < pair[0].0);
     let by_kind = matches!(curve.kind, Kind::Points | Kind::Stems | Kind::Bars);
     by_kind || curve.mark.is_some() || turns_back
 }
 
-/// Tells whether a curve stands on the line of zero.
+/// Whether a curve starts from zero.
 pub(super) fn starts_from_zero(curve: &Curve) -> bool {
     matches!(curve.kind, Kind::Stems | Kind::Area)
 }
 
-/// Returns the range asked for, or one around the values; refuses what cannot be divided into ticks.
+/// Returns the requested range, or a range around the values; refuses ranges that cannot be divided into ticks.
 ///
-/// Names go by the rule `names`.
+/// Axes of names use the rule `names`.
 fn settle(axis: &Axis, values: impl Iterator<Item = f64>, headroom: f64, names: Rule) -> Result<Range, PlotError> {
     let (rule, (from, to)) = match &axis.scale {
         Scale::Linear => (Rule::Linear, axis.range.unwrap_or_else(|| around(values, headroom))),
@@ -141,7 +141,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// Returns a range around values with headroom; a single value stands in the middle, and no value gives 0 to 1.
+/// Returns a range around values with headroom; a single value is in the middle, and no value gives 0 to 1.
 fn around(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64) {
     let Some((low, high)) = extent(values) else {
         return (0.0, 1.0);
@@ -152,15 +152,15 @@ fn around(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64) {
         return (low - margin, high + margin);
     }
     let margin = headroom * (high - low);
-    // Zero is an edge that values stand on: no room is wanted beyond it.
+    // Values stand on zero: there is no room beyond it.
     (
         if low == 0.0 { low } else { low - margin },
         if high == 0.0 { high } else { high + margin },
     )
 }
 
-/// Returns a range around positive values, with the same part of its length free;
-/// a single value stands in the middle of two decades, and no value gives 1 to 10.
+/// Returns a range around positive values, with headroom as a part of its length. A single value is in the middle of two decades, and no
+/// value gives 1 to 10.
 fn around_ratios(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64) {
     let Some((low, high)) = extent(values) else {
         return (1.0, 10.0);

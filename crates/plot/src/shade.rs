@@ -1,10 +1,10 @@
 //! The few colours of the figures.
 
-/// A shade is one of the colours that figures use.
+/// A shade is a colour of the figures.
 ///
-/// The first seven are for curves, best in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white)
-/// is about 13, 42, 63, 50, 79, 70 and 54: ink, blue and vermilion stay well apart; grey beside vermilion and rose beside
-/// green need another [`Kind`](super::Kind) or [`Mark`](super::Mark) as well.
+/// The first seven are for curves, preferably in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white) is about 13,
+/// 42, 63, 50, 79, 70 and 54. Ink, blue and vermilion are clearly different. Grey next to vermilion, and rose next to green, also need
+/// another [`Kind`](super::Kind) or [`Mark`](super::Mark).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shade {
     /// Nearly black, also for text and axes.
@@ -30,7 +30,7 @@ pub enum Shade {
 }
 
 impl Shade {
-    /// Returns the colour of the curve of this number, for a row of structures; after six they come again.
+    /// Returns the colour of curve number `index`, for a row of structures; the colours repeat after six.
     pub const fn nth(index: usize) -> Self {
         const CURVES: [Shade; 6] = [Shade::Blue, Shade::Vermilion, Shade::Ink, Shade::Green, Shade::Amber, Shade::Grey];
         CURVES[index % CURVES.len()]

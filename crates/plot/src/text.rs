@@ -1,4 +1,4 @@
-//! The bundled font, and how much room text takes.
+//! The bundled font, and the size of text.
 
 use std::sync::{Arc, OnceLock};
 
@@ -22,7 +22,7 @@ const FONT: &[u8] = include_bytes!("../assets/DejaVuSans-subset.ttf");
 /// Letters for one size unit of the font, as plotters counts it: ascent and descent together.
 const EXTENT: f64 = (1901.0 + 483.0) / 2048.0;
 
-/// How far a measured text may reach over the edge, since the white beside its letters counts \[mm\].
+/// Largest excess of a measured text over the edge; the white next to its letters counts \[mm\].
 const SLACK: f64 = 0.2;
 
 /// The characters of the bundled font, as first and last of each stretch.
@@ -144,7 +144,7 @@ mod tests {
 
     fn picture(character: char) -> Vec<u8> {
         let text = Shape::text((5.0, 5.0), character, 10.0, Align::Middle);
-        // Past the check on purpose.
+        // Bypasses the check on purpose.
         let sheet = Drawing {
             width: 10.0,
             height: 10.0,

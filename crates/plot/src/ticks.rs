@@ -1,20 +1,20 @@
 //! Round numbers on an axis.
 
-/// A tick is a round number and how it is written.
+/// A tick is a round number with its label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
-    /// Where it stands.
+    /// Position.
     pub(super) value: f64,
-    /// What is written, with a real minus sign.
+    /// Label, with a real minus sign.
     pub(super) label: String,
 }
 
 /// Chooses ticks 1, 2 or 5 × 10ⁿ apart: the most that `fit`, from about `most` steps downwards.
 ///
-/// Where even two ticks do not fit, two crowded ones are better than an axis without numbers.
+/// If even two ticks do not fit, returns two crowded ticks instead of an axis without numbers.
 pub(super) fn choose(range: (f64, f64), most: u32, fit: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
     let mut fewest = Vec::new();
-    // Fewer than six steps can leave an axis with two numbers only.
+    // Fewer than six steps can leave an axis with only two numbers.
     for steps in (1..=most.max(6)).rev() {
         let ticks = at_least_apart(range, (range.1 - range.0) / f64::from(steps));
         if ticks.len() < 2 {
@@ -28,11 +28,11 @@ pub(super) fn choose(range: (f64, f64), most: u32, fit: impl Fn(&[Tick]) -> bool
     fewest
 }
 
-/// Returns the ticks whose distance is the next 1, 2 or 5 × 10ⁿ that is not below `distance`.
+/// Returns the ticks at the smallest distance 1, 2 or 5 × 10ⁿ that is at least `distance`.
 fn at_least_apart((from, to): (f64, f64), distance: f64) -> Vec<Tick> {
     let (digit, exponent) = round_up(distance);
     let step = decimal(digit, exponent);
-    // The tolerance keeps an end of the axis that is a tick but for its last digits.
+    // The tolerance keeps an end of the axis that is a tick up to rounding.
     let (first, last) = ((from / step - 1e-9).ceil(), (to / step + 1e-9).floor());
     #[expect(clippy::cast_possible_truncation, reason = "`scale` refuses ranges where these pass 1e10")]
     let digits: Vec<i64> = (first as i64..=last as i64).map(|k| k * digit).collect();
@@ -70,7 +70,7 @@ pub(super) fn decimal(digits: i64, exponent: i32) -> f64 {
         .expect("an integer with an exponent is a number")
 }
 
-/// Writes digits × 10ⁿ with a real minus sign, as a decimal or, where that would be long, as a power of ten.
+/// Writes digits × 10ⁿ with a real minus sign, as a decimal number or, if this is long, as a power of ten.
 pub(super) fn label(digits: i64, exponent: i32, powers: bool) -> String {
     let sign = if digits < 0 { "\u{2212}" } else { "" };
     let number = match (digits.abs().to_string(), powers) {

@@ -1,4 +1,4 @@
-//! The segments of a run: between instants at which a sample of the record arrives at some structure.
+//! The segments of a run, each between two arrivals of samples at any structure.
 
 use pounding_solver::Excitation;
 
@@ -6,17 +6,17 @@ use super::model::{displacement, velocity};
 use super::motion::Segment;
 use super::state::{State, Sum};
 
-/// Part of the interval between samples below which two instants are one: quotients of decimal numbers miss a whole number
-/// by a rounding, and no segment is made for that.
+/// Instants closer than this part of the interval between samples are equal: quotients of decimal numbers miss a whole number by a
+/// rounding, which must not make a segment.
 const SAME: f64 = 1e-9;
 
-/// When a sample arrives \[s\]: ground accelerations are integrated twice to what grounds move against each other, and one that comes
-/// 1e-15 s late would be 1e-12 of that.
+/// Arrival of a sample \[s\], unrounded. Ground accelerations are integrated twice to the relative motion of grounds: a sample that is
+/// 1e-15 s late would give a relative error of 1e-12.
 fn instant(sample: f64, interval: f64, arrival: f64) -> Sum {
     Sum::default().plus_product(Sum::of(sample), Sum::of(interval)).plus(arrival)
 }
 
-/// The ground at a sample of the record, where it has arrived, and at an instant after it.
+/// The ground at a sample of the record that has arrived, and at an instant after it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ground {
     /// Acceleration \[m/s²\], and its rate until the next sample \[m/s³\].
@@ -28,7 +28,8 @@ struct Ground {
 }
 
 impl Ground {
-    /// The ground later \[s\], before the next sample: it moves by metres, and two grounds far less than that against each other.
+    /// The ground `since` seconds later, before the next sample. A ground moves by metres, while two grounds move far less relative to each
+    /// other.
     fn after(&self, since: Sum) -> Self {
         let Self {
             acceleration,
@@ -47,14 +48,14 @@ impl Ground {
     }
 }
 
-/// The segments of a run, in the order of time.
+/// The segments of a run, in order of time.
 pub(super) struct Segments {
     interval: f64,
-    /// The ground at every sample; behind the last one nothing accelerates it.
+    /// The ground at every sample; there is no acceleration after the last sample.
     samples: Vec<Ground>,
     /// Arrival at every structure \[s\].
     arrivals: Vec<f64>,
-    /// Instants at which a sample arrives somewhere, and the end of the run.
+    /// Instants at which a sample arrives at any structure, and the end of the run.
     instants: Vec<Sum>,
     next: usize,
 }
@@ -83,7 +84,7 @@ impl Segments {
         }
     }
 
-    /// The ground at an instant, where the motion arrives at some time.
+    /// The ground at an instant, for a motion that arrives at time `arrival`.
     fn ground(&self, now: Sum, arrival: f64) -> Ground {
         let position = (now.high - arrival) / self.interval;
         let nearest = position.round();
@@ -132,7 +133,7 @@ impl Iterator for Segments {
             return None;
         };
         self.next += 1;
-        // As many unknowns as come before the displacement of one more.
+        // As many unknowns as precede the displacement of one more structure.
         let mut moved = State::zero(displacement(self.arrivals.len()));
         let mut grounds = Vec::with_capacity(self.arrivals.len());
         for (index, arrival) in self.arrivals.iter().enumerate() {
@@ -154,7 +155,7 @@ impl Iterator for Segments {
 mod tests {
     use super::*;
 
-    /// How far the grounds of two structures stay from what the same velocity makes of their arrivals, behind the record \[m\].
+    /// Deviation of the distance of the grounds of two structures, after the record, from velocity times difference of arrivals \[m\].
     fn off(samples: &[f64], arrivals: [f64; 2]) -> f64 {
         let excitation = Excitation::new(0.1, samples).expect("finite samples");
         let n = samples.len() as f64;

@@ -1,23 +1,23 @@
-//! Pairs that push at once, whatever floors they meet and however many of one floor.
+//! Pairs that push at once, on any floors, several per floor included.
 //!
-//! G has the parts of floors in the rates of pairs, M their masses, and W = G M⁻¹ Gᵀ. With a₀ the accelerations without them, pairs that
-//! press have W F = G a₀. Pairs that depend on others share the force, with the least Σ F².
+//! G has the parts of floors in the rates of pairs, M their masses, and W = G M⁻¹ Gᵀ. With a₀ the accelerations without contact, pressing
+//! pairs have W F = G a₀. Dependent pairs share the force with the least Σ F².
 //!
-//! Then G a = 0, and elimination finds floors that follow others: the lightest. The others have a₀ − M⁻¹ Gᵀ F. A floor that follows takes
-//! its acceleration from theirs, to the last digit. All sets of pairs are tried to find those that push.
+//! Then G a = 0, and elimination finds floors that follow others: the lightest ones. The others have a₀ − M⁻¹ Gᵀ F. A floor that follows
+//! takes its acceleration from theirs, to the last digit. All sets of pairs are tried to find the pushing set.
 
 use super::model::Model;
 
-/// Part of itself to which elimination brings a row that depends on others.
+/// Relative size below which a row, after elimination, depends on others.
 const DEPENDENT: f64 = 1e-12;
 
 type Matrix = Vec<Vec<f64>>;
 
-/// Pairs that press, and what they make of the accelerations of all floors and walls.
+/// Pairs that press, and their effect on the accelerations of all floors and walls.
 #[derive(Debug, Clone)]
 pub(super) struct Block {
     pub pairs: Vec<usize>,
-    /// How much every floor is moved by every other floor; a floor that leads has 1 for itself.
+    /// Motion of every floor per motion of every other floor; 1 on the diagonal for a floor that leads.
     ways: Matrix,
     /// Force of every pair per acceleration of every floor without the block \[kg\].
     forces: Matrix,
@@ -51,22 +51,22 @@ impl Block {
         }
     }
 
-    /// Number of pairs that do not depend on the others.
+    /// Number of independent pairs.
     pub(super) fn rank(&self) -> usize {
         self.followers().count()
     }
 
-    /// Force of every pair \[N\], from the accelerations of floors without the block; from magnitudes of both, the size of its terms.
+    /// Force of every pair \[N\] from the accelerations of floors without the block. With magnitudes on both sides, the size of its terms.
     pub(super) fn forces(&self, sign: fn(f64) -> f64, without: &[f64]) -> Vec<f64> {
         product(&self.forces, sign, without)
     }
 
-    /// Acceleration of every floor and wall \[m/s²\], likewise.
+    /// Acceleration of every floor and wall \[m/s²\], from the accelerations without the block; with magnitudes, the size of its terms.
     pub(super) fn accelerations(&self, sign: fn(f64) -> f64, without: &[f64]) -> Vec<f64> {
         product(&self.accelerations, sign, without)
     }
 
-    /// Floors that follow others, and how much each of those moves them.
+    /// Floors that follow others, and how much each of the others moves them.
     pub(super) fn followers(&self) -> impl Iterator<Item = (usize, &[f64])> {
         let of = self.ways.iter().map(Vec::as_slice).enumerate();
         of.filter(|(floor, way)| way[*floor] == 0.0)
@@ -92,7 +92,7 @@ pub(super) fn mobility(model: &Model, pairs: &[usize]) -> Matrix {
     matrix(pairs, pairs, of)
 }
 
-/// How floors follow each other, of G and √M⁻¹.
+/// How floors follow each other, from G and √M⁻¹.
 fn ways(mut rows: Matrix, lightness: &[f64]) -> Matrix {
     let mut ways = unit(lightness.len());
     for (floor, row) in eliminate(&mut rows, lightness).into_iter().zip(&rows) {
@@ -108,7 +108,7 @@ fn unit(n: usize) -> Matrix {
     matrix(&all, &all, |row, column| f64::from(u8::from(row == column)))
 }
 
-/// Solutions x of A x = b with least Σ x², for a symmetric A and several b. Rows that depend on others are left out.
+/// Solutions x of A x = b with least Σ x², for a symmetric A and several b. Dependent rows are left out.
 pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
     let n = matrix.len();
     let row = |(row, (own, unit)): (usize, (&Vec<f64>, Vec<f64>))| {
@@ -118,7 +118,7 @@ pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
     let mut rows: Matrix = matrix.iter().zip(unit(n)).enumerate().map(row).collect();
     let columns = eliminate(&mut rows, &vec![1.0; n]);
     let mut found = vec![vec![0.0; n]; sides.len()];
-    // Combinations of rows that vanish, and so changes of x that change nothing.
+    // Combinations of rows that vanish: these changes of x have no effect.
     let mut free = Matrix::new();
     for (column, row) in columns.into_iter().zip(rows) {
         match column {
@@ -143,9 +143,9 @@ pub(super) fn least(matrix: &[Vec<f64>], sides: &[Vec<f64>]) -> Matrix {
     found
 }
 
-/// Eliminates each of the first columns from all rows except one; returns the column of every row, and `None` for rows that depend on others.
+/// Eliminates each of the first columns from all rows except one; returns the column of every row, and `None` for dependent rows.
 ///
-/// The next is the largest entry of all that are left, weighed and as a part of its row.
+/// The next pivot is the largest weighted entry relative to its row.
 fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
     let weighed = |row: &[f64], column: usize| row[column].abs() * weights[column];
     let all = 0..weights.len();
@@ -181,7 +181,7 @@ fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
     }
 }
 
-/// Groups of pairs that meet floors of each other. Walls carry nothing from one to another.
+/// Groups of pairs that meet each other's floors. Walls do not connect pairs.
 pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
     let depend = |one: usize, other: usize| {
         let mut met = model.pairs[one].parts();
@@ -197,7 +197,7 @@ pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Tries all sets of numbers below `n`; returns the finding of the set that misses least, and among equals of that with least Σ x².
+/// Tries all sets of numbers below `n`; returns the finding of the set with the smallest miss and, among equal ones, the least Σ x².
 pub(super) fn best<Found>(n: usize, judge: impl Fn(&[usize]) -> (f64, f64, Found)) -> Option<Found> {
     let mut best: Option<(f64, f64, Found)> = None;
     for set in (0..1_usize << n).rev() {

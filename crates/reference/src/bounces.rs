@@ -1,4 +1,4 @@
-//! Impacts of an instant, and the bounces that end in rest.
+//! Impacts at an instant, and bounces that end in rest.
 
 use super::SecondRouteError;
 use super::impact::{self, NOISE, Outcome, SHORTEST};
@@ -8,7 +8,7 @@ use super::phases::Contact;
 use super::runner::Runner;
 use super::state::{Bounces, Sum};
 
-/// Impacts of a pair, each within that time of the one before, after which it stops.
+/// Impacts of a pair, each within the shortest time of the previous one, after which the pair stops.
 const MOST_BOUNCES: u32 = 50;
 
 impl Runner {
@@ -35,7 +35,7 @@ impl Runner {
         let least = |pair: usize| NOISE * sizes[self.motion.model.impulse(pair)];
         let least: Vec<_> = (0..impulses.len()).map(least).collect();
         for &pair in &touching {
-            // An impact that a pair at rest passes on is a touch of its own.
+            // An impact that a pair at rest passes on is a separate collision.
             if impulses[pair] > least[pair] && phases.presses(pair) {
                 self.part(pair, time);
                 phases.pairs[pair].contact = Contact::IDLE;
@@ -49,7 +49,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Jumps the velocities, without bounces that are over; the impulse of every pair \[N·s\].
+    /// Applies velocity jumps, without bounces that are over; returns the impulse of every pair \[N·s\].
     fn strike(&mut self, touching: &[usize], groups: &[Vec<usize>], time: f64) -> Vec<f64> {
         let outcome = |pair| {
             if self.stops(pair, touching, time) {
@@ -67,7 +67,7 @@ impl Runner {
             self.motion.grip_again(&self.state.high);
             let model = &self.motion.model;
             for &pair in touching {
-                // What rounding took from the rate before is none of this one.
+                // The rounding of the rate before does not belong to the new rate.
                 self.state.low[model.pairs[pair].deformation + 1] = 0.0;
                 let rests = model.rate(pair, &self.state.high) >= 0.0;
                 let contact = if rests { Contact::IDLE } else { Contact::Apart };
@@ -88,8 +88,8 @@ impl Runner {
         }
     }
 
-    /// Whether a pair that is hit now stops: it has been hit again and again, or another pair on a floor that both hit in turn has come to
-    /// rest. Of what that series would still give this pair all is given at once.
+    /// Whether a pair that is hit now stops. Either it has been hit again and again, or another pair has come to rest on a floor that both
+    /// hit in turn. All remaining impulses of this series are then given at once.
     fn stops(&self, pair: usize, touching: &[usize], time: f64) -> bool {
         let soon = |pair: usize| time - self.bounces[pair].last < SHORTEST;
         if !soon(pair) {
@@ -105,8 +105,8 @@ impl Runner {
         self.bounces[pair].count >= MOST_BOUNCES || others.any(|&other| shares(other) && soon(other) && rests(other))
     }
 
-    /// Time until a pair that has just been hit would touch again, at the present acceleration; without end where it would not. Within a
-    /// longer step it could touch and part again unseen.
+    /// Time until a pair that was just hit touches again at the present acceleration; infinite if it does not. In a longer step it could
+    /// touch and part unnoticed.
     fn flight(&self, pair: usize) -> f64 {
         let rate = self.motion.model.rate(pair, &self.state.high);
         let closing = self.motion.closing(pair, &self.state.high, &self.scratch);
@@ -117,7 +117,7 @@ impl Runner {
         }
     }
 
-    /// Whether the bounces of a pair that has just been hit are over: it closes again within the shortest time.
+    /// Whether the bounces of a pair that was just hit are over: it closes again within the shortest time.
     fn is_over(&self, pair: usize) -> bool {
         let Law::Impulsive { restitution } = self.motion.model.pairs[pair].law else {
             return false;
@@ -128,7 +128,7 @@ impl Runner {
         rate < 0.0 && restitution < 1.0 && closing > 0.0 && -2.0 * rate < SHORTEST * closing * (1.0 - restitution)
     }
 
-    /// Decides which pairs at rest press on.
+    /// Decides which pairs at rest press.
     pub(super) fn rest(&mut self, time: f64) -> Result<(), SecondRouteError> {
         if !self.motion.rests() {
             return Ok(());
@@ -141,7 +141,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Records which pairs begin to press at rest, and which no longer do.
+    /// Records which pairs begin to press at rest, and which stop.
     fn begin_or_end(&mut self, before: &super::phases::Phases, time: f64) {
         for pair in 0..before.pairs.len() {
             match (before.presses(pair), self.motion.phases.presses(pair)) {
@@ -153,7 +153,7 @@ impl Runner {
         self.unite();
     }
 
-    /// Gives floors of the block the velocities that those they follow give them, over the ground of each, to the last digit.
+    /// Sets the velocities of floors of the block that follow others, each over its ground, to the last digit.
     fn unite(&mut self) {
         let since = self.state.high[TIME];
         let Self { motion, state, .. } = self;

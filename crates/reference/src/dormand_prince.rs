@@ -1,7 +1,7 @@
 //! The explicit Runge–Kutta method of order 8 by Dormand and Prince with error estimates of order 5 and 3.
 //!
-//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), II.5 and
-//! II.10, program DOP853, from which the coefficients are.
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), II.5 and II.10, program
+//! DOP853, with its coefficients.
 
 use super::motion::Motion;
 use super::state::State;
@@ -9,8 +9,8 @@ use super::variable::Variable;
 
 /// Node c of a stage and its weights `a_j` of the slopes j ≥ 1.
 ///
-/// The weight of slope 0 is c less the others. Increments are c·k₀ + Σ `a_j`·(`k_j` − k₀), so that weights rounded to
-/// f64 sum to c exactly; otherwise every step would be off in the same direction by some 1e-16 of itself.
+/// The weight of slope 0 is c minus the others. Increments are c·k₀ + Σ `a_j`·(`k_j` − k₀), so that weights rounded to f64 sum to c
+/// exactly. Otherwise every step would have an error of about 1e-16 of itself, always in the same direction.
 type Stage = (f64, &'static [(usize, f64)]);
 
 /// Stages after the first; the last entry is the step itself.
@@ -51,7 +51,7 @@ const STAGES: [Stage; 12] = [
     ]),
 ];
 
-/// The step less the embedded one of order 5, by slope.
+/// The step minus the embedded step of order 5, by slope.
 const ERROR: [(usize, f64); 8] = [
     (0, 0.013_120_044_994_194_88),
     (5, -1.225_156_446_376_204_4),
@@ -66,7 +66,7 @@ const ERROR: [(usize, f64); 8] = [
 /// Scratch of the method.
 #[derive(Debug, Clone)]
 pub(super) struct DormandPrince {
-    /// Slopes of the last step: of its start first.
+    /// Slopes of the last step; the first is that of its start.
     slopes: Vec<Vec<f64>>,
     point: Vec<f64>,
 }
@@ -84,7 +84,7 @@ impl DormandPrince {
         &self.slopes[0]
     }
 
-    /// One step of `length` in a variable.
+    /// Makes a step of `length` in a variable.
     pub(super) fn step(&mut self, motion: &Motion, (variable, length): (Variable, f64), from: &State, to: &mut State) {
         let Self { slopes, point } = self;
         motion.slope((variable, 0.0), &from.high, &mut slopes[0]);
@@ -108,11 +108,11 @@ impl DormandPrince {
         }
     }
 
-    /// Error of the embedded step of order 5: the largest of the unknowns, each in units of its `scale`; good below 1.
+    /// Error of the embedded step of order 5: the largest of the unknowns, each in units of its `scale`; acceptable below 1.
     ///
-    /// DOP853 divides by an estimate of order 3 to get one of order 8. After a first touch the velocity is
-    /// a σ⁵ + b σ¹⁰ + …; the first term, which the method meets exactly, then hides the error of the second (factors
-    /// of 20 to 400 were seen). The plain estimate is the cautious one, and in free flight the longest step decides.
+    /// DOP853 divides by an estimate of order 3 to get an estimate of order 8. After a first touch the velocity is a σ⁵ + b σ¹⁰ + …. The
+    /// method meets the first term exactly, which then hides the error of the second term (by observed factors of 20 to 400). The plain
+    /// estimate is the cautious choice, and in free flight the longest step decides.
     pub(super) fn error(&self, length: f64, scale: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0;
         for index in 0..self.point.len() {
@@ -121,7 +121,7 @@ impl DormandPrince {
             // A wall has neither motion nor scale.
             if sum != 0.0 {
                 let error = length * sum.abs() / scale(index);
-                // An error that is not a number must stay one.
+                // A NaN error must stay NaN.
                 if error.is_nan() || error > largest {
                     largest = error;
                 }
@@ -191,7 +191,7 @@ mod tests {
         let slope = |coarse: f64, fine: f64| libm::log2(coarse / fine);
         for length in [0.4, 0.32] {
             let ((coarse, estimate), (fine, finer)) = (errors(length), errors(0.5 * length));
-            // One power more for one step than for all of them together.
+            // A single step has one power more than all steps together.
             let (step, estimated) = (slope(coarse, fine), slope(estimate, finer));
             assert!(step > 8.5, "{length}: {coarse:e} to {fine:e}, slope {step}");
             assert!((5.5..8.0).contains(&estimated), "{length}: slope {estimated} of the estimate");
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn limit_weights_sum_to_their_nodes() {
-        // As printed, the weight of slope 0 of each stage; here it is what the others leave.
+        // The printed weights of slope 0 of each stage; here they follow from the others.
         let first = [
             0.052_600_151_958_767_73,
             0.019_725_056_984_537_9,

@@ -14,7 +14,7 @@ pub enum SecondRouteError {
     /// The motion is no longer finite.
     #[error("second route: the motion is no longer finite at t = {time} s")]
     NotFinite {
-        /// Start of the step that bore it \[s\].
+        /// Start of the step in which it failed \[s\].
         time: f64,
     },
     /// No step is short enough for the tolerance.
@@ -22,25 +22,25 @@ pub enum SecondRouteError {
     Tolerance {
         /// Start of the step \[s\].
         time: f64,
-        /// The tolerance asked for.
+        /// The requested tolerance.
         tolerance: f64,
     },
-    /// More events between two samples of the record than can be told apart.
+    /// More events between two samples of the record than allowed.
     #[error("second route: more than {limit} events within one sample of the record, at t = {time} s")]
     TooManyEvents {
-        /// When the limit was passed \[s\].
+        /// Time at which the limit was passed \[s\].
         time: f64,
         /// The limit.
         limit: usize,
     },
-    /// Too many pairs push on each other at once: all sets of them are tried.
+    /// Too many pairs push on each other at once, because all sets of them are tried.
     #[error(
         "second route: {found} impulsive pairs touch at t = {time} s and meet floors of each other, allowed are {limit}; give some of them a gap or a compliant law"
     )]
     TooManyAtOnce {
-        /// When they do \[s\].
+        /// Time of the touch \[s\].
         time: f64,
-        /// How many do.
+        /// Number of pairs.
         found: usize,
         /// The limit.
         limit: usize,

@@ -1,4 +1,4 @@
-//! Events: instants at which the equations of motion, or what is recorded of them, change.
+//! Events: instants at which the equations of motion, or the recorded values, change.
 
 use pounding_contact::SLOWEST_APPROACH;
 
@@ -12,19 +12,19 @@ use super::variable::Variable;
 /// An event that the present phases allow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Event {
-    /// The segment of the record ends; an event only where the variable is not the time.
+    /// The segment of the record ends. It is an event only if the variable is not the time.
     SegmentEnd,
-    /// A velocity changes its sign: peak of displacement, of a storey on the ground unloading, too.
+    /// A velocity changes sign: peak of displacement; unloading of a storey on the ground.
     Turn(usize),
-    /// The drift rate of a storey on another floor changes its sign: peak of drift, unloading.
+    /// The drift rate of a storey on another floor changes sign: peak of drift, unloading.
     DriftTurn(usize),
     /// Columns reach their yield force.
     Yield(usize),
-    /// The elastic part of the drift of columns that yield smoothly changes its sign.
+    /// The elastic part of the drift of columns that yield smoothly changes sign.
     Straight(usize),
-    /// The net pounding force on a structure between two that touch it changes its sign.
+    /// The net pounding force on a structure between two touching neighbours changes sign.
     Balance(usize),
-    /// The deformation rate of a pair changes its sign: largest or least distance or deformation.
+    /// The deformation rate of a pair changes sign: largest or smallest distance or deformation.
     Reversal(usize),
     /// A pair touches.
     Touch(usize),
@@ -34,11 +34,11 @@ pub(super) enum Event {
     ForcePeak(usize),
     /// The formula of a pair begins to pull.
     Clamp(usize),
-    /// It pushes again.
+    /// The formula of a clamped pair pushes again.
     Grip(usize),
     /// The force of a pair at rest fades.
     Fade(usize),
-    /// A pair at rest without a force would close, or open.
+    /// A pair at rest without a force would close or open.
     Stir(usize),
 }
 
@@ -101,7 +101,7 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
 impl Event {
     /// Function that is negative once the event has happened.
     ///
-    /// `scratch` takes a derivative of the unknowns.
+    /// `scratch` receives a derivative of the unknowns.
     pub(super) fn value(self, motion: &Motion, y: &[f64], scratch: &mut [f64]) -> f64 {
         let Motion { model, phases, .. } = motion;
         match self {
@@ -146,16 +146,16 @@ impl Event {
         }
     }
 
-    /// Whether its function is a velocity, so that two changes of sign in one step can be told from the middle.
+    /// Whether its function is a velocity: two changes of sign in a step then show in the middle.
     pub(super) fn is_reversal(self) -> bool {
         matches!(self, Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_))
     }
 
-    /// Changes the phases by what the event means for them; touches and rest of impulsive pairs are decided afterwards.
+    /// Changes the phases by the event. Touches and rest of impulsive pairs are decided afterwards.
     pub(super) fn apply(self, motion: &mut Motion, y: &[f64]) {
         let Motion { model, phases, .. } = motion;
         match self {
-            // What is at rest is decided anew after every event.
+            // Pairs at rest are decided again after every event.
             Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) => {}
             Self::Turn(structure) => phases.turn(structure, model, y),
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
@@ -188,7 +188,7 @@ impl Event {
                     *rising = -*rising;
                 }
             }
-            // At once with a parting or a reversal the phase is another one already.
+            // If a parting or a reversal happens at the same instant, the phase has changed already.
             Self::Clamp(pair) => {
                 let contact = &mut phases.pairs[pair].contact;
                 if matches!(contact, Contact::Restitution { .. }) {

@@ -1,8 +1,8 @@
-//! Impacts of all impulsive pairs that touch at one instant, solved together.
+//! Impacts of all impulsive pairs that touch at an instant, solved together.
 //!
-//! With r the rates at which pairs approach and W = G M⁻¹ Gᵀ, those that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0. A pair
-//! that pushes leaves with −e r, another one at least as fast. A pair that separates has no impulse. All is done again while a touching
-//! pair still approaches. All sets of pairs are tried to find those that push.
+//! Let r be the rates at which pairs approach and W = G M⁻¹ Gᵀ. Pairs that do not separate have 0 ≤ P ⟂ W P − (1 + e) r ≥ 0. A pair that
+//! pushes leaves with −e r, another pair at least as fast. A pair that separates has no impulse. This repeats while a touching pair
+//! approaches. All sets of pairs are tried to find the pushing set.
 
 use super::SecondRouteError;
 use super::block::{best, groups, least, mobility};
@@ -11,13 +11,13 @@ use super::model::Model;
 use super::motion::Motion;
 use super::phases::Contact;
 
-/// Rounds in which a pair gives back its restitution; what still approaches then is stopped.
+/// Rounds in which a pair gives back its restitution. Later approaches are stopped.
 const MOST_ROUNDS: usize = 50;
 
-/// Bounces whose geometric remainder is shorter are over \[s\].
+/// Bounces with a shorter geometric remainder are over \[s\].
 pub(super) const SHORTEST: f64 = 1e-12;
 
-/// Part of what a velocity or an impulse is a sum of that is rounding.
+/// Rounding of a velocity or an impulse, relative to its terms.
 pub(super) const NOISE: f64 = 1e-14;
 
 /// Impulsive pairs that touch.
@@ -31,7 +31,7 @@ pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     (0..model.pairs.len()).filter(touches).collect()
 }
 
-/// Most pairs of a group: all sets of so many can be tried in a second.
+/// Most pairs of a group: all their sets can be tried in a second.
 const MOST_AT_ONCE: usize = 14;
 
 /// The groups of pairs that touch at a time \[s\].
@@ -47,18 +47,18 @@ pub(super) fn together(model: &Model, touching: &[usize], time: f64) -> Result<V
     }
 }
 
-/// What an impact makes of a pair.
+/// Effect of an impact on a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outcome {
-    /// It bounces with its restitution.
+    /// The pair bounces with its restitution.
     Bounces,
-    /// It does so without: its bounces are over.
+    /// The pair stops without restitution: its bounces are over.
     Stops,
-    /// It stays together whatever hits its floors: it would be back at once.
+    /// The pair stays together, whatever hits its floors: it would close again at once.
     Stays,
 }
 
-/// Jumps the velocities of groups of touching pairs; the impulse of every pair \[N·s\].
+/// Applies velocity jumps to groups of touching pairs; returns the impulse of every pair \[N·s\].
 pub(super) fn collide(model: &Model, y: &mut [f64], groups: &[Vec<usize>], outcomes: &[Outcome]) -> Vec<f64> {
     let mut total = vec![0.0; model.pairs.len()];
     for group in groups {
@@ -90,19 +90,19 @@ pub(super) fn collide(model: &Model, y: &mut [f64], groups: &[Vec<usize>], outco
     total
 }
 
-/// A pair whose rate of deformation is to change.
+/// A change of the rate of deformation of a pair.
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     pair: usize,
     /// The rate before \[m/s\].
     rate: f64,
-    /// The largest rate after, and that of a pair that pushes \[m/s\].
+    /// The largest rate after the change, which a pushing pair has \[m/s\].
     after: f64,
-    /// Whether it has that rate in any case.
+    /// Whether the pair has this rate in any case.
     stays: bool,
 }
 
-/// Gives the impulses of some turns of a group.
+/// Applies the impulses of some turns of a group.
 fn jump(model: &Model, y: &mut [f64], group: &[usize], turns: &[Turn]) -> Vec<(usize, f64)> {
     let impulses = answer(model, turns);
     let before: Vec<_> = group.iter().map(|&pair| model.rate(pair, y)).collect();
@@ -119,7 +119,7 @@ fn jump(model: &Model, y: &mut [f64], group: &[usize], turns: &[Turn]) -> Vec<(u
             y[model.pairs[turn.pair].deformation + 1] = turn.after;
         }
     }
-    // Of what stops by the push of a neighbour, rounding is left.
+    // A pair that stops by the push of a neighbour has only rounding left.
     for (&pair, before) in group.iter().zip(before) {
         let rate = &mut y[model.pairs[pair].deformation + 1];
         if *rate > 0.0 && *rate <= NOISE * before.abs() {

@@ -1,25 +1,24 @@
-//! The contact laws, each written out from its source.
+//! The contact laws, each written from its source.
 //!
-//! δ is the deformation, δ̇ its rate, v₀ the rate at the first touch. The sources are those that the laws of
-//! `pounding_contact` name.
+//! δ is the deformation, δ̇ its rate, v₀ the rate at the first touch. The sources are those given for the laws of `pounding_contact`.
 
 use pounding_contact::ContactLaw;
 
-/// What happens while they touch.
+/// Contact law of a pair.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Law {
-    /// A velocity jump.
+    /// Impulsive: a velocity jump.
     Impulsive { restitution: f64 },
-    /// A force.
+    /// Compliant: a force.
     Compliant(Force),
 }
 
-/// A compliant law for one pair: a spring, and a damper beside it.
+/// A compliant law for a pair: a spring, with a damper beside it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force {
     spring: Spring,
     damper: Damper,
-    /// Whether the damper acts after the approach, too: the formula then has to be kept from pulling.
+    /// Whether the damper also acts after the approach: the formula may then pull and must be clamped.
     pub(super) is_damped_throughout: bool,
 }
 
@@ -32,10 +31,10 @@ enum Spring {
     Hertz(f64),
 }
 
-/// What a damper adds to a spring S.
+/// Damper force in addition to a spring force S.
 #[derive(Debug, Clone, Copy)]
 enum Damper {
-    /// Nothing.
+    /// No damper.
     None,
     /// cδ̇, beside a linear spring.
     Constant(f64),
@@ -54,7 +53,7 @@ pub(super) struct Touching {
     pub deformation: f64,
     /// δ̇ \[m/s\].
     pub rate: f64,
-    /// v₀ \[m/s\], not below [`pounding_contact::SLOWEST_APPROACH`].
+    /// v₀ \[m/s\], at least [`pounding_contact::SLOWEST_APPROACH`].
     pub approach_speed: f64,
 }
 
@@ -62,7 +61,7 @@ impl Law {
     pub(super) fn of(mut law: ContactLaw, reduced_mass: f64) -> Self {
         let numbers: Vec<_> = law.parameters().iter().map(|(_, number)| **number).collect();
         let (k, last) = (numbers[0], numbers[numbers.len() - 1]);
-        // c = 2 ξ̄ √(k m), of β̄ as well.
+        // c = 2 ξ̄ √(k m); for a Hertz spring with β̄ instead of k.
         let c = 2.0 * last * (k * reduced_mass).sqrt();
         let (spring, damper, is_damped_throughout) = match law {
             ContactLaw::Stereomechanical(_) => return Self::Impulsive { restitution: k },
@@ -85,9 +84,9 @@ impl Law {
 }
 
 impl Force {
-    /// Force on approach \[N\], as the formula has it.
+    /// Formula of the force on approach \[N\].
     pub(super) fn on_approach(self, pair: Touching) -> f64 {
-        // Trial steps may overshoot parting.
+        // Trial steps may overshoot the parting.
         let delta = pair.deformation.max(0.0);
         let (root, v) = (delta.sqrt(), pair.rate);
         let spring = match self.spring {
@@ -103,7 +102,7 @@ impl Force {
         }
     }
 
-    /// Force after the approach \[N\], as the formula has it.
+    /// Formula of the force after the approach \[N\].
     pub(super) fn on_return(mut self, pair: Touching) -> f64 {
         if !self.is_damped_throughout {
             self.damper = Damper::None;
@@ -111,11 +110,11 @@ impl Force {
         self.on_approach(pair)
     }
 
-    /// Rate of the force times δ \[N·m/s\], in the formula of the approach; that factor takes away the poles at first touch.
+    /// Rate of the force times δ \[N·m/s\], in the formula of the approach. The factor δ removes the poles at the first touch.
     pub(super) fn rate_on_approach(self, pair: Touching, acceleration: f64) -> f64 {
         let delta = pair.deformation.max(0.0);
         let (root, v) = (delta.sqrt(), pair.rate);
-        // The spring and its power, and the rate of its force times δ.
+        // The spring force, its power, and the rate of the spring force times δ.
         let (spring, n, rate) = match self.spring {
             Spring::Linear(k) => (k * delta, 1.0, k * delta * v),
             Spring::Hertz(beta) => (beta * root * delta, 1.5, 1.5 * beta * root * delta * v),
@@ -133,7 +132,7 @@ impl Force {
         }
     }
 
-    /// A number of the sign of the formula after the approach, smooth where δ vanishes; 1 where it never pulls.
+    /// A number with the sign of the formula after the approach, smooth at δ = 0; 1 if the formula never pulls.
     pub(super) fn grip(self, pair: Touching) -> f64 {
         let (delta, v) = (pair.deformation, pair.rate);
         let (Spring::Linear(stiffness) | Spring::Hertz(stiffness)) = self.spring;

@@ -1,7 +1,7 @@
-//! A second route to the motion of a row: event-located Runge–Kutta, kept apart from every integrator of the solver.
+//! A second route to the motion of a row: event-located Runge–Kutta, independent of every integrator of the solver.
 //!
-//! A reference is believed to the digits on which two independent routes agree. This one shares with the solver the model data ([`Row`],
-//! [`Excitation`]) and the parameters of contact laws and columns. Forces, events, impacts and records are written out again from their
+//! A reference is trusted to the digits on which two independent routes agree. This route shares the model data ([`Row`], [`Excitation`])
+//! and the parameters of contact laws and columns with the solver. Forces, events, impacts and records are implemented again from their
 //! formulas.
 //!
 //! ```
@@ -23,20 +23,21 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The method is Dormand–Prince of order 8(5,3) under error control, free flight included. No step crosses a sample of the record or an
-//! event, such as a touch, yielding or a peak. The step that would cross one is repeated with the length at which the event's function
-//! vanishes. Near the first touch, where a force may start like δ^(1/4), the variable is the fourth root of the time since then. On the
-//! way to parting it is √δ. In both the motion is analytic, and the method keeps its order.
+//! The method is Dormand–Prince of order 8(5,3) with error control, including free flight. No step crosses a sample of the record or an
+//! event, such as a touch, yielding or a peak. A step that would cross an event is repeated with the length at which the event's function
+//! vanishes. Near the first touch, where a force may start like δ^(1/4), the variable is the fourth root of the time since the touch. On
+//! the way to parting it is √δ. In both variables the motion is analytic, and the method keeps its order.
 //!
-//! - Floors of buildings count one by one: a storey acts on the floor above it and on the one below. A floor may meet any number of pairs,
-//!   and a pair may meet points between floors.
-//! - The deformation of a pair and its rate are unknowns, so that small bounces keep their digits. So is the elastic part of the drift of
-//!   Bouc–Wen columns. A ground motion that travels along the row needs no double integral of the record.
-//! - Stereomechanical pairs whose bounces are over rest against each other until the force between them fades.
+//! - Floors of buildings are separate bodies: a storey acts on the floors above and below it. A floor may meet any number of pairs, and a
+//!   pair may meet points between floors.
+//! - The deformation of a pair and its rate are unknowns, so that small bounces keep their digits. The elastic part of the drift of
+//!   Bouc–Wen columns is an unknown, too. A travelling ground motion needs no double integral of the record.
+//! - Stereomechanical pairs whose bounces are over rest against each other until their force fades.
 //!
-//! Left out: recorders and speed (`pounding-solver`); scenes, and what both routes make of them (`second_route` in `pounding-studies`).
+//! Not in this crate: recorders and speed (`pounding-solver`); scenes, and the comparison of both routes (`second_route` in
+//! `pounding-studies`).
 //!
-//! Where to start: [`run`], [`Fineness`] and [`Response`]; then `events.rs`, all events, and `law.rs`, the contact laws from their sources.
+//! Where to start: [`run`], [`Fineness`] and [`Response`]; then `events.rs` with all events, and `law.rs` with the contact laws.
 
 mod arrivals;
 mod block;
@@ -68,23 +69,23 @@ use arrivals::Segments;
 use model::Model;
 use runner::Runner;
 
-/// How finely the second route works.
+/// Accuracy of the second route.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fineness {
-    /// Error of the embedded method of order 5 allowed in a step, 1e-14 ..= 1e-6.
+    /// Largest error of the embedded method of order 5 in a step, 1e-14 ..= 1e-6.
     ///
-    /// It is relative to the largest displacements, velocities and momenta so far. The step itself is of order 8 and
-    /// far better. A factor of ten costs up to half as many steps again.
+    /// It is relative to the largest displacements, velocities and momenta so far. The step itself is of order 8 and far more accurate. A
+    /// factor of ten increases the number of steps by up to a half.
     pub tolerance: f64,
     /// Fewest steps between two samples of the record, ≥ 1.
     ///
-    /// Zeros of functions are looked for at the ends of a step and those of velocities in its middle, too: a touch
-    /// that lasts a small part of a step can be missed.
+    /// Zeros of functions are detected at the ends of a step, and those of velocities also in its middle. A touch that lasts for a small
+    /// part of a step can be missed.
     pub steps_per_sample: u32,
 }
 
 impl Fineness {
-    /// Rounding decides: on the scenes of the paper finer settings change totals by less than 3e-14 of themselves.
+    /// Accuracy limited by rounding: in the scenes of the paper, finer settings change totals by less than 3e-14.
     pub const FINE: Self = Self {
         tolerance: 1e-13,
         steps_per_sample: 4,
@@ -104,11 +105,10 @@ impl Fineness {
 
 /// Runs a row from t = 0 for `duration` \[s\] and reports its collisions and peaks.
 ///
-/// The ground acceleration is linear between samples, zero from the last one on; the first is at t = 0.
+/// The ground acceleration is linear between samples and zero after the last sample; the first sample is at t = 0.
 ///
 /// # Errors
-/// [`SecondRouteError`] for a setting out of range, a motion that is no longer finite, a tolerance that cannot be met,
-/// or events without end.
+/// [`SecondRouteError`] if a setting is out of range, the motion is no longer finite, a tolerance cannot be met, or events do not end.
 pub fn run<Column: Hysteretic>(
     row: &Row<Column>,
     excitation: Excitation<'_>,

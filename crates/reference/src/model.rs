@@ -1,17 +1,16 @@
-//! The row as plain numbers, and where each of them stands in the vector of unknowns.
+//! The row as plain numbers, and their places in the vector of unknowns.
 
 use pounding_solver::{Hysteretic, Node, Pair, Point, Row, Share, Support};
 
 use super::law::Law;
 use super::storey::{Columns, Smooth};
 
-/// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
+/// Index in the vector of unknowns of the time within the present segment of the record \[s\].
 ///
-/// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
-/// pair, then the deformation of each pair and its rate, then the elastic part of the drift of each storey with columns
-/// that yield smoothly.
+/// Displacement and velocity of each structure follow, then the impulse of the present collision of each pair. The deformation and its rate
+/// of each pair are next. The elastic part of the drift of each storey with smoothly yielding columns is last.
 ///
-/// A deformation is an unknown of its own, since the difference of two displacements would not know small bounces.
+/// A deformation is a separate unknown, because a difference of displacements would lose the digits of small bounces.
 pub(super) const TIME: usize = 0;
 
 /// Index of a structure's displacement in the vector of unknowns.
@@ -27,7 +26,7 @@ pub(super) fn velocity(structure: usize) -> usize {
 /// The row as plain numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Model {
-    /// Those of the row, then the grounds under points between a ground and a first floor, as walls.
+    /// Structures of the row, then, as walls, the grounds of points between a ground and a first floor.
     pub structures: Vec<Structure>,
     /// Number of nodes of the row.
     pub n_nodes: usize,
@@ -36,24 +35,24 @@ pub(super) struct Model {
     n_smooth: usize,
 }
 
-/// A floor with the storey below it, or, with inverse mass 0, a wall.
+/// A floor with the storey below it, or a wall with inverse mass 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Structure {
     pub inverse_mass: f64,
-    /// Floor on which the storey stands; nothing on the ground.
+    /// Floor on which the storey stands; `None` on the ground.
     pub below: Option<usize>,
     /// Damping coefficient of the storey \[N·s/m\].
     pub damping: f64,
-    /// Damping coefficient of the floor against the ground, besides that of a storey that stands there \[N·s/m\].
+    /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
     pub ground_damping: f64,
     pub columns: Columns,
-    /// When the ground motion arrives \[s\].
+    /// Arrival of the ground motion \[s\].
     pub arrival: f64,
     pub initial_displacement: f64,
     pub initial_velocity: f64,
 }
 
-/// A point with a part `lean` of the far floor's motion and the rest of the near one's; on a floor, both are that floor.
+/// A point with a part `lean` of the far floor's motion and the rest of the near floor's motion. On a floor both are this floor.
 #[derive(Debug, Clone, Copy)]
 struct Spot {
     near: usize,
@@ -62,13 +61,13 @@ struct Spot {
 }
 
 impl Spot {
-    /// Its value of a quantity of floors; exactly theirs where they agree.
+    /// Value at the point of a quantity of floors; exactly that of the floors if they agree.
     fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
         let near = quantity(self.near);
         near + self.lean * (quantity(self.far) - near)
     }
 
-    /// Parts of a force on it that floors carry.
+    /// Parts of a force on the point that the floors carry.
     fn parts(self) -> impl Iterator<Item = (usize, f64)> {
         let parts = [(self.near, 1.0 - self.lean), (self.far, self.lean)];
         parts.into_iter().filter(|(_, part)| *part > 0.0)
@@ -81,36 +80,36 @@ pub(super) struct Neighbours {
     left: Spot,
     right: Spot,
     pub gap: f64,
-    /// Index of the deformation in the vector of unknowns, before that of its rate.
+    /// Index of the deformation in the vector of unknowns, followed by its rate.
     pub deformation: usize,
     pub reduced_mass: f64,
     pub law: Law,
 }
 
 impl Neighbours {
-    /// How far the left point is ahead of the right one, in a quantity of floors.
+    /// Left point minus right point, in a quantity of floors.
     pub(super) fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
         self.left.of(&quantity) - self.right.of(&quantity)
     }
 
-    /// Parts of floors and walls in the rate of deformation; a force pushes each with its part, the other way.
+    /// Parts of floors and walls in the rate of deformation. A force pushes each by its part, with opposite sign.
     pub(super) fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         let right = self.right.parts().map(|(floor, part)| (floor, -part));
         self.left.parts().chain(right)
     }
 
-    /// The part of one floor; 0 if the pair does not meet it.
+    /// The part of a floor; 0 if the pair does not meet it.
     pub(super) fn part(&self, floor: usize) -> f64 {
         let parts = self.parts().filter(|(met, _)| *met == floor);
         parts.fold(0.0, |sum, (_, part)| sum + part)
     }
 
-    /// Size of the terms of that difference, where quantities of floors have these sizes.
+    /// Size of the terms of the difference, from the sizes of the quantity at floors.
     pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
         self.parts().map(|(floor, part)| part.abs() * sizes(floor)).sum()
     }
 
-    /// A floor or wall on the ground of the left point, and of the right one.
+    /// A floor or wall on the ground of the left point, and another on that of the right point.
     pub(super) fn grounds(&self) -> [usize; 2] {
         [self.left.near, self.right.near]
     }
@@ -169,7 +168,7 @@ impl Model {
         1 + 2 * self.structures.len() + pair
     }
 
-    /// Displacement of a floor relative to what its storey stands on \[m\].
+    /// Displacement of a floor relative to the support of its storey \[m\].
     pub(super) fn drift(&self, structure: usize, unknowns: &[f64]) -> f64 {
         let of_floor = unknowns[displacement(structure)];
         match self.structures[structure].below {
@@ -178,7 +177,7 @@ impl Model {
         }
     }
 
-    /// Its rate \[m/s\].
+    /// Rate of the drift \[m/s\].
     pub(super) fn drift_rate(&self, structure: usize, unknowns: &[f64]) -> f64 {
         let of_floor = unknowns[velocity(structure)];
         match self.structures[structure].below {
@@ -193,7 +192,7 @@ impl Model {
         structure.initial_displacement - below.unwrap_or(0.0)
     }
 
-    /// Deformation δ of a pair \[m\]; negative while it stands apart.
+    /// Deformation δ of a pair \[m\]; negative while apart.
     pub(super) fn deformation(&self, pair: usize, unknowns: &[f64]) -> f64 {
         unknowns[self.pairs[pair].deformation]
     }
@@ -203,7 +202,7 @@ impl Model {
         unknowns[self.pairs[pair].deformation + 1]
     }
 
-    /// Deformation of a pair at t = 0 and its rate \[m\], \[m/s\]; grounds are at rest then.
+    /// Deformation of a pair \[m\] and its rate \[m/s\] at t = 0, when grounds are at rest.
     pub(super) fn initial_deformation(&self, pair: &Neighbours) -> [f64; 2] {
         [
             pair.ahead(|floor| self.structures[floor].initial_displacement) - pair.gap,
@@ -215,7 +214,7 @@ impl Model {
         self.structures[structure].inverse_mass == 0.0
     }
 
-    /// Gives a structure a velocity, and every pair it belongs to the rate that follows.
+    /// Changes the velocity of a structure, and the rate of every pair at it.
     pub(super) fn push(&self, structure: usize, gained: f64, unknowns: &mut [f64]) {
         unknowns[velocity(structure)] += gained;
         for pair in &self.pairs {
@@ -224,7 +223,7 @@ impl Model {
     }
 }
 
-/// A point of the row; a ground that it shares becomes one more wall.
+/// A point of the row; a ground that it shares becomes another wall.
 fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
     let (near, far, lean) = match point {
         Point::Floor(floor) => (Some(floor), Some(floor), 0.0),
@@ -273,7 +272,7 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure
 }
 
 impl Model {
-    /// Unknowns z with the storeys of their columns.
+    /// Storeys with smooth columns, with the places of their unknowns z.
     pub(super) fn smooth(&self) -> impl Iterator<Item = (usize, Smooth)> {
         let storeys = self.structures.iter().enumerate();
         storeys.filter_map(|(index, storey)| Some((index, storey.columns.smooth?)))

@@ -8,15 +8,15 @@ use super::phases::{Contact, Phases};
 use super::state::State;
 use super::variable::Variable;
 
-/// Where derivatives with respect to time are asked for.
+/// Place of derivatives with respect to time.
 pub(super) const NOW: (Variable, f64) = (Variable::Time, 0.0);
 
-/// Everything the equations of motion depend on.
+/// All data of the equations of motion.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
     pub model: Model,
     pub phases: Phases,
-    /// The pairs that press at rest; decided with the phases.
+    /// The pairs that press at rest; decided together with the phases.
     pub block: Block,
     pub segment: Segment,
 }
@@ -30,12 +30,12 @@ pub(super) struct Segment {
     pub length: f64,
     /// Ground acceleration at its start \[m/s²\] and its rate \[m/s³\], under every structure.
     pub grounds: Vec<(f64, f64)>,
-    /// Displacement \[m\] and velocity \[m/s\] of the ground under every structure at its start, each in the place of the structure's own.
+    /// Displacement \[m\] and velocity \[m/s\] of the ground under every structure at the start, at the places of the structure's unknowns.
     pub moved: State,
 }
 
 impl Segment {
-    /// How much faster the ground under one structure moves than that under another one, at a time since the start of the segment \[m/s\].
+    /// Velocity of the ground under one structure relative to that under another, at a time since the start of the segment \[m/s\].
     pub(super) fn faster(&self, [one, other]: [usize; 2], since: f64) -> f64 {
         let [(of_one, rate_of_one), (of_other, rate_of_other)] = [one, other].map(|structure| self.grounds[structure]);
         let change = (of_one - of_other) + 0.5 * since * (rate_of_one - rate_of_other);
@@ -50,7 +50,7 @@ impl Segment {
 }
 
 impl Motion {
-    /// Derivative of the unknowns with respect to a variable, at a position of it.
+    /// Derivative of the unknowns with respect to a variable at a position.
     pub(super) fn slope(&self, place: (Variable, f64), y: &[f64], dy: &mut [f64]) {
         let Self { model, segment, .. } = self;
         self.accelerate(place, y, dy);
@@ -74,7 +74,7 @@ impl Motion {
         }
     }
 
-    /// Pounding forces and accelerations in space, without what presses at rest, and what else changes.
+    /// Pounding forces and absolute accelerations without the forces of pairs at rest, and the other derivatives.
     pub(super) fn accelerate(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
         let Self {
             model, phases, segment, ..
@@ -102,7 +102,7 @@ impl Motion {
             }
             dy[model.impulse(index)] = force;
         }
-        // From forces to accelerations in space.
+        // Converts forces to absolute accelerations.
         for (index, structure) in model.structures.iter().enumerate() {
             let slope = &mut dy[velocity(index)];
             *slope = if model.is_wall(index) {
@@ -113,7 +113,7 @@ impl Motion {
         }
     }
 
-    /// Derivatives of deformations and their rates, from accelerations in space.
+    /// Derivatives of deformations and their rates, from absolute accelerations.
     fn close(&self, y: &[f64], dy: &mut [f64]) {
         for (pair, phase) in self.model.pairs.iter().zip(&self.phases.pairs) {
             let rests = matches!(phase.contact, Contact::Resting { .. });
@@ -148,14 +148,14 @@ impl Motion {
         self.model.structures[structure].columns.force(branch, drift, y)
     }
 
-    /// Part of the restoring force that yields \[N\].
+    /// Yielding part of the restoring force \[N\].
     pub(super) fn yielding_force(&self, structure: usize, y: &[f64]) -> f64 {
         let columns = &self.model.structures[structure].columns;
         let force = self.restoring_force(structure, y);
         columns.yielding_part(force, self.model.drift(structure, y))
     }
 
-    /// Columns yield; not where the drift turned at the same instant.
+    /// Starts yielding of columns, unless the drift turned at this instant.
     pub(super) fn yields(&mut self, structure: usize, y: &[f64]) {
         let part = self.yielding_force(structure, y);
         let phase = &mut self.phases.structures[structure];
@@ -197,7 +197,7 @@ impl Motion {
         push
     }
 
-    /// Whether a structure is touched from both sides.
+    /// Whether neighbours touch a structure from both sides.
     pub(super) fn is_between(&self, structure: usize) -> bool {
         let from = |side: f64| {
             let mut pairs = self.model.pairs.iter().zip(&self.phases.pairs);
@@ -206,7 +206,7 @@ impl Motion {
         from(1.0) && from(-1.0)
     }
 
-    /// Takes the sign of the net pounding force where both sides have begun to touch.
+    /// Stores the sign of the net pounding force if both sides have begun to touch.
     pub(super) fn settle(&mut self, slope: &[f64]) {
         for index in 0..self.model.structures.len() {
             let known = self.phases.structures[index].push;
@@ -217,7 +217,7 @@ impl Motion {
 
     /// Rate of a pair's pounding force, times its deformation \[N·m/s\].
     ///
-    /// `slope` is the derivative of the unknowns `y` with respect to time. After the approach the damper has to act, too.
+    /// `slope` is the derivative of the unknowns `y` with respect to time. After the approach the damper must act, too.
     pub(super) fn force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
         let Law::Compliant(force) = self.model.pairs[pair].law else {
             return 0.0;
@@ -227,7 +227,7 @@ impl Motion {
         force.rate_on_approach(touching, self.model.rate(pair, slope))
     }
 
-    /// Takes anew, after velocities have jumped, which formulas would pull: at the end of the next step it may be as before.
+    /// Updates, after velocity jumps, which formulas would pull: the change would not show at the end of the next step.
     pub(super) fn grip_again(&mut self, y: &[f64]) {
         for pair in 0..self.phases.pairs.len() {
             let pulls = self.grip(pair, y) < 0.0;
@@ -240,8 +240,8 @@ impl Motion {
         }
     }
 
-    /// Takes anew, after velocities have jumped, whether the forces of compliant pairs rise, and forgets which way they push; `slope` is
-    /// the derivative of the unknowns.
+    /// Updates, after velocity jumps, whether the forces of compliant pairs rise, and forgets the sign of net forces. `slope` is the
+    /// derivative of the unknowns.
     pub(super) fn rise_again(&mut self, y: &[f64], slope: &[f64]) {
         for phase in &mut self.phases.structures {
             phase.push = None;
@@ -256,7 +256,7 @@ impl Motion {
         }
     }
 
-    /// Negative where the formula of a pair would pull after the approach.
+    /// Negative if the formula of a pair would pull after the approach.
     pub(super) fn grip(&self, pair: usize, y: &[f64]) -> f64 {
         let Law::Compliant(force) = self.model.pairs[pair].law else {
             return 1.0;

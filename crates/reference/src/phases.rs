@@ -1,4 +1,4 @@
-//! What is decided by events and stays as it is between them.
+//! Phases: states that events change and that stay constant in between.
 
 use pounding_contact::SLOWEST_APPROACH;
 
@@ -17,7 +17,7 @@ pub(super) struct Phases {
 pub(super) struct StructurePhase {
     /// Sign of the velocity.
     pub direction: f64,
-    /// Sign of the drift rate of the storey below; the same on the ground.
+    /// Sign of the drift rate of the storey below; on the ground, the sign of the velocity.
     pub drift_direction: f64,
     /// Sign of the net pounding force while both neighbours touch.
     pub push: Option<f64>,
@@ -29,17 +29,17 @@ pub(super) struct PairPhase {
     /// Sign of the deformation rate.
     pub direction: f64,
     pub contact: Contact,
-    /// Deformation rate at the first touch of the present contact \[m/s\], not below [`SLOWEST_APPROACH`].
+    /// Deformation rate at the first touch of the present contact \[m/s\], at least [`SLOWEST_APPROACH`].
     pub approach_speed: f64,
 }
 
-/// Phase of a contact; impulsive pairs stand apart or are at rest.
+/// Phase of a contact. Impulsive pairs are apart or at rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Contact {
     Apart,
     /// The deformation grows.
     Approach {
-        /// First touch on the clock of the segment \[s\] (negative when earlier); nothing after a second approach.
+        /// First touch on the clock of the segment \[s\] (negative if earlier); `None` after a second approach.
         touch: Option<f64>,
         /// Sign of the force's rate.
         rising: f64,
@@ -49,11 +49,11 @@ pub(super) enum Contact {
         /// Sign of the force's rate.
         rising: f64,
     },
-    /// The formula would pull: no force.
+    /// The formula would pull: there is no force.
     Clamped,
     /// An impulsive pair stays together.
     Resting {
-        /// Whether a force keeps both from overlapping; else they move alike without one.
+        /// Whether a force prevents an overlap; otherwise both sides move alike without a force.
         presses: bool,
         /// Sign of the force's rate.
         rising: f64,
@@ -120,7 +120,7 @@ impl Phases {
         matches!(contact, Contact::Resting { presses: true, .. })
     }
 
-    /// Turns a structure, and with it a storey that stands on the ground.
+    /// Turns a structure, and with it a storey on the ground.
     pub(super) fn turn(&mut self, structure: usize, model: &Model, unknowns: &[f64]) {
         let phase = &mut self.structures[structure];
         phase.direction = -phase.direction;
@@ -148,7 +148,7 @@ impl Phases {
         }
     }
 
-    /// Takes all directions anew after velocities have jumped.
+    /// Updates all directions after velocity jumps.
     pub(super) fn redirect(&mut self, model: &Model, unknowns: &[f64]) {
         for index in 0..self.structures.len() {
             let direction = sign(unknowns[velocity(index)]);
@@ -170,7 +170,7 @@ impl Phases {
         }
     }
 
-    /// Sets the clock back at the start of a new segment, after one of `length` \[s\].
+    /// Sets the clock back by `length` \[s\] at the start of a new segment.
     pub(super) fn shift(&mut self, length: f64) {
         for phase in &mut self.pairs {
             if let Contact::Approach { touch: Some(touch), .. } = &mut phase.contact {

@@ -1,4 +1,4 @@
-//! How a step is meant to go.
+//! Plan of a step.
 
 use super::events::Event;
 use super::model::TIME;
@@ -6,21 +6,21 @@ use super::motion::{Motion, NOW};
 use super::phases::{Contact, PairPhase};
 use super::variable::{Variable, fourth_root};
 
-/// A step about to be taken.
+/// Plan of the next step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plan {
     pub variable: Variable,
     /// Length in the variable.
     pub length: f64,
-    /// What the full length is meant to meet exactly.
+    /// Event at the end of the full length, met exactly.
     pub target: Option<Event>,
 }
 
 impl Plan {
-    /// A step of at most `longest` \[s\], no longer than the segment.
+    /// A step of at most `longest` \[s\], within the segment.
     pub(super) fn new(motion: &Motion, y: &[f64], variable: Variable, longest: f64) -> Self {
         let remaining = motion.segment.length - y[TIME];
-        // A step that would leave a sliver takes it along.
+        // A step that would leave a tiny rest of the segment includes it.
         let (duration, target) = if longest > 0.999 * remaining {
             (remaining, Some(Event::SegmentEnd))
         } else {
@@ -53,9 +53,9 @@ impl Plan {
     }
 }
 
-/// The variable in which the motion ahead is smoothest.
+/// The variable in which the next motion is smoothest.
 ///
-/// `scratch` takes a derivative of the unknowns.
+/// `scratch` receives a derivative of the unknowns.
 pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Variable {
     let pairs = &motion.phases.pairs;
     let touches = pairs.iter().filter_map(|phase| match phase.contact {
@@ -74,7 +74,7 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
         let deformation = motion.model.deformation(index, y);
         let rate = motion.model.rate(index, y);
         let acceleration = motion.model.rate(index, scratch);
-        // Sure to part: at this acceleration the rate would vanish only long after the deformation has.
+        // The pair certainly parts: at this acceleration the rate would vanish long after the deformation.
         let parts = returns(phase) && deformation > 0.0 && rate < 0.0 && rate * rate > 2.0 * deformation * acceleration.abs();
         parts.then_some((index, deformation, deformation / -rate))
     });

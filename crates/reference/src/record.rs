@@ -1,23 +1,23 @@
-//! What the second route reports.
+//! Results of the second route.
 
 use super::impact::SHORTEST;
 use super::model::{displacement, velocity};
 use super::motion::Motion;
 use super::state::State;
 
-/// What a run leaves behind.
+/// Result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
-    /// Collisions of each pair, in the order of time.
+    /// Collisions of each pair, in order of time.
     pub collisions: Vec<Vec<Collision>>,
-    /// What happened to each structure, floor or wall, in the order of the row's nodes.
+    /// Results of each structure, floor or wall, in the order of the row's nodes.
     pub structures: Vec<StructureResponse>,
-    /// Steps that were kept, a count of work.
+    /// Number of accepted steps.
     pub steps: u64,
 }
 
-/// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it at once, or
-/// the time for which a pair presses that comes to it without an impact.
+/// A contact of a pair, from touch to parting. For an impulsive law: an impact with the rest that follows it at once, or the time for which
+/// a pair presses that came to rest without an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// First touch, or the instant of the impact \[s\].
@@ -26,27 +26,27 @@ pub struct Collision {
     pub end: f64,
     /// Impulse ∫F dt \[N·s\], ≥ 0.
     pub impulse: f64,
-    /// Peak pounding force \[N\]; nothing for an impact, with rest or without.
+    /// Peak pounding force \[N\]; `None` for an impact, with or without rest.
     pub peak_force: Option<f64>,
 }
 
-/// Value of largest magnitude and its first instant.
+/// The value of largest magnitude and its first instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Peak {
     /// The value, with its sign.
     pub value: f64,
-    /// Its first instant \[s\].
+    /// First instant of the value \[s\].
     pub time: f64,
 }
 
-/// What happened to one structure, or to one floor and the storey below it.
+/// Results of a structure, or of a floor and the storey below it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StructureResponse {
     /// ∫ |net pounding force| dt, or the sum over instants of |net impulse| \[N·s\].
     pub transferred_momentum: f64,
     /// Peak displacement \[m\].
     pub displacement: Peak,
-    /// Peak drift of the storey below \[m\]; on the ground the peak displacement.
+    /// Peak drift of the storey below \[m\]; on the ground, the peak displacement.
     pub drift: Peak,
     /// Peak restoring force of the storey below \[N\].
     pub restoring_force: Peak,
@@ -58,11 +58,11 @@ pub struct StructureResponse {
     pub end_restoring_force: f64,
 }
 
-/// Keeps the response while it is found.
+/// Collects the response during the run.
 #[derive(Debug, Clone)]
 pub(super) struct Record {
     response: Response,
-    /// Index of the collision of each pair that goes on.
+    /// Index of the present collision of each pair.
     open: Vec<Option<usize>>,
     /// The last instant with an impact \[s\], and the net impulse of its impacts on every structure \[N·s\].
     instant: f64,
@@ -91,8 +91,8 @@ impl Record {
         }
     }
 
-    /// Sees the state at the end of a step, in the phases of the step, or after what happened there; `slope` is the
-    /// derivative of the unknowns, which has the forces.
+    /// Records the state at the end of a step, in the phases of the step, or after an event there. `slope` is the derivative of the
+    /// unknowns, which contains the forces.
     pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], slope: &[f64], time: f64) {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             let columns = &motion.model.structures[index].columns;
@@ -112,7 +112,7 @@ impl Record {
         }
     }
 
-    /// Adds what pounding forces transferred within one step, during which no net force changed its sign.
+    /// Adds the momentum that pounding forces transferred within a step without a change of sign of a net force.
     pub(super) fn transfer(&mut self, motion: &Motion, from: &[f64], to: &[f64]) {
         self.response.steps += 1;
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
@@ -125,12 +125,12 @@ impl Record {
         }
     }
 
-    /// A pair begins to press, with a force that may jump there.
+    /// A pair begins to press, with a force that may jump.
     pub(super) fn touch(&mut self, pair: usize, time: f64, force: f64) {
         let collisions = &mut self.response.collisions[pair];
         let struck = |last: &Collision| last.peak_force.is_none() && time - last.end < SHORTEST;
         if collisions.last().is_some_and(struck) {
-            // The rest after an impact belongs to it.
+            // The rest after an impact belongs to the impact.
             self.open[pair] = Some(collisions.len() - 1);
             return;
         }
@@ -143,8 +143,7 @@ impl Record {
         });
     }
 
-    /// A pair presses no longer; what was no more than `least` \[N·s\] was rounding, as where neighbours without a gap
-    /// start together.
+    /// A pair stops pressing. An impulse of at most `least` \[N·s\] was rounding, for example if neighbours without a gap start together.
     pub(super) fn part(&mut self, pair: usize, impulse: f64, least: f64, time: f64) {
         let Some(last) = self.open[pair].take() else {
             return;
@@ -158,7 +157,7 @@ impl Record {
         }
     }
 
-    /// Impulsive pairs collide at one instant, each with an impulse ≥ 0; of what is no more than `least` \[N·s\] nothing is told.
+    /// Impulsive pairs collide at an instant, each with an impulse ≥ 0. Impulses of at most `least` \[N·s\] are ignored.
     pub(super) fn impacts(&mut self, motion: &Motion, impulses: &[f64], least: &[f64], time: f64) {
         let impacts = impulses.iter().copied().enumerate();
         let impacts: Vec<_> = impacts.filter(|&(pair, impulse)| impulse > least[pair]).collect();
@@ -185,7 +184,7 @@ impl Record {
         }
     }
 
-    /// Closes what goes on at the end of the run.
+    /// Closes collisions in progress at the end of the run.
     pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
         for index in 0..motion.model.pairs.len() {
             self.part(index, state.high[motion.model.impulse(index)], 0.0, time);

@@ -1,10 +1,10 @@
 //! Rest: pairs of an impulsive law that press.
 //!
-//! With a₀ the accelerations in space without their forces F, 0 ≤ F ⟂ W F − G a₀ ≥ 0: a pair presses and does not close, or it opens
-//! without a force. Grounds that move differently change nothing in this.
+//! With a₀ the absolute accelerations without their forces F, 0 ≤ F ⟂ W F − G a₀ ≥ 0. A pair presses and does not close, or it opens
+//! without a force. This also holds for grounds that move differently.
 //!
-//! What closes and opens by no more than rounding is *idle*: it stays together without a force until it does more. That decides ties:
-//! between an acceleration of zero and one of ten thousand roundings lies no time that a result could show.
+//! A pair that closes or opens within rounding is *idle*: it stays together without a force until its motion exceeds rounding. This decides
+//! ties: the time between an acceleration of zero and one of ten thousand roundings is too short to affect any result.
 
 use std::convert::identity;
 
@@ -14,25 +14,25 @@ use super::model::{Neighbours, TIME, displacement, velocity};
 use super::motion::{Motion, NOW};
 use super::phases::Contact;
 
-/// Closing acceleration, as a part of those it is the difference of, that is rounding.
+/// Rounding of a closing acceleration, relative to its terms.
 const IDLE: f64 = 1e-13;
 
-/// How the rate of the force of a pair at rest is found.
+/// How the rate of the force of a pair at rest is computed.
 #[derive(Debug, Clone, Copy)]
 struct Probe {
     /// Time over which the force is differenced \[s\], along a straight line of the unknowns.
     time: f64,
-    /// Part of the forces it is the difference of that rounding leaves of the rate \[1/s\].
+    /// Rounding of the rate, as a part of the forces \[1/s\].
     rounding: f64,
 }
 
 impl Probe {
-    /// Forces of columns and grounds are straight along the line.
+    /// For forces of columns and grounds, which are straight along the line.
     const STRAIGHT: Self = Self {
         time: 1e-4,
         rounding: 1e-10,
     };
-    /// Those of compliant contacts bend.
+    /// For forces of compliant contacts, which bend.
     const BENT: Self = Self {
         time: 1e-6,
         rounding: 1e-8,
@@ -46,7 +46,7 @@ impl Motion {
         pairs.any(|phase| matches!(phase.contact, Contact::Resting { .. }))
     }
 
-    /// Gives floors at rest the accelerations of the block and its pairs their forces; `slope` has accelerations in space.
+    /// Sets the accelerations of floors at rest and the forces of their pairs; `slope` has absolute accelerations.
     pub(super) fn lean(&self, slope: &mut [f64]) {
         let Self { model, block, .. } = self;
         if block.pairs.is_empty() {
@@ -62,7 +62,7 @@ impl Motion {
         }
     }
 
-    /// Accelerations in space of floors and walls \[m/s²\].
+    /// Absolute accelerations of floors and walls \[m/s²\].
     fn floors(&self, slope: &[f64]) -> Vec<f64> {
         let floors = 0..self.model.structures.len();
         floors.map(|floor| slope[velocity(floor)]).collect()
@@ -103,16 +103,16 @@ impl Motion {
         forces
     }
 
-    /// Acceleration with which a pair closes that is not at rest \[m/s²\]; `slope` is the derivative of the unknowns.
+    /// Closing acceleration of a pair that is not at rest \[m/s²\]; `slope` is the derivative of the unknowns.
     pub(super) fn closing(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
         let neighbours = self.model.pairs[pair];
         let [left, right] = neighbours.grounds().map(|one| self.segment.ground(one, y[TIME]));
         neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
-    /// Accelerations with which pairs close while a block presses, and what rounding leaves of each \[m/s²\].
+    /// Closing accelerations of pairs while a block presses, and their rounding \[m/s²\].
     ///
-    /// Floors and walls have the accelerations `without` the block; `terms` is the size of what these are the sum of.
+    /// Floors and walls have the accelerations `without` the block; `terms` is the size of their terms.
     fn closings(&self, block: &Block, without: &[f64], terms: &[f64]) -> Vec<[f64; 2]> {
         let accelerations = block.accelerations(identity, without);
         let terms = block.accelerations(f64::abs, terms);
@@ -162,9 +162,9 @@ impl Motion {
         }
     }
 
-    /// Finds the pairs of a group at rest that press, from accelerations in space without them and the size of their terms.
+    /// Finds the pressing pairs of a group at rest, from absolute accelerations without them and the size of their terms.
     ///
-    /// A pair presses that would close without its force. A pair that depends on others presses if it shares their force.
+    /// A pair presses if it would close without its force. A dependent pair presses if it shares the force of others.
     fn pressing(&self, group: &[usize], without: &[f64], terms: &[f64]) -> Vec<usize> {
         let tried = |set: &[usize]| {
             let pairs = set.iter().map(|member| group[*member]).collect();
@@ -198,7 +198,7 @@ impl Motion {
         best(group.len(), judge).unwrap_or_default()
     }
 
-    /// Rate of the force of a pair at rest \[N/s\], `slope` being the derivative of the unknowns, and what rounding leaves of it.
+    /// Rate of the force of a pair at rest \[N/s\], and its rounding. `slope` is the derivative of the unknowns.
     fn resting_force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> [f64; 2] {
         let force = |by: f64| {
             let near = y.iter().zip(slope).map(|(unknown, slope)| unknown + by * slope);

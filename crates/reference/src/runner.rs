@@ -1,4 +1,4 @@
-//! Step by step from event to event.
+//! The run, step by step from event to event.
 
 use super::block::Block;
 use super::dormand_prince::DormandPrince;
@@ -18,23 +18,23 @@ use super::{Fineness, SecondRouteError};
 /// Most events in one segment of the record.
 const MOST_EVENTS: usize = 5_000;
 
-/// Most times a step is shortened before the tolerance counts as out of reach.
+/// Most reductions of a step. Beyond, the tolerance cannot be met.
 const MOST_REJECTIONS: usize = 60;
 
-/// Distance of a pair, as a part of the displacements of both, from which on their difference knows it well.
+/// Distance of a pair, as a part of the displacements of both sides, beyond which their difference is accurate.
 const FAR: f64 = 1e-2;
 
-/// A run under way.
+/// A run in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Runner {
     pub(super) motion: Motion,
     pub(super) state: State,
-    /// End of the step under trial.
+    /// End of the trial step.
     trial: State,
     method: DormandPrince,
     /// Events that can end the present step.
     events: Vec<Event>,
-    /// Those that did.
+    /// Events that ended the present step.
     fired: Vec<Event>,
     pub(super) scratch: Vec<f64>,
     middle: Vec<f64>,
@@ -43,7 +43,7 @@ pub(super) struct Runner {
     pub(super) scales: Scales,
     tolerance: f64,
     longest_step: f64,
-    /// Length that the error of the last step allows the next one \[s\].
+    /// Length of the next step by the error of the last one \[s\].
     pub(super) proposal: f64,
     n_events: usize,
 }
@@ -95,7 +95,7 @@ impl Runner {
         runner
     }
 
-    /// Runs through one segment of the record.
+    /// Runs through a segment of the record.
     pub(super) fn segment(&mut self, segment: Segment) -> Result<(), SecondRouteError> {
         self.motion.phases.shift(self.motion.segment.length);
         let length = segment.length;
@@ -119,8 +119,8 @@ impl Runner {
         Ok(())
     }
 
-    /// Takes the deformations of pairs far apart, and their rates, from the motions of both sides again: impacts round each of the
-    /// unknowns by itself, and over many of them a gap would become another one.
+    /// Recomputes deformations and rates of pairs far apart from the motions of both sides. Impacts round each of these unknowns
+    /// separately, and many impacts would change the gap.
     fn measure(&mut self) {
         let Self { motion, state, scales, .. } = self;
         let moved = &motion.segment.moved;
@@ -149,7 +149,7 @@ impl Runner {
         self.motion.segment.start + self.state.high[TIME]
     }
 
-    /// One step, up to the first event in it.
+    /// Makes a step, up to the first event in it.
     fn advance(&mut self) -> Result<(), SecondRouteError> {
         let variable = plan::variable(&self.motion, &self.state.high, &mut self.scratch);
         events::list(&self.motion, variable, &mut self.events);
@@ -165,7 +165,7 @@ impl Runner {
         self.method.step(&self.motion, (variable, length), &self.state, &mut self.trial);
     }
 
-    /// Shortens the step until its error is allowed.
+    /// Shortens the step until its error is acceptable.
     fn accept(&mut self, plan: &mut Plan) -> Result<(), SecondRouteError> {
         let mut error = f64::NAN;
         for _ in 0..MOST_REJECTIONS {
@@ -174,7 +174,7 @@ impl Runner {
             let tolerance = self.tolerance;
             let scale = |index: usize| tolerance * sizes[index].max(end[index].abs());
             error = self.method.error(plan.length, scale);
-            // The estimate grows with the sixth power of the length; 3/16 is the nearest that roots give to 1/6.
+            // The estimate grows with the sixth power of the length; 3/16 is the power closest to 1/6 that roots give.
             let factor = 0.8 / fourth_root(error * error.sqrt()).sqrt();
             if error <= 1.0 {
                 let elapsed = self.trial.high[TIME] - self.state.high[TIME];
@@ -200,9 +200,9 @@ impl Runner {
         })
     }
 
-    /// Halves the step while a velocity changes its sign in it and changes it back.
+    /// Halves the step while a velocity changes its sign twice in it.
     fn split_reversals(&mut self, plan: &mut Plan) {
-        // Thirty halvings: a billionth of a step, in which rounding alone turns a velocity round.
+        // Thirty halvings: a billionth of a step, in which only rounding reverses a velocity.
         for _ in 0..30 {
             if !self.has_double_reversal(plan) {
                 return;
@@ -227,7 +227,7 @@ impl Runner {
             .any(|event| event.is_reversal() && event.value(motion, middle, scratch) < 0.0 && event.value(motion, end, scratch) >= 0.0)
     }
 
-    /// Shortens the step to the first event in it; `trial` is then just past that.
+    /// Shortens the step to the first event in it; `trial` is then just past the event.
     fn stop_at_first_event(&mut self, plan: &mut Plan) {
         for index in 0..self.events.len() {
             let event = self.events[index];
@@ -241,9 +241,9 @@ impl Runner {
         }
     }
 
-    /// Length of the step, within the planned one, that just passes an event.
+    /// Length within the planned step that just passes an event.
     ///
-    /// The step is repeated with trial lengths: regula falsi (Illinois) with a bisection every third time.
+    /// The step is repeated with trial lengths: regula falsi (Illinois), with a bisection every third time.
     fn locate(&mut self, event: Event, plan: &Plan, value: f64) -> f64 {
         let start = event.value(&self.motion, &self.state.high, &mut self.scratch);
         if start < 0.0 {
@@ -278,7 +278,7 @@ impl Runner {
         after.0
     }
 
-    /// Makes the end of the step the present, records it and lets its events happen.
+    /// Accepts the end of the step, records it and applies its events.
     fn commit(&mut self, plan: Plan) -> Result<(), SecondRouteError> {
         let started = self.now();
         self.record.transfer(&self.motion, &self.state.high, &self.trial.high);
@@ -315,14 +315,14 @@ impl Runner {
         Ok(())
     }
 
-    /// Records the present state, whose derivative then is in `scratch`.
+    /// Records the present state; `scratch` then holds its derivative.
     fn observe(&mut self) {
         let (y, time) = (&self.state.high, self.now());
         self.motion.slope(NOW, y, &mut self.scratch);
         self.record.observe(&self.motion, y, &self.scratch, time);
     }
 
-    /// Lets the fired events happen.
+    /// Applies the events of the step.
     fn happen(&mut self) -> Result<(), SecondRouteError> {
         let time = self.now();
         let mut collides = false;
@@ -360,7 +360,7 @@ impl Runner {
         self.record.touch(pair, time, force);
     }
 
-    /// A pair presses no longer.
+    /// A pair stops pressing.
     pub(super) fn part(&mut self, pair: usize, time: f64) {
         let index = self.motion.model.impulse(pair);
         let (impulse, least) = (self.state.high[index], NOISE * self.scales.sizes()[index]);

@@ -1,4 +1,4 @@
-//! How large each unknown is, for its error to be measured against.
+//! Scales of the unknowns for error control.
 
 use super::model::{Model, TIME, displacement, velocity};
 
@@ -10,16 +10,16 @@ pub(super) struct Scales {
     /// Size of each unknown.
     sizes: Vec<f64>,
     longest_step: f64,
-    /// Speed \[m/s\] below which a structure has not begun to move: one that leaves its neighbour does so with the rounding of the ground's
-    /// acceleration.
+    /// Speed \[m/s\] below which a structure counts as not yet moving: a structure that leaves its neighbour does so with the rounding of
+    /// the ground's acceleration.
     least_speed: f64,
 }
 
-/// Part of the ground's largest acceleration, times the longest step, that is the least speed.
+/// Ratio of the least speed to the ground's largest acceleration times the longest step.
 const LEAST: f64 = 1e-6;
 
 impl Scales {
-    /// Before the start, for segments of `interval` \[s\] and steps of at most `longest_step` \[s\].
+    /// Scales before the start, for segments of `interval` \[s\] and steps of at most `longest_step` \[s\].
     pub(super) fn new(n_unknowns: usize, interval: f64, longest_step: f64) -> Self {
         let mut sizes = vec![0.0; n_unknowns];
         sizes[TIME] = interval;
@@ -31,7 +31,7 @@ impl Scales {
         }
     }
 
-    /// Sees a ground acceleration \[m/s²\] under neighbours at rest.
+    /// Notes a ground acceleration \[m/s²\] under neighbours at rest.
     pub(super) fn shake(&mut self, acceleration: f64) {
         let speed = LEAST * self.longest_step * acceleration.abs();
         self.least_speed = self.least_speed.max(speed);
@@ -42,14 +42,14 @@ impl Scales {
         &self.sizes
     }
 
-    /// Largest speed so far of the structures of a pair, summed, or of their grounds to each other \[m/s\].
+    /// Largest speed so far of the structures of a pair, summed, or of their grounds relative to each other \[m/s\].
     fn speed(&self, model: &Model, pair: usize) -> f64 {
         let neighbours = model.pairs[pair];
         let speed = neighbours.size(|floor| self.largest[velocity(floor)]);
         speed.max(self.largest[neighbours.deformation + 1])
     }
 
-    /// Sees a state.
+    /// Updates the scales with a state.
     pub(super) fn enlarge(&mut self, model: &Model, y: &[f64]) {
         for index in 0..model.structures.len() {
             for unknown in [displacement(index), velocity(index)] {
@@ -64,8 +64,8 @@ impl Scales {
             self.largest[rate] = self.largest[rate].max(y[rate].abs());
             let momentum = pair.reduced_mass * self.speed(model, index);
             self.sizes[model.impulse(index)] = momentum;
-            // A structure that a first collision wakes has no size of its own yet; relative to itself, the error of
-            // what begins like a high power of the variable is the same in every step, however short.
+            // A structure that its first collision sets in motion has no scale yet. Relative to the structure itself, the error of a motion
+            // that begins like a high power of the variable is the same in every step, however short.
             for (structure, part) in pair.parts() {
                 let gained = momentum * (part.abs() * model.structures[structure].inverse_mass);
                 let size = &mut self.sizes[velocity(structure)];
@@ -79,7 +79,7 @@ impl Scales {
             *size = size.max(moved);
         }
         self.share(model, displacement);
-        // Errors of deformations are those of the displacements and velocities that they are differences of.
+        // Errors of deformations are those of the displacements and velocities in their differences.
         for pair in &model.pairs {
             self.sizes[pair.deformation] = f64::INFINITY;
             self.sizes[pair.deformation + 1] = f64::INFINITY;
@@ -92,10 +92,10 @@ impl Scales {
         }
     }
 
-    /// Gives all floors of a building the size of the largest.
+    /// Gives all floors of a building the largest of their scales.
     ///
-    /// Drifts are differences of displacements; and a floor that the one below wakes begins to move like a higher power
-    /// of time than a structure that is hit.
+    /// Drifts are differences of displacements. A floor set in motion by the floor below begins to move like a higher power of time than a
+    /// structure that is hit.
     fn share(&mut self, model: &Model, unknown: fn(usize) -> usize) {
         let storeys = || (0..model.structures.len()).filter_map(|index| Some((index, model.structures[index].below?)));
         for (floor, below) in storeys().rev() {

@@ -1,4 +1,4 @@
-/// A sum, and what rounding took from it.
+/// A sum, and its rounding error.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
     pub high: f64,
@@ -10,7 +10,7 @@ impl Sum {
         Self { high, low: 0.0 }
     }
 
-    /// With one more term.
+    /// The sum with another term.
     pub(super) fn plus(self, term: f64) -> Self {
         let sum = self.high + term;
         let part = sum - self.high;
@@ -20,7 +20,7 @@ impl Sum {
         }
     }
 
-    /// With a product; only that of what rounding took from both is lost.
+    /// The sum with a product; only the product of both rounding errors is lost.
     pub(super) fn plus_product(self, one: Self, other: Self) -> Self {
         let product = one.high * other.high;
         let lost = one.high.mul_add(other.high, -product);
@@ -29,7 +29,7 @@ impl Sum {
         sum
     }
 
-    /// What it is more than another one.
+    /// This sum minus another sum.
     pub(super) fn less(self, other: Self) -> Self {
         let mut sum = self.plus(-other.high);
         sum.low -= other.low;
@@ -41,12 +41,12 @@ impl Sum {
     }
 }
 
-/// The vector of unknowns, each number with what rounding took from it.
+/// The vector of unknowns, each with its rounding error.
 #[derive(Debug, Clone, Default)]
 pub(super) struct State {
     /// The unknowns.
     pub high: Vec<f64>,
-    /// What to add to them; below their last digit.
+    /// Rounding errors of the unknowns, to be added to them.
     pub low: Vec<f64>,
 }
 
@@ -68,13 +68,13 @@ impl State {
         self.low.copy_from_slice(&other.low);
     }
 
-    /// Becomes `from` plus an increment, without a loss: many small steps would otherwise round as often.
+    /// Sets an unknown to its value in `from` plus an increment, without rounding: many small steps would otherwise accumulate it.
     pub(super) fn add(&mut self, from: &Self, index: usize, increment: f64) {
         let sum = Sum::of(from.high[index]).plus(from.low[index] + increment);
         self.put_sum(index, sum);
     }
 
-    /// An unknown with what rounding took from it.
+    /// An unknown with its rounding error.
     pub(super) fn sum(&self, index: usize) -> Sum {
         Sum {
             high: self.high[index],
@@ -82,22 +82,22 @@ impl State {
         }
     }
 
-    /// Sets an unknown to a sum with what rounding took from it.
+    /// Sets an unknown to a sum with its rounding error.
     pub(super) fn put_sum(&mut self, index: usize, Sum { high, low }: Sum) {
         (self.high[index], self.low[index]) = (high, low);
     }
 
-    /// One unknown less another one, with what rounding took from both.
+    /// Difference of two unknowns, including their rounding errors.
     pub(super) fn difference(&self, one: usize, other: usize) -> f64 {
         (self.high[one] - self.high[other]) + (self.low[one] - self.low[other])
     }
 }
 
-/// How often a pair has bounced just now.
+/// Recent bounces of a pair.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Bounces {
     /// Instant of the last impact \[s\].
     pub last: f64,
-    /// Impacts before it that were each within the shortest time of the next.
+    /// Previous impacts, each within the shortest time of the next one.
     pub count: u32,
 }

@@ -1,7 +1,7 @@
-//! The columns of a storey, each loop written out from its source.
+//! The columns of a storey, each loop written from its source.
 //!
-//! d is the drift, k the stiffness, `f_y` the yield force and a the stiffness after yielding over k. The sources are those
-//! that the columns of `pounding_solver` name.
+//! d is the drift, k the stiffness, `f_y` the yield force and a the ratio of the stiffness after yielding to k. The sources are those given
+//! for the columns of `pounding_solver`.
 
 use pounding_solver::{Hysteresis, Knee};
 
@@ -16,7 +16,7 @@ pub(super) struct Columns {
     pub yield_force: f64,
     /// a \[–\].
     pub hardening: f64,
-    /// Nothing for columns with a sharp knee or none.
+    /// `None` for columns with a sharp knee or that never yield.
     pub smooth: Option<Smooth>,
 }
 
@@ -31,10 +31,10 @@ pub(super) struct Smooth {
     pub unloading: f64,
 }
 
-/// Steps over a drift of `f_y`/k, times n, in which z is found at t = 0: an error of 1e-14.
+/// Steps per drift of `f_y`/(k n) in the computation of z at t = 0: an error of 1e-14.
 const INITIAL_STEPS: f64 = 1000.0;
 
-/// Drift, in units of `f_y`/k, from which on z is `f_y`/k to rounding.
+/// Drift, in units of `f_y`/k, beyond which z is `f_y`/k to rounding.
 const FAR: f64 = 60.0;
 
 impl Columns {
@@ -46,7 +46,7 @@ impl Columns {
             knee,
         } = loop_of;
         let smooth = match knee {
-            // The unknown is numbered by the model.
+            // The model numbers the unknown.
             Knee::Smooth(shape) if yield_force.is_finite() => Some(Smooth {
                 unknown: 0,
                 exponent: shape.exponent,
@@ -62,17 +62,17 @@ impl Columns {
         }
     }
 
-    /// Force of the spring that never yields, beside the part that does \[N\].
+    /// Force of the spring that never yields, in addition to the yielding part \[N\].
     fn hardened(&self, drift: f64) -> f64 {
         self.hardening * self.stiffness * drift
     }
 
-    /// Largest force of the part that yields \[N\].
+    /// Largest force of the yielding part \[N\].
     pub(super) fn limit(&self) -> f64 {
         (1.0 - self.hardening) * self.yield_force
     }
 
-    /// dz/dd where z has the sign `side` and the drift grows in `direction`.
+    /// dz/dd for z with the sign `side` and a drift that grows in `direction`.
     pub(super) fn bend(&self, smooth: Smooth, z: f64, side: f64, direction: f64) -> f64 {
         let y = side * (z * self.stiffness / self.yield_force);
         let mut power = 1.0;
@@ -125,12 +125,12 @@ impl Columns {
         }
     }
 
-    /// Force of the part that yields \[N\], of a force of all.
+    /// Yielding part \[N\] of a total force.
     pub(super) fn yielding_part(&self, force: f64, drift: f64) -> f64 {
         force - self.hardened(drift)
     }
 
-    /// The force \[N\], kept from going beyond yielding by a rounding.
+    /// The force \[N\], limited to the yield force despite rounding.
     pub(super) fn bounded(&self, force: f64, drift: f64) -> f64 {
         if self.smooth.is_some() {
             return force;
@@ -139,7 +139,7 @@ impl Columns {
         force.clamp(hardened - limit, hardened + limit)
     }
 
-    /// The elastic branch on which columns that yield under `force` \[N\] of their yielding part unload from a drift.
+    /// The elastic branch of columns that unload at a drift, from a `force` \[N\] of their yielding part.
     pub(super) fn unloading(&self, force: f64, drift: f64) -> Branch {
         let elastic = (force + self.hardened(drift)) / self.stiffness;
         Branch::Elastic {

@@ -1,18 +1,18 @@
 //! The variables of integration.
 
-/// The variable of one step; within a step it runs from 0 to the step's length.
+/// The variable of a step. Within the step it runs from 0 to the step's length.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Variable {
     /// Time.
     Time,
-    /// σ = ⁴√(t − t of first touch), in which a force that starts like δ^(1/4) is analytic.
+    /// σ = ⁴√(t − t of first touch); a force that starts like δ^(1/4) is analytic in σ.
     RootOfTime {
         /// First touch on the clock of the segment \[s\].
         touch: f64,
         /// σ at the start of the step.
         start: f64,
     },
-    /// s = √δ of a pair on its way to parting, counted backwards; in it δ^1.5 is analytic, and the end is met exactly.
+    /// s = √δ of a pair on its way to parting, counted backwards. δ^1.5 is analytic in s, and the step ends exactly at the parting.
     RootOfDeformation {
         /// The pair.
         pair: usize,
@@ -35,7 +35,7 @@ impl Variable {
         }
     }
 
-    /// Time that passes per unit of the variable, `position` after the start of the step, at a deformation rate.
+    /// Time per unit of the variable, `position` after the start of the step, from the deformation rate.
     pub(super) fn pace(self, position: f64, rate: impl Fn(usize) -> f64) -> f64 {
         match self {
             Self::Time => 1.0,
@@ -43,12 +43,12 @@ impl Variable {
                 let root = start + position;
                 4.0 * root * root * root
             }
-            // Infinite where the pair turns round again before it parts: the step is then refused.
+            // Infinite if the pair reverses before it parts: the step is then rejected.
             Self::RootOfDeformation { pair, start } => 2.0 * (start - position) / -rate(pair),
         }
     }
 
-    /// Deformation of a pair that the variable knows better than the displacements do.
+    /// Deformation of a pair from the variable, which is more accurate than the displacements.
     pub(super) fn deformation(self, of: usize, position: f64) -> Option<f64> {
         match self {
             Self::RootOfDeformation { pair, start } if pair == of => Some((start - position) * (start - position)),

@@ -1,28 +1,29 @@
-//! A row with the leanest columns that it needs.
+//! The row of a run, with the leanest columns that suffice.
 
 use crate::{Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorders, Row, RunError, Travel, Work};
 
-/// A row with the leanest columns that it needs: decided once per run.
+/// A row with the leanest columns that suffice, chosen once per run.
 #[derive(Debug, Clone)]
 pub enum AnyRow {
     /// No column yields.
     Elastic(Row<Elastic>),
-    /// Some yield at one point. Elastic storeys among them have an infinite yield force, perfectly plastic ones a hardening of 0.
+    /// Some columns yield at a sharp knee. Elastic storeys among them have an infinite yield force; perfectly plastic ones have a hardening
+    /// of 0.
     Bilinear(Row<Bilinear>),
-    /// Some yield smoothly.
+    /// Some columns yield smoothly.
     Mixed(Row<Mixed>),
 }
 
-/// Work on a row that does not ask what its columns are.
+/// Work on a row, independent of the type of its columns.
 pub trait OnRow {
-    /// What comes of it.
+    /// The result.
     type Output;
 
     /// Works on a row.
     fn on<Column: Hysteretic>(self, row: &Row<Column>) -> Self::Output;
 }
 
-/// Does the same with the row of any columns.
+/// Evaluates an expression for the row of whichever column type.
 macro_rules! with_row {
     ($any:expr, $row:ident => $done:expr) => {
         match $any {
@@ -44,7 +45,7 @@ impl AnyRow {
         with_row!(self, row => row.pairs())
     }
 
-    /// Whether the pairs are a chain ([`Row::is_chain`]).
+    /// Whether the pairs form a chain ([`Row::is_chain`]).
     pub fn is_chain(&self) -> bool {
         with_row!(self, row => row.is_chain())
     }
@@ -54,12 +55,12 @@ impl AnyRow {
         with_row!(self, row => row.travel(excitation))
     }
 
-    /// Returns an empty ledger for a run, held to all laws.
+    /// Returns an empty ledger for a run, which checks all laws.
     pub fn ledger<'a>(&'a self, excitation: Excitation<'a>) -> Ledger<'a> {
         with_row!(self, row => Ledger::new(row, excitation))
     }
 
-    /// Integrates the row, in code that is compiled here once; see [`Integrator::run`].
+    /// Integrates the row with code that is compiled once, in this crate; see [`Integrator::run`].
     ///
     /// # Errors
     /// Those of [`Integrator::run`].

@@ -1,37 +1,37 @@
-//! What a run may cost before it is given up, and who may end it.
+//! Limits of a run: work, time, and a flag that stops it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::{Clock, RunError};
 
-/// What a run may cost before it is given up, and who may end it.
+/// Limits of a run: work, time, and a flag that stops it.
 ///
-/// It never changes a run that ends within it: the run has the same bits as without one.
+/// A budget never changes a run that stays within it: the result has the same bits.
 #[derive(Debug, Clone, Copy)]
 pub struct Budget {
-    /// Most pieces of the motion of floors by the exact method \[–\], ≥ 0, with those that are tried to tell who rests.
+    /// Most pieces of the motion of floors in the exact method \[–\], ≥ 0. Pieces tried in the search for pairs at rest count as well.
     pub pieces: f64,
-    /// Longest time that the run takes \[s\], ≥ 0; `None` for no limit. Unlike all else it depends on the machine.
+    /// Longest time of the run \[s\], ≥ 0; `None` for no limit. Only this limit depends on the machine.
     pub seconds: Option<f64>,
-    /// Whoever sets it ends the run within a fraction of a second.
+    /// Flag that ends the run within a fraction of a second once it is set.
     pub stop: Option<&'static AtomicBool>,
 }
 
 impl Budget {
-    /// Ten million: the pieces of 1000 structures over 100 s of a record, and some 20 s of a processor in contact.
+    /// Ten million: the pieces of 1000 structures over 100 s of a record, and about 20 s of processor time in contact.
     ///
     /// The largest scenes of the studies need 1e5.
     pub const PIECES: f64 = 1e7;
 
-    /// Whether somebody wants runs to end.
+    /// Whether the stop flag is set.
     pub fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 }
 
 impl Default for Budget {
-    /// Up to [`PIECES`](Self::PIECES), however long it takes; nobody ends it.
+    /// [`PIECES`](Self::PIECES) pieces, no limit of time, no stop flag.
     fn default() -> Self {
         Self {
             pieces: Self::PIECES,
@@ -41,43 +41,43 @@ impl Default for Budget {
     }
 }
 
-/// How far a run goes, and what it may cost.
+/// Steps and limits of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Course {
-    /// Its steps, and its end.
+    /// Time step and end of the run.
     pub clock: Clock,
-    /// What it may cost.
+    /// Limits of the run.
     pub budget: Budget,
 }
 
 impl From<Clock> for Course {
-    /// With the usual budget.
+    /// A run with the default budget.
     fn from(clock: Clock) -> Self {
         clock.within(Budget::default())
     }
 }
 
 impl Clock {
-    /// A run on this clock that may cost so much.
+    /// A run on this clock with a budget.
     pub fn within(self, budget: Budget) -> Course {
         Course { clock: self, budget }
     }
 }
 
-/// Steps of floors between two looks at the budget, about: some milliseconds by the slowest method.
+/// Floor steps between two checks of the budget, approximately: some milliseconds for the slowest method.
 const STEPS_BETWEEN: usize = 1 << 14;
 
-/// Looks now and then whether a run is over its budget; begins with the run.
+/// Checks from time to time whether a run exceeds its budget. It starts with the run.
 #[derive(Debug)]
 pub(crate) struct Guard {
     budget: Budget,
     until: Option<Instant>,
-    /// Looks at steps of which these bits are zero.
+    /// A step is checked if these bits of its number are zero.
     bits: usize,
 }
 
 impl Course {
-    /// Begins a run of which one step takes as long as so many steps of a floor.
+    /// Starts the guard of a run in which each step costs as much as `floors_per_step` steps of a floor.
     pub(crate) fn begin(&self, floors_per_step: usize) -> Guard {
         let steps = (STEPS_BETWEEN / floors_per_step.max(1)).max(1);
         let longest = |seconds| Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?);
@@ -90,7 +90,7 @@ impl Course {
 }
 
 impl Guard {
-    /// Ends a run by steps before this one, where it is over its budget.
+    /// Ends a run that exceeds its budget; call it at the start of each step.
     #[inline]
     pub(crate) fn step(&self, step: usize, clock: Clock) -> Result<(), RunError> {
         if step & self.bits == 0 {
@@ -100,7 +100,7 @@ impl Guard {
         }
     }
 
-    /// Ends a run after so many pieces, where it is over its budget.
+    /// Ends a run that exceeds its budget after this many pieces.
     pub(crate) fn look(&self, time: f64, pieces: u64) -> Result<(), RunError> {
         let allowed = self.budget.pieces;
         if self.budget.is_stopped() {
@@ -112,7 +112,7 @@ impl Guard {
         self.wait(time)
     }
 
-    /// Ends a run that somebody stops, or that takes too long, in the middle of what happens at an instant: in a long row that is much.
+    /// Ends a run that was stopped or takes too long. Call it in long computations at an instant, which long rows have.
     #[inline]
     pub(crate) fn wait(&self, time: f64) -> Result<(), RunError> {
         if self.budget.is_stopped() {
@@ -124,7 +124,7 @@ impl Guard {
         }
     }
 
-    /// Whether that would end it.
+    /// Whether this many pieces would exceed the budget.
     pub(crate) fn is_over(&self, pieces: u64) -> bool {
         self.look(0.0, pieces).is_err()
     }

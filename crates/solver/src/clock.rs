@@ -1,4 +1,4 @@
-/// The fixed grid of a stepping run: nodes at i·Δt, i = 0..=n. Of the exact method only its end counts.
+/// The fixed grid of a stepping run: nodes at i·Δt, i = 0..=n. The exact method uses only its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
     /// Time step Δt \[s\], > 0.

@@ -8,7 +8,7 @@ pub enum ModelError {
     /// A value outside its valid range.
     #[error("{place}: found {}, allowed {allowed}", plain(*found))]
     OutOfRange {
-        /// Where, for example `excitation.time_step`.
+        /// Place of the value, for example `excitation.time_step`.
         place: String,
         /// The value found.
         found: f64,
@@ -39,14 +39,14 @@ pub enum ModelError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// A point of a pair that is none of the row.
+    /// A pair with a point that is not in the row.
     #[error("pairs[{pair}].{side}: {fault}")]
     Point {
         /// Index of the pair.
         pair: usize,
-        /// Which of its points: `left` or `right`.
+        /// Side of the point: `left` or `right`.
         side: &'static str,
-        /// What is wrong with it.
+        /// The fault.
         fault: PointFault,
     },
     /// A pair whose points cannot meet.
@@ -54,22 +54,22 @@ pub enum ModelError {
     NotNeighbours {
         /// Index of the pair.
         pair: usize,
-        /// Node of its left point, of a point between floors the nearer one.
+        /// Node of its left point; for a point between floors, the nearer floor.
         left: usize,
         /// Node of its right point.
         right: usize,
-        /// What they are of, in words.
+        /// What the two points belong to, in words.
         found: &'static str,
     },
-    /// A floor that does not stand on an earlier one of its own building.
+    /// A floor that does not stand on an earlier floor of its building.
     #[error("nodes[{node}]: stands on node {below}; allowed is an earlier floor that is no wall and carries no other one")]
     NotAFloor {
         /// Index of the node.
         node: usize,
-        /// What it stands on.
+        /// Node on which the floor stands.
         below: usize,
     },
-    /// Another number of arrivals of the ground motion than of nodes.
+    /// The number of arrivals of the ground motion differs from the number of nodes.
     #[error("arrivals: found {found}, allowed one for each of {n_nodes} nodes")]
     Arrivals {
         /// Number of arrivals.
@@ -89,32 +89,32 @@ pub enum ModelError {
         /// Deformation at t = 0 \[m\].
         overlap: f64,
     },
-    /// Ground acceleration that has no samples.
+    /// Ground acceleration without samples.
     #[error("excitation: found no samples, allowed one or more")]
     NoSamples,
 }
 
-/// Why a point is none of a row.
+/// Why a point is not a point of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PointFault {
     /// A node that the row does not have.
     #[error("found node {found}, allowed are those below {n_nodes}")]
     NoNode {
-        /// Its index.
+        /// Index of the node found.
         found: usize,
         /// Number of nodes in the row.
         n_nodes: usize,
     },
-    /// A share of the ground alone.
+    /// A point between the ground and the ground.
     #[error("found no floor, allowed are a floor, and a point between a floor and what it stands on")]
     NoFloor,
-    /// A share of two floors of which neither stands on the other.
+    /// A point between two floors that are not neighbours in a building.
     #[error("found a point between {} and node {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
     NoStorey {
-        /// The lower one; `None` is the ground.
+        /// The lower floor; `None` is the ground.
         lower: Option<usize>,
-        /// The upper one.
+        /// The upper floor.
         upper: usize,
     },
     /// A lean out of range.
@@ -150,7 +150,7 @@ pub enum RunError {
         /// Time step of the run \[s\].
         time_step: f64,
     },
-    /// A motion beyond the range of numbers, of a method without time steps.
+    /// A motion beyond the range of floating-point numbers, in a method without time steps.
     #[error(
         "structure {structure} at t = {time:.4} s: its motion is beyond the range of numbers; use masses, \
          stiffnesses, velocities and a record of usual size"
@@ -205,8 +205,8 @@ pub enum RunError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// An impulsive pair that bounces without coming to rest: with e = 1 neighbours that press against each other do so
-    /// for ever, ever the same bounce, however small.
+    /// An impulsive pair that bounces without coming to rest: with e = 1, neighbours that press against each other repeat the same bounce
+    /// for ever.
     #[error(
         "structures {left} and {right} at t = {time:.4} s: they bounce without coming to rest (after {impacts} impacts, \
          e = {}); with e = 1 neighbours that press against each other never do: use a coefficient of \
@@ -220,12 +220,12 @@ pub enum RunError {
         right: usize,
         /// Instant of the last impact \[s\].
         time: f64,
-        /// Impacts of the pair since it last was at rest.
+        /// Impacts of the pair since it was last at rest.
         impacts: u32,
         /// Its coefficient of restitution \[–\].
         restitution: f64,
     },
-    /// A structure so stiff, or so strongly damped, that its motion is too many pieces for the exact method.
+    /// A structure so stiff, or so strongly damped, that its motion needs too many pieces of the exact method.
     #[error(
         "structure {structure}: so stiff, or so strongly damped, that the exact method would need {pieces:.1e} pieces of \
          its motion, allowed {allowed:e}: make its period longer, the run shorter, the `budget.pieces` of a scene more, or use a stepping method"
@@ -233,12 +233,12 @@ pub enum RunError {
     TooStiff {
         /// Index of the structure.
         structure: usize,
-        /// Pieces it would need.
+        /// Number of pieces that the run would need.
         pieces: f64,
         /// Most pieces that are allowed.
         allowed: f64,
     },
-    /// A touch so slow that its law's damper δ̇/v₀ holds neighbours that press against each other almost still.
+    /// A touch so slow that the damper of its law, δ̇/v₀, holds neighbours that press against each other almost still.
     #[error(
         "structures {left} and {right} at t = {time:.4} s: they touched at {approach_speed:e} m/s and press against each \
          other; the damper of {law}, which grows with 1/v₀, is too strong there to be followed (after {pieces} pieces of \
@@ -258,7 +258,7 @@ pub enum RunError {
         /// Pieces of the motion in this contact.
         pieces: u32,
     },
-    /// A contact of which the exact method has no series.
+    /// A contact for which the exact method has no series.
     #[error(
         "structures {left} and {right} at t = {time:e} s: no series of the exact method follows how they begin to press: \
          their contact is too stiff, or it begins together with a neighbour's, without a gap in between; give it less impact \
@@ -272,7 +272,7 @@ pub enum RunError {
         /// The instant \[s\].
         time: f64,
     },
-    /// Walls whose grounds move at different times, and close in on what stands between them without a gap.
+    /// Walls that close in, without a gap, on the structures between them, because their grounds move at different times.
     #[error(
         "structures {left} and {right} at t = {time:.4} s: walls on both sides close in on them, and impulsive contact leaves them \
          nowhere to go; let the motion arrive at both walls at once, widen a gap, or use a compliant law"
@@ -285,7 +285,7 @@ pub enum RunError {
         /// The instant \[s\].
         time: f64,
     },
-    /// Too many events.
+    /// Too many events at an instant.
     #[error(
         "t = {time:.4} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \
          at one instant. With e = 1 neighbours never come to rest; with less, several pairs that come to rest \
@@ -298,29 +298,29 @@ pub enum RunError {
         /// Events of the run so far.
         events: u64,
     },
-    /// More pieces than the budget has.
+    /// The run needs more pieces than the budget allows.
     #[error(
         "t = {time:.4} s: the exact method has taken more than {allowed:e} pieces of motion, all that `budget.pieces` allows: make it \
          more, the run shorter, structures and contacts less stiff or less damped, or use a stepping method"
     )]
     TooManyPieces {
-        /// How far it came \[s\].
+        /// Time reached \[s\].
         time: f64,
-        /// Most pieces that are allowed.
+        /// Number of pieces allowed.
         allowed: f64,
     },
-    /// More structures and samples than the budget has pieces for.
+    /// The run has more structures and samples than the budget has pieces.
     #[error(
         "the exact method would need {pieces:.1e} pieces of motion, one or more of every structure from sample to sample, allowed \
          {allowed:e} (`budget.pieces`): make that more, take fewer structures, a shorter run or a stepping method"
     )]
     TooLarge {
-        /// Pieces it would need at least.
+        /// Smallest number of pieces that the run would need.
         pieces: f64,
-        /// Most pieces that are allowed.
+        /// Number of pieces allowed.
         allowed: f64,
     },
-    /// A contact so strongly damped that its pieces would be too many.
+    /// A contact so strongly damped that it could need too many pieces.
     #[error(
         "structures {left} and {right}: their contact is so strongly damped that the exact method could need {pieces:.1e} pieces of \
          motion, allowed {allowed:e} (`budget.pieces`): make that more, the impact damping less, or use a stepping method"
@@ -330,32 +330,32 @@ pub enum RunError {
         left: usize,
         /// Index of the right structure.
         right: usize,
-        /// Pieces that it could need.
+        /// Number of pieces that the contact could need.
         pieces: f64,
-        /// Most pieces that are allowed.
+        /// Number of pieces allowed.
         allowed: f64,
     },
-    /// More time than the budget has.
+    /// The run takes more time than the budget allows.
     #[error(
         "t = {time:.4} s: the run has taken more than {seconds} s, all that `budget.seconds` allows: make it more, the run shorter, or \
          its time step longer"
     )]
     TooLong {
-        /// How far it came \[s\].
+        /// Time reached \[s\].
         time: f64,
-        /// Longest time that is allowed \[s\].
+        /// Longest time allowed \[s\].
         seconds: f64,
     },
-    /// Somebody wanted it to end.
+    /// The stop flag of the budget was set.
     #[error("t = {time:.4} s: the run was stopped")]
     Stopped {
-        /// How far it came \[s\].
+        /// Time reached \[s\].
         time: f64,
     },
 }
 
 impl RunError {
-    /// The same of a run whose clock has shown less than the time since its start by so much \[s\].
+    /// The error with all times later by `by` \[s\], for a run whose clock was set back by this time.
     pub(crate) fn later(mut self, by: f64) -> Self {
         if let Self::BouncesWithoutEnd { time, .. }
         | Self::CrawlsInContact { time, .. }

@@ -3,7 +3,7 @@ use crate::{
     exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht, implicit::moreau_jean, implicit::newmark,
 };
 
-/// A method of time integration with its settings; one file each, one signature.
+/// A method of time integration with its settings. Each method has a separate file and the same signature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Integrator {
     /// Central difference method.
@@ -38,12 +38,11 @@ impl Integrator {
         }
     }
 
-    /// Integrates a row from t = 0 to the end of the clock and reports to the recorder; a [`Clock`](crate::Clock) alone has the
-    /// usual [`Budget`](crate::Budget).
+    /// Integrates a row from t = 0 to the end of the clock and reports to the recorder. A [`Clock`](crate::Clock) without a budget gets the
+    /// default [`Budget`](crate::Budget).
     ///
     /// # Errors
-    /// [`RunError`] for a setting out of range, a response that is no longer finite, an equilibrium not found, or a budget
-    /// spent.
+    /// [`RunError`] if a setting is out of range, the response is no longer finite, an equilibrium is not found, or the budget is spent.
     pub fn run<Column: Hysteretic, R: Recorder>(
         &self,
         row: &Row<Column>,
@@ -71,7 +70,7 @@ impl Integrator {
         }
     }
 
-    /// The laws that its runs are held to: the exact method alone has to keep energy to rounding.
+    /// The laws that a run of the method must obey: only the exact method must keep energy to rounding.
     pub fn laws(&self) -> Laws {
         match self {
             Self::Exact(Exact { tolerance, .. }) => Laws::Energy { tolerance: *tolerance },

@@ -1,8 +1,8 @@
 //! Time integration of rows of adjacent structures that may collide.
 //!
-//! A [`Row`] (the model: structures of one storey, or buildings of several) is integrated under an [`Excitation`] on a [`Clock`] by an
-//! [`Integrator`]. A [`Recorder`] sees the motion as [`Span`]s and [`Impact`]s and keeps what it is made for. [`Work`] counts what
-//! the run cost.
+//! An [`Integrator`] integrates a [`Row`] (the model: structures of one storey, or buildings of several) under an [`Excitation`] on a
+//! [`Clock`]. A [`Recorder`] receives the motion as [`Span`]s and [`Impact`]s and keeps the results for which it is made. [`Work`] counts
+//! the cost of the run.
 //!
 //! ```
 //! use pounding_contact::{ContactLaw, Stereomechanical};
@@ -23,11 +23,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Signs: displacements are relative to the ground and positive to the right; structures stand left to right; the
-//! load on a structure is p = −m·`a_g`. Units are SI. In a step only + − × ÷ √ are used, so that every machine gives
-//! the same bits.
+//! Signs: displacements are relative to the ground and positive to the right; structures are numbered from left to right; the load on a
+//! structure is p = −m·`a_g`. Units are SI. A step uses only + − × ÷ √, so that every machine gives the same bits.
 //!
-//! Left out: files, printing and the choice of a method (`pounding-scene`), units other than SI, contact search (who can touch whom is named).
+//! Not in this crate: files, printing and the choice of a method (`pounding-scene`), units other than SI, contact search (the caller names
+//! the pairs that can touch).
 //!
 //! Where to start:
 //!
@@ -57,9 +57,9 @@ mod sum;
 mod turning;
 mod work;
 
-/// What steps and events are made of, for crates that compute with other numbers, such as those of many scenes at once.
+/// Parts of steps and events, for crates that compute with other number types, such as lanes of many scenes.
 ///
-/// Each item is generic over [`Number`](pounding_contact::Number), or finds what all its users share.
+/// Each item is generic over [`Number`](pounding_contact::Number), or computes data that all scenes share.
 pub mod formulas {
     pub use crate::error::require;
     pub use crate::exact::{BURST, CHATTER, LONGEST_LEAP, ROUNDING_OF_COEFFICIENTS, bounces_are_over, in_flight};

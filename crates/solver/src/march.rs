@@ -4,11 +4,11 @@ use crate::impact::impacts::Impacts;
 use crate::model::ground::{Ground, Shaking};
 use crate::{Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
 
-/// A stepping method and all it needs, allocated once.
+/// A stepping method with all its memory, allocated once.
 pub(crate) trait Stepping<Column: RestoringForce> {
-    /// Its first step: 0 of a method that finds the velocity at a node in the step after it.
+    /// First step: 0 for a method that finds the velocity at a node in the step after it.
     const FIRST: usize = 1;
-    /// Parts of a step at whose ends it asks for the ground.
+    /// Parts of a step at whose ends the method needs the ground.
     const PARTS: usize = 1;
 
     /// Takes a step and reports it.
@@ -19,14 +19,14 @@ pub(crate) trait Stepping<Column: RestoringForce> {
 #[derive(Clone, Copy)]
 pub(crate) struct Step<'a> {
     shaking: &'a Shaking<'a>,
-    /// Its number; step 1 begins at t = 0.
+    /// Number of the step; step 1 begins at t = 0.
     pub(crate) number: usize,
     pub(crate) clock: Clock,
-    /// Its parts at whose ends the ground is known.
+    /// Parts at whose ends the ground is known.
     parts: usize,
 }
 
-/// Integrates a row by a method that begins with the ground at t = 0; `substeps` is how many its steps may take.
+/// Integrates a row by a method that begins with the ground at t = 0. `substeps` is the largest number of substeps of a step.
 pub(crate) fn march<Column, Method, R>(
     row: &Row<Column>,
     excitation: Excitation<'_>,
@@ -69,13 +69,13 @@ impl<'a> Step<'a> {
         self.shaking.at(node)
     }
 
-    /// The ground at both ends and half way, of a method whose steps have two parts.
+    /// The ground at both ends and in the middle, for a method whose steps have two parts.
     #[inline]
     pub(crate) fn parts(&self) -> [Ground<'a>; 3] {
         [2, 1, 0].map(|before| self.ground(2 * self.number - before))
     }
 
-    /// The ground at both ends, of a method whose steps have one part.
+    /// The ground at both ends, for a method whose steps have one part.
     #[inline]
     pub(crate) fn ends(&self) -> [Ground<'a>; 2] {
         [self.number - 1, self.number].map(|node| self.ground(node))
@@ -109,7 +109,7 @@ impl<'a> Step<'a> {
         matches!(self.shaking, Shaking::Common(_))
     }
 
-    /// Why a run ends in which the displacement of a structure is no longer a finite number.
+    /// Error of a run in which the displacement of a structure is no longer finite.
     pub(crate) fn diverged(&self, structure: usize) -> RunError {
         RunError::Diverged {
             structure,
@@ -118,13 +118,13 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Its end: the ground there, and the time.
+    /// End of the step: the ground there, and the time.
     #[inline]
     pub(crate) fn end(&self) -> (Ground<'a>, f64) {
         (self.ground(self.parts * self.number), self.clock.time(self.number))
     }
 
-    /// Counts the pairs that overlap after the step and lets impulsive ones jump; true when one did.
+    /// Counts the pairs that overlap after the step and applies the jumps of impulsive pairs; true if any jumped.
     pub(crate) fn collide<Column: RestoringForce, R: Recorder>(
         &self,
         row: &Row<Column>,

@@ -1,4 +1,4 @@
-//! What pairs do to floors in the steps of a method.
+//! Forces and impulses of pairs on floors in the steps of a method.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::model::incidence::{Incidence, Incident};
 use crate::{Push, RestoringForce, Row, State};
 
 impl From<&Incident> for Push<'_> {
-    /// One that does nothing.
+    /// A push without effect.
     fn from(at: &Incident) -> Self {
         Self {
             pair: at.pair,
@@ -21,11 +21,11 @@ impl From<&Incident> for Push<'_> {
     }
 }
 
-/// The pushes of a stepping method, slot by slot, over the spans under way.
+/// The pushes of a stepping method, slot by slot, over the present spans.
 #[derive(Debug, Clone)]
 pub(crate) struct Pushes {
     all: Vec<Push<'static>>,
-    /// Forces at the start of the spans before \[N\].
+    /// Forces at the start of the previous spans \[N\].
     earlier: Vec<f64>,
     /// Steps until everything is zero again, as long as no pair pushes.
     alive: u32,
@@ -35,7 +35,7 @@ pub(crate) struct Pushes {
 const REMEMBERED: u32 = 4;
 
 impl Pushes {
-    /// Of a row before t = 0: nobody pushes.
+    /// Pushes of a row before t = 0: all are zero.
     pub(crate) fn new(incidence: &Incidence) -> Self {
         Self {
             all: incidence.incidents().iter().map(Push::from).collect(),
@@ -62,7 +62,7 @@ impl Pushes {
         if self.are_idle() { &mut [] } else { &mut self.all[slots] }
     }
 
-    /// Of the slots of a floor.
+    /// The pushes in the slots of a floor.
     #[inline]
     pub(crate) fn of(&self, slots: Range<usize>) -> &[Push<'static>] {
         &self.all[slots]
@@ -73,7 +73,7 @@ impl Pushes {
         &mut self.all[slot]
     }
 
-    /// Forgets the forces at the end of all spans under way.
+    /// Clears the forces at the end of all present spans.
     #[inline]
     pub(crate) fn forget_ends(&mut self) {
         for push in self.live(0..self.all.len()) {
@@ -94,7 +94,7 @@ impl Pushes {
         }
     }
 
-    /// Gives the force of a pair to its slots, at the end of the spans under way; `give` gets every floor, whether it carries the left
+    /// Gives the force of a pair to its slots, at the end of the present spans. `give` receives every floor, whether it carries the left
     /// point, and its part.
     #[inline]
     pub(crate) fn act<Column: RestoringForce>(
@@ -109,7 +109,7 @@ impl Pushes {
         right.spread(force, |floor, force| give(floor, false, force));
     }
 
-    /// Lets all spans begin, with no impulse so far.
+    /// Begins all spans, with zero impulse.
     #[inline]
     pub(crate) fn begin(&mut self) {
         for push in self.live(0..self.all.len()) {
@@ -126,7 +126,7 @@ impl Pushes {
         }
     }
 
-    /// Multiplies the sums of weighted forces by what they are to be multiplied by \[s\].
+    /// Multiplies the sums of weighted forces by a factor \[s\].
     #[inline]
     pub(crate) fn scale(&mut self, by: f64) {
         for push in self.live(0..self.all.len()) {
@@ -134,7 +134,7 @@ impl Pushes {
         }
     }
 
-    /// Ends the spans of a floor by the trapezoidal rule: `half` a step \[s\] each force, less the impulse that is too much.
+    /// Ends the spans of a floor by the trapezoidal rule: each force for `half` a step \[s\], minus the excess impulse.
     #[inline]
     pub(crate) fn end(&mut self, slots: Range<usize>, half: f64) {
         for push in self.live(slots) {
@@ -142,8 +142,8 @@ impl Pushes {
         }
     }
 
-    /// Ends the spans of a floor: `scale` \[s\] times the weighted sum of the forces at their ends, the last N of those at the start of the
-    /// spans before, at the start and at the end.
+    /// Ends the spans of a floor: the impulse is `scale` \[s\] times the weighted sum of the forces at their ends. The last N are those at
+    /// the start of the previous spans, at the start and at the end.
     #[inline]
     pub(crate) fn weigh<const N: usize>(&mut self, slots: Range<usize>, (scale, weights): (f64, [f64; N])) {
         if self.are_idle() {
@@ -159,14 +159,14 @@ impl Pushes {
         }
     }
 
-    /// Whether a pair pushed at the start of the spans under way.
+    /// Whether a pair pushed at the start of the present spans.
     #[inline]
     pub(crate) fn pushed(&self, incidence: &Incidence, pair: usize) -> bool {
         let first = incidence.slots_of(pair).first();
         first.is_some_and(|slot| self.all[*slot].forces[0] > 0.0)
     }
 
-    /// The force of a pair at the end of the spans under way \[N\]; it acts for half a step \[s\].
+    /// The force of a pair at the end of the present spans \[N\]; it acts for half a step \[s\].
     #[inline]
     pub(crate) fn ends(&mut self, incidence: &Incidence, pair: usize, half: f64) -> f64 {
         if self.are_idle() {
@@ -189,7 +189,7 @@ impl Pushes {
         }
     }
 
-    /// Lets the next spans of a floor begin; their ends are open.
+    /// Begins the next spans of a floor; their ends are open.
     #[inline]
     pub(crate) fn go_on(&mut self, slots: Range<usize>) {
         for push in self.live(slots) {
@@ -200,7 +200,7 @@ impl Pushes {
 }
 
 impl<Column: RestoringForce> Row<Column> {
-    /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
+    /// Computes the pounding forces \[N\] of compliant pairs from the displacements and velocities of the states.
     pub(crate) fn push(&self, states: &mut [State], pushes: &mut Pushes, approaches: &mut Approaches, ground: Ground<'_>) {
         pushes.forget_ends();
         for state in states.iter_mut() {

@@ -1,9 +1,9 @@
 //! Gauss–Legendre rules with 8 and 16 nodes.
 //!
-//! Exact for polynomials of degree 15 and 31, and to rounding for power series that themselves need no more than about as
-//! many terms. Source: any handbook; the nodes were computed with forty digits, and a test holds them to the polynomials.
+//! Exact for polynomials of degree 15 and 31, and to rounding for power series with about as many significant terms. Source: any handbook;
+//! the nodes were computed with forty digits, and a test checks them against polynomials.
 
-/// Positive nodes on −1 ..= 1 of a rule, half of all, and their weights.
+/// Positive nodes on −1 ..= 1 of a rule, half of all nodes, and their weights.
 pub(crate) type Rule<const HALF: usize> = [(f64, f64); HALF];
 
 /// The rule for series of few terms.
@@ -29,8 +29,8 @@ pub(crate) const SIXTEEN: &Rule<8> = &[
 /// Nodes of a rule, on either side of the middle.
 pub(crate) type Sides<const HALF: usize> = [[f64; HALF]; 2];
 
-/// Integrals of N functions between two limits, which are told of all nodes at once (below the middle, and above it), and then
-/// asked for each by side and number.
+/// Integrals of N functions between two limits. The functions first receive all nodes at once (below and above the middle), and are then
+/// evaluated by side and number.
 #[inline]
 pub(crate) fn integrate_at_once<const N: usize, const HALF: usize, F>(
     rule: &Rule<HALF>,
@@ -57,7 +57,7 @@ where
     sums.map(|sum| half * sum)
 }
 
-/// The same of functions that are told of one node at a time.
+/// Integrals of functions that receive a single node at a time.
 pub(crate) fn integrate<const N: usize, const HALF: usize>(
     rule: &Rule<HALF>,
     from: f64,
@@ -81,7 +81,7 @@ mod tests {
             let wanted = 1.0 / f64::from(n + 1);
             assert!((found / wanted - 1.0).abs() < 1e-14, "x^{n}: {found}");
         }
-        // The first power that is not: were it exact too, the test would not see the nodes.
+        // The first power that is not exact: otherwise the test would not check the nodes.
         let [found] = integrate(rule, -1.0, 1.0, |x| [power(degree + 1, x)]);
         let error = found * f64::from(degree + 2) / 2.0 - 1.0;
         assert!(error.abs() > missed, "x^{}: {found}", degree + 1);

@@ -1,39 +1,38 @@
-//! The first instant at which a polynomial rises through zero, by bounds only.
+//! The first instant at which a polynomial rises through zero, found by bounds.
 //!
-//! A stretch is left out only where an upper bound of the polynomial is not positive, so that a rise and fall between
-//! two ends cannot be missed.
+//! A stretch is skipped only if an upper bound of the polynomial is not positive there. A rise and fall between two ends cannot be missed.
 
 use crate::span::value;
 
 /// Capacity of every series.
 pub const CAPACITY: usize = 64;
 
-/// Part of a series that its last quarter may be where nothing shorter can be told apart.
+/// Largest part of a series in its last quarter, if no shorter stretch can be resolved.
 pub(crate) const LOST: f64 = 1e-3;
-/// The shortest piece that time can tell apart \[s\].
+/// The shortest piece that time resolves \[s\].
 pub(crate) const SHORTEST_WAY: f64 = 1e-18;
 
-/// Part of the whole below which a stretch is as short as rounding.
+/// Part of the whole below which the length of a stretch is rounding.
 const SHORTEST: f64 = 1e-15;
-/// Steps of a search; Newton's method takes some three to eight, halving fifty.
+/// Steps of a search. Newton's method takes three to eight, halving fifty.
 const MOST_STEPS: usize = 200;
-/// Fall of steps below which Newton's method doubles digits.
+/// Ratio of steps below which Newton's method doubles the number of digits.
 const FAST: f64 = 1e-2;
 
-/// First x in 0 ..= `length` from which on the polynomial is positive, coming from values ≤ 0.
+/// First x in 0 ..= `length` after which the polynomial is positive, coming from values ≤ 0.
 ///
-/// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
-/// is positive from the start rises at 0; one beyond the range of numbers nowhere.
+/// Leading coefficients that are exactly zero are known zeros at x = 0; the others decide. A polynomial that is positive from the start
+/// rises at 0. A polynomial with non-finite coefficients never rises.
 pub(crate) fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
     first_root_by(root_of_monotone, coefficients, length)
 }
 
-/// The same for scenes side by side, which are free of the bits of results that were made one by one.
+/// First root with a faster algorithm for lanes of scenes. Its results may differ from `first_root` in the last bits.
 pub fn quick_first_root(coefficients: &[f64], length: f64) -> Option<f64> {
     first_root_by(quick_root_of_monotone, coefficients, length)
 }
 
-/// The same with a function that finds the zero of a polynomial that grows from ≤ 0 at 0 to > 0 at a width.
+/// First root, with a function that finds the zero of a polynomial that grows from ≤ 0 at 0 to > 0 at a width.
 #[inline]
 fn first_root_by(rise: impl Fn(&[f64], f64) -> f64, coefficients: &[f64], length: f64) -> Option<f64> {
     let known = coefficients.iter().position(|c| *c != 0.0)?;
@@ -42,7 +41,7 @@ fn first_root_by(rise: impl Fn(&[f64], f64) -> f64, coefficients: &[f64], length
         return Some(0.0);
     }
     let most = upper_bound(whole, length);
-    // Of masses near the largest number a coefficient is none, of which no bound says anything.
+    // With masses near the largest number a coefficient may be NaN, so that no bound holds.
     if most <= 0.0 || !most.is_finite() {
         return None;
     }
@@ -62,7 +61,7 @@ fn first_root_by(rise: impl Fn(&[f64], f64) -> f64, coefficients: &[f64], length
             if width > SHORTEST * length {
                 continue;
             }
-            // A double zero as sharp as rounding: its side decides.
+            // A double zero as sharp as rounding: the sign at its end decides.
             if value(local, width) > 0.0 {
                 return Some(left + width);
             }
@@ -80,23 +79,23 @@ fn first_root_by(rise: impl Fn(&[f64], f64) -> f64, coefficients: &[f64], length
     }
 }
 
-/// Largest value that the polynomial could have on 0 ..= `width`.
+/// Upper bound of the polynomial on 0 ..= `width`.
 fn upper_bound(coefficients: &[f64], width: f64) -> f64 {
     let sum = |sum: f64, c: &f64| (sum * width) + c.max(0.0);
     coefficients[0] + width * coefficients[1..].iter().rev().fold(0.0, sum)
 }
 
-/// What is known of a polynomial on 0 ..= a width.
+/// Bounds of a polynomial on 0 ..= a width.
 struct Bounds {
-    /// Its largest value is no larger; as [`upper_bound`].
+    /// Upper bound of the value, as in [`upper_bound`].
     most: f64,
-    /// Its smallest slope is no smaller.
+    /// Lower bound of the slope.
     slope: f64,
-    /// Its value at the end.
+    /// Value at the end.
     end: f64,
 }
 
-/// All three in one pass, in which none waits for another.
+/// Computes all three bounds in a single pass, without dependencies between them.
 fn bounds(coefficients: &[f64], width: f64) -> Bounds {
     let (mut most, mut slope, mut end) = (0.0, 0.0, 0.0);
     for (order, coefficient) in coefficients.iter().enumerate().skip(2).rev() {
@@ -113,7 +112,7 @@ fn bounds(coefficients: &[f64], width: f64) -> Bounds {
     }
 }
 
-/// Zero of a polynomial that grows from ≤ 0 at 0 to > 0 at `width`: Newton's method kept in a bracket.
+/// Zero of a polynomial that grows from ≤ 0 at 0 to > 0 at `width`: Newton's method within a bracket.
 fn root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     let (mut low, mut high) = (0.0, width);
     let mut x = width;
@@ -139,7 +138,8 @@ fn root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     x
 }
 
-/// The same from where the first three coefficients have it, in three steps instead of eight; other bits.
+/// Zero of a growing polynomial, starting from the zero of its first three coefficients: three steps instead of eight, with other last
+/// bits.
 fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     let (mut low, mut high) = (0.0, width);
     let mut x = rise_of_parabola(coefficients, width);
@@ -156,7 +156,7 @@ fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
         let next = if inside { newton } else { 0.5 * (low + high) };
         let change = (next - x).abs();
         let fall = change / before;
-        // Where steps fall as squares do, the next one is this one times the square of its fall. A half of the bracket is no such step.
+        // If steps fall quadratically, the next step is this step times the square of the ratio. A halving of the bracket is no such step.
         let rest = if inside && fall < FAST { change * fall * fall } else { change };
         (x, before) = (next, if inside { change } else { 0.0 });
         if rest <= f64::EPSILON * x.abs() || low >= high {
@@ -166,7 +166,7 @@ fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     x
 }
 
-/// About where it rises, by its first three coefficients.
+/// Approximate zero, from the first three coefficients.
 fn rise_of_parabola(coefficients: &[f64], width: f64) -> f64 {
     let &[value, slope, half_curve, ..] = coefficients else {
         return width;
@@ -176,7 +176,7 @@ fn rise_of_parabola(coefficients: &[f64], width: f64) -> f64 {
     if x > 0.0 && x < width { x } else { width }
 }
 
-/// Value and first derivative.
+/// Value and first derivative at x.
 pub fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
     let (mut y, mut slope) = (0.0, 0.0);
     for coefficient in coefficients.iter().rev() {
@@ -186,7 +186,7 @@ pub fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
     (y, slope)
 }
 
-/// Rounds of a shift that go down a polynomial one behind the other: alone, each would wait for its own last sum.
+/// Rounds of a shift that run through a polynomial together: a single round would wait for its last sum.
 const AT_ONCE: usize = 4;
 
 /// Expands a polynomial about `origin` instead of 0.
@@ -197,7 +197,7 @@ pub fn shift(coefficients: &mut [f64], origin: f64) {
     if origin == 0.0 {
         return;
     }
-    // Round `first` leaves coefficient `first` as it is to be.
+    // Round `first` finishes coefficient `first`.
     for first in (0..others.len()).step_by(AT_ONCE) {
         let mut sums = [*last; AT_ONCE];
         for (index, coefficient) in others.iter_mut().enumerate().skip(first).rev() {
@@ -241,8 +241,8 @@ mod tests {
         assert_eq!(first_root(&[-1.0 - 1e-12, 2.0, -1.0], 2.0), None, "a near miss");
     }
 
-    /// Newton's method that overshot an end at the zero by rounding halved the bracket, and took that for the end of its own steps: the zero
-    /// was 2.5e-11 off, and a structure side by side began there with a velocity of zero.
+    /// Newton's method overshot an end at the zero by rounding and halved the bracket. It took the halving for convergence. The zero had an
+    /// error of 2.5e-11, and a structure in a lane started there with a velocity of zero.
     #[test]
     fn issue_a_zero_at_the_end_is_found_there() {
         let polynomial = [
@@ -277,7 +277,7 @@ mod tests {
         }
     }
 
-    /// A coefficient that was no number had the search look at stretches of 1e-15 of the whole, one by one.
+    /// With a NaN coefficient, the search went through stretches of 1e-15 of the whole.
     #[test]
     fn issue_no_number_rises_nowhere() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -35,10 +35,10 @@ impl State {
     }
 }
 
-/// The motion of one structure between two instants.
+/// The motion of a structure between two instants.
 ///
-/// Spans of a structure follow each other without a gap from t = 0 on; the end of one and the start of the next
-/// differ only in velocity and acceleration, and only where an [`Impact`](crate::Impact) was reported.
+/// The spans of a structure follow each other without a gap from t = 0. The end of a span and the start of the next span differ only in
+/// velocity and acceleration, and only at a reported [`Impact`](crate::Impact).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<'a> {
     /// Index of the structure, from the left.
@@ -55,15 +55,15 @@ pub struct Span<'a> {
     pub impulse_from_left: f64,
     /// Impulse of the pounding force from the right neighbour over the span \[N·s\], ≤ 0.
     pub impulse_from_right: f64,
-    /// Displacement and velocity of the floor below at both ends; nothing for a floor that stands on the ground.
+    /// Displacement and velocity of the floor below at both ends; `None` for a floor on the ground.
     pub below: Option<[Motion; 2]>,
-    /// What is known between the ends.
+    /// Motion between the ends.
     pub path: Path<'a>,
-    /// What every pair at the floor does to it; their sums are in the states and impulses.
+    /// Action of every pair on the floor. The states and impulses contain their sums.
     pub pushes: &'a [Push<'a>],
 }
 
-/// Displacement and velocity: of a floor relative to the ground, or of a storey, whose drift it then is.
+/// Displacement and velocity: of a floor relative to the ground, or the drift and its rate of a storey.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Motion {
     /// Displacement \[m\], positive to the right.
@@ -73,7 +73,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The motion of what moves like this over a ground that moves.
+    /// The sum of this motion and the motion of the ground below.
     pub(crate) fn over(self, ground: Self) -> Self {
         Self {
             displacement: self.displacement + ground.displacement,
@@ -98,35 +98,32 @@ impl From<&State> for Motion {
     }
 }
 
-/// What is known of a motion between the ends of its span.
+/// Motion between the ends of a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path<'a> {
-    /// Nothing but the ends and what the method made of the forces, as in a step of a stepping method; a cubic between
-    /// the ends.
+    /// A step of a stepping method: only the ends and the weighed forces are known. Between the ends the motion counts as a cubic.
     Cubic(Weighed),
-    /// The motion itself.
+    /// The motion as power series.
     Series(Series<'a>),
-    /// The motion itself, of a structure that flies freely and does not turn but at the ends.
+    /// The motion of a structure that flies freely and turns only at the ends.
     Flight(Flight),
 }
 
-/// What acts on a floor besides its neighbours, over a step, as the method weighed it: forces of the storey below it and
-/// of the one above.
+/// Forces on a floor other than those of its neighbours, over a step, as weighed by the method: those of the storeys below and above.
 ///
-/// With the impulses of the pounding forces it is the step's own balance of momentum: m·Δu̇ equals the sum of the
-/// impulses, less m times the change of the ground's velocity, to rounding. All are 0 unless a recorder
-/// [reads](crate::Recorder::reads_weighed) them.
+/// Together with the impulses of the pounding forces they are the balance of momentum of the step. To rounding, m·Δu̇ equals the sum of the
+/// impulses minus m times the change of the ground's velocity. All are 0 unless a recorder [reads](crate::Recorder::reads_weighed) them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Weighed {
     /// Impulse of the restoring force, −∫`f_s` dt \[N·s\].
     pub restoring: f64,
     /// Impulse of the viscous damping, −∫c·u̇ dt \[N·s\].
     pub damping: f64,
-    /// Change of the ground's velocity, ∫`a_g` dt \[m/s\]; of a wall it says nothing.
+    /// Change of the ground's velocity, ∫`a_g` dt \[m/s\]; meaningless for a wall.
     pub ground_velocity: f64,
 }
 
-/// What acts on a structure at an instant, as it enters a method's equation.
+/// Forces on a structure at an instant, as they enter a method's equation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load {
     pub(crate) restoring: f64,
@@ -137,7 +134,7 @@ pub(crate) struct Load {
 }
 
 impl Load {
-    /// The pounding forces of a state, restoring and damping force \[N\] of the storeys below and above, and the ground
+    /// The load from the pounding forces of a state, the restoring and damping force \[N\] of the storeys below and above, and the ground
     /// acceleration \[m/s²\].
     #[inline]
     pub(crate) fn at(state: &State, (restoring, damping): (f64, f64), ground: f64) -> Self {
@@ -151,7 +148,7 @@ impl Load {
     }
 }
 
-/// Terms of a series up to which products of two are integrated to rounding by the rule of eight nodes.
+/// Largest number of terms of series whose products the 8-node rule integrates to rounding.
 const FEW: usize = 15;
 
 impl Span<'_> {
@@ -181,8 +178,8 @@ impl Span<'_> {
 
     /// State at an instant inside the span.
     ///
-    /// Of [`Path::Cubic`], displacement and velocity are the cubic through displacements and velocities of both ends;
-    /// forces and acceleration are linear.
+    /// For [`Path::Cubic`], displacement and velocity follow the cubic through displacements and velocities at both ends; forces and
+    /// acceleration are linear.
     pub fn at(&self, time: f64) -> State {
         match self.path {
             Path::Cubic(_) => self.cubic(time),
@@ -193,13 +190,13 @@ impl Span<'_> {
 
     /// Integrals over time of N functions of instant \[s\] and state, by a Gauss–Legendre rule of 8 or 16 nodes.
     ///
-    /// In the variable of a [`Path::Series`], in which its forces are smooth, and so to rounding where the functions
-    /// are smooth too.
+    /// The variable is that of the [`Path::Series`], in which its forces are smooth. The integrals of smooth functions are then exact to
+    /// rounding.
     pub fn integrate<const N: usize>(&self, integrand: impl Fn(f64, &State) -> [f64; N]) -> [f64; N] {
         self.integrate_between(self.start_time, self.end_time, |time, state, _| integrand(time, state))
     }
 
-    /// The same integrals between two instants of the span, of functions of the drift of the storey below, too.
+    /// Integrals between two instants of the span, of functions of instant, state and drift of the storey below.
     pub(crate) fn integrate_between<const N: usize>(
         &self,
         from: f64,
@@ -217,7 +214,7 @@ impl Span<'_> {
             }),
             Path::Series(series) => {
                 let few = series.displacement.len() <= FEW && series.power == Power::One;
-                // Of a span shorter than instants tell apart, start and end are one instant, which is the end to `x`.
+                // If a span is shorter than the resolution of time, its start and end are a single instant, which is the end for `x`.
                 let first = if from > self.start_time {
                     self.x(series, from)
                 } else {
@@ -237,7 +234,7 @@ impl Span<'_> {
         }
     }
 
-    /// x of its series at an instant; at the end of the span what the series says, not the clock.
+    /// x of its series at an instant. At the end of the span the series decides, not the clock.
     pub(crate) fn x(&self, series: Series<'_>, time: f64) -> f64 {
         if time >= self.end_time && series.end.is_finite() {
             series.end

@@ -1,32 +1,31 @@
-//! The time step from which on a method is unstable.
+//! Stability limits of the time step.
 
 use crate::{Integrator, Mode, Newmark, Oscillation, Rk4};
 
 impl Integrator {
-    /// Time step \[s\] from which on a structure of one storey that moves alone grows without bound; nothing for a method that has no
-    /// such limit.
+    /// Largest stable time step \[s\] of a structure of one storey that moves alone; `None` for a method without a limit.
     ///
-    /// 2/ω for the central difference and the Verlet method, whatever the damping; for Newmark's with β < γ/2
-    /// (ζ(γ − ½) + √(γ/2 − β + ζ²(γ − ½)²)) / (ω(γ/2 − β)); that of the Runge–Kutta method is [`Rk4::critical_time_step`].
+    /// 2/ω for the central difference and the Verlet method, for any damping. For Newmark's method with β < γ/2: (ζ(γ − ½) + √(γ/2 − β +
+    /// ζ²(γ − ½)²)) / (ω(γ/2 − β)). For the Runge–Kutta method: [`Rk4::critical_time_step`].
     pub fn critical_time_step(&self, structure: &Oscillation) -> Option<f64> {
         self.limit(structure, 1, 0.0)
     }
 
-    /// The same for a building with these natural modes: the least of their limits.
+    /// Largest stable time step of a building with these natural modes: the smallest limit of its modes \[s\].
     ///
-    /// That of the fastest mode as a rule; where damping shifts a limit, a slower mode with another ratio may have the
-    /// least. Nothing for a building that nothing holds. Columns that yield or bend only become softer.
+    /// Usually this is the limit of the fastest mode. If damping shifts a limit, a slower mode with another ratio may have the smallest.
+    /// `None` for a building that nothing holds. Columns that yield only become softer.
     pub fn critical_time_step_of(&self, building: &[Mode]) -> Option<f64> {
         let held = building.iter().filter(|mode| mode.angular_frequency > 0.0);
         held.filter_map(|mode| self.critical_time_step(&mode.oscillation()))
             .min_by(f64::total_cmp)
     }
 
-    /// The same for a pair that stays in touch, with the contact law's tangents there.
+    /// Largest stable time step of a pair that stays in touch, with the tangents of the contact law \[s\].
     ///
-    /// The central difference method takes the rate of deformation from the step before: 2(√(1 + ζ²) − ζ)/ω, and so
-    /// many times that as it has sub-steps in contact. The Verlet method predicts it a step ahead: 2(√(1 + 4ζ²) − 2ζ)/ω.
-    /// Other methods as in [`Self::critical_time_step`].
+    /// The central difference method takes the rate of deformation from the step before: 2(√(1 + ζ²) − ζ)/ω, times the number of sub-steps
+    /// in contact. The Verlet method predicts the rate a step ahead: 2(√(1 + 4ζ²) − 2ζ)/ω. For other methods see
+    /// [`Self::critical_time_step`].
     pub fn critical_time_step_in_contact(&self, pair: &Oscillation) -> Option<f64> {
         let sub_steps = match self {
             Self::CentralDifference(settings) => settings.contact_substeps,
@@ -35,8 +34,8 @@ impl Integrator {
         self.limit(pair, sub_steps, pair.damping_ratio)
     }
 
-    /// The limit with so many sub-steps, and a part of the damping ratio whose force does not follow from the motion at
-    /// its own instant.
+    /// The limit with this many sub-steps. `explicit` is the part of the damping ratio whose force does not follow from the motion at its
+    /// own instant.
     fn limit(&self, oscillation: &Oscillation, sub_steps: u32, explicit: f64) -> Option<f64> {
         let omega = oscillation.angular_frequency;
         let lagged = |ratio: f64| 2.0 * ((1.0 + ratio * ratio).sqrt() - ratio) / omega;

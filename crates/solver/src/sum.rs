@@ -1,15 +1,15 @@
-//! Sums of many terms.
+//! Sums of many terms without loss of digits.
 
 /// Sign, exponent and the first 26 digits of a number.
 const COARSE: u64 = !0 << 27;
 
-/// A number as two of few digits: products of such numbers have no rounding.
+/// A number as a sum of two numbers with few digits: products of such numbers have no rounding.
 pub(crate) fn split(number: f64) -> [f64; 2] {
     let coarse = f64::from_bits(number.to_bits() & COARSE);
     [coarse, number - coarse]
 }
 
-/// A sum, and what its rounding left.
+/// A sum, and its rounding error.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Sum {
     pub(crate) value: f64,
@@ -17,7 +17,7 @@ pub(crate) struct Sum {
 }
 
 impl Sum {
-    /// With one more term; what is lost is known whichever of the two is larger (D. E. Knuth).
+    /// The sum with another term. The rounding error is found for either order of magnitude (D. E. Knuth).
     pub(crate) fn plus(self, term: f64) -> Self {
         let value = self.value + term;
         let taken = value - self.value;
@@ -28,12 +28,12 @@ impl Sum {
         }
     }
 
-    /// Of one number.
+    /// The sum of a single number.
     pub(crate) fn of(value: f64) -> Self {
         Self { value, rest: 0.0 }
     }
 
-    /// With the product of two others; only the product of both rests is lost.
+    /// The sum with the product of two others. Only the product of both rounding errors is lost.
     pub(crate) fn plus_product(self, one: Self, other: Self) -> Self {
         let product = one.value * other.value;
         let ([a, b], [c, d]) = (split(one.value), split(other.value));
@@ -43,12 +43,12 @@ impl Sum {
         sum
     }
 
-    /// What it is more than another one.
+    /// This sum minus another sum.
     pub(crate) fn less(self, other: Self) -> f64 {
         (self.value - other.value) + (self.rest - other.rest)
     }
 
-    /// As one number.
+    /// The sum as a single number.
     pub(crate) fn rounded(self) -> f64 {
         self.value + self.rest
     }

@@ -1,17 +1,17 @@
-//! Where a motion that is known as series turns inside a span.
+//! Turns inside a span of a motion given as series.
 
 use crate::roots::{CAPACITY, first_root, shift};
 
-/// Tells every x above the first and below the last at which a polynomial changes its sign, in their order.
+/// Calls `each` for every x between the first and the last at which a polynomial changes sign, in ascending order.
 ///
-/// By bounds, so that two changes between two looks are not missed.
+/// The search uses bounds, so that no two changes are missed.
 pub(crate) fn sign_changes(coefficients: &[f64], [first, last]: [f64; 2], mut each: impl FnMut(f64)) {
     let mut local = [0.0; CAPACITY];
     let local = &mut local[..coefficients.len()];
     local.copy_from_slice(coefficients);
     shift(local, first);
     let mut origin = first;
-    // A polynomial has no more zeros than coefficients.
+    // A polynomial has at most as many zeros as coefficients.
     for _ in 0..coefficients.len() {
         if local.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0) {
             for coefficient in local.iter_mut() {
@@ -27,12 +27,12 @@ pub(crate) fn sign_changes(coefficients: &[f64], [first, last]: [f64; 2], mut ea
         }
         each(origin);
         shift(local, x);
-        // What rounding leaves of this zero is no other one.
+        // The rounding of this zero is not another zero.
         local[0] = 0.0;
     }
 }
 
-/// What the terms of a polynomial but the first sum up to at most on 0 ..= x.
+/// Bound of the sum of all terms of a polynomial except the first, on 0 ..= x.
 pub(crate) fn reach(coefficients: impl DoubleEndedIterator<Item = f64>, x: f64) -> f64 {
     coefficients.rev().fold(0.0, |sum, c| (sum + c.abs()) * x)
 }

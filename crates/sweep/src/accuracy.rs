@@ -1,8 +1,8 @@
-//! The method of a sweep from the error that is asked for, and the errors that it then has.
+//! The method of a sweep from a requested error, and its measured errors.
 //!
-//! Nothing is assumed of the errors of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another
-//! sample measures it. Both are drawn by the same numbers in every shard. A method is tried only where the whole sweep by it, with
-//! what choosing and measuring it takes, would cost less than by the exact method, which needs neither (`prices`).
+//! The errors of methods are not assumed. A sample of the runs chooses the method by exact runs of these scenes, and another sample
+//! measures it. Every shard draws the same samples. A method is tried only if the whole sweep by it, including choice and measurement,
+//! would cost less than by the exact method, which needs neither (`prices`).
 
 use pounding_solver::SimultaneousImpacts;
 use rand_pcg::Pcg64;
@@ -18,22 +18,22 @@ use super::sampling::Point;
 use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
 use pounding_text::to_csv;
 
-/// Runs that choose the method, and others that measure it.
+/// Number of runs that choose the method, and number of runs that measure it.
 const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
-/// The first of those that choose, which tell what methods cost and whether any step can be short enough.
+/// Number of first choosing runs, which show the cost of methods and whether any step can be short enough.
 const FEW: usize = 8;
 /// Runs that fill the lanes of any machine.
 const TOGETHER: usize = 16;
-/// Scenes of which more than this part goes side by side do so.
+/// If more than this part of the scenes can run in lanes, they do.
 const HALF: f64 = 0.5;
-/// Tolerance of the exact method side by side, as a part of the error that is asked for.
+/// Tolerance of the exact method in lanes, relative to the requested error.
 const PART: f64 = 0.1;
 
-/// The method that was chosen for a sweep, and what it makes of the numbers that are asked for.
+/// The method chosen for a sweep, and its errors in the requested numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepAccuracy {
-    /// The error that was asked for \[–\].
+    /// The requested error \[–\].
     pub asked: f64,
     /// The method of all runs.
     pub method: Method,
@@ -41,12 +41,12 @@ pub struct SweepAccuracy {
     pub columns: Vec<ColumnErrors>,
     /// Largest error in a row.
     pub rows: ColumnErrors,
-    /// Part of the measured runs whose numbers are all within what was asked for \[–\].
+    /// Part of the measured runs in which all numbers are within the requested error \[–\].
     pub within: f64,
 }
 
 impl SweepAccuracy {
-    /// Part of the runs that a method has to bring within the error that is asked for, in the sample that chooses it.
+    /// Part of the choosing sample that a method must bring within the requested error.
     pub const SHARE: f64 = 0.95;
 
     /// Errors of all columns, and of rows, as CSV.
@@ -67,13 +67,13 @@ impl SweepAccuracy {
     }
 }
 
-/// The accuracy that a scene asks for in place of a method.
+/// The accuracy that a scene requests instead of a method.
 pub(super) fn asked(scene: &Value) -> Option<f64> {
     scene.get("method")?.get("accuracy")?.as_f64()
 }
 
 impl Sweep {
-    /// The method that was chosen, where the scene asks for an accuracy.
+    /// The chosen method with its errors, if the scene requests an accuracy.
     pub fn accuracy(&self) -> Option<&SweepAccuracy> {
         self.accuracy.as_ref()
     }
@@ -82,7 +82,7 @@ impl Sweep {
         self.scene["method"] = serde_json::to_value(method).expect("a method has JSON");
     }
 
-    /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
+    /// Chooses the cheapest method that is within the requested error in most runs of a sample, and measures it by another sample.
     pub(super) fn choose(&mut self, asked: f64) {
         let sampled = self.sampled();
         let method = sampled
@@ -113,12 +113,12 @@ impl Sweep {
         });
     }
 
-    /// The cheapest method, by some runs that choose it; as many as measure it are part of its price.
+    /// The cheapest method according to the choosing runs. Its price includes the measuring runs.
     fn cheapest(&mut self, chooses: &[u64], measures: &[u64], asked: f64) -> Method {
         self.set_method(&Method::EXACT);
         let few = &chooses[..chooses.len().min(FEW)];
         let truth = self.numbers(few);
-        // Impacts without a tolerance go side by side as they are.
+        // Impacts without a tolerance run in lanes unchanged.
         let flies_already = truth.beside > HALF;
         let exact = if flies_already {
             self.without_ledger(self.price_alone(few)) / ALONE
@@ -140,7 +140,7 @@ impl Sweep {
         let flights = flights.filter(|flown| flown.beside > 0.0);
         let flights = flights.map(|flown| flown.price + flown.beside * self.without_ledger(exact) / ALONE);
         let flights = flights.filter(|price| prices.is_worth(*price, *price));
-        // No step costs more than what is taken else.
+        // No step may cost more than the alternative.
         let finest = prices.halved(flights.unwrap_or(f64::INFINITY));
         let mut finest = self.that_may_hold((few, &truth.numbers), asked, finest);
         if flights.is_none() && finest.is_none() {
@@ -162,7 +162,7 @@ impl Sweep {
         method.unwrap_or(otherwise)
     }
 
-    /// The finest step that is worth it, if it may be within the error asked for: in half of a few runs.
+    /// The finest step that is worth its cost, if it may be within the requested error in half of a few runs.
     fn that_may_hold(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: Option<i32>) -> Option<i32> {
         finest.filter(|halved| {
             self.set_method(&central_difference(*halved));
@@ -171,12 +171,12 @@ impl Sweep {
         })
     }
 
-    /// A price of runs alone by the exact method, had they no ledger: runs side by side have none.
+    /// A price of runs alone by the exact method without a ledger; runs in lanes have none.
     fn without_ledger(&self, price: f64) -> f64 {
         if self.verdict { price / LEDGER_OF_PIECE } else { price }
     }
 
-    /// What some runs cost by the exact method alone, as a mean.
+    /// Mean cost of some runs by the exact method alone.
     fn price_alone(&self, runs: &[u64]) -> f64 {
         let mut scene = self.scene.clone();
         let price = |run: &u64| {
@@ -187,7 +187,7 @@ impl Sweep {
         mean(runs.iter().filter_map(price))
     }
 
-    /// A run, where it can be made ready.
+    /// A prepared run; `None` if it cannot be prepared.
     fn prepared_run(&self, run: u64, scene: &mut Value) -> Option<Simulation> {
         let (mut point, mut settings) = (Point::default(), Vec::new());
         self.plan.settings(run, &mut point, &mut settings);
@@ -195,7 +195,7 @@ impl Sweep {
         self.prepared(motion, &settings, scene).ok()
     }
 
-    /// What central differences cost with steps of a second, as a mean of some runs.
+    /// Mean cost of some runs by central differences with steps of a second.
     fn price_of_steps(&mut self, runs: &[u64]) -> f64 {
         self.set_method(&central_difference(HALVED / 2));
         let going = if self.numbers(runs).beside > HALF {
@@ -205,7 +205,7 @@ impl Sweep {
         } else {
             Going::Alone
         };
-        // Which no step refuses.
+        // No step refuses this method.
         self.set_method(&Method::EXACT);
         let mut scene = self.scene.clone();
         let price = |run: &u64| {
@@ -215,8 +215,8 @@ impl Sweep {
         mean(runs.iter().filter_map(price))
     }
 
-    /// Central differences with the longest step that is within the error asked for in most runs. The next finer step has to confirm it,
-    /// as one step may be lucky.
+    /// Central differences with the longest step that is within the requested error in most runs. The next finer step must confirm it,
+    /// because a single step may succeed by chance.
     fn stepping(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: i32) -> Option<Method> {
         let mut held = false;
         for halved in 0..=finest + 1 {
@@ -230,7 +230,7 @@ impl Sweep {
         None
     }
 
-    /// Runs that choose and others that measure; nothing where there are not as many: exact runs of all then cost least.
+    /// Choosing and measuring runs; `None` if there are too few runs, so that exact runs of all cost least.
     fn sampled(&self) -> Option<Sample> {
         let n_runs = self.n_runs();
         let order = Permutation::new(n_runs, &mut Pcg64::new(17, 23));
@@ -242,10 +242,10 @@ impl Sweep {
         })
     }
 
-    /// Some runs: their numbers, of peaks the magnitudes, and what they cost.
+    /// Numbers of some runs (magnitudes for peaks), and their cost.
     ///
-    /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
-    /// number with its sign, and none of what the row went through.
+    /// If both sides are almost equally far, the sign of a peak is arbitrary: any error of integration would then count as 200 % of the
+    /// signed number, although the response hardly changes.
     fn numbers(&self, runs: &[u64]) -> Sampled {
         let number = |(value, output): (&f64, &Output)| {
             if output.quantity.is_peak() { value.abs() } else { *value }
@@ -262,12 +262,12 @@ impl Sweep {
                 });
                 told.push((run, ran.ok()));
             });
-            // Those that are refused are told at once, others when enough are ready.
+            // Refused runs are reported at once, others when enough are ready.
             let place = |run: &u64| runs.iter().position(|one| one == run);
             told.sort_by_key(|(run, _)| place(run));
             told
         };
-        // Runs that fill lanes, but some chunks for every thread.
+        // As many runs as fill lanes, but several chunks for every thread.
         let together = runs.len() / (4 * rayon::current_num_threads());
         let together = together.clamp(1, TOGETHER);
         let told: Vec<_> = runs.par_chunks(together).flat_map_iter(some).collect();
@@ -286,33 +286,33 @@ struct Sample {
     measures: Vec<u64>,
 }
 
-/// The numbers of a run, and what each counts as at least; nothing where it failed.
+/// The numbers of a run and their least scales; `None` if it failed.
 type Told = Option<Numbers>;
 
 /// The numbers of a run.
 #[derive(Debug, Clone)]
 struct Numbers {
     values: Vec<f64>,
-    /// What each counts as at least where its error is relative to it; empty of a run none of whose numbers does.
+    /// Least scale of each number for its relative error; empty if no number of the run has one.
     least: Vec<f64>,
 }
 
-/// What came out of some runs, and what they cost.
+/// Results of some runs, and their cost.
 struct Sampled {
-    /// Of every run.
+    /// Numbers of every run.
     numbers: Vec<Told>,
-    /// Part of them that went side by side \[–\].
+    /// Part of the runs that ran in lanes \[–\].
     beside: f64,
-    /// What a run costs, those side by side left out.
+    /// Cost of a run, without those in lanes.
     price: f64,
 }
 
-/// Central differences with the longest step, halved so often.
+/// Central differences with the longest step after this many halvings.
 fn central_difference(halved: i32) -> Method {
     Method::central_difference(step(halved), 1)
 }
 
-/// The exact method at the tolerance nearest to this one that scenes side by side can have.
+/// The exact method at the tolerance closest to this one that lanes support.
 fn exact_within(tolerance: f64) -> Method {
     Method::Exact {
         tolerance: tolerance.clamp(1e-12, 1e-3),
@@ -325,8 +325,8 @@ fn holds_for(truth: &[Told], found: &[Told], asked: f64) -> bool {
     at_most(&sorted(rows(&errors(truth, found))), SweepAccuracy::SHARE) <= asked
 }
 
-/// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite. None of a
-/// number that neither run has.
+/// Errors of every number of every run that the exact method can follow; all infinite for a run that fails otherwise. A number that neither
+/// run has gives no error.
 fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
     let pairs = truth.iter().zip(found);
     let row = |(truth, found): (&Told, &Told)| {

@@ -1,4 +1,4 @@
-//! The runs of a range of numbers, with what came out as columns of numbers.
+//! The runs of a range of numbers, with results as columns of numbers.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,18 +12,18 @@ use super::sampling::Point;
 use pounding_scene::{Error, Extras, Going, Quantity, Simulation};
 use serde_json::Value;
 
-/// What came out of a range of runs.
+/// Results of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
     /// The runs.
     pub runs: Range<u64>,
-    /// A column for each number that is asked for, with a value for each run; NaN where a run has no such number.
+    /// A column for each requested number, with a value for each run; NaN if a run has no such number.
     pub columns: Vec<Vec<f64>>,
-    /// Of every run why it failed; nothing where it did not.
+    /// For every run, the reason of its failure; `None` if it succeeded.
     pub failed: Vec<Option<String>>,
-    /// How every run was held to the laws of mechanics.
+    /// For every run, how the laws of mechanics were checked.
     pub checked: Vec<Checked>,
-    /// How many runs went side by side.
+    /// Number of runs in lanes.
     pub beside: usize,
 }
 
@@ -54,46 +54,46 @@ impl Batch {
     }
 }
 
-/// What came out of a run.
+/// Results of a run.
 pub(super) struct Ran<'a> {
-    /// In the order of the columns.
+    /// Numbers in the order of the columns.
     pub(super) numbers: &'a [f64],
-    /// What each counts as at least where its error is relative to it, 0 for its own size; empty of a run none of whose numbers does.
+    /// Least scale of each number for its relative error, 0 for its own size; empty if no number of the run has one.
     pub(super) least: &'a [f64],
     pub(super) checked: Checked,
-    /// Whether it went side by side.
+    /// Whether it ran in lanes.
     pub(super) beside: bool,
-    /// What it cost where it did not, in force evaluations that take as long.
+    /// Cost of a run alone, in force evaluations of equal duration.
     pub(super) price: f64,
 }
 
-/// Samples of records that scenes which are ready keep, those of one record for all of them not counted: 4 MB.
+/// Most samples of records in prepared scenes, except a common record: 4 MB.
 const MOST_SAMPLES: usize = 1 << 19;
 
-/// Scenes that fill the lanes of any machine: so many of one motion do not wait for those of another, beside which each would be sampled
-/// by itself.
+/// Scenes that fill the lanes of any machine. This many scenes of a motion run without waiting for scenes of another motion; mixed groups
+/// would sample each motion separately.
 const FILL_LANES: usize = 16;
 
-/// Scenes that are ready to run, each with its run.
+/// Prepared scenes, each with its run.
 #[derive(Default)]
 struct Ready {
     scenes: Vec<(u64, Box<Simulation>)>,
-    /// Of records of their own.
+    /// Number of samples of separate records.
     samples: usize,
-    /// Whether all are of the template of the last one.
+    /// Whether all are made from the last template.
     of_template: bool,
 }
 
-/// What makes scenes ready, motion by motion.
+/// Preparation of scenes, motion by motion.
 struct Making<'a> {
     sweep: &'a Sweep,
     scene: Value,
     point: Point,
     settings: Vec<Setting>,
     motion: Option<usize>,
-    /// The scene under this motion, in which numbers are set; nothing where all are read.
+    /// The scene under this motion, in which numbers are set; `None` if every scene is read.
     template: Option<Renumbered>,
-    /// Scenes of the template that have run, whose memory the next ones take.
+    /// Finished scenes of the template, whose memory is reused.
     #[expect(clippy::vec_box, reason = "boxes go from here into scenes that are ready, and back")]
     ran: Vec<Box<Simulation>>,
 }
@@ -111,15 +111,15 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// Goes on under a motion; what is made ready for the numbers of many runs is of no use to one.
+    /// Continues with a motion. A template is prepared only for many runs.
     fn turn_to(&mut self, motion: usize, many: bool) {
         self.motion = Some(motion);
         self.template = many.then(|| self.sweep.renumbered(motion)).flatten();
         self.ran.clear();
     }
 
-    /// The scene of a run under the motion, and whether it is of the template: others may be of other columns, in whose memory no numbers
-    /// are set.
+    /// The scene of a run under the motion, and whether it is made from the template. Others may have other columns, and their memory is
+    /// not reused.
     fn make(&mut self, motion: usize, run: u64) -> Result<(Box<Simulation>, bool), String> {
         let (sweep, ran) = (self.sweep, self.ran.pop());
         sweep.plan.settings(run, &mut self.point, &mut self.settings);
@@ -138,38 +138,38 @@ impl<'a> Making<'a> {
 }
 
 impl Sweep {
-    /// Runs that are made ready at a time: of two structures as many as a batch has use for (the record is read once for all of them), of
-    /// long rows what fills all lanes and not the memory.
+    /// Runs that are prepared at a time. For two structures, this is as many as a batch can use, because the record is read once for all of
+    /// them. For long rows, this fills all lanes but not the memory.
     pub(super) fn at_a_time(&self) -> usize {
         const FLOORS: usize = 4096;
         let n_floors = self.row.n_floors().max(1);
         (FLOORS / n_floors).clamp(16, 256)
     }
 
-    /// Whether somebody said stop.
+    /// Whether the stop flag is set.
     pub fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// Runs a range of runs, below [`Self::n_runs`]; some fail where somebody says stop.
+    /// Runs a range of runs, below [`Self::n_runs`]. After a stop some of them fail.
     pub fn batch(&self, runs: Range<u64>) -> Batch {
         self.batch_of(runs, self.at_a_time())
     }
 
-    /// The same; nothing where somebody says stop before they are done.
+    /// Runs a range of runs; `None` if stopped before the end.
     pub(super) fn batch_unless_stopped(&self, runs: Range<u64>) -> Option<Batch> {
         let batch = self.batch(runs);
         (!self.is_stopped()).then_some(batch)
     }
 
-    /// The same, so many at a time.
+    /// Runs a range of runs, `at_a_time` at a time.
     pub(super) fn batch_of(&self, runs: Range<u64>, at_a_time: usize) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.outputs.len());
         self.run_all(runs, at_a_time, |run, ran| batch.take(run, ran));
         batch
     }
 
-    /// Makes runs ready and runs them, so many at a time, whatever motions shake them; tells what came out of each.
+    /// Prepares and runs these runs, some at a time, under any motions; reports the results of each.
     pub(super) fn run_all(
         &self,
         runs: impl IntoIterator<Item = u64>,
@@ -213,7 +213,7 @@ impl Sweep {
         }
     }
 
-    /// Runs scenes that are ready: side by side where they can, else one after the other.
+    /// Runs prepared scenes: in lanes if possible, else in sequence.
     fn run_ready(&self, ready: &[(u64, Box<Simulation>)], tell: &mut impl FnMut(u64, Result<Ran<'_>, String>)) {
         let together = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.outputs.len());
@@ -224,7 +224,7 @@ impl Sweep {
             let beside = together
                 .as_ref()
                 .is_some_and(|sums| self.tell(prepared, (sums, scene), (&mut numbers, &mut least)));
-            // A fault of the program in one run is no reason to lose the others.
+            // A fault of the program in one run must not lose the others.
             let ran = if !beside {
                 let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));
                 price.map(|price| (Checked::Ledger, price))
@@ -244,7 +244,7 @@ impl Sweep {
         }
     }
 
-    /// Runs a scene that went side by side alone, too, and holds its numbers to each other.
+    /// Also runs a scene from lanes alone, and compares its numbers.
     fn run_both(&self, prepared: &Simulation, beside: &[f64]) -> Result<(), String> {
         let (mut alone, mut least) = (Vec::new(), Vec::new());
         self.run_alone(prepared, &mut alone, &mut least)?;
@@ -256,7 +256,7 @@ impl Sweep {
         self.compare(prepared, &runs)
     }
 
-    /// One run; its numbers in the order of the columns, what they count as at least, and its price.
+    /// Runs a single run; fills its numbers in the order of the columns and their least scales, and returns its price.
     pub(super) fn run_alone(&self, prepared: &Simulation, numbers: &mut Vec<f64>, least: &mut Vec<f64>) -> Result<f64, String> {
         let reason = |error: Error| error.reason();
         numbers.clear();
@@ -292,7 +292,7 @@ impl Sweep {
     }
 }
 
-/// What a run gives, or why it fails; a panic is such a reason.
+/// The result of a run or the reason of its failure; a panic counts as a failure.
 fn caught<T>(run: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(run))
         .unwrap_or_else(|_| Err("the program panicked, which is a fault of its own; `pounding run` of this scene shows where".into()))

@@ -1,4 +1,4 @@
-//! Runs of a sweep side by side, where its method and outputs let them.
+//! Runs of a sweep in lanes, if its method and outputs allow it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -9,7 +9,7 @@ use pounding_lanes::SceneSums;
 use pounding_scene::{Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening};
 
 impl Sweep {
-    /// What happened in scenes that are ready, where they could run side by side.
+    /// Results of prepared scenes, if they could run in lanes.
     pub(super) fn beside(&self, ready: &[(u64, Box<Simulation>)]) -> Option<SceneSums> {
         if !self.asks_for_tallies() {
             return None;
@@ -20,12 +20,12 @@ impl Sweep {
             .flatten()
     }
 
-    /// Whether runs side by side know all that is asked for: no more than peaks and sums.
+    /// Whether lanes know all requested numbers: only peaks and sums.
     pub(super) fn asks_for_tallies(&self) -> bool {
         self.untallied().is_none() && self.limit().is_none()
     }
 
-    /// The first number that only a run alone knows.
+    /// The first number that only a run alone has.
     fn untallied(&self) -> Option<&Output> {
         let is_tallied = |output: &Output| match output.quantity {
             Quantity::Floor(quantity) => matches!(
@@ -44,7 +44,7 @@ impl Sweep {
         self.outputs.iter().find(|output| !is_tallied(output))
     }
 
-    /// The cost above which runs are given up, if only a run alone knows it.
+    /// The limit of cost above which runs are given up, if only a run alone has it.
     fn limit(&self) -> Option<&'static str> {
         let budget = self.scene.get("budget");
         let is_named = |name: &&str| {
@@ -54,7 +54,7 @@ impl Sweep {
         ["pieces", "seconds"].into_iter().find(is_named)
     }
 
-    /// Why all runs go one at a time, which takes many times as long; nothing where they can go side by side.
+    /// Why all runs must run alone, which takes many times as long; `None` if they can run in lanes.
     pub fn alone_because(&self) -> Option<String> {
         if let Some(output) = self.untallied() {
             return Some(format!("`{}` among the `outputs` is not known side by side", output.word));
@@ -67,8 +67,8 @@ impl Sweep {
         alone_because(&typical.ok()?).map(String::from)
     }
 
-    /// The numbers of one of these scenes in the order of the columns, and what they count as at least, which stays empty where none of them
-    /// does; false where they are none, and a run alone says why.
+    /// Fills the numbers of a scene in the order of the columns, and their least scales, which stay empty if no number has one. Returns
+    /// false if there are none: a run alone then shows why.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
@@ -96,7 +96,7 @@ impl Sweep {
     }
 }
 
-/// A number of a floor of one of these scenes; NaN where it has none.
+/// A number of a floor of a scene; NaN if it has none.
 fn of_floor(floor: &Floor, (tallies, scene, index): (&SceneSums, usize, usize), asked: FloorQuantity) -> f64 {
     let drift = || tallies.drift(scene, index);
     let none = f64::NAN;
@@ -116,7 +116,7 @@ fn of_floor(floor: &Floor, (tallies, scene, index): (&SceneSums, usize, usize), 
     }
 }
 
-/// A number of a pair of one of these scenes, NaN where it has none, and what it counts as at least.
+/// A number of a pair of a scene (NaN if it has none), and its least scale.
 fn of_pair(prepared: &Simulation, (tallies, scene): (&SceneSums, usize), index: usize, asked: PairQuantity) -> (f64, f64) {
     let pair = &prepared.pairs()[index];
     let tally = tallies.pair(scene, index);

@@ -1,7 +1,7 @@
-//! How every run of a sweep was held to the laws of mechanics.
+//! Checks of the laws of mechanics for every run of a sweep.
 //!
-//! A run alone has a ledger. Scenes side by side have books of their contacts, and what these doubt runs alone. Some of the others, drawn
-//! by their numbers, run alone as well, and have to come to the same: so that a fault of what runs side by side is found, too.
+//! A run alone has a ledger. Scenes in lanes have books of their contacts, and doubted scenes run alone. A sample of the others, drawn by
+//! their numbers, also runs alone and must give equal results. This also finds faults of lanes.
 
 use pounding_scene::{Method, Simulation};
 use rand_pcg::Pcg64;
@@ -10,30 +10,30 @@ use rand_pcg::rand_core::Rng;
 use super::Sweep;
 use super::column_errors::distance;
 
-/// Of so many scenes side by side one runs alone, too: they then take an eighth longer at most.
+/// Of this many scenes in lanes, one also runs alone: this takes at most an eighth longer.
 const ONE_IN: u64 = 2048;
-/// Relative change of a record that tells what rounding moves.
+/// Relative change of a record that shows the effect of rounding.
 const CHANGE: f64 = 1e-12;
-/// How many times as far as the record's change moves them numbers may be apart, and how many tolerances.
+/// Largest allowed distance of numbers, relative to the effect of the record's change, and in tolerances.
 const TIMES: f64 = 1e3;
 
-/// How a run was held to the laws of mechanics.
+/// How the laws of mechanics were checked for a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Checked {
-    /// Not at all: the sweep asks for no verdict, or the run failed.
+    /// No check: the sweep requests no verdict, or the run failed.
     #[default]
     No,
-    /// By the ledger of its own run.
+    /// By the ledger of the run.
     Ledger,
-    /// Side by side with others: by the books of its compliant contacts where a stepping method ran it, by no more than its way of working
-    /// where the exact one did.
+    /// In lanes with others. A stepping method is checked by the books of its compliant contacts; the exact method obeys the laws by
+    /// construction.
     Beside,
-    /// By both: it ran side by side and alone, with the same numbers.
+    /// Both: it ran in lanes and alone, with equal numbers.
     Both,
 }
 
 impl Checked {
-    /// Its name in tables; nothing where it was not.
+    /// Name in tables; empty if there was no check.
     pub fn name(self) -> &'static str {
         match self {
             Self::No => "",
@@ -43,7 +43,7 @@ impl Checked {
         }
     }
 
-    /// The one of this name.
+    /// The check with this name.
     pub(super) fn of(name: &str) -> Option<Self> {
         [Self::No, Self::Ledger, Self::Beside, Self::Both]
             .into_iter()
@@ -51,26 +51,26 @@ impl Checked {
     }
 }
 
-/// The numbers of a scene, one for each column.
+/// The numbers of a scene, by column.
 pub(super) struct TwoRuns<'a> {
     pub(super) beside: &'a [f64],
     pub(super) alone: &'a [f64],
-    /// What each counts as at least where its error is relative to it.
+    /// Least scale of each number for its relative error.
     pub(super) least: &'a [f64],
 }
 
 impl Sweep {
-    /// Whether a run that goes side by side runs alone, too; one of the sweep does at least.
+    /// Whether a run in lanes also runs alone; at least one run of the sweep does.
     pub(super) fn is_sampled(&self, run: u64) -> bool {
         let drawn = |number: u64| Pcg64::new(number.into(), 29).next_u64();
         run == drawn(u64::MAX) % self.n_runs() || drawn(run).is_multiple_of(ONE_IN)
     }
 
-    /// Holds the numbers of a scene side by side to those of its run alone: stepping methods give the same bits, the exact method the same
-    /// to its tolerance and to how far rounding moves the scene.
+    /// Compares the numbers of a scene in lanes with those of its run alone. Stepping methods must give equal bits; the exact method must
+    /// agree within its tolerance and the effect of rounding on the scene.
     ///
     /// # Errors
-    /// Names the number that is furthest off.
+    /// Names the number with the largest difference.
     pub(super) fn compare(&self, scene: &Simulation, runs: &TwoRuns<'_>) -> Result<(), String> {
         let apart = self.apart(scene, runs.beside, runs);
         let furthest = (0..apart.len()).max_by(|one, other| apart[*one].total_cmp(&apart[*other]));
@@ -103,8 +103,8 @@ impl Sweep {
         ))
     }
 
-    /// How far numbers are from those of a run alone. To which side a peak is may be less than the exact method knows: there peaks count by
-    /// their magnitudes.
+    /// Distance of numbers from those of a run alone. The side of a peak may be undecided within the accuracy of the exact method: peaks
+    /// are compared by magnitude.
     fn apart(&self, scene: &Simulation, numbers: &[f64], runs: &TwoRuns<'_>) -> Vec<f64> {
         let is_exact = matches!(scene.method(), Method::Exact { .. });
         let mut apart = Vec::with_capacity(numbers.len());
@@ -118,8 +118,8 @@ impl Sweep {
         apart
     }
 
-    /// How far the furthest number of the exact method moves with a change of the record's size or pace as small as this, or by a looser method.
-    /// The last one speaks where the start moves more than the ground does.
+    /// Largest change of any number of the exact method under such a small change of the record's scale or time, or with a looser method.
+    /// The latter matters if the initial motion dominates the ground motion.
     fn moved(&self, scene: &Simulation, runs: &TwoRuns<'_>, change: f64, looser: Method) -> f64 {
         let by = 1.0 + change;
         let changed = [
@@ -163,8 +163,8 @@ mod tests {
         Sweep::of((file, text.as_bytes()), path, None).unwrap()
     }
 
-    /// What a fault side by side would do to a number, put in on purpose: it is found in the last bit of a stepping method, and by the
-    /// exact method where rounding does not explain it.
+    /// A fault of lanes, inserted on purpose, changes a number. In a stepping method the last bit reveals it, in the exact method a change
+    /// that rounding does not explain.
     #[test]
     fn issue_a_fault_side_by_side_is_found() {
         for (method, hidden, found) in [
@@ -189,7 +189,7 @@ mod tests {
                 sweep.compare(&scene, &runs)
             };
             assert_eq!(changed(hidden), Ok(()), "{method}");
-            // A structure that goes equally far to both sides: the sign of its peak is rounding by the exact method alone.
+            // A structure that goes equally far to both sides: the sign of its peak is rounding only in the exact method.
             assert_eq!(changed(-2.0).is_ok(), hidden > 0.0, "{method}");
             let reason = changed(found).unwrap_err();
             assert!(reason.starts_with("tower: peak_displacement_m: found "), "{reason}");

@@ -5,10 +5,10 @@
 pub enum SweepColumn {
     /// Numbers of runs.
     Counts(Vec<u64>),
-    /// Whether something holds.
+    /// Yes or no for each row.
     Flags(Vec<bool>),
-    /// Numbers; NaN where a row has none.
+    /// Numbers; NaN if a row has none.
     Numbers(Vec<f64>),
-    /// Texts; nothing where a row has none.
+    /// Texts; `None` if a row has none.
     Texts(Vec<Option<String>>),
 }

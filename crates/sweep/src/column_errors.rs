@@ -1,13 +1,14 @@
 //! Errors of the numbers of a sweep, column by column.
 
-/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\], of peaks of their magnitudes: 1 where only
-/// one of both runs touches. Residual displacements and least openings count as [`LEAST_PART`](pounding_scene::LEAST_PART) of the peak
-/// displacement at least.
+/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact number \[–\].
+///
+/// For peaks the magnitudes count. The error is 1 if only one of both runs touches. Residual displacements and least openings are relative
+/// to at least [`LEAST_PART`](pounding_scene::LEAST_PART) of the peak displacement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnErrors {
     /// Name of the column.
     pub name: String,
-    /// Runs that were measured and have such a number.
+    /// Number of measured runs that have this number.
     pub runs: usize,
     /// Errors that 50, 90, 95 and 99 % of the runs do not exceed.
     pub quantiles: [f64; 4],
@@ -31,7 +32,7 @@ impl ColumnErrors {
     }
 }
 
-/// What a part of sorted errors does not exceed.
+/// The value that a part of the sorted errors does not exceed.
 pub(super) fn at_most(sorted: &[f64], part: f64) -> f64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -42,11 +43,11 @@ pub(super) fn at_most(sorted: &[f64], part: f64) -> f64 {
     sorted.get(place.max(1) - 1).copied().unwrap_or(0.0)
 }
 
-/// Distance of two numbers of a table, as a part of the larger one or of what they count as at least.
+/// Distance of two numbers of a table, relative to the larger one or to their least scale.
 pub(super) fn distance(a: f64, b: f64, least: f64) -> f64 {
     match (a.is_nan(), b.is_nan()) {
         (true, true) => 0.0,
-        // The smallest number stands for zeros of both.
+        // The smallest number avoids a division by zero.
         (false, false) => (a - b).abs() / a.abs().max(b.abs()).max(least).max(f64::MIN_POSITIVE),
         (true, false) | (false, true) => 1.0,
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::quantile::{probability, quantile};
 use super::range::{FINITE, POSITIVE, RangeError, bounds, require};
 
-/// A normal distribution, perhaps cut off.
+/// A normal distribution, optionally truncated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "NormalFile")]
 #[schemars(with = "NormalFile")]
@@ -15,9 +15,9 @@ pub struct Normal {
     pub mean: f64,
     /// Standard deviation, > 0.
     pub standard_deviation: f64,
-    /// No value is below.
+    /// Lower bound of all values.
     pub from: Option<f64>,
-    /// No value is above.
+    /// Upper bound of all values.
     pub to: Option<f64>,
 }
 
@@ -30,13 +30,13 @@ struct NormalFile {
     mean: f64,
     /// Standard deviation, > 0.
     standard_deviation: f64,
-    /// Values below are left out, and all others as much more likely.
+    /// Lower bound: values below are excluded, and all others are more likely in proportion.
     from: Option<f64>,
-    /// Values above are left out, and all others as much more likely.
+    /// Upper bound: values above are excluded, and all others are more likely in proportion.
     to: Option<f64>,
 }
 
-/// A distribution whose logarithm is normal, perhaps cut off.
+/// A distribution with a normal logarithm, optionally truncated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "LogNormalFile")]
 #[schemars(with = "LogNormalFile")]
@@ -45,9 +45,9 @@ pub struct LogNormal {
     pub median: f64,
     /// Standard deviation of the natural logarithm \[–\], > 0.
     pub log_standard_deviation: f64,
-    /// No value is below; > 0.
+    /// Lower bound of all values, > 0.
     pub from: Option<f64>,
-    /// No value is above.
+    /// Upper bound of all values.
     pub to: Option<f64>,
 }
 
@@ -60,9 +60,9 @@ struct LogNormalFile {
     median: f64,
     /// Standard deviation of the natural logarithm, > 0.
     log_standard_deviation: f64,
-    /// Values below are left out, and all others as much more likely; > 0.
+    /// Lower bound, > 0: values below are excluded, and all others are more likely in proportion.
     from: Option<f64>,
-    /// Values above are left out, and all others as much more likely.
+    /// Upper bound: values above are excluded, and all others are more likely in proportion.
     to: Option<f64>,
 }
 
@@ -110,7 +110,7 @@ impl TryFrom<LogNormalFile> for LogNormal {
     }
 }
 
-/// The part of a standard normal distribution that is kept, as probabilities.
+/// The kept part of a standard normal distribution, as probabilities.
 #[derive(Debug, Clone, Copy)]
 struct Truncation {
     from: f64,
@@ -118,7 +118,7 @@ struct Truncation {
 }
 
 impl Truncation {
-    /// Between two numbers, as far as they are given.
+    /// Truncation between two bounds, if they are given.
     fn between(from: Option<f64>, to: Option<f64>) -> Self {
         Self {
             from: from.map_or(0.0, probability),
@@ -126,7 +126,7 @@ impl Truncation {
         }
     }
 
-    /// Refuses bounds between which next to nothing is left: quantiles there would be rounding.
+    /// Refuses bounds that keep almost nothing: quantiles there would be rounding.
     fn check(self, from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
         let allowed = "bounds with more than a millionth of the distribution between them";
         let valid = self.to - self.from > 1e-6;
@@ -140,7 +140,7 @@ impl Truncation {
 }
 
 impl Normal {
-    /// The number that this part of all values does not exceed, but for rounding.
+    /// The quantile of a part of all values, up to rounding.
     pub(super) fn sample(&self, part: f64) -> f64 {
         self.mean + self.standard_deviation * self.standard().quantile(part)
     }
@@ -152,7 +152,7 @@ impl Normal {
 }
 
 impl LogNormal {
-    /// The number that this part of all values does not exceed, but for rounding.
+    /// The quantile of a part of all values, up to rounding.
     pub(super) fn sample(&self, part: f64) -> f64 {
         let standard = self.standard().quantile(part);
         self.median * libm::exp(self.log_standard_deviation * standard)

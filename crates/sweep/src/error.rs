@@ -1,4 +1,4 @@
-//! What can go wrong with a sweep, before it begins and between its runs.
+//! Errors of a sweep, before it begins and between its runs.
 
 use std::path::{Path, PathBuf};
 
@@ -7,10 +7,10 @@ use super::summary_file::SummaryError;
 use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
 
-/// Name of the file that tells what parts a folder holds.
+/// Name of the file that describes the parts in a folder.
 pub(super) const MANIFEST: &str = "manifest.json";
 
-/// Why a sweep is refused or cannot go on; a run that fails is none of them, but a row.
+/// Why a sweep is refused or cannot go on. A run that fails is no such error: it is a row.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
@@ -22,9 +22,9 @@ pub enum SweepError {
     InFile {
         /// The file.
         path: PathBuf,
-        /// Line and column of the field, counted from 1, where it is found.
+        /// Line and column of the field, counted from 1, if known.
         position: Option<(usize, usize)>,
-        /// What is wrong with it.
+        /// The fault.
         source: Box<SweepError>,
     },
     /// A field that the scene does not have.
@@ -32,17 +32,17 @@ pub enum SweepError {
     NoField {
         /// The entry of the file.
         place: String,
-        /// What is missing.
+        /// The missing field.
         source: PlaceError,
     },
-    /// A field that does not vary here.
+    /// A field that must not vary here.
     #[error("{place}: found the field `{field}`, which does not vary here: {instead}")]
     Fixed {
         /// The entry of the file.
         place: String,
         /// The field.
         field: String,
-        /// What to do.
+        /// Advice: the alternative.
         instead: &'static str,
     },
     /// A field that varies twice.
@@ -53,13 +53,13 @@ pub enum SweepError {
         /// The field.
         field: String,
     },
-    /// Something at random, and no number of samples.
+    /// A random value without a number of samples.
     #[error("{place}: varies at random, but `samples` is missing; add {{\"count\": 1024, \"seed\": 1, \"method\": \"sobol\"}}")]
     NoSamples {
         /// The entry of the file.
         place: String,
     },
-    /// Samples of nothing.
+    /// A number of samples without random values.
     #[error("samples: found samples, but nothing varies at random; delete them, or let a field be `uniform` or `normal`")]
     NothingSampled,
     /// More axes than a Sobol sequence has.
@@ -73,7 +73,7 @@ pub enum SweepError {
     /// More runs than can be counted.
     #[error("vary: found {0:e} runs, allowed are up to 1e15; take coarser grids or fewer samples")]
     TooManyRuns(f64),
-    /// More parts than a folder is looked through for.
+    /// More parts than a folder may have.
     #[error(
         "vary: found {found} runs, allowed are up to {allowed} {}",
         if *has_rows {
@@ -85,12 +85,12 @@ pub enum SweepError {
     TooManyParts {
         /// Runs of the sweep.
         found: u64,
-        /// Most runs that are cut into so many parts.
+        /// Most runs that can be split into parts.
         allowed: u64,
         /// Whether a part holds rows.
         has_rows: bool,
     },
-    /// A value with which no scene can be made.
+    /// A value that the scene refuses.
     #[error("{place}: found {field} = {value}, which the scene refuses: {reason}")]
     Refused {
         /// The entry of the file.
@@ -99,13 +99,13 @@ pub enum SweepError {
         field: String,
         /// The value.
         value: String,
-        /// Why.
+        /// The reason.
         reason: RefusedScene,
     },
-    /// A scene in the sweep's own file that is none.
+    /// An invalid scene in the sweep's file.
     #[error("scene.{0}")]
     Inline(RefusedScene),
-    /// A value that changes what there is to count.
+    /// A value that changes the number of floors or pairs.
     #[error(
         "{place}: found {field} = {value}, with which the row has {found}, where the first run has {allowed}; allowed are rows of one \
          kind: make a sweep of each"
@@ -117,34 +117,34 @@ pub enum SweepError {
         field: String,
         /// The value.
         value: String,
-        /// Floors and walls of every structure with it, and pairs.
+        /// Numbers of floors and walls of every structure, and of pairs, with this value.
         found: String,
-        /// Those of the first run.
+        /// Numbers in the first run.
         allowed: String,
     },
-    /// A method that is chosen and varies.
+    /// A method that is chosen by accuracy and also varies.
     #[error(
         "vary: found a field of `method` where scene.method asks for an accuracy, for which one method is chosen; leave one of them out"
     )]
     Accuracy,
-    /// A record, or folder of records, that is not there.
+    /// A record, or folder of records, that does not exist.
     #[error("records: found no file or folder {0}, allowed is one that is there, seen from the folder of the sweep")]
     NoSuchRecord(String),
-    /// No record that shakes.
+    /// No readable record.
     #[error("records: found no record in {0}, allowed is a folder with one or more, or a file")]
     NoRecord(String),
-    /// A summary of what the sweep does not have.
+    /// A summary that does not fit the sweep.
     #[error(transparent)]
     Summary(#[from] SummaryError),
-    /// A file beside the table that is there already.
+    /// A file next to the table that already exists.
     #[error("{}: is there already, allowed is a new file; name another table or add --overwrite", .0.display())]
     ThereAlready(PathBuf),
-    /// A part of a whole that there is not.
+    /// A shard outside the range.
     #[error("found the shard {index} of {count}, allowed are 1 to {count}, such as 1/{count}")]
     NoShard {
         /// The shard.
         index: u64,
-        /// How many there are.
+        /// Number of shards.
         count: u64,
     },
     /// A file that cannot be read or written.
@@ -152,7 +152,7 @@ pub enum SweepError {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The message of the system.
         source: std::io::Error,
     },
     /// Parts of another sweep.
@@ -162,17 +162,17 @@ pub enum SweepError {
         .0.display()
     )]
     OtherSweep(PathBuf),
-    /// Something that is no folder of parts.
+    /// A folder without parts.
     #[error("{}: found no parts of a sweep (no {}), allowed are folders that `pounding sweep` leaves, NAME.csv.parts", .0.display(), MANIFEST)]
     NoParts(PathBuf),
-    /// A manifest that is not as it was written.
+    /// A manifest that was changed.
     #[error(
         "{}: found other bytes than a sweep wrote, allowed is the file as it was; delete it, then the sweep goes on with the parts that \
          are whole",
         .0.display()
     )]
     DamagedManifest(PathBuf),
-    /// Parts that another version wrote in another form.
+    /// Parts in the format of another version.
     #[error(
         "{}: found {} of the form of parts, allowed is version {allowed}: another version of the program wrote them; end the sweep with \
          that one, name another file, or let --overwrite begin anew",
@@ -182,12 +182,12 @@ pub enum SweepError {
     OtherForm {
         /// The manifest.
         path: PathBuf,
-        /// Its version, where it has one.
+        /// Its version, if it has one.
         found: Option<u32>,
         /// The version of this program.
         allowed: u32,
     },
-    /// A part that is not as it was written.
+    /// A part that was changed.
     #[error(
         "{}: found {found}, allowed is the file as it was written; start the sweep again, or the shard that made it, which runs this part anew",
         path.display()
@@ -195,51 +195,51 @@ pub enum SweepError {
     Damaged {
         /// The part.
         path: PathBuf,
-        /// What it is instead.
+        /// What was found instead.
         found: &'static str,
     },
-    /// Somebody said stop while a method was chosen.
+    /// Stopped while a method was chosen.
     #[error("stopped while a method was chosen; the same command begins with that again")]
     Stopped,
-    /// An output at which another process is at work.
+    /// An output on which another process works.
     #[error(transparent)]
     Lock(#[from] LockError),
-    /// Parts that are not there.
+    /// Missing parts.
     #[error(
         "found {found} of {allowed} parts: the runs {} are missing; start again the shards that should have made them, or \
          `pounding sweep` without a shard, which runs what is missing",
         runs(missing)
     )]
     Missing {
-        /// Parts that are there.
+        /// Number of parts found.
         found: u64,
-        /// Parts that must be.
+        /// Number of parts required.
         allowed: u64,
         /// First and last missing run of every gap.
         missing: Vec<(u64, u64)>,
     },
 }
 
-/// Why a scene with the values of a run is none.
+/// Why a scene with the values of a run is refused.
 #[derive(Debug, thiserror::Error)]
 pub enum RefusedScene {
-    /// A field of another form.
+    /// A field with a wrong form.
     #[error("{place}: {fault}")]
     Form {
         /// The field.
         place: String,
-        /// What was found, and what is allowed.
+        /// The value found and the values allowed.
         fault: Box<Fault>,
     },
-    /// A number of the run that is none.
+    /// A number of the run that is not finite.
     #[error("{field}: found {}, allowed are finite numbers; its spread reaches beyond them", pounding_text::plain(*number))]
     NotFinite {
         /// The field.
         field: String,
-        /// What was drawn.
+        /// The drawn number.
         number: f64,
     },
-    /// What cannot be modelled, or did not run.
+    /// A scene that cannot be modelled, or did not run.
     #[error("{}", .0.reason())]
     Scene(Box<Error>),
 }
@@ -250,7 +250,7 @@ impl From<Error> for RefusedScene {
     }
 }
 
-/// Ranges of runs in words; of many the first ones.
+/// Ranges of runs in words; only the first if there are many.
 fn runs(missing: &[(u64, u64)]) -> String {
     const SHOWN: usize = 5;
     let shown = missing.iter().take(SHOWN);
@@ -266,7 +266,7 @@ fn at(position: Option<(usize, usize)>) -> String {
 }
 
 impl SweepError {
-    /// A file that the system refuses.
+    /// Converts an error of the system for a file.
     pub(super) fn file(path: &Path) -> impl Fn(std::io::Error) -> Self {
         move |source| Self::File {
             path: path.to_path_buf(),
@@ -274,7 +274,7 @@ impl SweepError {
         }
     }
 
-    /// Names the file of the sweep, and the line of the field to blame.
+    /// Adds the file of the sweep, and the line of the faulty field.
     pub(super) fn in_file(self, path: &Path) -> Self {
         if let Self::Scene(error) = self {
             return Self::Scene(error.in_file(path));
@@ -289,7 +289,7 @@ impl SweepError {
         }
     }
 
-    /// The entry of the sweep's file to blame, where there is one.
+    /// The faulty entry of the sweep's file, if there is one.
     fn place(&self) -> Option<String> {
         let place = match self {
             Self::NoField { place, .. }

@@ -1,4 +1,4 @@
-//! What a user writes: a scene, what of it varies, and what is wanted of every run.
+//! The sweep file: a scene, its varying fields, and the outputs of every run.
 
 use std::path::Path;
 
@@ -12,52 +12,51 @@ use super::spread::{Between, Grid, Spread};
 use super::summary_file::Summary;
 use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
 
-/// A sweep: one scene, run again and again with other values of its fields, under one record or many.
+/// A sweep: a scene that runs many times with other values of its fields, under one or many records.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SweepFile {
     /// The scene: the path of its file, from the folder of this file, or the scene itself.
     pub scene: SceneOf,
-    /// What varies. Grids and lists are combined, each value with all others, the last one fastest; everything that is
-    /// sampled forms one further axis, faster than they.
+    /// Varying fields. Grids and lists are combined, each value with all others, the last one fastest. All sampled fields together form a
+    /// further axis, which is the fastest.
     #[serde(default)]
     pub vary: Vec<Vary>,
-    /// How many samples, of fields that vary at random.
+    /// Number of samples of random fields.
     #[serde(default)]
     pub samples: Option<Samples>,
-    /// Folders of records and record files, which shake the scene instead of its own record; paths from the folder of this
-    /// file.
+    /// Folders of records and record files, which replace the record of the scene; paths are relative to the folder of this file.
     #[serde(default)]
     pub records: Option<Records>,
-    /// In which directions every record shakes; without it as the scene says.
+    /// Directions in which every record shakes; by default that of the scene.
     #[serde(default)]
     pub directions: Option<Directions>,
-    /// Which numbers are wanted of every run.
+    /// Outputs of every run.
     #[serde(default)]
     pub outputs: Outputs,
-    /// Whether every run is asked whether it keeps the laws of mechanics, and fails where it breaks one; without it `true`.
+    /// Whether every run is checked against the laws of mechanics and fails if it breaks one; default `true`.
     #[serde(default = "yes")]
     pub verdict: bool,
-    /// What every run may cost before it is given up, which then is a row with the reason; without it as the scene says.
+    /// Limits of the cost of a run; a run that exceeds them is a row with the reason. Default: those of the scene.
     #[serde(default)]
     pub budget: Option<RunBudget>,
-    /// What is told of all runs together: counts, means, quantiles, exceedances; rows are then written where it asks for them.
+    /// Statistics over all runs: counts, means, quantiles, exceedances. Rows are then written only if requested here.
     #[serde(default)]
     pub summary: Option<Summary>,
 }
 
-/// Deserialisers are large: they are compiled here once, and not with every program that reads a sweep.
+/// Deserialisers are large: they are compiled here once instead of in every program that reads a sweep.
 impl SweepFile {
-    /// Reads a sweep from the text of a JSON or TOML file, as [`is_json`](pounding_scene::is_json) tells them apart.
+    /// Reads a sweep from the text of a JSON or TOML file; [`is_json`](pounding_scene::is_json) decides which.
     ///
     /// # Errors
-    /// [`Error::Form`], with the `path` that the text came from.
+    /// [`Error::Form`], with the `path` of the text.
     pub fn parse(text: &[u8], path: &Path) -> Result<Self, Error> {
         pounding_scene::parse(text, path)
     }
 }
 
-/// The JSON Schema (2020-12) of a sweep file, made from the types that read it.
+/// The JSON Schema (2020-12) of a sweep file, generated from its types.
 pub fn sweep_schema() -> String {
     pounding_scene::schema_of::<SweepFile>()
 }
@@ -71,9 +70,9 @@ fn yes() -> bool {
 #[serde(from = "Value")]
 #[schemars(with = "SceneOfFile")]
 pub enum SceneOf {
-    /// In a file of its own.
+    /// In a separate file.
     File(String),
-    /// As it stands.
+    /// In the file of the sweep.
     Inline(Value),
 }
 
@@ -82,7 +81,7 @@ pub enum SceneOf {
 #[schemars(untagged)]
 #[expect(dead_code, reason = "a schema is made of the type alone")]
 enum SceneOfFile {
-    /// Its file, from the folder of the sweep.
+    /// Path of its file, relative to the folder of the sweep.
     File(String),
     /// The scene.
     Inline(Box<pounding_scene::Scene>),
@@ -98,16 +97,16 @@ impl From<Value> for SceneOf {
     }
 }
 
-/// How many samples are taken of all that vary at random.
+/// Number of samples of all random fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "SamplesFile")]
 #[schemars(with = "SamplesFile")]
 pub struct Samples {
     /// Number of samples, ≥ 1.
     pub count: u64,
-    /// Seed: the same gives the same samples.
+    /// Seed: equal seeds give equal samples.
     pub seed: u64,
-    /// How they are spread.
+    /// Method of sampling.
     pub method: SampleMethod,
 }
 
@@ -118,18 +117,18 @@ pub struct Samples {
 struct SamplesFile {
     /// Number of samples, ≥ 1.
     count: u64,
-    /// Seed: the same gives the same samples.
+    /// Seed: equal seeds give equal samples.
     seed: u64,
-    /// How they are spread.
+    /// Method of sampling.
     method: SampleMethod,
 }
 
-/// Samples that are none.
+/// An invalid number of samples.
 #[derive(Debug, thiserror::Error)]
 #[error("count: found {0}, allowed is a whole number from 1 to 1e15")]
 struct CountError(u64);
 
-/// Most samples, and most runs of a sweep: counts up to here are numbers of 64 bits to the last digit.
+/// Most samples, and most runs of a sweep: counts up to this are exact in 64-bit numbers.
 pub(super) const MOST: u64 = 1_000_000_000_000_000;
 
 impl TryFrom<SamplesFile> for Samples {
@@ -147,15 +146,15 @@ impl TryFrom<SamplesFile> for Samples {
     }
 }
 
-/// How samples are spread.
+/// Method of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SampleMethod {
     /// Independent of each other.
     Random,
-    /// A scrambled Sobol sequence: even in all axes together; counts that are powers of two are the most even.
+    /// A scrambled Sobol sequence: even in all axes together. Powers of two are the most even counts.
     Sobol,
-    /// One sample in each of as many equal parts of every axis as there are samples.
+    /// Latin hypercube: every axis is divided into as many equal parts as there are samples, with a sample in each.
     LatinHypercube,
 }
 
@@ -179,11 +178,11 @@ impl Records {
     }
 }
 
-/// In which directions a record shakes.
+/// Directions in which a record shakes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Directions {
-    /// As the file has it.
+    /// As in the file.
     AsRecorded,
     /// Left becomes right.
     Reversed,
@@ -192,7 +191,7 @@ pub enum Directions {
 }
 
 impl Directions {
-    /// Of each whether it is reversed.
+    /// For each direction, whether it is reversed.
     pub(super) fn reversed(self) -> &'static [bool] {
         match self {
             Self::AsRecorded => &[false],
@@ -202,17 +201,17 @@ impl Directions {
     }
 }
 
-/// The numbers that are wanted of every run, a column each.
+/// The outputs of every run, a column for each.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Outputs {
-    /// Of every structure, of a building of every floor.
+    /// Outputs of every structure; for a building, of every floor.
     pub structures: Vec<FloorQuantity>,
-    /// Of every building and structure the severest of all floors: the largest by magnitude.
+    /// Outputs of every building and structure, as the severest of all floors: the largest by magnitude.
     pub buildings: Vec<FloorQuantity>,
-    /// Of every pair of floors that can touch.
+    /// Outputs of every pair of floors that can touch.
     pub pairs: Vec<PairQuantity>,
-    /// Of every two neighbours the severest of all levels: the largest number, the least opening, the first start.
+    /// Outputs of every two neighbours, as the severest of all levels: the largest number, the least opening, the first start.
     pub neighbours: Vec<PairQuantity>,
 }
 
@@ -227,12 +226,12 @@ impl Default for Outputs {
     }
 }
 
-/// One thing that varies: a field of the scene, or several that always have the same value.
+/// A varying field of the scene, or several fields with a common value.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(try_from = "VaryFile")]
 #[schemars(with = "VaryFile")]
 pub struct Vary {
-    /// The fields, in the words of messages: `structures[0].sdof.period_s`; `[*]` stands for every item of a list.
+    /// The fields, as in messages: `structures[0].sdof.period_s`; `[*]` stands for every item of a list.
     pub fields: Vec<String>,
     /// Its values.
     pub spread: Spread,
@@ -245,30 +244,30 @@ impl Vary {
     }
 }
 
-/// What varies in the words of a file.
+/// A varying field in the words of a file.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
 struct VaryFile {
     /// The field of the scene, such as `contacts[0].gap_m`; `contacts[*].gap_m` stands for all gaps.
     field: Option<String>,
-    /// Several fields that always have the same value; or `field`.
+    /// Several fields with a common value, instead of `field`.
     fields: Option<Vec<String>>,
-    /// Its values one by one.
+    /// A list of values.
     values: Option<Vec<Value>>,
     /// Values at equal distances.
     grid: Option<Grid>,
-    /// Random, every value between two numbers as likely.
+    /// Uniformly distributed between two numbers.
     uniform: Option<Between>,
-    /// Random, its logarithm uniform.
+    /// Distributed with a uniform logarithm.
     log_uniform: Option<Between>,
-    /// Random, normally distributed.
+    /// Normally distributed.
     normal: Option<Normal>,
-    /// Random, its logarithm normally distributed.
+    /// Distributed with a normal logarithm.
     log_normal: Option<LogNormal>,
 }
 
-/// Something that varies in too few, too many or wrong words.
+/// A varying field with too few, too many or wrong words.
 #[derive(Debug, thiserror::Error)]
 enum WordsError {
     #[error("found neither `field` nor `fields`, allowed is one of them; name the field that varies")]

@@ -1,4 +1,4 @@
-//! Parts joined to one table.
+//! Joining of parts to a table.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -15,27 +15,27 @@ use super::manifest::{Manifest, joined_beside, path_of};
 use super::part::{self, Part, length_of_line};
 use super::summary::{SummaryTable, Tally};
 
-/// A table that was joined.
+/// A joined table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joined {
-    /// Its runs, a row each, or summed up.
+    /// Number of its runs, as rows or in the summary.
     pub runs: u64,
-    /// Those of them that failed.
+    /// Number of failed runs.
     pub failed: u64,
-    /// The summary, where one is asked for.
+    /// The summary, if requested.
     pub summary: Option<SummaryTable>,
     /// Whether the table has a row for each run.
     pub has_rows: bool,
-    /// Whether other processes were kept off; if not, the disk knows no locks.
+    /// Whether other processes were locked out; false if the disk has no locks.
     pub is_locked: bool,
 }
 
-/// Whether a table of this name is compressed (Zstandard): one that ends in `.zst`.
+/// Whether a table with this name is compressed (Zstandard): its name ends in `.zst`.
 pub fn compresses(out: &Path) -> bool {
     out.extension().is_some_and(|ending| ending == "zst")
 }
 
-/// A file beside a table: its name with this ending in place of its own.
+/// A file next to a table: its name with another ending.
 pub fn beside_table(out: &Path, ending: &str) -> PathBuf {
     let table = if compresses(out) {
         out.with_extension("")
@@ -45,30 +45,30 @@ pub fn beside_table(out: &Path, ending: &str) -> PathBuf {
     table.with_extension(ending)
 }
 
-/// Where the summary of a table goes that has rows.
+/// Path of the summary of a table with rows.
 pub fn summary_beside(out: &Path) -> PathBuf {
     beside_table(out, "summary.csv")
 }
 
-/// Joins the parts of one sweep, wherever they lie, to a table: the same bytes whoever made which part. The table is on disk when
-/// this returns; no other process writes it meanwhile.
+/// Joins the parts of a sweep, from any folders, to a table. The bytes do not depend on which process made which part. The table is on disk
+/// when this returns; no other process writes it meanwhile.
 ///
 /// # Errors
-/// [`SweepError::NoParts`], [`SweepError::OtherSweep`] and [`SweepError::DamagedManifest`] of a folder, [`SweepError::Missing`],
-/// [`SweepError::Damaged`], [`SweepError::Lock`], and what the system refuses.
+/// [`SweepError::NoParts`], [`SweepError::OtherSweep`] and [`SweepError::DamagedManifest`] for a folder; [`SweepError::Missing`],
+/// [`SweepError::Damaged`], [`SweepError::Lock`]; and errors of the system.
 pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, SweepError> {
     let lock = Lock::of(out, Users::One)?;
     put(out, &Sources::of(folders)?, existing, &lock)
 }
 
-/// What a table is made of: all of its parts, in order.
+/// All parts of a table, in order.
 pub(super) struct Sources {
     manifest: Manifest,
     parts: Vec<PathBuf>,
 }
 
 impl Sources {
-    /// What the folders hold parts of, and where each lies; all are there.
+    /// The sweep of these folders, and the path of each part; all must exist.
     pub(super) fn of(folders: &[PathBuf]) -> Result<Self, SweepError> {
         let mut manifest: Option<Manifest> = None;
         let mut there = BTreeMap::new();
@@ -110,7 +110,7 @@ pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock
     if let Some(summary) = joined.summary.as_ref().filter(|_| joined.has_rows) {
         put_beside(&summary_beside(out), &summary.csv(), existing)?;
     }
-    // That of an earlier table would speak for this one.
+    // The file of an earlier table would describe this table wrongly.
     let earlier = joined_beside(out);
     match fs::remove_file(&earlier) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -122,7 +122,8 @@ pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock
     Ok(joined)
 }
 
-/// Puts a file beside a table that goes to its place next; one of the same text may be of a process that was ended in between.
+/// Writes a file next to a table that is about to be moved to its place. An existing file with this text may be from an interrupted
+/// process.
 fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), SweepError> {
     if pounding_files::holds(path, text.as_bytes()).unwrap_or(false) {
         return Ok(());
@@ -136,7 +137,7 @@ fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), SweepEr
     })
 }
 
-/// Whether a table has the bytes that these parts make.
+/// Whether a table has the bytes of these parts.
 pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, SweepError> {
     let (file, _) = made(out, sources)?;
     let is_same = || {
@@ -187,7 +188,7 @@ fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> 
     Ok((file, joined))
 }
 
-/// The parts summed up, with all threads; nothing where no summary is asked for.
+/// The summary over all parts, with all threads; `None` if not requested.
 fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, SweepError> {
     let Sources { manifest, parts } = sources;
     let Some(form) = &manifest.summary else {
@@ -210,7 +211,7 @@ fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, SweepError> {
         Ok(())
     };
     let added: Vec<Result<(), SweepError>> = parts.par_iter().enumerate().map(add).collect();
-    // In order: of several damaged parts the first is named.
+    // In order: the first of several damaged parts is named.
     added.into_iter().collect::<Result<(), SweepError>>()?;
     let whole = whole.into_inner().expect("no thread panics");
     Ok(Some(SummaryTable::new(form.clone(), whole)))
@@ -229,7 +230,7 @@ fn missing(manifest: &Manifest, there: &BTreeMap<u64, PathBuf>) -> Vec<(u64, u64
     gaps
 }
 
-/// Puts every part where it belongs in the table, with all threads; how many runs failed.
+/// Writes every part to its place in the table, with all threads; returns the number of failed runs.
 fn place(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     let Sources { manifest, parts } = sources;
     let header = manifest.header.as_bytes();
@@ -261,12 +262,12 @@ fn place(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     };
     let places: Vec<_> = places.into_iter().enumerate().collect();
     let written = places.into_par_iter().with_max_len(1).map(write);
-    // In order: of several damaged parts the first is named.
+    // In order: the first of several damaged parts is named.
     let written: Vec<Result<u64, SweepError>> = written.collect();
     written.into_iter().sum()
 }
 
-/// Compresses the table, one part after the other; how many runs failed.
+/// Compresses the table, part by part; returns the number of failed runs.
 fn compress(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     let manifest = &sources.manifest;
     let mut table = Table {
@@ -286,7 +287,7 @@ fn compress(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     Ok(table.failed)
 }
 
-/// Compresses bytes into a file that is there.
+/// Compresses bytes into an existing file.
 fn encode(bytes: impl Read, path: &Path) -> io::Result<()> {
     let mut drain = Drain {
         file: BufWriter::new(OpenOptions::new().write(true).open(path)?),
@@ -299,10 +300,10 @@ fn encode(bytes: impl Read, path: &Path) -> io::Result<()> {
     drain.end()
 }
 
-/// The bytes of a table, part after part. The encoder panics on errors: they are kept, and the table ends.
+/// The bytes of a table, part by part. The encoder panics on errors: they are stored, and the table ends.
 struct Table<'a, Parts> {
     header: &'a [u8],
-    /// The part that is read; before the first one, the header is.
+    /// The present part; before the first part, the header.
     part: Option<Part>,
     read: usize,
     parts: Parts,
@@ -312,12 +313,12 @@ struct Table<'a, Parts> {
 }
 
 impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
-    /// What is read now.
+    /// The present bytes.
     fn current(&self) -> &[u8] {
         self.part.as_ref().map_or(self.header, Part::rows)
     }
 
-    /// Goes on to the next part; whether there is one.
+    /// Continues with the next part; false if there is none.
     fn next(&mut self) -> Result<bool, SweepError> {
         let Some((index, path)) = self.parts.next() else {
             return Ok(false);
@@ -328,7 +329,7 @@ impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
         Ok(true)
     }
 
-    /// Whether there are bytes to read; those of the next part where all of this one were.
+    /// Whether there are bytes to read; continues with the next part if needed.
     fn goes_on(&mut self) -> bool {
         while self.read == self.current().len() {
             match self.next() {
@@ -357,7 +358,7 @@ impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Read for Table<'a, Parts>
     }
 }
 
-/// Where a table goes; of errors the first is kept.
+/// Destination of a table; stores the first error.
 struct Drain {
     file: BufWriter<File>,
     refused: Option<io::Error>,

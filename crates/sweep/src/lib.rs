@@ -1,8 +1,8 @@
-//! Sweeps: one scene, run again and again with other values of its fields.
+//! Sweeps: a scene that runs many times with other values of its fields.
 //!
-//! [`SweepFile`] is what a user writes. [`Sweep`] knows every run by its number alone. A shard is therefore a range of numbers, and any
-//! range runs as a [`Batch`]. [`Parts`] puts rows into files of a fixed number of runs, and after a stop runs the missing
-//! files only. [`merge`] joins them into one table.
+//! [`SweepFile`] is the file of a user. [`Sweep`] finds every run from its number alone. A shard is therefore a range of numbers, and any
+//! range runs as a [`Batch`]. [`Parts`] writes rows into files of a fixed number of runs; after a stop it only runs the missing files.
+//! [`merge`] joins them into a table.
 //!
 //! ```
 //! use pounding_sweep::{Sweep, SweepFile};
@@ -23,13 +23,13 @@
 //! # Ok::<(), pounding_sweep::SweepError>(())
 //! ```
 //!
-//! Left out: a scheduler (yours gives the shards to machines), and figures. Surveys with figures are in `pounding-studies`.
+//! Not in this crate: a scheduler (yours distributes the shards), and figures. Surveys with figures are in `pounding-studies`.
 //!
 //! Where to start:
 //!
 //! - [`SweepFile`], with [`Vary`], [`Spread`], [`Samples`] and [`Outputs`] and [`Summary`]: the words of a file.
 //! - [`Sweep::batch`] for runs in memory; [`Parts::open`], [`Parts::fill`] and [`merge`] for a table on disk.
-//! - `beside.rs` in the source: which runs go side by side in SIMD lanes.
+//! - `beside.rs` in the source: which runs use SIMD lanes.
 
 mod accuracy;
 mod batch;
@@ -90,7 +90,7 @@ pub use summary_file::{Summary, SummaryError};
 
 use pounding_scene::{Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite};
 
-/// A sweep whose file, scene and records were read, and whose values were tried.
+/// A sweep with its scene and records, after a trial of its values.
 #[derive(Debug)]
 pub struct Sweep {
     plan: Plan,
@@ -101,34 +101,34 @@ pub struct Sweep {
     /// The columns of numbers.
     outputs: Vec<Output>,
     verdict: bool,
-    /// Whether least openings are asked for.
+    /// Whether least openings are requested.
     closings: bool,
-    /// What chose the method, where the scene asks for an accuracy.
+    /// Choice of the method, if the scene requests an accuracy.
     accuracy: Option<SweepAccuracy>,
-    /// Of what the summary is made, where one is asked for.
+    /// Form of the summary, if requested.
     summary: Option<summary::Form>,
-    /// SHA-256 of everything that the rows depend on.
+    /// SHA-256 of all inputs of the rows.
     sha256: String,
     /// Files that were read.
     inputs: Vec<PathBuf>,
-    /// Set by who wants no more runs.
+    /// Stop flag: ends all runs when set.
     stop: Option<&'static AtomicBool>,
 }
 
-/// The scene of a sweep as it was read.
+/// The scene of a sweep as read.
 struct Read {
     scene: Value,
-    /// Its file; that of the sweep where it stands in it.
+    /// Its file; the sweep's file if the scene is in it.
     path: PathBuf,
     bytes: Vec<u8>,
 }
 
 impl Sweep {
-    /// Reads a sweep, its scene and its records, tries the values of its grids and lists, each with the first values of
-    /// all others, and chooses the method where an accuracy is asked for. Who sets `stop` ends this and all runs.
+    /// Reads a sweep, its scene and its records. Tries the values of its grids and lists, each with the first values of all others, and
+    /// chooses the method if an accuracy is requested. Setting `stop` ends this and all runs.
     ///
     /// # Errors
-    /// [`SweepError`] names the line of the field. [`SweepError::Stopped`] where somebody says stop while a method is chosen.
+    /// [`SweepError`] with the line of the field; [`SweepError::Stopped`] after a stop during the choice of a method.
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
         let unreadable = |source| Error::Unreadable {
             path: path.to_path_buf(),
@@ -139,13 +139,13 @@ impl Sweep {
         Self::of((file, &bytes), path, stop).map_err(|error| error.in_file(path))
     }
 
-    /// The same of a file that was read as these bytes, by which its parts are known again.
+    /// Makes a sweep from a file that was read as these bytes, which identify its parts.
     ///
     /// # Errors
     /// Those of [`Self::read`], without the name of the file.
     ///
     /// # Panics
-    /// Never: a budget is numbers and their names, which JSON holds.
+    /// Never: a budget consists of numbers and names, which JSON can represent.
     pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
@@ -158,7 +158,7 @@ impl Sweep {
         if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
             return Err(SweepError::Accuracy);
         }
-        // Motions are read as the first run uses them; their number does not change what that is.
+        // Motions are read as in the first run, independent of their number.
         let first = Plan::new(vary.clone(), file.samples, 1)?;
         let scene = trial::first_scene(&first, &read.scene)?;
         let (base, of_scene) = (folder(path), folder(&read.path));
@@ -210,18 +210,18 @@ impl Sweep {
         self.plan.n_runs()
     }
 
-    /// Of what the summary is made that stands in place of rows.
+    /// Form of the summary that replaces rows.
     fn without_rows(&self) -> Option<&summary::Form> {
         self.summary.as_ref().filter(|form| !form.rows)
     }
 
-    /// Whether a summary goes beside the table, which has rows.
+    /// Whether a summary is written next to the table, which has rows.
     pub fn has_summary_beside(&self) -> bool {
         self.summary.is_some() && self.without_rows().is_none()
     }
 
-    /// What looks wrong in the motions, and in rows with the first values of grids and lists and the medians of what is sampled: in all
-    /// of them, and in one more for each end of each axis.
+    /// Unusual values in the motions and in rows. The rows have the first values of grids and lists and the medians of samples; further
+    /// rows have each end of each axis.
     pub fn unusual(&self) -> Vec<Implausible> {
         let typical = self.plan.typical();
         let mut of_rows = self.doubts(&typical, false);
@@ -238,7 +238,7 @@ impl Sweep {
         Implausible::gathered(of_motions.chain(of_rows.iter().map(|one| ("", one))))
     }
 
-    /// What looks wrong in the row with these values, and if they are of its motion, there.
+    /// Unusual values in the row with these settings and, if they concern the record, in its motion.
     fn doubts(&self, settings: &[Setting], of_record: bool) -> Vec<Implausible> {
         let mut doubts = self.row(settings).map_or_else(Vec::new, |row| row.doubts());
         doubts.retain(|one| of_record || one.is_of_row());
@@ -250,7 +250,7 @@ impl Sweep {
         self.row(&self.plan.typical())
     }
 
-    /// The same with these values, one for each axis.
+    /// The row with these values, one for each axis; `None` if it cannot be prepared.
     fn row(&self, settings: &[Setting]) -> Option<Simulation> {
         let mut value = self.scene.clone();
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
@@ -261,7 +261,7 @@ impl Sweep {
         Simulation::shaken(&scene, motion).ok()
     }
 
-    /// What is said of pounding if the scene has no contact, and of floors that no contact lets touch what is beside them.
+    /// Messages about contact: if the scene has none, or if floors cannot touch their neighbours.
     pub fn says_of_contact(&self) -> Vec<String> {
         let Some(row) = self.first_row() else {
             return Vec::new();
@@ -270,7 +270,7 @@ impl Sweep {
         none.into_iter().chain(row.floors().says_unwatched()).collect()
     }
 
-    /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.
+    /// Returns the records of folders, and the omitted ones; `None` if the scene's record is used.
     pub fn suite(&self) -> Option<&Suite> {
         self.motions.suite.as_ref()
     }
@@ -280,7 +280,7 @@ impl Sweep {
         &self.inputs
     }
 
-    /// SHA-256 of everything that the rows depend on, in hexadecimal digits.
+    /// SHA-256 of all inputs of the rows, in hexadecimal digits.
     pub fn sha256(&self) -> &str {
         &self.sha256
     }
@@ -301,7 +301,7 @@ impl Read {
                     source,
                 };
                 let bytes = pounding_scene::bytes(&path).map_err(unreadable)?;
-                // Its faults are told with their lines.
+                // Reports its faults with their lines.
                 Scene::parse(&bytes, &path)?;
                 Ok(Self {
                     scene: pounding_scene::parse(&bytes, &path)?,
@@ -313,10 +313,10 @@ impl Read {
     }
 }
 
-/// Tolerance of the exact method in a sweep, where its scene names none: the finest that runs side by side can have.
+/// Tolerance of the exact method in a sweep if the scene gives none: the finest that lanes support.
 const TOLERANCE: f64 = 1e-12;
 
-/// Gives the exact method of a scene that names no tolerance that of a sweep.
+/// Sets the tolerance of the exact method to that of a sweep if the scene gives none.
 fn set_tolerance(scene: &mut Value) {
     let Some(scene) = scene.as_object_mut() else {
         return;
@@ -330,10 +330,10 @@ fn set_tolerance(scene: &mut Value) {
     }
 }
 
-/// SHA-256 of the sources of what computes, from the build script.
+/// SHA-256 of the sources that compute, from the build script.
 const SOURCES: &str = env!("POUNDING_SOURCES");
 
-/// SHA-256 of everything that rows depend on: the sources of the program, the files of sweep and scene, the motions.
+/// SHA-256 of all inputs of the rows: the sources of the program, the files of sweep and scene, the motions.
 fn hash(sweep: &[u8], scene: &[u8], motions: &Motions) -> String {
     let mut hash = Sha256::new();
     hash.update(SOURCES);
@@ -354,7 +354,7 @@ mod tests {
 
     use super::*;
 
-    /// A sweep of one structure under half a sine in which this varies.
+    /// A sweep of a structure under half a sine with this variation.
     fn sweep(vary: &Value, seed: u64) -> Result<Sweep, SweepError> {
         let sampled = vary.to_string().contains("normal");
         let samples = sampled.then(|| json!({"count": 4, "seed": seed, "method": "random"}));

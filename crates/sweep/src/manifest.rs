@@ -1,4 +1,4 @@
-//! What a folder of parts says of itself: of which sweep they are, and how its runs are cut into them.
+//! The manifest of a folder of parts: their sweep, and the division of its runs.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -11,33 +11,33 @@ use super::error::MANIFEST;
 use super::summary::Form;
 use super::{Sweep, SweepError};
 
-/// Where the manifest stands once more while the parts of a table that is on disk are deleted. It is deleted last: as long as it is
-/// there, whoever comes next ends the clean-up.
+/// Path of a second manifest while the parts of a finished table are deleted. It is deleted last: while it exists, the next process
+/// completes the clean-up.
 pub(super) fn joined_beside(out: &Path) -> PathBuf {
     pounding_files::hidden(out, "joined.json")
 }
 
-/// Version of the form of parts and manifests. Raise it with every change of either.
+/// Version of the format of parts and manifests. Increment it with every change of either.
 const SCHEMA_VERSION: u32 = 2;
 
-/// Its longest: the columns of some thousand floors.
+/// Longest manifest: the columns of some thousand floors.
 const LONGEST: Length = Length::new(64 << 20, "it is none that a sweep wrote");
 
-/// How a table is cut into parts.
+/// Division of a table into parts.
 struct Cut {
-    /// About how many parts there are, so that little is lost with the one that is not whole.
+    /// Approximate number of parts: the loss of an incomplete part must be small.
     parts: u64,
-    /// Least runs of a part, of runs that cost little.
+    /// Fewest runs of a part, for cheap runs.
     least: u64,
     /// Most runs of a part, which a thread holds in memory.
     most: u64,
 }
 
-/// What the least and the most runs of a part cost together, if they run alone, in force evaluations: a tenth of a second or so, and
-/// ten. Who stops a sweep loses no more.
+/// Least and largest cost of a part of runs alone, in force evaluations: about a tenth of a second, and ten seconds. A stop loses at most
+/// this much.
 pub(super) const PRICES: [f64; 2] = [5e5, 5e7];
 
-/// The runs of a file or a batch: so many at most, which cost so much at most.
+/// Bounds of the runs of a file or a batch: their number and their cost.
 #[derive(Clone, Copy)]
 struct Most {
     runs: u64,
@@ -45,7 +45,7 @@ struct Most {
 }
 
 impl Most {
-    /// How many that is, of runs that cost this much each: a power of two, which fills lanes and divides all larger ones.
+    /// Number of runs with this cost each: a power of two, which fills lanes and divides all larger ones.
     fn of(self, price: f64) -> u64 {
         let halves = std::iter::successors(Some(self.runs), |count| Some(count / 2));
         let mut halves = halves.take_while(|count| *count > 1);
@@ -54,20 +54,20 @@ impl Most {
     }
 }
 
-/// Of runs that take longer than a file.
+/// For runs that take longer than writing a file.
 const ALONE: Cut = Cut {
     parts: 1024,
     least: 1,
     most: 4096,
 };
-/// Of runs side by side: the file of a part takes as long as some fifty of them.
+/// For runs in lanes: writing the file of a part takes as long as about fifty runs.
 const BESIDE: Cut = Cut {
     parts: 128,
     least: 256,
     most: 16_384,
 };
 
-/// Of a part that is summed up: it is as small, however many they are, and lost with a kill.
+/// For a part with a summary: its size does not depend on the number of runs, and a kill loses it.
 const SUMMED: Most = Most {
     runs: 1 << 22,
     price: 8.0 * PRICES[1],
@@ -78,7 +78,7 @@ impl Cut {
         if sweep.asks_for_tallies() { BESIDE } else { ALONE }
     }
 
-    /// Of a part with rows.
+    /// For a part with rows.
     fn with_rows(&self) -> Most {
         Most {
             runs: self.most,
@@ -86,7 +86,7 @@ impl Cut {
         }
     }
 
-    /// Runs of a part, of so many that cost this much each.
+    /// Runs per part, from the number of runs and their cost.
     fn of_runs(&self, runs: u64, price: f64, most: Most) -> u64 {
         let least = Most {
             runs: self.least,
@@ -97,27 +97,27 @@ impl Cut {
     }
 }
 
-/// Of what a folder holds parts.
+/// The sweep whose parts a folder holds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Manifest {
     schema_version: u32,
-    /// SHA-256 of everything that the rows depend on, the program included.
+    /// SHA-256 of all inputs of the rows, including the program.
     pub(super) sweep: String,
     /// Number of runs.
     pub(super) runs: u64,
-    /// Number of runs of every part but the last.
+    /// Number of runs of every part except the last.
     pub(super) runs_per_part: u64,
     /// The row that names the columns.
     pub(super) header: String,
-    /// Of what the summary is made, where one is asked for.
+    /// Form of the summary, if requested.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub(super) summary: Option<Form>,
-    /// SHA-256 of all that stands above.
+    /// SHA-256 of all fields above.
     sha256: String,
 }
 
-/// Its version alone: of another one nothing else needs to be as here.
+/// Only the version: other versions may have other fields.
 #[derive(Deserialize)]
 struct Versioned {
     schema_version: Option<u32>,
@@ -142,14 +142,14 @@ impl Manifest {
         .signed()
     }
 
-    /// How many runs of a sweep are made at a time: which go side by side is in the bits of the exact method, so that they are the same
-    /// with rows and without.
+    /// Number of runs of a sweep that are prepared at a time. The grouping in lanes affects the bits of the exact method, so that it must
+    /// be the same with and without rows.
     pub(super) fn runs_per_batch(sweep: &Sweep) -> u64 {
         let cut = Cut::of(sweep);
         cut.of_runs(sweep.n_runs(), sweep.expected_price(), cut.with_rows())
     }
 
-    /// What parts hold in place of rows.
+    /// Form of the summary that parts hold instead of rows.
     pub(super) fn without_rows(&self) -> Option<&Form> {
         self.summary.as_ref().filter(|form| !form.rows)
     }
@@ -161,7 +161,7 @@ impl Manifest {
         }
     }
 
-    /// One of so many runs in parts of so many.
+    /// A manifest of this many runs, in parts of this size.
     #[cfg(test)]
     pub(super) fn for_tests(runs: u64, runs_per_part: u64) -> Self {
         Self {
@@ -176,7 +176,7 @@ impl Manifest {
         .signed()
     }
 
-    /// SHA-256 of all of it but this hash.
+    /// SHA-256 of all fields except this hash.
     fn hash(&self) -> String {
         let Self {
             schema_version,
@@ -192,12 +192,12 @@ impl Manifest {
         pounding_scene::hexadecimal(&Sha256::digest(text))
     }
 
-    /// That of a folder; nothing where it has none.
+    /// Reads the manifest of a folder; `None` if it has none.
     pub(super) fn of_folder(folder: &Path) -> Result<Option<Self>, SweepError> {
         Self::read(folder.join(MANIFEST))
     }
 
-    /// That of a file; nothing where it is not there.
+    /// Reads the manifest in a file; `None` if there is no file.
     pub(super) fn read(path: PathBuf) -> Result<Option<Self>, SweepError> {
         let bytes = match pounding_files::read(&path, LONGEST) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
@@ -254,7 +254,7 @@ pub(super) fn path_of(folder: &Path, part: u64) -> PathBuf {
 const PART: &str = "part-";
 const CSV: &str = ".csv";
 
-/// Whether a sweep writes files of this name into its folder: parts, manifests, and under a hidden name either.
+/// Whether a file with this name is written by a sweep: a part, a manifest, or either under a hidden name.
 pub(super) fn is_own(name: &str) -> bool {
     let part = |name: &str| {
         let number = name.strip_prefix(PART).and_then(|rest| rest.strip_suffix(CSV));
@@ -271,7 +271,7 @@ pub(super) fn is_own(name: &str) -> bool {
 mod tests {
     use super::{BESIDE, SUMMED, is_own};
 
-    /// 256 runs of towers were one part: a sweep that was stopped after minutes had nothing, and small ones only one shard.
+    /// 256 runs of towers were a single part: a sweep stopped after minutes had nothing, and small sweeps had only one shard.
     #[test]
     fn issue_a_part_costs_seconds() {
         let part = |runs, price| BESIDE.of_runs(runs, price, BESIDE.with_rows());

@@ -1,4 +1,4 @@
-//! The ground motions of a sweep: each is read once, and processed once where no run asks for another processing.
+//! The ground motions of a sweep. Each is read once, and processed once unless runs need different processing.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,26 +8,26 @@ use super::file::SweepFile;
 use super::plan::Axis;
 use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite};
 
-/// One ground motion in one direction.
+/// A ground motion in one direction.
 #[derive(Debug, Clone)]
 pub(super) struct Shaking {
-    /// Name of its rows.
+    /// Name in its rows.
     pub(super) name: String,
     /// How the scene uses it.
     record: RecordUse,
-    /// SHA-256 of its file; empty for one from a formula.
+    /// SHA-256 of its file; empty for a generated motion.
     sha256: String,
-    /// With its file only where runs use that anew.
+    /// The motion; it keeps its file only if runs process it again.
     motion: SharedMotion,
 }
 
-/// What of the motion differs from run to run.
+/// Differences of the motion between runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Differs {
     Nothing,
-    /// Its scale alone, by which the processed motion is multiplied at the end.
+    /// Only its scale, which multiplies the processed motion at the end.
     Scale,
-    /// Anything else of its use: it is processed anew.
+    /// Any other part of its use: it is processed again.
     Use,
 }
 
@@ -52,21 +52,21 @@ impl Differs {
 #[derive(Debug, Clone)]
 pub(super) struct Motions {
     pub(super) all: Vec<Shaking>,
-    /// What looks wrong in each, by its name.
+    /// Unusual properties of each motion, by its name.
     pub(super) unusual: Vec<(String, Implausible)>,
-    /// The records of folders, with what is left out; `None` for a scene's own.
+    /// The records of folders, and the omitted ones; `None` for the scene's record.
     pub(super) suite: Option<Suite>,
-    /// Files that were read, those left out included.
+    /// Files that were read, including omitted ones.
     pub(super) files: Vec<PathBuf>,
-    /// Whether they stand in place of the scene's own record, whose duration then does not count.
+    /// Whether they replace the scene's record, whose duration is then ignored.
     replace: bool,
     duration_varies: bool,
     pub(super) differs: Differs,
 }
 
 impl Motions {
-    /// Reads the motions of a sweep whose first run is this scene; `base` is the folder of its file, `of_scene` that of the
-    /// scene's.
+    /// Reads the motions of a sweep with this scene as first run. `base` is the folder of the sweep's file, `of_scene` that of the scene's
+    /// file.
     pub(super) fn read(file: &SweepFile, base: &Path, of_scene: &Path, scene: &Scene, axes: &[Axis]) -> Result<Self, SweepError> {
         let differs = Differs::by(axes);
         let mut record = scene.record.clone();
@@ -137,7 +137,7 @@ impl Motions {
         });
     }
 
-    /// The scene of a run as this motion shakes it, and the motion as the scene uses it.
+    /// The scene of a run under this motion, and the motion as used by the scene.
     pub(super) fn shake(&self, index: usize, mut scene: Scene) -> Result<(Scene, SharedMotion), Error> {
         let shaking = &self.all[index];
         scene.record.reversed = shaking.record.reversed;
@@ -158,12 +158,12 @@ impl Motions {
         }
     }
 
-    /// Whether runs may have motions of their own, besides those of the records.
+    /// Whether runs may have separate motions, besides those of the records.
     pub(super) fn differ(&self) -> bool {
         self.differs != Differs::Nothing
     }
 
-    /// The one that lasts longest.
+    /// Index of the longest motion.
     pub(super) fn longest(&self) -> usize {
         let duration = |index: &usize| self.all[*index].motion.record().duration();
         let all = 0..self.all.len();
@@ -171,7 +171,7 @@ impl Motions {
         longest.unwrap_or(0)
     }
 
-    /// What tells one set of motions from another: names, directions and SHA-256 of files.
+    /// Identification of a set of motions: names, directions and SHA-256 of files.
     pub(super) fn marks(&self) -> impl Iterator<Item = String> {
         self.all.iter().map(|shaking| {
             let Shaking { name, sha256, .. } = shaking;
@@ -185,7 +185,7 @@ impl Shaking {
         self.record.reversed
     }
 
-    /// The motion, processed as another use of it says.
+    /// The motion, processed for another use.
     fn used_anew(&self, record: &RecordUse) -> Result<SharedMotion, SceneError> {
         let motion = match (&record.source, &self.motion.origin) {
             (Source::Generated(generated), _) => GroundMotion::of_formula(record, generated),
@@ -196,7 +196,7 @@ impl Shaking {
     }
 }
 
-/// The use of a record in some directions: whether it is reversed.
+/// The use of a record in several directions; `true` is reversed.
 fn in_directions(record: &RecordUse, directions: &[bool]) -> Vec<RecordUse> {
     let use_of = |reversed: &bool| RecordUse {
         reversed: *reversed,
@@ -205,7 +205,7 @@ fn in_directions(record: &RecordUse, directions: &[bool]) -> Vec<RecordUse> {
     directions.iter().map(use_of).collect()
 }
 
-/// Name of a scene's own motion.
+/// Name of a scene's motion.
 fn own_name(source: &Source) -> String {
     let Source::File(file) = source else {
         return source.to_string();

@@ -1,21 +1,21 @@
-//! What a row of structures is made of, and the numbers that are asked of it: a column each.
+//! The structures of a row, and the requested numbers: a column for each.
 
 use pounding_scene::{Floor, FloorPair, FloorQuantity, Floors, PairQuantity, Quantity};
 use serde::Serialize;
 
 use super::file::Outputs;
 
-/// What stands behind the names of a whole building, and of two neighbours.
+/// Suffix of the names of a whole building, and of two neighbours.
 const ANY_FLOOR: &str = " (any floor)";
 const ANY_LEVEL: &str = " (any level)";
 
-/// Whether a column is of a whole building, or of two neighbours, by its name.
+/// Whether a column belongs to a whole building or to two neighbours, by its name.
 pub(super) fn is_of_all(column: &str) -> bool {
     let of = column.rsplit_once(": ").map_or(column, |(of, _)| of);
     of.ends_with(ANY_FLOOR) || of.ends_with(ANY_LEVEL)
 }
 
-/// What a row of structures is made of; every run of a sweep has the same, under the names of the first.
+/// The structures of a row. All runs of a sweep have equal ones, with the names of the first run.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Row {
     structures: Vec<String>,
@@ -50,7 +50,7 @@ impl Row {
         self.floors.len()
     }
 
-    /// Whether structures have as many floors each, and neighbours as many pairs.
+    /// Whether structures have equal numbers of floors, and neighbours equal numbers of pairs.
     pub(super) fn fits(&self, floors: &Floors) -> bool {
         let structures = self.floors.iter().map(|floor| floor.structure);
         let of_pairs = self.pairs.iter().map(|pair| self.neighbours(pair));
@@ -64,7 +64,7 @@ impl Row {
         [pair.left, pair.right].map(|floor| self.floors[floor].structure)
     }
 
-    /// How many floors every structure has, and how many pairs there are, in words.
+    /// Numbers of floors of every structure, and number of pairs, in words.
     pub(super) fn words(&self) -> String {
         let of_structure = |index: usize| {
             let own = self.floors.iter().filter(|one| one.structure == index);
@@ -74,7 +74,7 @@ impl Row {
         format!("{} floors and walls and {} pairs", floors.join(" + "), self.pairs.len())
     }
 
-    /// The columns of the numbers that are asked for.
+    /// The columns of the requested numbers.
     pub(super) fn outputs(&self, asked: &Outputs) -> Vec<Output> {
         let floors: Vec<_> = self.floors.iter().map(|one| one.name.clone()).collect();
         let each = |names: &[String]| {
@@ -109,7 +109,7 @@ impl Row {
     }
 }
 
-/// All quantities of each of these places; of no place there is none.
+/// All quantities of each of these places; empty without places.
 fn columns<Q: Into<Quantity> + Copy + Serialize>(
     of: impl IntoIterator<Item = (String, Vec<usize>)>,
     quantities: &[Q],
@@ -131,22 +131,22 @@ fn columns<Q: Into<Quantity> + Copy + Serialize>(
     columns.collect()
 }
 
-/// A number that is asked of every run: a column.
+/// A requested number of every run: a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Output {
     /// Name of its column.
     pub(super) name: String,
-    /// Its quantity, as files spell it.
+    /// Its quantity, as in files.
     pub(super) word: String,
     pub(super) quantity: Quantity,
-    /// Floors or pairs, the severest of which it tells; at least one.
+    /// Floors or pairs among which the severest counts; at least one.
     places: Vec<usize>,
-    /// Whether they are all that there are.
+    /// Whether these are all floors or pairs.
     is_whole: bool,
 }
 
 impl Output {
-    /// What it asks of a floor: of a whole building also the drift of the storey on the ground, which is its displacement.
+    /// The quantity of a floor. For a whole building, the drift of the storey on the ground is its displacement.
     pub(super) fn asked_of(&self, floor: &Floor, quantity: FloorQuantity) -> FloorQuantity {
         let is_lowest = self.is_whole && !floor.is_upper();
         if is_lowest && quantity == FloorQuantity::PeakDriftM {
@@ -158,7 +158,7 @@ impl Output {
         }
     }
 
-    /// The number of the severest place, and what that counts as at least, by those of each; NaN where none has one.
+    /// The number of the severest place, and its least scale, from those of each place; NaN if no place has one.
     pub(super) fn severest(&self, of: impl Fn(usize) -> (f64, f64)) -> (f64, f64) {
         let severity = |number: f64| match self.quantity {
             Quantity::Pair(PairQuantity::LeastOpeningM | PairQuantity::FirstStartS) => -number,
@@ -173,13 +173,13 @@ impl Output {
     }
 }
 
-/// A quantity as files spell it.
+/// A quantity as in files.
 fn word(quantity: &impl Serialize) -> String {
     let word = serde_json::to_value(quantity).unwrap_or_default();
     word.as_str().unwrap_or_default().into()
 }
 
-/// Names that are told apart by their number where they are the same.
+/// Names with numbers added to duplicates.
 fn unique(names: &[String]) -> Vec<String> {
     let same = |index: usize| names.iter().filter(move |name| **name == names[index]);
     let own = |index: usize| {

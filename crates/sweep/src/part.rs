@@ -1,5 +1,4 @@
-//! A part as a file: a line that says of which sweep, which part and which runs, with a checksum, then the rows, or a line with the
-//! tally of the runs.
+//! The file of a part: a line with the sweep, the part, its runs and a checksum, followed by the rows or by the tally of the runs.
 
 use std::path::Path;
 
@@ -7,7 +6,7 @@ use super::SweepError;
 use super::manifest::Manifest;
 use pounding_files::Length;
 
-/// Digits of the checksum in the line.
+/// Digits of the checksum.
 const DIGITS: usize = 8;
 
 /// The bytes of the file of a part.
@@ -30,8 +29,8 @@ fn begin(manifest: &Manifest, part: u64) -> String {
     )
 }
 
-/// Checksum of what stands before it in the line and of the rows. It is one against accidents: it tells every change within four bytes
-/// from the rows that were written, and of others all but one in four thousand million.
+/// Checksum of the line up to it and of the rows. It protects against accidents: it detects every change within four bytes of the rows, and
+/// all other changes except one in four thousand million.
 fn checksum(begin: &[u8], rows: &[u8]) -> String {
     let mut sum = crc32fast::Hasher::new();
     sum.update(begin);
@@ -39,15 +38,15 @@ fn checksum(begin: &[u8], rows: &[u8]) -> String {
     format!("{:08x}", sum.finalize())
 }
 
-/// The length of the line with its end.
+/// The length of the line, including its end.
 pub(super) fn length_of_line(manifest: &Manifest, part: u64) -> usize {
     begin(manifest, part).len() + DIGITS + 1
 }
 
-/// Its longest: 16 384 rows of some ten thousand columns.
+/// Longest file: 16 384 rows of about ten thousand columns.
 const LONGEST: Length = Length::new(4 << 30, "it is none that a sweep wrote");
 
-/// A part that was found whole.
+/// A complete part.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Part {
     bytes: Vec<u8>,
@@ -64,25 +63,25 @@ impl Part {
     /// Number of rows of runs that failed.
     pub(super) fn n_failed(&self) -> u64 {
         let rows = self.rows();
-        // The reason is the last field of a row, and empty in one that did not fail.
+        // The reason is the last field of a row, and empty if the run succeeded.
         let failed = |end: &usize| *end > 0 && rows[end - 1] != b',';
         memchr::memchr_iter(b'\n', rows).filter(failed).count() as u64
     }
 }
 
-/// What is wrong with the file of a part.
+/// Fault of the file of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Damage {
-    /// It is another part, or of another sweep, or no part.
+    /// It is another part, a part of another sweep, or no part.
     Other,
-    /// Its rows are not those of its checksum.
+    /// Its rows do not match its checksum.
     Changed,
 }
 
-/// The part of these bytes.
+/// The part with these bytes.
 ///
 /// # Errors
-/// What is wrong with it.
+/// Its fault.
 fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<Part, Damage> {
     let begin = begin(manifest, part);
     if !bytes.starts_with(begin.as_bytes()) {
@@ -97,10 +96,10 @@ fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<Part, Damage> {
     Ok(Part { bytes, line })
 }
 
-/// Reads a part that is there whole.
+/// Reads a complete part.
 ///
 /// # Errors
-/// [`SweepError::Damaged`], and what the system refuses.
+/// [`SweepError::Damaged`], and errors of the system.
 pub(super) fn read(manifest: &Manifest, part: u64, path: &Path) -> Result<Part, SweepError> {
     let bytes = pounding_files::read(path, LONGEST).map_err(SweepError::file(path))?;
     let length = bytes.len();

@@ -1,4 +1,4 @@
-//! The parts of a table in their folder, and the sweep that goes on with them.
+//! The parts of a table in their folder, and continuation of the sweep.
 
 use std::fs;
 use std::io::{ErrorKind, Write as _};
@@ -14,45 +14,46 @@ use super::manifest::{Manifest, is_own, joined_beside, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
 
-/// Most parts of a table: the folder is looked through for each of them.
+/// Most parts of a table: each needs a look into the folder.
 const MOST: u64 = 1_000_000;
 
-/// A part that took longer is synced at once, which takes some hundredth of this.
+/// A part that took longer than this is synced at once, which takes about a hundredth of this.
 const LONG: Duration = Duration::from_millis(500);
 
-/// The folder of parts of a table, which is this process's, or that of all shards together.
+/// The folder of parts of a table, locked by this process, or shared by shards.
 #[derive(Debug)]
 pub struct Parts {
     out: PathBuf,
     folder: PathBuf,
     manifest: Manifest,
     shard: Shard,
-    /// Parts of the shard that are to be run, in order.
+    /// Missing parts of the shard, in order.
     missing: Vec<u64>,
     damaged: Vec<SweepError>,
     lock: Lock,
 }
 
 impl Parts {
-    /// The folder of the parts of a table that goes to `out`: `out` with `.parts` behind its name.
+    /// The folder of the parts of a table at `out`: `out` followed by `.parts`.
     pub fn folder_of(out: &Path) -> PathBuf {
         let mut name = out.file_name().unwrap_or_default().to_os_string();
         name.push(".parts");
         out.with_file_name(name)
     }
 
-    /// Whether there is anything in the folder of parts of a table, or the table is there and their clean-up is not over.
+    /// Whether the folder of parts of a table has any files, or the table exists and its clean-up is incomplete.
     pub fn are_begun(out: &Path) -> bool {
         joined_beside(out).exists() || fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
     }
 
-    /// Goes on with the parts beside `out`, or begins with them. The whole keeps other processes off `out`, shards work side by side.
-    /// A table goes where it may be `overwritten`, and so do parts of another sweep, unless this is a shard. Returns `None` if an earlier
-    /// process of this sweep has put its table on disk, and was ended while it deleted the parts: then they are gone now.
+    /// Opens or creates the parts for `out`. A whole sweep locks other processes out; shards work together.
+    ///
+    /// With `overwritten`, an existing table and parts of another sweep are replaced, unless this is a shard. Returns `None` if an
+    /// interrupted process of this sweep had already written its table: its remaining parts are now deleted.
     ///
     /// # Errors
-    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::ThereAlready`] of a table without parts,
-    /// [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the system refuses.
+    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::ThereAlready`] for a table without parts,
+    /// [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and errors of the system.
     pub fn open(sweep: &Sweep, out: &Path, shard: Shard, overwritten: bool) -> Result<Option<Self>, SweepError> {
         let folder = Self::folder_of(out);
         let manifest = Manifest::of(sweep);
@@ -82,7 +83,7 @@ impl Parts {
         Ok(Some(parts))
     }
 
-    /// Ends what an earlier process had to leave when its table was on disk; whether there was anything.
+    /// Completes the clean-up of an interrupted process after its table was on disk; true if there was one.
     fn ends_earlier_one(&self) -> Result<bool, SweepError> {
         if !self.shard.is_whole() {
             return Ok(false);
@@ -101,18 +102,18 @@ impl Parts {
             self.clean_up()?;
             return Ok(true);
         }
-        // Somebody took the table away: what is left of its parts is good.
+        // The table was removed: the remaining parts are valid.
         fs::remove_file(&beside).map_err(SweepError::file(&beside))?;
         Ok(false)
     }
 
-    /// Makes the folder this sweep's, unless it is another's.
+    /// Makes the folder that of this sweep, unless it belongs to another sweep.
     fn claim(&self, replaced: bool) -> Result<(), SweepError> {
         let overwritten = replaced && self.shard.is_whole();
         let other = || SweepError::OtherSweep(self.folder.clone());
-        // What a kill has left of a file is nobody's.
+        // Incomplete files of a killed process belong to nobody.
         let is_shown = |name: &String| !name.starts_with('.');
-        // First the names: a shard that begins at the same moment writes its manifest before its first part.
+        // The names come first: a shard that begins at this moment writes its manifest before its first part.
         let names = self.names()?;
         let found = match Manifest::of_folder(&self.folder) {
             Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => None,
@@ -121,11 +122,11 @@ impl Parts {
         match found {
             Some(found) if found == self.manifest => return Ok(()),
             Some(_) if !overwritten => return Err(other()),
-            // Its manifest is lost, its parts are not: one that is whole tells that they are of this sweep.
+            // The manifest is lost, the parts are not: a complete part shows that they are of this sweep.
             None if !overwritten && names.iter().any(is_shown) && !self.has_whole_part(&names) => {
                 return Err(other());
             }
-            // Another process ended it while this one waited: nothing is written beside it.
+            // Another process finished while this process waited: nothing is written next to the table.
             None if !replaced && self.out.exists() && !names.iter().any(is_shown) => {
                 return Err(SweepError::ThereAlready(self.out.clone()));
             }
@@ -146,7 +147,7 @@ impl Parts {
         }
     }
 
-    /// Names in the folder that are not hidden, or are ours.
+    /// Names in the folder that are visible or belong to a sweep.
     fn names(&self) -> Result<Vec<String>, SweepError> {
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
@@ -164,7 +165,7 @@ impl Parts {
         names.iter().any(|name| is_own(name)) && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
     }
 
-    /// Deletes what a sweep wrote of these, the manifest last: cut short, it still tells whose the rest is.
+    /// Deletes files of a sweep, the manifest last: if interrupted, it still identifies the rest.
     fn delete(&self, names: &[String]) -> Result<(), SweepError> {
         let is_manifest = |name: &&String| name.as_str() == MANIFEST;
         let (manifests, parts): (Vec<_>, Vec<_>) = names.iter().filter(|name| is_own(name)).partition(is_manifest);
@@ -175,7 +176,7 @@ impl Parts {
         Ok(())
     }
 
-    /// Reads the parts of the shard that are there.
+    /// Reads the existing parts of the shard.
     fn look(&mut self) -> Result<(), SweepError> {
         let parts: Vec<u64> = self.shard.of(self.manifest.n_parts()).collect();
         let look = |part: &u64| {
@@ -209,12 +210,12 @@ impl Parts {
         self.shard
     }
 
-    /// What is wrong with parts that are there and are run again.
+    /// Damaged parts, which run again.
     pub fn damaged(&self) -> &[SweepError] {
         &self.damaged
     }
 
-    /// Whether other processes are kept off; if not, the disk knows no locks.
+    /// Whether other processes are locked out; false if the disk has no locks.
     pub fn is_locked(&self) -> bool {
         self.lock.is_kept()
     }
@@ -224,7 +225,7 @@ impl Parts {
         self.runs_of(self.shard.of(self.manifest.n_parts()))
     }
 
-    /// Number of runs of the shard that were there when it was opened.
+    /// Number of runs of the shard that existed when it was opened.
     pub fn n_runs_there(&self) -> u64 {
         self.n_runs() - self.runs_of(self.missing.iter().copied())
     }
@@ -233,17 +234,16 @@ impl Parts {
         parts.map(|part| self.manifest.n_runs_of(part)).sum()
     }
 
-    /// Runs what is missing of the shard, with all threads; `done` is told how many runs were made. When somebody says
-    /// stop, runs that have begun end, and parts that are not whole are left out. Returns how many runs of the shard are there then.
+    /// Runs the missing parts of the shard, with all threads. `done` receives numbers of finished runs. After a stop, started runs end and
+    /// incomplete parts are dropped. Returns the number of existing runs of the shard.
     ///
-    /// A part that took half a second is on disk at once, the others are when this returns: a power failure before may empty parts of the
-    /// last half minute, which then run again. Only the parts of a table that is whole are not synced at all, as [`join`](Self::join)
-    /// reads them now.
+    /// A part that took half a second is synced at once, the others before this returns. An earlier power failure may empty parts of the
+    /// last half minute, which then run again. Parts of a complete table are not synced, because [`join`](Self::join) reads them now.
     ///
     /// # Errors
-    /// What the system refuses to write.
+    /// Errors of the system on writing.
     pub fn fill(&self, sweep: &Sweep, done: &(dyn Fn(u64) + Sync)) -> Result<u64, SweepError> {
-        // One part after the other to whoever is free: they differ in the time that they take.
+        // Part by part to the next free thread, because they take different times.
         let parts = self.missing.par_iter().with_max_len(1);
         let made = parts.map(|part| {
             let begin = Instant::now();
@@ -267,7 +267,7 @@ impl Parts {
         Ok(there)
     }
 
-    /// The rows of a part, or its runs summed up; nothing where somebody says stop.
+    /// The rows of a part, or its tally; `None` after a stop.
     fn body(&self, sweep: &Sweep, part: u64, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<u8>> {
         let runs = self.manifest.runs_of(part);
         if let Some(form) = self.manifest.without_rows() {
@@ -294,7 +294,7 @@ impl Parts {
         write().map_err(SweepError::file(&path))
     }
 
-    /// Syncs those of these parts that are not yet.
+    /// Syncs those of these parts that are not synced yet.
     fn sync(&self, made: &[(u64, bool)]) -> Result<(), SweepError> {
         let open = made.par_iter().filter(|(_, is_synced)| !is_synced);
         open.try_for_each(|(part, _)| {
@@ -304,10 +304,10 @@ impl Parts {
         pounding_files::sync_folder(&self.folder).map_err(SweepError::file(&self.folder))
     }
 
-    /// Whether the table that is there has the rows of these parts: then a process was ended between table and clean-up.
+    /// Whether the existing table has the rows of these parts: a process was then interrupted between table and clean-up.
     ///
     /// # Errors
-    /// What the system refuses.
+    /// Errors of the system.
     pub fn made_table(&self) -> Result<bool, SweepError> {
         if !self.missing.is_empty() || !self.shard.is_whole() || !self.out.exists() {
             return Ok(false);
@@ -319,7 +319,7 @@ impl Parts {
         Sources::of(std::slice::from_ref(&self.folder))
     }
 
-    /// Joins the parts to the table. When it is on disk they go, and nothing else that the folder holds.
+    /// Joins the parts to the table. When it is on disk, the parts are deleted; other files in the folder stay.
     ///
     /// # Errors
     /// Those of [`merge`](crate::merge).
@@ -332,14 +332,14 @@ impl Parts {
     /// Deletes the parts of a table that is on disk.
     ///
     /// # Errors
-    /// What the system refuses.
+    /// Errors of the system.
     pub fn clean_up(&self) -> Result<(), SweepError> {
-        // From here on the parts are not all there, and the table is.
+        // From here the parts are incomplete, and the table exists.
         let beside = joined_beside(&self.out);
         self.manifest.put(&beside, Existing::Replaced)?;
         self.delete(&self.names()?)?;
         match fs::remove_dir(&self.folder) {
-            // Somebody put files of theirs into it, or an earlier process was ended behind this.
+            // The user put files into it, or an earlier process was interrupted after this point.
             Err(error) if matches!(error.kind(), ErrorKind::DirectoryNotEmpty | ErrorKind::NotFound) => {}
             removed => removed.map_err(SweepError::file(&self.folder))?,
         }

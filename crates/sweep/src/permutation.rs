@@ -1,13 +1,13 @@
-//! A random permutation of any number of places of which each is found without the others.
+//! A random permutation of any number of places; each place is found independently.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// Rounds of mixing: four make a random permutation of a large domain, small ones need some more.
+/// Rounds of mixing: four make a random permutation of a large domain, small domains need more.
 const ROUNDS: usize = 8;
 
-/// A permutation of 0 … n − 1: a Feistel network over the next power of four, walked through until it is below n (Black and
-/// Rogaway, Ciphers with arbitrary finite domains, CT-RSA 2002).
+/// A permutation of 0 … n − 1: a Feistel network over the next power of four, iterated until the result is below n (Black and Rogaway,
+/// Ciphers with arbitrary finite domains, CT-RSA 2002).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Permutation {
     n: u64,
@@ -17,7 +17,7 @@ pub(super) struct Permutation {
 }
 
 impl Permutation {
-    /// Of `n` places, 1 to 2⁶²; the keys are the next numbers of a generator.
+    /// A permutation of `n` places, 1 to 2⁶²; the keys are the next numbers of a generator.
     pub(super) fn new(n: u64, random: &mut Pcg64) -> Self {
         let width = u64::BITS - (n - 1).leading_zeros();
         Self {
@@ -27,10 +27,10 @@ impl Permutation {
         }
     }
 
-    /// Where the place `index` < n goes.
+    /// The image of the place `index` < n.
     pub(super) fn at(&self, index: u64) -> u64 {
         let mut place = index;
-        // The cycle through an index below n comes back below n; the domain is less than four times as large.
+        // The cycle through an index below n returns below n; the domain is less than four times as large.
         loop {
             place = self.mixed(place);
             if place < self.n {
@@ -73,8 +73,8 @@ mod tests {
         }
     }
 
-    /// The first place of many permutations is spread evenly: no place of ten is met in more than 12.5 or fewer than 7.5 of
-    /// 100 cases, eight standard deviations off.
+    /// The first place of many permutations is evenly distributed: each of ten places occurs in 7.5 to 12.5 of 100 cases, eight standard
+    /// deviations.
     #[test]
     fn limit_keys_tell_permutations_apart() {
         let mut counts = [0_u32; 10];

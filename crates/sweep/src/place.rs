@@ -1,8 +1,8 @@
-//! Places in a scene, in the words of messages: `structures[0].sdof.period_s`.
+//! Places in a scene, as in messages: `structures[0].sdof.period_s`.
 
 use serde_json::{Map, Value};
 
-/// The way to one field of a scene.
+/// The path to a field of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place(Vec<Step>);
 
@@ -17,7 +17,7 @@ enum Step {
 /// Why a field is not found in a scene.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PlaceError {
-    /// A text that names no field.
+    /// A text that is no path to a field.
     #[error("found \"{0}\", allowed is the way to a field of the scene, such as \"contacts[0].gap_m\"")]
     NoPlace(String),
     /// An item that a list does not have.
@@ -30,10 +30,10 @@ pub enum PlaceError {
         /// Number of its items.
         found: usize,
     },
-    /// Something else where a list must be.
+    /// A value other than a list in the place of a list.
     #[error("found no list `{0}` in the scene, allowed are the lists that it has")]
     NoList(String),
-    /// Something else where a table of fields must be.
+    /// A value other than a table in the place of a table.
     #[error("found no table `{0}` in the scene: write it there as a table with its fields")]
     NoTable(String),
     /// No item of a list has the field.
@@ -55,7 +55,7 @@ fn items(found: usize) -> String {
 }
 
 impl Place {
-    /// The places that a text names in a scene, at least one.
+    /// The places in a scene that a text names, at least one.
     pub(super) fn all(text: &str, scene: &Value) -> Result<Vec<Self>, PlaceError> {
         let steps = steps(text).ok_or_else(|| PlaceError::NoPlace(text.into()))?;
         let mut found = Vec::new();
@@ -63,7 +63,7 @@ impl Place {
         Ok(found)
     }
 
-    /// Whether both are the same field, or one of them lies in the other.
+    /// Whether both are a common field, or one is inside the other.
     pub(super) fn meets(&self, other: &Self) -> bool {
         self.0.starts_with(&other.0) || other.0.starts_with(&self.0)
     }
@@ -73,17 +73,17 @@ impl Place {
         matches!(self.0.first(), Some(Step::Field(first)) if first == field)
     }
 
-    /// Whether it is this field, or lies in it.
+    /// Whether it is this field, or inside it.
     pub(super) fn is_in(&self, text: &str) -> bool {
         steps(text).is_some_and(|steps| self.0.starts_with(&steps))
     }
 
-    /// Whether a field is this one, or lies in it.
+    /// Whether a field is this field, or inside it.
     pub(super) fn holds(&self, text: &str) -> bool {
         steps(text).is_some_and(|steps| steps.starts_with(&self.0))
     }
 
-    /// Of a field of an item of a list its index, and the way from there: of `structures[0].sdof.mass_kg` 0 and `sdof.mass_kg`.
+    /// For a field of an item of a list, its index and the path from there: `structures[0].sdof.mass_kg` gives 0 and `sdof.mass_kg`.
     pub(super) fn in_item_of(&self, list: &str) -> Option<(usize, String)> {
         match &self.0[..] {
             [Step::Field(name), Step::Item(index), rest @ ..] if name == list => Some((*index, named(rest))),
@@ -91,7 +91,7 @@ impl Place {
         }
     }
 
-    /// The value there, made where it is left out; nothing where something else stands on the way.
+    /// The value at this place, created if it is missing; `None` if another value blocks the path.
     pub(super) fn slot<'v>(&self, scene: &'v mut Value) -> Option<&'v mut Value> {
         self.0.iter().try_fold(scene, |value, step| {
             if value.is_null() {
@@ -99,7 +99,7 @@ impl Place {
             }
             match (step, value) {
                 (Step::Field(name), Value::Object(fields)) => {
-                    // Looked up first: a new key needs memory.
+                    // Looked up first: a new key needs an allocation.
                     if !fields.contains_key(name) {
                         fields.insert(name.clone(), Value::Null);
                     }
@@ -131,7 +131,7 @@ fn named(steps: &[Step]) -> String {
     text
 }
 
-/// The steps of a text; nothing for one that names no field.
+/// The steps of a text; `None` if it is no path to a field.
 fn steps(text: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     for piece in text.split('.') {
@@ -152,7 +152,7 @@ fn steps(text: &str) -> Option<Vec<Step>> {
     Some(steps)
 }
 
-/// Walks on from `value`, which lies at `way`.
+/// Continues from `value`, which is at `way`.
 fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Place>) -> Result<(), PlaceError> {
     let Some((step, rest)) = rest.split_first() else {
         found.push(Place(way.clone()));
@@ -166,7 +166,7 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
     };
     match (step, value) {
         (Step::Field(name), Value::Object(fields)) => go(step.clone(), fields.get(name).unwrap_or(&Value::Null)),
-        // What is left out of the scene may be a table.
+        // A missing value of the scene may be a table.
         (Step::Field(_), Value::Null) => go(step.clone(), &Value::Null),
         (Step::Field(_), _) => Err(PlaceError::NoTable(named(way))),
         (Step::Item(index), Value::Array(items)) => match items.get(*index) {

@@ -1,4 +1,4 @@
-//! Which run is which: from its number to its motion and the values of its fields, without any other run.
+//! The order of runs: the motion and the values of a run follow from its number alone.
 
 use serde_json::{Number, Value};
 
@@ -8,7 +8,7 @@ use super::place::Place;
 use super::sampling::{Point, Sampler, most_sobol_axes};
 use super::spread::Spread;
 
-/// Something that varies.
+/// A varying axis.
 #[derive(Debug, Clone)]
 pub(super) struct Axis {
     /// Name of its column.
@@ -17,7 +17,7 @@ pub(super) struct Axis {
     pub(super) place: String,
     pub(super) fields: Vec<Place>,
     pub(super) spread: Spread,
-    /// How many runs apart its value changes; nothing for what is sampled.
+    /// Number of runs between changes of its value; `None` for a sampled axis.
     stride: Option<u64>,
 }
 
@@ -29,7 +29,7 @@ pub(super) enum Setting {
     Listed(usize),
 }
 
-/// The order of the runs: motions outermost, then grids and lists as they stand in the file, samples innermost.
+/// The order of the runs: motions outermost, then grids and lists in the order of the file, samples innermost.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
     axes: Vec<Axis>,
@@ -80,20 +80,20 @@ impl Plan {
         self.runs_per_motion * self.n_motions
     }
 
-    /// The motion of a run, and the first run that has the next one.
+    /// The motion of a run, and the first run of the next motion.
     pub(super) fn motion(&self, run: u64) -> (usize, u64) {
         let motion = run / self.runs_per_motion;
         let index = usize::try_from(motion).expect("motions are kept in a list");
         (index, (motion + 1) * self.runs_per_motion)
     }
 
-    /// The first values of grids and lists, and the medians of what is sampled: no seed decides what they are.
+    /// The first values of grids and lists, and the medians of samples, independent of the seed.
     pub(super) fn typical(&self) -> Vec<Setting> {
         let setting = |axis: &Axis| axis.setting(0, || 0.5);
         self.axes.iter().map(setting).collect()
     }
 
-    /// The values of a run, axis by axis, put where others were.
+    /// Writes the values of a run, axis by axis.
     pub(super) fn settings(&self, run: u64, point: &mut Point, to: &mut Vec<Setting>) {
         let place = run % self.runs_per_motion;
         if let Some(sampler) = &self.sampler {
@@ -109,10 +109,10 @@ impl Plan {
     }
 }
 
-/// Values of a list that are looked at for what looks wrong, besides the last.
+/// Most values of a list that are checked for unusual ones, besides the last.
 const MOST_LISTED: u64 = 16;
 
-/// What must not vary, with what does instead.
+/// Fields that must not vary, and their alternatives.
 const FIXED: [(&str, &str); 4] = [
     ("name", "it changes no number"),
     ("record.file", "name records in `records`"),
@@ -120,7 +120,7 @@ const FIXED: [(&str, &str); 4] = [
     ("record.reversed", "say `directions`"),
 ];
 
-/// What varies, with the places of its fields in the scene.
+/// The varying fields, with their places in the scene.
 pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
     let mut known: Vec<Place> = Vec::new();
     let mut placed = Vec::with_capacity(file.vary.len());
@@ -152,12 +152,12 @@ pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<P
     Ok(placed)
 }
 
-/// Whether the method is among these fields, or a part of it.
+/// Whether the method, or a part of it, is among these fields.
 pub(super) fn varies_method(fields: &[Place]) -> bool {
     fields.iter().any(|field| field.is_in("method"))
 }
 
-/// What to do instead of varying a field that does not vary.
+/// The alternative to varying a field that must not vary.
 fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
     let text = place.to_string();
     if text == "record" {
@@ -170,7 +170,7 @@ fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
     all.find(|(fixed, _)| text == *fixed).map(|(_, instead)| *instead)
 }
 
-/// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.
+/// Number of sampled axes; refuses samples without random fields, and random fields without samples.
 fn check_samples(vary: &[(Vary, Vec<Place>)], samples: Option<Samples>) -> Result<usize, SweepError> {
     let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<Place>))| vary.spread.count().is_none();
     let mut sampled = vary.iter().enumerate().filter(is_sampled);
@@ -200,7 +200,7 @@ impl Axis {
         self.spread.at(index)
     }
 
-    /// Settings that show whether some of the axis look wrong: both ends of a grid or of what is sampled, and the first of a list.
+    /// Settings that reveal unusual values of the axis: both ends of a grid or of samples, and the first values of a list.
     pub(super) fn ends(&self) -> Vec<Setting> {
         let Some((_, count)) = self.turns() else {
             return [0.001, 0.999].map(|part| self.setting(0, || part)).into();
@@ -214,12 +214,12 @@ impl Axis {
         places.map(|place| self.spread.at(place)).collect()
     }
 
-    /// Of grids and lists, how many runs have a value before the next comes, and how many values there are.
+    /// For grids and lists, the number of successive runs with a value, and the number of values.
     pub(super) fn turns(&self) -> Option<(u64, u64)> {
         self.stride.zip(self.spread.count())
     }
 
-    /// Puts a value where the scene has the field; whether that is possible.
+    /// Writes a value to the field of the scene; false if this is impossible.
     pub(super) fn put(&self, setting: Setting, scene: &mut Value) -> bool {
         self.fields.iter().all(|place| {
             let Some(slot) = place.slot(scene) else {
@@ -230,14 +230,14 @@ impl Axis {
         })
     }
 
-    /// A setting as a table says it.
+    /// A setting as text in a table.
     pub(super) fn text(&self, setting: Setting) -> String {
         let value = self.value(setting);
         let text = value.as_str().map(String::from);
         text.unwrap_or_else(|| value.to_string())
     }
 
-    /// A setting as a scene says it.
+    /// A setting as value in a scene.
     pub(super) fn value(&self, setting: Setting) -> Value {
         match (setting, &self.spread) {
             (Setting::Listed(index), Spread::Values(values)) => values[index].clone(),
@@ -248,7 +248,7 @@ impl Axis {
 }
 
 impl Spread {
-    /// The value `index` of a grid or a list.
+    /// Value number `index` of a grid or a list.
     pub(super) fn at(&self, index: u64) -> Setting {
         match self {
             Self::Values(values) => {
@@ -264,7 +264,7 @@ impl Spread {
     }
 }
 
-/// A number as a scene says it: a whole one without a point, so that it also fits where whole ones are asked for.
+/// A number as value in a scene: whole numbers have no point, so that they also fit integer fields.
 pub(super) fn value_of(number: f64) -> Value {
     const EXACT: f64 = 9_007_199_254_740_992.0;
     let whole = number.trunc().total_cmp(&number).is_eq() && number.abs() < EXACT;

@@ -1,26 +1,26 @@
-//! What a whole sweep costs by a method, with what choosing and measuring it takes.
+//! Cost of a whole sweep by a method, including choice and measurement.
 
-/// The longest time step that is tried \[s\], and how often it is halved at most.
+/// The longest time step that is tried \[s\], and the most halvings.
 pub(super) const LONGEST: f64 = 0.02;
 pub(super) const HALVED: i32 = 7;
 
-/// How many scenes by the exact method side by side cost as much as one alone (`cargo xtask bench --peers`).
+/// Number of scenes by the exact method in lanes that cost as much as a scene alone (`cargo xtask bench --peers`).
 pub(super) const ALONE: f64 = 13.0;
-/// Part of the price of all runs by the exact method \[–\] that another method has to save: prices are no better known.
+/// Least saving by another method, as a part of the price of all runs by the exact method \[–\]: prices are not known better.
 const SAVES: f64 = 0.1;
 
-/// How many runs there are.
+/// Numbers of runs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Counts {
-    /// Of the sweep.
+    /// Runs of the sweep.
     pub(super) all: f64,
-    /// Those that choose a method.
+    /// Runs that choose a method.
     pub(super) choosing: f64,
-    /// Those that measure it.
+    /// Runs that measure it.
     pub(super) measuring: f64,
 }
 
-/// What a run costs, in force evaluations that take as long, as a mean of some.
+/// Mean cost of a run, in force evaluations of equal duration.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Prices {
     pub(super) counts: Counts,
@@ -30,15 +30,15 @@ pub(super) struct Prices {
     pub(super) steps: f64,
 }
 
-/// The time step \[s\] that is the longest one, halved so often.
+/// The longest time step after this many halvings \[s\].
 pub(super) fn step(halved: i32) -> f64 {
     LONGEST / f64::from(1 << halved)
 }
 
 impl Prices {
-    /// Whether a sweep by a method of which a run costs this, and trying it this much a run, costs less than by the exact method.
+    /// Whether a sweep by a method with this cost per run, and this cost of trials per run, costs less than by the exact method.
     ///
-    /// Runs that choose and measure are run by the exact method, too, which itself needs none of them.
+    /// Choosing and measuring runs also run by the exact method, which itself needs neither.
     pub(super) fn is_worth(&self, run: f64, tried: f64) -> bool {
         let Counts { all, choosing, measuring } = self.counts;
         let chosen = choosing * (self.exact + tried);
@@ -46,12 +46,12 @@ impl Prices {
         chosen + measured + all * run <= (1.0 - SAVES) * all * self.exact
     }
 
-    /// How often the longest step may be halved so that it is worth it, and a run costs no more than `otherwise`; `None` if not even
-    /// the longest is.
+    /// Number of halvings of the longest step that are still worth it, with a cost per run of at most `otherwise`; `None` if not even the
+    /// longest step is.
     pub(super) fn halved(&self, otherwise: f64) -> Option<i32> {
         let price = |halved: i32| self.steps / step(halved);
         let worth = |halved: &i32| {
-            // All longer ones are tried before, and the next finer one confirms it.
+            // All longer steps are tried before, and the next finer step confirms it.
             let tried: f64 = (0..=halved + 1).map(price).sum();
             price(*halved) <= otherwise && self.is_worth(price(*halved), tried)
         };
@@ -81,7 +81,7 @@ mod tests {
         }
     }
 
-    /// Two towers of three storeys, 20 s: 500 runs took four times as long with the steps that were chosen as by the exact method.
+    /// Two towers of three storeys, 20 s: 500 runs took four times as long with the chosen steps as by the exact method.
     #[test]
     fn issue_steps_that_cost_more_than_exact_runs_are_not_tried() {
         let towers = 6.0 * 20.0;

@@ -1,6 +1,6 @@
 //! The normal distribution: its quantiles and its distribution function.
 //!
-//! Our own: the crates that have quantiles take logarithms from the platform, whose last digits differ.
+//! Own code: crates with quantiles take logarithms from the platform, whose last digits differ.
 
 #![expect(clippy::excessive_precision, reason = "digits as they are published")]
 
@@ -11,10 +11,9 @@ pub(super) fn probability(x: f64) -> f64 {
     0.5 * libm::erfc(-x * FRAC_1_SQRT_2)
 }
 
-/// The standard normal number that is not exceeded with this probability, > 0 and < 1; exact to about 1 part in 10¹⁶.
+/// The quantile of a standard normal distribution for a probability > 0 and < 1; accurate to about 1 part in 10¹⁶.
 ///
-/// Algorithm AS 241, PPND16: M. J. Wichura, The percentage points of the normal distribution, Applied Statistics 37 (1988)
-/// 477–484.
+/// Algorithm AS 241, PPND16: M. J. Wichura, The percentage points of the normal distribution, Applied Statistics 37 (1988) 477–484.
 pub(super) fn quantile(probability: f64) -> f64 {
     let q = probability - 0.5;
     if q.abs() <= 0.425 {
@@ -59,7 +58,7 @@ const CENTRE: Ratio = [
     ],
 ];
 
-/// Beyond them, to a distance of exp(−25) from 0 and 1.
+/// Outside, to a distance of exp(−25) from 0 and 1.
 const NEAR: Ratio = [
     [
         7.745_450_142_783_414_076_40e-4,
@@ -83,7 +82,7 @@ const NEAR: Ratio = [
     ],
 ];
 
-/// Beyond those.
+/// Further outside.
 const FAR: Ratio = [
     [
         2.010_334_399_292_288_132_65e-7,
@@ -116,7 +115,7 @@ mod tests {
         let mut largest: f64 = 0.0;
         for step in 1..4000 {
             let x = f64::from(step - 2000) / 250.0;
-            // Of the smaller tail: 1 less a small number keeps few digits of it.
+            // Uses the smaller tail: 1 minus a small number loses its digits.
             let tail = probability(-x.abs());
             let error = (quantile(tail) + x.abs()).abs();
             largest = largest.max(error);

@@ -1,6 +1,6 @@
-//! Numbers out of their range.
+//! Numbers out of range.
 
-/// A number out of its range.
+/// A number out of range.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{field}: found {}, allowed {allowed}", pounding_text::plain(*found))]
 pub(super) struct RangeError {
@@ -21,7 +21,7 @@ pub(super) const FINITE: &str = "a finite number";
 pub(super) const POSITIVE: &str = "a finite number > 0";
 const ABOVE: &str = "a finite number above `from`";
 
-/// Refuses bounds of which the upper one is not above the lower one.
+/// Refuses an upper bound that is not above the lower bound.
 pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
     if let Some(from) = from {
         require(true, "from", from, FINITE)?;

@@ -1,7 +1,6 @@
-//! Runs whose scenes differ in numbers of structures of one storey and of contacts alone: these are set in a scene that was
-//! prepared, and not put into its JSON, from which it would be read and prepared anew. The same functions convert and check them;
-//! where they refuse, the long way says why. A run of two structures over 1000 steps in lanes takes 2.5 µs, and reading its scene
-//! anew as long again.
+//! Runs whose scenes differ only in numbers of structures of one storey and of contacts. These numbers are set in a prepared scene instead
+//! of its JSON, which would have to be read and prepared again. Conversion and checks use the same functions; if they refuse, the long way
+//! finds the reason. A run of two structures over 1000 steps in lanes takes 2.5 µs; reading its scene would take as long again.
 
 use serde_json::Value;
 
@@ -11,36 +10,36 @@ use super::plan::{Setting, value_of};
 use super::spread::Spread;
 use pounding_scene::{Contact, SdofFile, SetNumber, Simulation, Structure, set_number};
 
-/// Where the number of an axis goes.
+/// Destination of the number of an axis.
 #[derive(Debug)]
 enum Slot {
-    /// Into the words of a structure, of which this is the place among those whose numbers vary.
+    /// A number of a structure; the index is among the structures with varying numbers.
     Structure(usize, SetNumber),
     Gap(usize),
-    /// Into the JSON of a contact, whose law is read anew: it may be calibrated by the number.
+    /// The JSON of a contact, whose law is read again: the number may calibrate it.
     Law(Place),
 }
 
-/// A scene whose numbers vary.
+/// A scene with varying numbers.
 #[derive(Debug)]
 pub(super) struct Renumbered {
-    /// With typical numbers.
+    /// The scene with typical numbers.
     prepared: Simulation,
-    /// The duration that it says.
+    /// The duration given in the scene.
     duration_s: Option<f64>,
-    /// Its JSON, in which numbers of laws are put.
+    /// Its JSON, for numbers of laws.
     scene: Value,
     /// Every axis with the slots of its fields.
     slots: Vec<(usize, Slot)>,
-    /// Words of the structures whose numbers vary, by their index.
+    /// Words of the structures with varying numbers, by their index.
     structures: Vec<(usize, SdofFile)>,
-    /// Indices of the contacts whose laws vary.
+    /// Indices of the contacts with varying laws.
     laws: Vec<usize>,
 }
 
 impl Sweep {
-    /// The scene under a motion, where nothing but numbers varies that can be set in it. Only for runs that go side by side: others
-    /// take so long that it does not matter.
+    /// The scene under a motion, if only numbers vary that can be set in it. Used only for runs in lanes: for others the time does not
+    /// matter.
     pub(super) fn renumbered(&self, motion: usize) -> Option<Renumbered> {
         let plain = |spread: &Spread| {
             if let Spread::Values(values) = spread {
@@ -102,7 +101,7 @@ impl Renumbered {
         Some(Slot::Law(place.clone()))
     }
 
-    /// The scene with the numbers of a run, in the memory of one that has run; nothing where they are refused.
+    /// The scene with the numbers of a run, in the memory of a finished scene; `None` if they are refused.
     pub(super) fn prepared(&mut self, settings: &[Setting], ran: Option<Box<Simulation>>) -> Option<Box<Simulation>> {
         let mut ready = ran.unwrap_or_else(|| Box::new(self.prepared.clone()));
         for (axis, slot) in &self.slots {
@@ -149,7 +148,7 @@ mod tests {
 
     use super::super::Sweep;
 
-    /// Laws with the fields that vary.
+    /// Laws with their varying fields.
     fn laws() -> [Value; 7] {
         [
             json!({"stereomechanical": {"restitution": 0.6}}),
@@ -181,7 +180,7 @@ mod tests {
         })
     }
 
-    /// Every field that is set in a scene, with a number that it can have.
+    /// Every field that can be set in a scene, with a valid number.
     fn fields(law: &Value, yields: bool) -> Vec<(String, f64)> {
         let mut all: Vec<(String, f64)> = [
             ("structures[0].sdof.mass_kg", 1e5),
@@ -215,7 +214,7 @@ mod tests {
         all
     }
 
-    /// How a field varies: within what it can be, or beyond it.
+    /// Variation of a field, within its valid range or beyond it.
     fn spread(number: f64, how: usize) -> (&'static str, Value) {
         match how {
             0 => ("log_uniform", json!({"from": 0.7 * number, "to": 1.4 * number})),
@@ -231,7 +230,7 @@ mod tests {
         }
     }
 
-    /// Scenes made ready at a time: fewer than runs under a motion, so that those that have run are used again.
+    /// Scenes prepared at a time: fewer than the runs of a motion, so that finished scenes are reused.
     const AT_A_TIME: usize = 16;
 
     fn sweep(scene: &Value, vary: &[Value], seed: u64) -> Sweep {
@@ -250,7 +249,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(100) })]
 
-        /// Numbers set in a scene that was prepared give the rows, and the reasons for failing, of scenes that are read.
+        /// Setting numbers in a prepared scene gives the same rows, and reasons of failure, as reading the scene.
         #[test]
         fn limit_numbers_set_directly_are_those_that_are_read(
             law in proptest::sample::select(laws().to_vec()),
@@ -260,10 +259,10 @@ mod tests {
         ) {
             let scene = scene(&law, yields, lasts);
             let mut vary = Vec::new();
-            // Without any of the others the gap varies.
+            // If no other field varies, the gap varies.
             for ((field, number), (varies, how)) in fields(&law, yields).into_iter().zip(which) {
                 if varies || field.ends_with("gap_m") {
-                    // Two of the longest periods are too long a run where a period is any number.
+                    // If a period may be any number, twice the longest periods are too long for a run.
                     let how = if lasts { how } else { how % 2 };
                     let (word, numbers) = spread(number, how);
                     vary.push(json!({"field": field, word: numbers}));
@@ -271,7 +270,7 @@ mod tests {
             }
             let set = sweep(&scene, &vary, seed.into());
             prop_assert!(set.renumbered(0).is_some(), "{vary:?}");
-            // A value that is no number has every scene read; it is what the scene has without it.
+            // A value that is no number makes every scene be read; null is the default of the field.
             vary.push(json!({"field": "contacts[0].levels", "values": [null]}));
             let read = sweep(&scene, &vary, seed.into());
             prop_assert!(read.renumbered(0).is_none(), "{vary:?}");

@@ -6,12 +6,12 @@ use super::plan::{Axis, Setting};
 use super::sampling::Point;
 use super::{Batch, Sweep};
 
-/// Rows of CSV in memory, field by field; every field ends with a comma, which the end of a row writes over.
+/// Rows of CSV in memory, field by field. Every field ends with a comma, which the end of a row replaces.
 #[derive(Default)]
 struct Rows(Vec<u8>);
 
 impl Rows {
-    /// A text; its line breaks become blanks, so that a row is a line.
+    /// Writes a text; its line breaks become blanks, so that a row is a line.
     fn field(&mut self, field: &str) {
         if is_plain(field) {
             self.0.extend_from_slice(field.as_bytes());
@@ -22,8 +22,8 @@ impl Rows {
         self.0.push(b',');
     }
 
-    /// A number in the shortest digits that read back to the same bits; nothing where it is not finite, as in a
-    /// [`Cell`](pounding_text::Cell). No digits need quotes.
+    /// Writes a number in the shortest digits that read back to equal bits; empty if it is not finite, as in a
+    /// [`Cell`](pounding_text::Cell). Digits need no quotes.
     fn number(&mut self, number: f64) {
         if number.is_finite() {
             let mut digits = zmij::Buffer::new();
@@ -45,13 +45,13 @@ impl Rows {
     }
 }
 
-/// Whether a text is a word that neither CSV nor a spreadsheet reads as anything else: nearly all fields of a long table.
+/// Whether a text is a word that neither CSV nor a spreadsheet interprets: this holds for almost all fields of a long table.
 fn is_plain(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_alphabetic())
         && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b" _.-".contains(&byte))
 }
 
-/// A text as a field of CSV, in quotes where it needs them.
+/// A text as a field of CSV, in quotes if needed.
 fn quoted(text: &str) -> Vec<u8> {
     // A buffer of the usual size would be cleared for every field.
     let mut writer = csv::WriterBuilder::new()
@@ -74,7 +74,7 @@ impl Sweep {
         rows.0
     }
 
-    /// Names of the columns: the run, its record and direction, what varies, what came out, how that was checked, and why it failed.
+    /// Names of the columns: run, record and direction, varying fields, results, kind of check, and reason of failure.
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["run".into(), "record".into(), "reversed".into()];
         columns.extend(self.plan.axes().iter().map(|axis| axis.name.clone()));
@@ -83,7 +83,7 @@ impl Sweep {
         columns
     }
 
-    /// A row for each run of a batch; each is one line.
+    /// A row for each run of a batch; each is a line.
     pub fn rows(&self, batch: &Batch) -> Vec<u8> {
         let mut rows = Rows::default();
         let (mut point, mut settings) = (Point::default(), Vec::new());
@@ -107,7 +107,7 @@ impl Sweep {
             rows.field(reason);
             rows.end();
             if index == 0 {
-                // The others are about as long.
+                // The other rows are about as long.
                 rows.0.reserve(batch.failed.len() * rows.0.len());
             }
         }

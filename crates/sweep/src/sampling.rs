@@ -1,4 +1,4 @@
-//! Samples of the unit cube, each found by its index alone.
+//! Samples of the unit cube; each is found from its index alone.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
@@ -8,14 +8,14 @@ use sobol::{Sobol, SobolParams};
 use super::file::{SampleMethod, Samples};
 use super::permutation::Permutation;
 
-/// Which sequences of random numbers a seed begins: that of the samples, and that of what a method is scrambled by.
+/// Streams of random numbers from a seed: for the samples, and for the scrambling of a method.
 const OF_SAMPLES: u128 = 1;
 const OF_SCRAMBLING: u128 = 2;
 
 /// Bits of a coordinate.
 const BITS: usize = u64::BITS as usize;
 
-/// Points in the unit cube with one coordinate for each sampled axis.
+/// Points in the unit cube with a coordinate for each sampled axis.
 #[derive(Debug, Clone)]
 pub(super) struct Sampler {
     samples: Samples,
@@ -23,14 +23,14 @@ pub(super) struct Sampler {
     method: Scrambled,
 }
 
-/// What of a method is made from the seed, once.
+/// Data of a method that are made once from the seed.
 #[derive(Debug, Clone)]
 enum Scrambled {
     /// Independent numbers.
     Random,
-    /// Of every axis the direction numbers, and a shift.
+    /// For every axis, the direction numbers and a shift.
     Sobol(Vec<(Vec<u64>, u64)>),
-    /// Of every axis the order in which its strata are visited.
+    /// For every axis, the order of its strata.
     LatinHypercube(Vec<Permutation>),
 }
 
@@ -39,16 +39,16 @@ pub(super) fn most_sobol_axes() -> usize {
     JoeKuoD6::minimal().max_dims()
 }
 
-/// A point, and the random numbers that follow those of it.
+/// A point, and the random numbers after it.
 #[derive(Debug, Default)]
 pub(super) struct Point {
     pub(super) coordinates: Vec<f64>,
-    /// The index of the next point, and the generator there: runs come one after the other, and a jump costs more than a point.
+    /// The index of the next point, with the generator at this position: runs are consecutive, and a jump costs more than a point.
     ahead: Option<(u64, Pcg64)>,
 }
 
 impl Sampler {
-    /// Of so many axes, for Sobol points not more than [`most_sobol_axes`]; there is at least one sample.
+    /// A sampler for this many axes, for Sobol points at most [`most_sobol_axes`]. There is at least one sample.
     pub(super) fn new(samples: Samples, n_axes: usize) -> Self {
         let mut random = Pcg64::new(u128::from(samples.seed), OF_SCRAMBLING);
         let method = match samples.method {
@@ -62,7 +62,7 @@ impl Sampler {
         Self { samples, n_axes, method }
     }
 
-    /// Coordinates of the point `index`, each > 0 and < 1, put where others were.
+    /// Writes the coordinates of the point `index`, each > 0 and < 1.
     pub(super) fn point(&self, index: u64, Point { coordinates, ahead }: &mut Point) {
         let to = coordinates;
         to.clear();
@@ -89,7 +89,7 @@ impl Sampler {
         }
     }
 
-    /// The random numbers of a point, one for each axis: a piece of one sequence, to which the generator jumps.
+    /// The random numbers of a point, one for each axis: a piece of a common sequence, to which the generator jumps.
     fn numbers_of(&self, index: u64, ahead: &mut Option<(u64, Pcg64)>) -> Pcg64 {
         if let Some((_, random)) = ahead.take_if(|(next, _)| *next == index) {
             return random;
@@ -100,12 +100,12 @@ impl Sampler {
     }
 }
 
-/// A number > 0 and < 1 from random bits: the middle of one of 2⁵² equal parts, since a quantile may be infinite at both ends.
+/// A number > 0 and < 1 from random bits: the middle of one among 2⁵² equal parts, because a quantile may be infinite at both ends.
 fn inside(bits: u64) -> f64 {
     ((bits >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
 }
 
-/// One coordinate of a Sobol point as a binary fraction.
+/// A coordinate of a Sobol point as a binary fraction.
 fn sobol_bits(directions: &[u64], index: u64) -> u64 {
     let mut rest = index;
     let mut bits = 0;
@@ -116,9 +116,8 @@ fn sobol_bits(directions: &[u64], index: u64) -> u64 {
     bits
 }
 
-/// Direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635–2654), each axis multiplied by a random lower
-/// triangular matrix, and a random shift (Matoušek, J. Complexity 14 (1998) 527–556): points stay as even as they are, and
-/// none lies on an edge.
+/// Direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635–2654), each axis multiplied by a random lower triangular matrix,
+/// and a random shift (Matoušek, J. Complexity 14 (1998) 527–556). Points remain even, and none is on an edge.
 fn scrambled_sobol(n_axes: usize, random: &mut Pcg64) -> Vec<(Vec<u64>, u64)> {
     let directions = Sobol::<u64>::init_direction_vals(n_axes, BITS, &JoeKuoD6::minimal() as &dyn SobolParams<u32>);
     let scrambled = |mut directions: Vec<u64>| {
@@ -132,7 +131,7 @@ fn scrambled_sobol(n_axes: usize, random: &mut Pcg64) -> Vec<(Vec<u64>, u64)> {
     directions.into_iter().map(scrambled).collect()
 }
 
-/// The row of a triangular matrix that makes the bit of one place: that bit, and each of those above it or not.
+/// The row of a triangular matrix that makes the bit of a place: this bit, and random ones of those above it.
 fn row(place: usize, random: &mut Pcg64) -> u64 {
     let own = 1_u64 << place;
     let above = !(own | (own - 1));
@@ -158,7 +157,7 @@ mod tests {
         (0..count).map(point).collect()
     }
 
-    /// In which of `parts` equal parts a number lies.
+    /// Index of the equal part, out of `parts`, that contains a number.
     fn part(x: f64, parts: u64) -> u64 {
         (0..parts).rev().find(|part| *part as f64 <= x * parts as f64).unwrap_or(0)
     }
@@ -174,8 +173,8 @@ mod tests {
             }
         }
 
-        /// 2ᵏ points of a Sobol sequence lie one in each of 2ᵏ equal intervals, and of the first two axes in each rectangle
-        /// of 2ʲ by 2ᵏ⁻ʲ; whatever the seed.
+        /// 2ᵏ points of a Sobol sequence have one point in each of 2ᵏ equal intervals. On the first two axes they have one in each
+        /// rectangle of 2ʲ by 2ᵏ⁻ʲ. This holds for any seed.
         #[test]
         fn limit_sobol_points_are_even(power in 0_u32..9, split in 0_u32..9, seed: u64) {
             let count = 1_u64 << power;
@@ -200,7 +199,7 @@ mod tests {
                 let sampler = sampler(method, 1_000_000_000, seed);
                 let (mut once, mut again) = (Point::default(), Point::default());
                 sampler.point(index, &mut once);
-                // After another one, and after the one before.
+                // After another point, and after the previous point.
                 for before in [index / 2, index.saturating_sub(1)] {
                     sampler.point(before, &mut again);
                     sampler.point(index, &mut again);
@@ -211,7 +210,7 @@ mod tests {
         }
     }
 
-    /// A point is a piece of one sequence of numbers, point after point and axis after axis.
+    /// A point is a piece of a common sequence of numbers, point after point and axis after axis.
     #[test]
     fn limit_random_points_are_one_sequence() {
         let mut random = Pcg64::new(9, OF_SAMPLES);
@@ -220,7 +219,7 @@ mod tests {
         assert!(points.into_iter().flatten().eq(sequence));
     }
 
-    /// Without scrambling the points are those of the crate, whose order is another one within each power of two.
+    /// Without scrambling the points are those of the crate, in another order within each power of two.
     #[test]
     fn limit_sobol_points_are_those_of_the_crate() {
         const COUNT: usize = 256;
@@ -235,8 +234,8 @@ mod tests {
         assert_eq!(ours, theirs);
     }
 
-    /// Mean and variance of 100 000 numbers are those of a uniform one to five standard deviations, and neighbouring axes
-    /// and points are not correlated.
+    /// Mean and variance of 100 000 numbers are those of a uniform distribution within five standard deviations, and neighbouring axes and
+    /// points are not correlated.
     #[test]
     fn reference_random_points_are_uniform_and_independent() {
         let points = points(&sampler(SampleMethod::Random, 100_000, 3), 100_000);

@@ -1,11 +1,11 @@
-//! One of several shares of a sweep.
+//! A share of a sweep.
 
 use std::ops::Range;
 use std::str::FromStr;
 
 use super::SweepError;
 
-/// The share `index` of `count`, 1 to `count`: a range of parts.
+/// Share `index` of `count`, from 1 to `count`: a range of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -13,10 +13,10 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// The whole.
+    /// The whole sweep.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
-    /// The share `index` of `count`, counted from 1.
+    /// Share `index` of `count`, counted from 1.
     ///
     /// # Errors
     /// [`SweepError::NoShard`].
@@ -28,12 +28,12 @@ impl Shard {
         }
     }
 
-    /// Whether it is all there is.
+    /// Whether it is the whole sweep.
     pub fn is_whole(self) -> bool {
         self.count == 1
     }
 
-    /// Its parts, of so many.
+    /// Its parts, out of `n_parts`.
     pub(super) fn of(self, n_parts: u64) -> Range<u64> {
         let start = |index: u64| {
             let start = u128::from(n_parts) * u128::from(index) / u128::from(self.count);

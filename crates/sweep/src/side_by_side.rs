@@ -1,10 +1,10 @@
-//! Simulation scenes that run side by side.
+//! Simulation scenes in lanes.
 
 use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
 use pounding_scene::Simulation;
 use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Row};
 
-/// The rows of scenes that all have one kind of columns; nothing where they have not.
+/// The rows of scenes with a common type of columns; `None` if types differ.
 macro_rules! rows {
     ($scenes:expr, $kind:ident) => {
         $scenes
@@ -14,12 +14,15 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes side by side, those that go together in the same lanes, and takes what happened in them, with `closings` also how far
-/// neighbours come towards each other; nothing where none of them can. Others are not told: those of another number of floors and pairs than
-/// the first, with Bouc–Wen columns or a motion that travels, of other methods. Each may have a record of its own.
+/// Runs scenes in lanes, grouped by compatibility, and returns their results, with `closings` also how far neighbours come towards each
+/// other. Returns `None` if no scene can run in lanes.
 ///
-/// By the central difference method without sub-steps every scene has the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
-/// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
+/// The results lack scenes with other numbers of floors and pairs than the first, with Bouc–Wen columns, with a travelling motion, or with
+/// other methods. Each scene may have a separate record.
+///
+/// By the central difference method without sub-steps, every scene has exactly the numbers of its run alone. The exact method supports two
+/// elastic structures, with a tolerance of at least 1e-12 for compliant contact. Its numbers are those of runs alone up to about the
+/// tolerance, and do not depend on the other scenes.
 pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
     let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
     let of_first = shape(scenes.first()?);
@@ -30,7 +33,7 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
     let mut left: Vec<_> = of_shape.map(|(place, scene)| (place, *scene)).collect();
     let mut any = false;
     while let Some(&(first_place, first)) = left.first() {
-        // A scene that cannot go side by side goes with none, itself included.
+        // A scene that cannot run in lanes is compatible with none, itself included.
         let is_now = |(place, scene): &Placed<'_>| *place == first_place || goes_with(scene, first);
         let (now, later): (Vec<_>, Vec<_>) = left.into_iter().partition(is_now);
         any |= match stepping(first) {
@@ -42,7 +45,7 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
     any.then_some(tallies)
 }
 
-/// Why a scene runs alone, whatever others there are; nothing where it can go side by side with its like.
+/// Why a scene must run alone; `None` if it can run in lanes with similar scenes.
 pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
@@ -70,11 +73,11 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     of_row().or(of_method)
 }
 
-/// A scene, and its place among others.
+/// A scene with its index.
 type Placed<'a> = (usize, &'a Simulation);
 
-/// Whether scenes share lanes: with one method and time step, by stepping methods rows of one kind, by the exact method records
-/// that end at one sample.
+/// Whether scenes share lanes: a common method and time step; for stepping methods, rows of a common kind; for the exact method, records
+/// that end at a common sample.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
     let with_method = one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
@@ -91,7 +94,7 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
         }
 }
 
-/// Runs scenes that share lanes by a stepping method; nothing where they cannot.
+/// Runs scenes that share lanes by a stepping method; `None` if they cannot.
 fn stepped((scenes, closings): (&[Placed<'_>], bool), settings: CentralDifference, tallies: &mut SceneSums) -> Option<bool> {
     let (_, first) = scenes.first()?;
     let n_steps: Vec<_> = scenes.iter().map(|(_, scene)| scene.clock().n_steps).collect();
@@ -117,7 +120,7 @@ fn stepped((scenes, closings): (&[Placed<'_>], bool), settings: CentralDifferenc
     Some(ran)
 }
 
-/// Runs those of scenes that share lanes which the exact method can; false where that is none.
+/// Runs those of scenes sharing lanes that the exact method supports; false if there are none.
 fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> bool {
     let flies = |(_, scene): &Placed<'_>| {
         let settings = settings(scene)?;
@@ -139,7 +142,7 @@ fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> 
     true
 }
 
-/// The ground motions of scenes; of those that share a record it is looked through once.
+/// The ground motions of scenes. A shared record is scanned once.
 fn excitations<'a>(scenes: &[Placed<'a>]) -> Vec<Excitation<'a>> {
     let mut last: Option<(&Simulation, Excitation<'_>)> = None;
     let one = |scene: &'a Simulation| {
@@ -160,7 +163,7 @@ fn stepping(scene: &Simulation) -> Option<CentralDifference> {
     }
 }
 
-/// Settings of the exact method, where that is the scene's.
+/// Settings of the exact method; `None` if the scene has another method.
 fn settings(scene: &Simulation) -> Option<Exact> {
     if let Integrator::Exact(settings) = scene.integrator() {
         Some(settings)
@@ -169,7 +172,7 @@ fn settings(scene: &Simulation) -> Option<Exact> {
     }
 }
 
-/// The row, where none of its columns can yield.
+/// The row; `None` if a column can yield.
 fn elastic(scene: &Simulation) -> Option<&Row<Elastic>> {
     if let AnyRow::Elastic(row) = scene.row() { Some(row) } else { None }
 }

@@ -1,4 +1,4 @@
-//! The values of what varies: listed, at equal distances, or distributed.
+//! The values of a varying field: listed, at equal distances, or distributed.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,17 +10,17 @@ use super::range::{FINITE, POSITIVE, RangeError, bounds, require};
 /// The values of a field.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Spread {
-    /// One by one: numbers, or whatever else the field can be.
+    /// A list of numbers, or of any values of the field.
     Values(Vec<Value>),
     /// At equal distances.
     Grid(Grid),
-    /// Random, every value between two numbers as likely.
+    /// Uniformly distributed between two numbers.
     Uniform(Between),
-    /// Random, its logarithm uniform; between two numbers > 0.
+    /// Distributed with a uniform logarithm, between two numbers > 0.
     LogUniform(Between),
-    /// Random, normally distributed.
+    /// Normally distributed.
     Normal(Normal),
-    /// Random, its logarithm normally distributed.
+    /// Distributed with a normal logarithm.
     LogNormal(LogNormal),
 }
 
@@ -33,23 +33,23 @@ pub struct Grid {
     pub from: f64,
     /// The last one.
     pub to: f64,
-    /// How many, both ends counted, ≥ 2.
+    /// Number of values, including both ends, ≥ 2.
     pub count: u64,
-    /// What is equal between them.
+    /// Kind of spacing.
     pub spacing: Spacing,
-    /// The power of ten whose parts have at most fifteen digits here; nothing where it is no number of 64 bits.
+    /// The power of ten whose parts have at most fifteen digits here; `None` if it is not an exact 64-bit number.
     #[serde(skip_serializing)]
     parts: Option<f64>,
 }
 
-/// What is equal between the numbers of a grid.
+/// Kind of spacing of the numbers of a grid.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Spacing {
-    /// Their difference.
+    /// Equal differences.
     #[default]
     Linear,
-    /// Their ratio; both ends are > 0.
+    /// Equal ratios; both ends are > 0.
     Log,
 }
 
@@ -62,9 +62,9 @@ struct GridFile {
     from: f64,
     /// The last number.
     to: f64,
-    /// How many numbers, both ends counted, ≥ 2.
+    /// Number of values, including both ends, ≥ 2.
     count: u64,
-    /// `linear`, which is meant where it is left out, or `log`: equal ratios, of numbers > 0.
+    /// `linear` (default), or `log`: equal ratios, for numbers > 0.
     #[serde(default)]
     spacing: Spacing,
 }
@@ -116,8 +116,8 @@ impl TryFrom<GridFile> for Grid {
     }
 }
 
-/// The power of ten 10ᵏ, k from 0 to 22, with which a number has fifteen digits before its point: a whole number over it is
-/// the number of 64 bits nearest to the decimal fraction.
+/// The power of ten 10ᵏ, k from 0 to 22, with which a number has fifteen digits before its point. A whole number divided by it is the
+/// 64-bit number closest to the decimal fraction.
 fn parts(largest: f64) -> Option<f64> {
     let powers = (0..=22).map(|power| libm::pow(10.0, f64::from(power)));
     let mut fitting = powers.filter(|power| (1e14..1e15).contains(&(largest * power)));
@@ -148,7 +148,7 @@ impl Grid {
         match self.spacing {
             Spacing::Linear => {
                 let value = self.from + (self.to - self.from) * part;
-                // Of 0.1 rounding leaves 0.09999999999999999, which nobody wrote.
+                // Rounding turns 0.1 into 0.09999999999999999, which nobody wrote.
                 self.parts.map_or(value, |parts| (value * parts).round() / parts)
             }
             Spacing::Log => self.from * libm::exp(part * libm::log(self.to / self.from)),
@@ -157,7 +157,7 @@ impl Grid {
 }
 
 impl Spread {
-    /// Number of values; nothing for what is sampled.
+    /// Number of values; `None` for a sampled field.
     pub(super) fn count(&self) -> Option<u64> {
         match self {
             Self::Values(values) => Some(values.len() as u64),
@@ -166,7 +166,7 @@ impl Spread {
         }
     }
 
-    /// Refuses an interval from 0 or less where its logarithm is asked for.
+    /// Refuses an interval from 0 or less if its logarithm is used.
     pub(super) fn check(&self) -> Result<(), RangeError> {
         match self {
             Self::LogUniform(Between { from, .. }) => require(*from > 0.0, "log_uniform.from", *from, POSITIVE),
@@ -174,7 +174,7 @@ impl Spread {
         }
     }
 
-    /// The number that this part, > 0 and < 1, of all values does not exceed; of what is sampled.
+    /// The quantile of a sampled field for a part > 0 and < 1; `None` for other fields.
     pub(super) fn sample(&self, part: f64) -> Option<f64> {
         let within = |value: f64, from: Option<f64>, to: Option<f64>| {
             // Rounding must not leave the bounds.

@@ -1,20 +1,20 @@
-//! What a user writes of a summary, and what of it does not fit a sweep.
+//! The summary in a sweep file, and its errors.
 
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What is told of all runs together in place of a row for each.
+/// Statistics over all runs instead of a row for each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "SummaryFile")]
 #[schemars(with = "SummaryFile")]
 pub struct Summary {
-    /// Fields with listed values whose every value, and with others every combination, is summed up by itself: a cell.
+    /// Fields with listed values. Each value, and each combination of several fields, has a separate summary: a cell.
     pub by: Vec<String>,
-    /// Shares of the runs, 0 to 1, whose quantiles are told.
+    /// Probabilities, 0 to 1, of the quantiles.
     pub quantiles: Vec<f64>,
-    /// Thresholds of a quantity or of a column, by its name.
+    /// Thresholds of a quantity, or of a column by its name.
     pub exceedance: BTreeMap<String, Vec<f64>>,
     /// Whether rows are written, too.
     pub rows: bool,
@@ -25,12 +25,12 @@ pub struct Summary {
 #[serde(default, deny_unknown_fields)]
 #[schemars(inline)]
 struct SummaryFile {
-    /// Fields of `vary` with a grid or a list of values, `record` or `reversed`: each of their values, and with several each
-    /// combination, is summed up by itself.
+    /// Fields of `vary` with a grid or a list of values, `record` or `reversed`. Each value, and each combination of several fields, has a
+    /// separate summary.
     by: Vec<String>,
-    /// Shares of the runs, 0 to 1, whose quantiles are told.
+    /// Probabilities, 0 to 1, of the quantiles.
     quantiles: Vec<f64>,
-    /// Thresholds whose exceedance is counted, by the quantity, for all of its columns, or by the column.
+    /// Thresholds whose exceedances are counted, by quantity (for all of its columns) or by column.
     exceedance: BTreeMap<String, Vec<f64>>,
     /// Whether the table of rows is written, too.
     rows: bool,
@@ -86,42 +86,42 @@ impl TryFrom<SummaryFile> for Summary {
     }
 }
 
-/// What of a summary does not fit its sweep.
+/// Why a summary does not fit its sweep.
 #[derive(Debug, thiserror::Error)]
 pub enum SummaryError {
-    /// A field that has no listed values.
+    /// A field without listed values.
     #[error("summary.by: found `{found}`, allowed are what has listed values: {allowed}; give the field a `grid` or `values` in `vary`")]
     By {
-        /// What is named.
+        /// The name found.
         found: String,
-        /// What may be.
+        /// The names allowed.
         allowed: String,
     },
     /// A field that is named twice.
     #[error("summary.by: found `{0}` a second time, allowed is once; delete one")]
     Twice(String),
-    /// More cells than are summed up.
+    /// Too many cells.
     #[error("summary.by: found {found} cells, allowed are up to {allowed}; leave one out of `by`, or take fewer values")]
     Cells {
-        /// Their number.
+        /// Number of cells.
         found: u64,
-        /// Most of them.
+        /// Number of cells allowed.
         allowed: u64,
     },
-    /// A threshold of nothing that comes out.
+    /// A threshold of an unknown output.
     #[error(
         "summary.exceedance: found `{found}`, allowed are {allowed}, and names of columns; add the quantity to `outputs`, or name one of these"
     )]
     Column {
-        /// What is named.
+        /// The name found.
         found: String,
-        /// Quantities that may be.
+        /// The quantities allowed.
         allowed: String,
     },
 }
 
 impl SummaryError {
-    /// The entry of the file to blame.
+    /// The faulty entry of the file.
     pub(super) fn place(&self) -> &'static str {
         match self {
             Self::By { .. } | Self::Twice(_) | Self::Cells { .. } => "summary.by",

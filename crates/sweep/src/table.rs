@@ -1,4 +1,4 @@
-//! A sweep as columns in memory, for a program that works on with them.
+//! A sweep as columns in memory, for further computation.
 
 use std::sync::Mutex;
 
@@ -12,9 +12,9 @@ use super::summary::{Form, SummaryTable, Tally};
 use super::{Batch, Sweep};
 
 impl Sweep {
-    /// Runs the whole sweep with all threads; its columns with the names of [`columns`](Self::columns), and the numbers of a table on
-    /// disk; of a sweep that writes no rows, those of its summary. `done` is told of every batch how many runs it has. `None` if somebody
-    /// says stop before all are done.
+    /// Runs the whole sweep with all threads. Returns columns with the names of [`columns`](Self::columns) and the numbers of a table on
+    /// disk; if the sweep writes no rows, those of its summary. `done` receives the number of runs of every batch. `None` if stopped before
+    /// the end.
     pub fn table(&self, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<(String, SweepColumn)>> {
         match self.without_rows() {
             Some(form) => Some(self.summed(form, done)?.columns()),
@@ -39,7 +39,7 @@ impl Sweep {
 
     fn table_of_rows(&self, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<(String, SweepColumn)>> {
         let n_runs = self.n_runs();
-        // As in the parts of a table on disk: which runs go side by side is in the bits of the exact method.
+        // As in the parts of a table on disk: the grouping in lanes affects the bits of the exact method.
         let part = Manifest::runs_per_batch(self);
         let batches: Vec<u64> = (0..n_runs.div_ceil(part)).collect();
         let made = batches.into_par_iter().with_max_len(1).map(|batch| {
@@ -73,7 +73,7 @@ impl Sweep {
         Some(self.columns().into_iter().zip(columns).collect())
     }
 
-    /// What varies, a column for each axis.
+    /// The varying values, a column for each axis.
     fn varied(&self) -> Vec<SweepColumn> {
         let axes = self.plan.axes();
         let (mut point, mut settings) = (Point::default(), Vec::new());
@@ -88,7 +88,7 @@ impl Sweep {
     }
 }
 
-/// The values of an axis: numbers, or texts where a list holds something else.
+/// The values of an axis: numbers, or texts if a list has other values.
 fn column((axis, settings): (&Axis, Vec<Setting>)) -> SweepColumn {
     let number = |setting: &Setting| match setting {
         Setting::Number(number) => Some(*number),

@@ -1,4 +1,4 @@
-//! What is tried before a sweep runs: whether its values make scenes, all of one kind of row.
+//! Trial of a sweep before it runs: all values must give scenes with a common kind of row.
 
 use std::path::Path;
 
@@ -12,12 +12,12 @@ use super::spread::{Between, Spread};
 use super::{Sweep, SweepError};
 use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
 
-/// Values of a grid or list that are tried: the first ones.
+/// Number of first values of a grid or list that are tried.
 const MOST_TRIED: u64 = 1000;
-/// How far inside its ends an interval is tried, as a part of it: these may be those of what is allowed.
+/// Distance from the ends of an interval at which it is tried, relative to it: the ends may be the bounds of validity.
 const NEAR: f64 = 1e-6;
 
-/// The row of a scene that does not run.
+/// The row of a scene, without running it.
 pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
     let refused = |source| Error::Scene {
         scene: scene.name.clone(),
@@ -27,7 +27,7 @@ pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
     Ok(Row::of(&Floors::of(scene).map_err(refused)?))
 }
 
-/// Reads a scene whose fields were set; an error names the field.
+/// Reads a scene with set fields; an error names the field.
 pub(super) fn scene_of(value: &Value) -> Result<Scene, RefusedScene> {
     Scene::of_words(value).map_err(|refused| RefusedScene::Form {
         place: refused.place().into(),
@@ -35,7 +35,7 @@ pub(super) fn scene_of(value: &Value) -> Result<Scene, RefusedScene> {
     })
 }
 
-/// The scene with typical values; blames the first value with which there is none.
+/// The scene with typical values; an error names the first value that fails.
 pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepError> {
     let mut first = scene.clone();
     let settings = plan.typical();
@@ -51,7 +51,7 @@ pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepErro
     Ok(found)
 }
 
-/// What is wrong with the motions of the first run: with what varies, else with the scene's file or the sweep's.
+/// The error of the motions of the first run: in a varying value, else in the scene's file or the sweep's file.
 pub(super) fn blamed(error: SweepError, plan: &Plan, [of_sweep, of_scene]: [&Path; 2]) -> SweepError {
     let SweepError::Scene(error) = error else {
         return error.in_file(of_sweep);
@@ -74,7 +74,7 @@ fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
     }
 }
 
-/// Whether a refusal speaks of values alone, which another run may not have.
+/// Whether a refusal concerns only values, which another run may not have.
 fn is_of_values(error: &RefusedScene) -> bool {
     let RefusedScene::Scene(error) = error else {
         return false;
@@ -92,8 +92,8 @@ fn is_of_values(error: &RefusedScene) -> bool {
     )
 }
 
-/// The values of a spread that are tried, each with the one to blame: of an interval the end. What is distributed without ends reaches beyond what is allowed by its nature, and is tried in
-/// the middle alone.
+/// The values of a spread that are tried, each with the value to name in an error: for an interval, its end. An unbounded distribution
+/// always exceeds the valid range and is only tried in the middle.
 fn tried(spread: &Spread) -> Vec<(Setting, Setting)> {
     let itself = |setting: Setting| (setting, setting);
     let middle = spread.sample(0.5).map(Setting::Number).map(itself);
@@ -113,8 +113,8 @@ fn tried(spread: &Spread) -> Vec<(Setting, Setting)> {
 }
 
 impl Sweep {
-    /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others; the row that
-    /// all have, where one of them runs.
+    /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others. Returns the common row, if
+    /// any scene runs.
     pub(super) fn tried(&self) -> Result<Option<Row>, SweepError> {
         let first = self.plan.typical();
         let mut row = None;
@@ -126,7 +126,7 @@ impl Sweep {
                     self.try_one(axis, setting, &settings, &mut row)
                 };
                 if let Err(refused) = trial(setting) {
-                    // The end is the number that stands in the file.
+                    // The error names the number in the file.
                     trial(end)?;
                     return Err(refused);
                 }
@@ -157,33 +157,32 @@ impl Sweep {
         })
     }
 
-    /// The scene of these settings under a motion, ready to run; `scene` is that of the sweep, in which any settings were put
-    /// before.
+    /// The scene with these settings under a motion, ready to run. `scene` is that of the sweep and may contain other settings.
     pub(super) fn prepared(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<Simulation, RefusedScene> {
         let (scene, motion) = self.shaken(motion, settings, scene)?;
         Ok(Simulation::shaken(&scene, motion)?)
     }
 
-    /// What a run costs alone, as the one with typical values under the longest motion does; where that is refused, so much that
-    /// parts are small.
+    /// Cost of a run alone, from the run with typical values under the longest motion. If this is refused, a high cost, which makes parts
+    /// small.
     pub(super) fn expected_price(&self) -> f64 {
         let motion = self.motions.longest();
         let typical = self.prepared(motion, &self.plan.typical(), &mut self.scene.clone());
         typical.map_or(PRICES[0], |typical| typical.expected_price())
     }
 
-    /// Whether all runs would take some ten seconds and more, one at a time.
+    /// Whether all runs alone would take about ten seconds or more.
     pub fn is_long(&self) -> bool {
         self.n_runs() as f64 * self.expected_price() > PRICES[1]
     }
 
-    /// The scene of these settings before it is prepared, and the motion.
+    /// The scene with these settings before preparation, and the motion.
     pub(super) fn shaken(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<(Scene, SharedMotion), RefusedScene> {
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
             if let Setting::Number(number) = *setting
                 && !number.is_finite()
             {
-                // JSON has no such number: a field that may be left out would be.
+                // JSON has no such number: an optional field would be null.
                 return Err(RefusedScene::NotFinite {
                     field: axis.name.clone(),
                     number,

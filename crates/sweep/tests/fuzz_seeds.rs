@@ -1,5 +1,4 @@
-//! What fuzzing holds scene files to, on the seeds that lie in `fuzz/corpus`: so the body of the target compiles, and what
-//! was found once stays mended.
+//! Fuzz checks of scene files on the seeds in `fuzz/corpus`: the body of the target compiles, and former findings stay fixed.
 
 use std::fs;
 use std::path::Path;
@@ -22,7 +21,7 @@ fn issue_every_seed_of_a_sweep_runs_or_is_refused() {
         let path = seed.expect("a file").path();
         let bytes = fs::read(&path).expect("a seed");
         sweep::check(&bytes);
-        // What is named after its format is a sweep.
+        // A file named after its format is a sweep.
         if path.extension().is_some() {
             SweepFile::parse(&bytes, &path).unwrap_or_else(|refused| panic!("{refused}"));
             n_sweeps += 1;
@@ -39,7 +38,7 @@ fn issue_every_seed_runs_or_is_refused() {
         let path = seed.expect("a file").path();
         let bytes = fs::read(&path).expect("a seed");
         scene::check(&bytes);
-        // What is named after its format is a scene.
+        // A file named after its format is a scene.
         let Some(ending) = path.extension() else {
             continue;
         };

@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A circle of arrows, from a name back to itself; nothing where there is none.
+/// A circle of arrows, from a name back to itself; `None` if there is none.
 pub(super) fn circle(arrows: &BTreeMap<String, BTreeSet<String>>) -> Option<Vec<&str>> {
     let mut done = BTreeSet::new();
     arrows.keys().find_map(|name| from(name, arrows, (&mut Vec::new(), &mut done)))
 }
 
-/// A circle that is reached from a name, on the `way` to which no name stands twice; names that are `done` reach none.
+/// A circle that is reached from a name. No name occurs twice on the `way`. Names that are `done` reach no circle.
 fn from<'a>(
     name: &'a str,
     arrows: &'a BTreeMap<String, BTreeSet<String>>,

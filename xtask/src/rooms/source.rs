@@ -1,4 +1,4 @@
-//! The modules of a crate and which of them use which.
+//! The modules of a crate and their mutual use.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -8,15 +8,15 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, Item, UseTree, Visibility};
 
-/// The way to a module from the root of its crate.
+/// Path of a module from the root of its crate.
 type Module = Vec<String>;
 
 /// The modules of a crate.
 #[derive(Debug, Default)]
 pub(super) struct Source {
-    /// Every module with the paths that it names, from the root of the crate.
+    /// Every module with the paths in it, from the root of the crate.
     named: BTreeMap<Module, BTreeSet<Module>>,
-    /// What modules let others name through them: the name, and what it stands for.
+    /// Re-exports of modules: name and target.
     passed_on: BTreeMap<Module, BTreeMap<String, Module>>,
     arrows: Vec<(Module, Module)>,
     n_lines: usize,
@@ -24,7 +24,7 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// Reads the modules in a folder; what only tests use is left out.
+    /// Reads the modules in a folder; excludes test code.
     pub(super) fn read(folder: &Path) -> Result<Self, String> {
         let mut files = Vec::new();
         list(folder, &mut files).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -54,17 +54,17 @@ impl Source {
         Ok(found)
     }
 
-    /// Code lines of its files, up to their tests: neither blank nor comment.
+    /// Number of code lines of its files, without tests, blank lines and comments.
     pub(super) fn n_lines(&self) -> usize {
         self.n_lines
     }
 
-    /// Names that its root gives to other crates.
+    /// Number of names that its root exports.
     pub(super) fn n_public(&self) -> usize {
         self.n_public
     }
 
-    /// From which module to which.
+    /// Pairs of a module and a module that it uses.
     pub(super) fn arrows(&self) -> impl Iterator<Item = (&[String], &[String])> {
         self.arrows.iter().map(|(from, to)| (&**from, &**to))
     }
@@ -103,7 +103,7 @@ impl Source {
         }
     }
 
-    /// A path as it is written in a module, from the root of the crate; nothing for one into another crate.
+    /// A path as written in a module, from the root of the crate; `None` for a path into another crate.
     fn rooted(&self, module: &Module, path: &[String]) -> Option<Module> {
         let mut base = module.clone();
         let mut rest = path;
@@ -128,7 +128,7 @@ impl Source {
         Some([base, rest.to_vec()].concat())
     }
 
-    /// The module in which what a path names is at home.
+    /// The module that defines the item at a path.
     fn home(&self, path: &[String], depth: usize) -> Option<Module> {
         let known = (0..=path.len()).rev().find(|&n| self.named.contains_key(&path[..n]))?;
         let (module, rest) = path.split_at(known);
@@ -140,7 +140,7 @@ impl Source {
     }
 }
 
-/// Whether a line has more than a comment on it.
+/// Whether a line contains code.
 fn is_code(line: &str) -> bool {
     let line = line.trim();
     !line.is_empty() && !line.starts_with("//")
@@ -170,7 +170,7 @@ fn module_of(path: &Path) -> Module {
     module
 }
 
-/// Whether an item is compiled with tests alone.
+/// Whether an item is compiled only for tests.
 fn is_of_tests(item: &Item) -> bool {
     let attributes: &[Attribute] = match item {
         Item::Mod(one) => &one.attrs,
@@ -196,7 +196,7 @@ fn is_of_tests(item: &Item) -> bool {
         .any(|attribute| attribute.path().is_ident("cfg") && attribute.to_token_stream().to_string().contains("test"))
 }
 
-/// The leaves of a tree of names, each with the name that it gets.
+/// The leaves of a tree of names, each with its local name.
 fn flatten(tree: &UseTree, way: &mut Module, leaves: &mut Vec<(Module, String)>) {
     match tree {
         UseTree::Path(path) => {
@@ -222,7 +222,7 @@ fn leaf(way: &Module, ident: &syn::Ident, name: String) -> (Module, String) {
     ([way.clone(), vec![ident.to_string()]].concat(), name)
 }
 
-/// Paths of two and more names in a stream of tokens, also in those of macros and attributes.
+/// Paths of at least two names in a stream of tokens, including macros and attributes.
 fn named_in(tokens: TokenStream, paths: &mut Vec<Module>) {
     let mut path = Module::new();
     let mut colons = 0;

@@ -1,4 +1,4 @@
-//! The program, two sweeps, the tables that they make, and folders to break them in.
+//! The program, two sweeps, their tables, and folders to break them in.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,13 +12,13 @@ use serde_json::json;
 /// The table in every folder.
 pub(super) const TABLE: &str = "runs.csv";
 
-/// Two sweeps that differ in their seed alone, as file and as table.
+/// Two sweeps that differ only in their seed, as file and as table.
 pub(super) struct Bench {
     pub(super) program: PathBuf,
     home: PathBuf,
     /// The bytes of their tables.
     tables: [Vec<u8>; 2],
-    /// How long the first takes.
+    /// Duration of the first sweep.
     pub(super) time: Duration,
     random: Pcg64,
 }
@@ -31,7 +31,7 @@ impl Bench {
     pub(super) fn new(root: &Path, seed: u64) -> Result<Self, String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut build = Command::new(cargo);
-        // With this task, which has built what lies below: alone it has other features.
+        // Built together with this task, so that the lower packages have the same features.
         let build = build
             .args(["build", "--package", "pounding", "--package", "xtask"])
             .current_dir(root)
@@ -43,7 +43,7 @@ impl Bench {
         let home = own.with_file_name("torture");
         let fail = |error: std::io::Error| format!("{}: {error}", home.display());
         fs::create_dir_all(&home).map_err(fail)?;
-        // A build of it on the way would be another program, which goes on with no sweep of this one.
+        // A later build would be another program, which does not continue the sweeps of this one.
         let program = home.join("pounding");
         fs::copy(own.with_file_name("pounding"), &program).map_err(fail)?;
         let mut bench = Self {
@@ -66,7 +66,7 @@ impl Bench {
         Ok(bench)
     }
 
-    /// A folder with the sweeps and nothing else.
+    /// A folder with only the sweeps.
     pub(super) fn folder(&self, name: &str) -> Result<PathBuf, String> {
         let folder = self.home.join(name);
         if folder.exists() {
@@ -75,7 +75,7 @@ impl Bench {
         write_sweeps(&folder).map(|()| folder)
     }
 
-    /// The program in a folder; start or run it.
+    /// A command for the program in a folder.
     pub(super) fn command(&self, folder: &Path, arguments: &[&str]) -> Command {
         let mut command = Command::new(&self.program);
         command.args(arguments).current_dir(folder);
@@ -90,15 +90,15 @@ impl Bench {
         ended.expect("the program was built")
     }
 
-    /// Whether the table of a folder is that of this sweep.
+    /// Whether the table of a folder is the table of this sweep.
     pub(super) fn is_table_of(&self, folder: &Path, sweep: usize) -> Result<bool, String> {
         Ok(read(folder)? == self.tables[sweep])
     }
 
-    /// Ends the first sweep after whatever was done to it, and holds the table to what it must be. A table that is there must be right.
+    /// Ends the first sweep after any damage, and checks the table. An existing table must be correct.
     pub(super) fn ends_well(&self, folder: &Path) -> Result<(), String> {
         let was_there = folder.join(TABLE).exists();
-        // As long as anything tells whose the table is, the same command ends with 0.
+        // While anything shows the owner of the table, this command ends with 0.
         let left = [format!("{TABLE}.parts"), format!(".{TABLE}.joined.json")];
         let was_begun = left.iter().any(|name| folder.join(name).exists());
         if was_there && !self.is_table_of(folder, 0)? {
@@ -152,7 +152,7 @@ fn sweep(seed: usize) -> serde_json::Value {
             {"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}},
         ],
         "samples": {"count": 400, "seed": seed, "method": "sobol"},
-        // Side by side they would fit into two parts.
+        // In lanes they would fit into two parts.
         "outputs": {"pairs": ["first_start_s", "total_impulse_n_s"]},
     })
 }

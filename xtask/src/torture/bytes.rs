@@ -1,11 +1,11 @@
-//! Every byte of a part and of a manifest, changed.
+//! Changes of every byte of a part and of a manifest.
 
 use std::fs;
 use std::path::Path;
 
 use super::bench::{Bench, SWEEPS, TABLE, said};
 
-/// Changes one bit of every byte in turn; `merge` refuses it or makes the right table.
+/// Changes one bit of every byte in turn; `merge` must refuse it or make the correct table.
 pub(super) fn run(bench: &Bench) -> Result<(), String> {
     let folder = bench.folder("bytes")?;
     let shards = ["1/2", "2/2"].map(|shard| bench.sweep(&folder, SWEEPS[0], &["--shard", shard]));
@@ -17,7 +17,7 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
     for name in ["part-000000007.csv", "manifest.json"] {
         changes += every_byte(bench, &folder, &parts.join(name))?;
     }
-    // Damaged as it is, the sweep finds it and runs it again.
+    // The sweep detects the damaged part and runs it again.
     let part = parts.join("part-000000007.csv");
     fs::write(&part, "").map_err(|error| format!("{}: {error}", part.display()))?;
     bench.ends_well(&folder)?;
@@ -43,7 +43,7 @@ fn every_byte(bench: &Bench, folder: &Path, path: &Path) -> Result<usize, String
     }
     fs::write(path, &whole).map_err(fail)?;
     let table = folder.join(TABLE);
-    // The sweep is to make its own.
+    // The sweep must make a new table.
     if table.exists() {
         fs::remove_file(table).map_err(fail)?;
     }

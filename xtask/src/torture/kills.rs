@@ -5,7 +5,7 @@ use std::thread;
 
 use super::bench::{Bench, SWEEPS, TABLE};
 
-/// Up to three kills of one sweep, then to its end.
+/// Kills a sweep up to three times, then runs it to its end.
 pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
     let (mut kills, mut with_table) = (0, 0);
     while kills < rounds {
@@ -38,7 +38,7 @@ fn killed(bench: &mut Bench, folder: &Path) -> Result<(), String> {
     child.wait().map(drop).map_err(fail)
 }
 
-/// Number of parts with their own name.
+/// Number of parts with their final name.
 fn n_parts(folder: &Path) -> usize {
     let entries = std::fs::read_dir(folder.join(format!("{TABLE}.parts")));
     let names = entries.into_iter().flatten().flatten();

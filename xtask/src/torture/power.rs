@@ -1,5 +1,5 @@
-//! Power failures: an ext4 file system in a file is shut down at a random moment, as the ioctl of the kernel's own tests does, and
-//! mounted anew from what had reached the disk.
+//! Power failures of an ext4 file system in a file. It is shut down at a random moment, by the ioctl of the kernel's tests, and mounted
+//! again with the data on the disk.
 
 use std::fs;
 use std::io::Read as _;
@@ -9,13 +9,13 @@ use std::thread;
 
 use super::bench::{Bench, SWEEPS, TABLE, said, write_sweeps};
 
-/// `EXT4_IOC_SHUTDOWN` without flushing the journal: what was not synced is gone.
+/// `EXT4_IOC_SHUTDOWN` without flushing the journal: data that was not synced is lost.
 const SHUT_DOWN: &str = "import fcntl, os, struct, sys\n\
     disk = os.open(sys.argv[1], os.O_RDONLY)\n\
     print(flush=True)\n\
     sys.stdin.read()\n\
     fcntl.ioctl(disk, 0x8004587D, struct.pack('I', 2))";
-/// Names reach the disk within a second, and what files hold much later, if nobody asks: the worst order.
+/// Names reach the disk within a second, and unsynced contents of files much later: the worst order.
 const OPTIONS: &str = "loop,commit=1,noauto_da_alloc";
 
 /// Whether a program can be started.
@@ -25,13 +25,13 @@ pub(super) fn is_there(program: &str) -> bool {
     asked.status().is_ok()
 }
 
-/// A file system of its own.
+/// A separate file system.
 struct Disk {
     image: PathBuf,
     place: PathBuf,
 }
 
-/// Some in the middle of a sweep, the others after its end.
+/// Some failures in the middle of a sweep, the others after its end.
 pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
     let folder = bench.folder("power")?;
     let disk = Disk {
@@ -65,7 +65,7 @@ pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
     Ok(())
 }
 
-/// Runs until the power fails; whether the program had ended with exit code 0 before.
+/// Runs until the power fails; true if the program had ended with exit code 0 before.
 fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String> {
     let arguments = ["sweep", SWEEPS[0], "--out", TABLE];
     let fail = |error: std::io::Error| format!("power failure: {error}");
@@ -88,7 +88,7 @@ fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String>
     }
 }
 
-/// A process that shuts the disk down as soon as nobody writes to it.
+/// A process that shuts the disk down as soon as no process writes to it.
 struct Switch(Child);
 
 impl Switch {
@@ -122,21 +122,21 @@ impl Disk {
         step(Command::new("umount").arg(&self.place))
     }
 
-    /// Makes ready to shut it down.
+    /// Prepares the shutdown.
     fn switch(&self) -> Result<Switch, String> {
         let fail = |error: std::io::Error| format!("python3: {error}");
         let mut command = Command::new("python3");
         command.args(["-c", SHUT_DOWN]).arg(&self.place);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut python = command.spawn().map_err(fail)?;
-        // Its first line says that it is ready.
+        // Its first line shows that it is ready.
         let mut ready = [0];
         let told = python.stdout.as_mut().map(|told| told.read_exact(&mut ready));
         told.transpose().map_err(fail)?;
         Ok(Switch(python))
     }
 
-    /// Takes the disk off and puts it on again.
+    /// Unmounts the disk and mounts it again.
     fn cut_off(&self) -> Result<(), String> {
         self.unmount()?;
         self.mount()

@@ -6,7 +6,7 @@ use std::thread;
 
 use super::bench::{Bench, SWEEPS, TABLE, said};
 
-/// What races with the first sweep.
+/// Opponents of the first sweep.
 const OPPONENTS: [&[&str]; 6] = [
     &["sweep", SWEEPS[1], "--out", TABLE],
     &["sweep", SWEEPS[0], "--out", TABLE],
@@ -16,7 +16,7 @@ const OPPONENTS: [&[&str]; 6] = [
     &["merge", TABLE],
 ];
 
-/// Each in turn, one of both somewhat later.
+/// Runs each opponent in turn; either process starts somewhat later.
 pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
     let mut both = 0;
     for round in 0..rounds {
@@ -45,11 +45,11 @@ fn race(bench: &mut Bench, folder: &Path, opponent: &[&str]) -> Result<[Output; 
     Ok([first.wait_with_output().map_err(fail)?, second])
 }
 
-/// What must hold when both have ended, of which some are done.
+/// Conditions after the end of both processes; `done` tells which succeeded.
 fn held(bench: &Bench, folder: &Path, opponent: &[&str], done: [bool; 2]) -> Result<(), String> {
     let makes_second = opponent[1] == SWEEPS[1] && !opponent.contains(&"--shard");
     if !folder.join(TABLE).exists() {
-        // Of shards parts are left, and of a refusal nothing.
+        // Shards leave parts, and a refused process leaves nothing.
         let lost = done[0] || done[1] && !opponent.contains(&"--shard");
         return if lost { Err("a table is lost".into()) } else { Ok(()) };
     }

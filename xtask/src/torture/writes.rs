@@ -1,11 +1,11 @@
-//! Every call of the system that changes the disk, refused once, and the program killed at it.
+//! Every system call that changes the disk, refused once, and the program killed at it.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use super::bench::{Bench, SWEEPS, TABLE, said};
 
-/// Calls, and what they say. Those of each line are counted together.
+/// System calls and their descriptions. Those of a line are counted together.
 const CALLS: [(&str, &str); 5] = [
     ("write,pwrite64", "ENOSPC"),
     ("fsync,fdatasync", "EIO"),
@@ -13,10 +13,10 @@ const CALLS: [(&str, &str); 5] = [
     ("unlink,unlinkat,rmdir", "EIO"),
     ("mkdir,mkdirat,ftruncate,flock", "EIO"),
 ];
-/// Of many calls of a kind so many are tried, the last ones among them: they put the table in its place.
+/// Most tested calls of a kind. The last calls, which move the table to its place, are included.
 const MOST: usize = 60;
 
-/// Refuses one call after the other.
+/// Refuses the calls in turn.
 pub(super) fn run(bench: &Bench) -> Result<(), String> {
     if !super::power::is_there("strace") {
         println!("Errors of writing are left out: strace is not installed.");
@@ -47,13 +47,13 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
     Ok(())
 }
 
-/// Kills the program at a call of the system, before that is made; the same command ends what was begun.
+/// Kills the program before a system call; this command must then end what was begun.
 fn killed_at(bench: &Bench, calls: &str, at: usize) -> Result<(), String> {
     let folder = bench.folder("writes")?;
     let inject = format!("inject={calls}:signal=SIGKILL:when={at}");
     let ended = traced(bench, &folder, &["-e", &inject]).output();
     let ended = ended.map_err(|error| format!("strace: {error}"))?;
-    // One that has fewer calls this time ended by itself.
+    // A run with fewer calls this time ended normally.
     if ended.status.code().is_some_and(|code| code != 0) {
         return Err(format!("{inject}: {}", said(&ended)));
     }
@@ -65,12 +65,12 @@ fn traced(bench: &Bench, folder: &Path, more: &[&str]) -> Command {
     let mut command = Command::new("strace");
     command.args(["-f", "-q", "-o", "trace"]).args(more).arg(&bench.program);
     command.args(["sweep", SWEEPS[0], "--out", TABLE]).current_dir(folder);
-    // One thread, so that the same call has the same number.
+    // A single thread, so that calls have reproducible numbers.
     command.env("RAYON_NUM_THREADS", "1").stdout(Stdio::null());
     command
 }
 
-/// How many calls of these there are.
+/// Number of such calls.
 fn count(bench: &Bench, calls: &str) -> Result<usize, String> {
     let folder = bench.folder("writes")?;
     let trace = format!("trace={calls}");

@@ -5,9 +5,8 @@ use crate::{Parameter, approach_damper};
 
 /// Hertz-damp: a Hertz spring times a factor of the rate, F = max(0, β̄ δ^1.5 (1 + a δ̇/v₀)), v₀ the approach speed.
 ///
-/// One force with four formulas of the literature for a. In a free impact the factor stays above 0; the clamp acts where
-/// something else drives the pair apart faster than v₀/a. Slower touches count as
-/// touches at 1 mm/s.
+/// The literature has four formulas for a. In a free impact the factor stays above 0. The clamp acts only if other forces drive the pair
+/// apart faster than v₀/a. Slower touches than 1 mm/s count as touches at 1 mm/s.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct HertzDamp {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.

@@ -7,9 +7,9 @@ use crate::{FreePair, Parameter, oscillator};
 
 /// Kelvin–Voigt element: a linear spring beside a linear dashpot, clamped so that it never pulls.
 ///
-/// F = max(0, kδ + cδ̇) with c = 2ξ̄ √(k m), m the reduced mass. Without the clamp the dashpot would pull at the end of every
-/// collision; with it, more comes back than the literature's formula says. Source: S. A. Anagnostopoulos, *Earthquake
-/// Engng Struct. Dyn.* 16 (1988) 443.
+/// F = max(0, kδ + cδ̇) with c = 2ξ̄ √(k m), m the reduced mass. Without the clamp the dashpot would pull at the end of every collision;
+/// with the clamp the law delivers a larger e than the literature's formula states. Source: S. A. Anagnostopoulos, *Earthquake Engng
+/// Struct. Dyn.* 16 (1988) 443.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct KelvinVoigt {
     /// Impact stiffness k \[N/m\], > 0.
@@ -46,7 +46,7 @@ impl Law for KelvinVoigt {
         Some(Form::new(spring, dashpot, Action::Both))
     }
 
-    /// The force falls to zero twice as late as the deformation peaks, and is clamped from there to the parting.
+    /// The force falls to zero at twice the time of the largest deformation, and is clamped from there to the parting.
     fn restitution(&self) -> Option<f64> {
         let given_back = oscillator::given_back(self.impact_damping_ratio);
         Some(given_back * given_back)

@@ -6,9 +6,8 @@ use crate::{FreePair, Parameter, search};
 
 /// Viscoelastic Hertz contact of Kuwabara and Kono, F = max(0, β̄ δ^1.5 + A √δ δ̇).
 ///
-/// Without the clamp it would pull at the end of every collision. Its restitution depends on the approach speed: slow
-/// collisions are more elastic, and e → 1 like v₀^(1/5). Source: G. Kuwabara and K. Kono, *Jpn. J. Appl. Phys.* 26 (1987)
-/// 1230.
+/// Without the clamp the force would pull at the end of every collision. The restitution depends on the approach speed: slow collisions are
+/// more elastic, and 1 − e falls like v₀^(1/5). Source: G. Kuwabara and K. Kono, *Jpn. J. Appl. Phys.* 26 (1987) 1230.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct KuwabaraKono {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
@@ -25,7 +24,7 @@ const DAMPING: Parameter = Parameter {
     stiffens: true,
     usual: 1e6,
 };
-/// Damping up to which a calibration looks, in units of the free pair; it delivers e = 1.3e-4.
+/// Largest damping of a calibration, in units of the free pair; it delivers e = 1.3e-4.
 const MOST: f64 = 256.0;
 
 impl Law for KuwabaraKono {
@@ -58,11 +57,11 @@ impl Law for KuwabaraKono {
     }
 }
 
-/// A \[N·s/m^1.5\] for a stiffness \[N/m^1.5\] and an e of 0.001 to 1, found numerically in some milliseconds.
+/// Damping A \[N·s/m^1.5\] for a stiffness \[N/m^1.5\] and an e of 0.001 to 1, found numerically in some milliseconds.
 ///
-/// The literature gives A from the material, not from e.
+/// The literature derives A from the material, not from e.
 fn damping(impact_stiffness: f64, asked: f64, pair: &FreePair) -> f64 {
-    // Of the order of the spring for this pair: β̄ L/v₀ with m v₀² = β̄ L^2.5. e depends on A/unit alone.
+    // Unit of A for this pair: β̄ L/v₀ with m v₀² = β̄ L^2.5. e depends on A/unit only.
     let speed = pair.approach_speed;
     let length = libm::pow(pair.reduced_mass * speed * speed / impact_stiffness, 0.4);
     let unit = impact_stiffness * length / speed;
@@ -74,7 +73,7 @@ fn damping(impact_stiffness: f64, asked: f64, pair: &FreePair) -> f64 {
         let form = law.form(pair.reduced_mass, speed);
         form.and_then(|form| restitution(&form, pair)).unwrap_or(0.0)
     };
-    // Against the undamped impact integrated in the same way: e = 1 then needs no damping to the last bit.
+    // The undamped impact is integrated in the same way as the damped one, so that e = 1 needs exactly no damping.
     let elastic = delivered(0.0);
     let lacking = |damping: f64| asked * elastic - delivered(damping);
     let mut most = 1.0;

@@ -1,4 +1,4 @@
-//! The list of laws: a line for each, from which the choice of a scene and the names of the literature follow.
+//! The list of laws. The choices of scene files and the names of the literature follow from it, one line per law.
 
 use strum::EnumCount;
 
@@ -24,7 +24,7 @@ macro_rules! laws {
 
         /// A contact law with its parameters, as a scene names it.
         ///
-        /// It is matched only while a pair touches.
+        /// The solver matches it only while a pair touches.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum ContactLaw {
             $(
@@ -49,15 +49,15 @@ macro_rules! laws {
         }
 
         impl ContactLaw {
-            /// Names of all laws, as scene files spell them.
+            /// Names of all laws in scene files.
             pub(crate) const NAMES: &[&str] = &[$(<$Law as Law>::ABOUT.names[0].name),+];
 
-            /// Facts of the law.
+            /// Facts about the law.
             pub const fn about(&self) -> &'static About {
                 match self { $(Self::$Law(_) => &<$Law as Law>::ABOUT),+ }
             }
 
-            /// The parameters with their numbers.
+            /// The parameters with their values.
             pub fn parameters(&mut self) -> Vec<(&'static Parameter, &mut f64)> {
                 match self { $(Self::$Law(law) => law.parameters()),+ }
             }
@@ -68,10 +68,10 @@ macro_rules! laws {
                 match self { $(Self::$Law(law) => law.form(reduced_mass, approach_speed)),+ }
             }
 
-            /// Coefficient of restitution that the law delivers to a free pair, exactly \[–\].
+            /// Coefficient of restitution \[–\] that the law delivers to a free pair, exactly; `None` if it depends on the pair.
             ///
-            /// Laws with δ̇/v₀ deliver it from [`crate::SLOWEST_APPROACH`] on, and more to slower pairs.
-            /// `None` if e depends on the pair, as for [`KuwabaraKono`]: [`crate::FreeImpact`] finds it.
+            /// Laws with δ̇/v₀ deliver this e at approach speeds of at least [`crate::SLOWEST_APPROACH`], and a larger e below. For a law
+            /// such as [`KuwabaraKono`], whose e depends on the pair, [`crate::FreeImpact`] finds it.
             pub fn restitution(&self) -> Option<f64> {
                 match self { $(Self::$Law(law) => law.restitution()),+ }
             }
@@ -80,7 +80,7 @@ macro_rules! laws {
                 match self { $(Self::$Law(law) => law.stored()),+ }
             }
 
-            /// Largest force \[N\] in the collision of a free pair, where a closed form exists.
+            /// Largest force \[N\] in the collision of a free pair, if a closed form exists.
             pub fn peak_force(&self, pair: &FreePair) -> Option<f64> {
                 match self { $(Self::$Law(law) => law.peak_force(pair)),+ }
             }
@@ -90,14 +90,14 @@ macro_rules! laws {
             /// All laws, in the order in which lists print them.
             pub const ALL: [Self; Self::COUNT] = [$(Self::$Law $($(, Self::$Other)+)?),+];
 
-            /// The force with all its numbers 0.
+            /// The force with all parameters 0.
             pub(crate) fn blank(self) -> ContactLaw {
                 match self {
                     $(Self::$Law $($(| Self::$Other)+)? => ContactLaw::$Law($Law::default())),+
                 }
             }
 
-            /// Place among the names of its force.
+            /// Index among the names that share its force.
             pub(crate) const fn place(self) -> usize {
                 match self {
                     $(Self::$Law $($(| Self::$Other)+)? => self as usize - Self::$Law as usize),+
@@ -107,8 +107,8 @@ macro_rules! laws {
     };
 }
 
-// A line is a law: its file, its type, and other names of the literature for the same force. A new one goes to the end: the order
-// numbers the laws of `extremes`.
+// One line per law: its file, its type, and other names in the literature with this force. Add new laws at the end: the order numbers the
+// laws of `extremes`.
 laws! {
     stereomechanical::Stereomechanical,
     linear_spring::LinearSpring,

@@ -6,9 +6,8 @@ use crate::{Parameter, approach_damper};
 /// Modified Kelvin element: a linear spring times a factor of the rate, F = max(0, kδ (1 + a δ̇/v₀)), v₀ the approach
 /// speed.
 ///
-/// In a free impact the factor stays above 0; the clamp acts where something else drives the pair apart faster than v₀/a.
-/// Slower touches count as touches at 1 mm/s. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38
-/// (2009) 1135.
+/// In a free impact the factor stays above 0. The clamp acts only if other forces drive the pair apart faster than v₀/a. Slower touches
+/// than 1 mm/s count as touches at 1 mm/s. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38 (2009) 1135.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct ModifiedKelvin {
     /// Impact stiffness k \[N/m\], > 0.

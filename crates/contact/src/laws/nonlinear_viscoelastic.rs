@@ -51,8 +51,8 @@ impl Law for NonlinearViscoelastic {
         Some(Form::new(spring, damper, Action::Approach))
     }
 
-    /// With s = δ^2.5 as the variable the approach is a linear damped oscillator of damping ratio ζ, whence the
-    /// relation; it holds for every approach speed.
+    /// With s = δ^2.5 as the variable, the approach is a linear damped oscillator of damping ratio ζ. The relation follows from it and
+    /// holds for every approach speed.
     fn restitution(&self) -> Option<f64> {
         let ratio = 2.0 * self.impact_damping_ratio / 5.0_f64.sqrt();
         Some(oscillator::given_back(ratio))
@@ -85,7 +85,7 @@ impl NonlinearViscoelastic {
     }
 }
 
-/// The element between two structures, of one scene or of several side by side.
+/// The element between two structures, for a single scene or for several scenes in lanes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViscoelasticPair<N = f64> {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.

@@ -3,10 +3,10 @@ use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{FACTOR, LINEAR};
 use crate::{Parameter, approach_damper};
 
-/// Element of Pant and Wijeyewickrema: a linear spring, and on approach a factor of the rate.
+/// Element of Pant and Wijeyewickrema: a linear spring, times a factor of the rate on approach.
 ///
-/// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. Slower
-/// touches count as touches at 1 mm/s. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
+/// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. Slower touches than 1 mm/s
+/// count as touches at 1 mm/s. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct PantWijeyewickrema {
     /// Impact stiffness k \[N/m\], > 0.

@@ -3,9 +3,9 @@ use crate::form::Form;
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::RESTITUTION;
 
-/// Stereomechanical impact: momentum is kept, the relative velocity is turned round and multiplied by e.
+/// Stereomechanical impact: momentum is kept, and the relative velocity is reversed and multiplied by e.
 ///
-/// Source: the paper, equation (4); W. Goldsmith, *Impact* (1960). The law delivers the restitution asked for.
+/// Source: the paper, equation (4); W. Goldsmith, *Impact* (1960). The law delivers exactly its e.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct Stereomechanical {
     /// Coefficient of restitution e \[–\], 0 (plastic) ..= 1 (elastic).

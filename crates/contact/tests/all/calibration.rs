@@ -1,4 +1,4 @@
-//! From the e asked for to the damping, by the literature and exactly.
+//! The damping from the requested e, by the literature and exactly.
 
 use crate::{PAIR, damped, law, restitutions};
 use pounding_contact::{Calibration, CalibrationError, Clamp, ContactLaw, Exact, Law, LawName, NonlinearViscoelastic};
@@ -115,11 +115,11 @@ fn reference_every_law_is_described() {
     }
 }
 
-/// A law that is ten times as stiff, or a tenth, delivers the same e; its force at a deformation without rate is ten times, or a tenth.
+/// A law that is ten times as stiff, or a tenth, delivers the same e. Its force at a deformation without rate is ten times, or a tenth.
 #[test]
 fn limit_stiffer_laws_keep_their_restitution() {
     for name in LawName::ALL {
-        // Springs without damping are elastic alone.
+        // Springs without damping have only e = 1.
         let of = |restitution| law(name, restitution, Calibration::Exact);
         let damped = of(0.65).or_else(|| of(1.0)).expect("one of both");
         for factor in [0.1, 10.0] {

@@ -1,4 +1,4 @@
-//! What laws deliver to a free pair, by three routes: closed forms, the crate's integration, and one of the test's own.
+//! Response of a free pair by three routes: closed forms, the crate's integration, and an integration of the test.
 
 use crate::{PAIR, damped, law, restitutions, stiffness};
 use pounding_contact::{Calibration, ContactLaw, FreeImpact, FreePair, KuwabaraKono, LawName, Overlap};
@@ -93,7 +93,7 @@ fn reference_duration_of_linear_contact() {
             } else {
                 0.0
             };
-            // To the clamp twice the time to the largest deformation; then c/k in free flight.
+            // Until the clamp: twice the time to the largest deformation. Afterwards: c/k in free flight.
             let swing = if ratio < 1.0 {
                 libm::acos(ratio) / (1.0 - ratio * ratio).sqrt()
             } else {
@@ -120,7 +120,7 @@ fn reference_duration_of_hertz_contact() {
 
 #[test]
 fn reference_kuwabara_kono_slightly_damped() {
-    // To first order the work of the damper over the elastic orbit: 1 − e = 0.8 · 1.25^0.6 B(0.6, 1.5) A L^0.5 v₀/(β L^1.5).
+    // To first order, the work of the damper over the elastic orbit: 1 − e = 0.8 · 1.25^0.6 B(0.6, 1.5) A L^0.5 v₀/(β L^1.5).
     let beta = libm::tgamma(0.6) * libm::tgamma(1.5) / libm::tgamma(2.1);
     let lost = 0.8 * libm::pow(1.25, 0.6) * beta;
     for damping in [1e-4, 1e-5] {

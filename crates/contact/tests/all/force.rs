@@ -24,7 +24,7 @@ fn respond(law: &ContactLaw, deformation: f64, rate: f64, approach_speed: f64) -
 
 #[test]
 fn limit_laws_that_would_pull_have_powers_that_differ_by_0_or_1() {
-    // The exact method clamps them by K δ^(n − κ) + C δ̇ and reads n − κ as 0 or 1.
+    // The exact method clamps these laws by K δ^(n − κ) + C δ̇ and accepts only 0 or 1 for n − κ.
     for name in damped() {
         let law = law(name, 0.5, Calibration::Exact).expect("within range");
         let form = law.form(PAIR.reduced_mass, PAIR.approach_speed);
@@ -47,7 +47,7 @@ proptest! {
         let here = at(deformation, rate);
         let (hx, hv) = (1e-5 * deformation, 1e-5 * rate.abs());
         let around = [at(deformation + hx, rate), at(deformation - hx, rate), at(deformation, rate + hv), at(deformation, rate - hv)];
-        // On both sides of the clamp there is no tangent.
+        // The tangent does not exist at the clamp, so that both sides of it are skipped.
         prop_assume!(here.force > 0.0 && around.iter().all(|near| near.force > 0.0));
         let form = law.form(PAIR.reduced_mass, speed).unwrap();
         let spring = form.spring.at(deformation);

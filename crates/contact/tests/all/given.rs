@@ -1,10 +1,10 @@
-//! Laws as files give them.
+//! Laws in files.
 
 use pounding_contact::{Calibration, ContactLaw, Exact, LawName};
 
 use crate::{damped, law, stiffness};
 
-/// What a file says of a law, after its stiffness.
+/// Reads a law from its settings after the stiffness.
 fn read(name: LawName, words: &str) -> Result<ContactLaw, String> {
     let parameter = name.parameters()[0].name;
     let (law, stiffness) = (name_of_law(name), stiffness(name));
@@ -12,13 +12,13 @@ fn read(name: LawName, words: &str) -> Result<ContactLaw, String> {
     serde_json::from_str(&text).map_err(|error| error.to_string())
 }
 
-/// Name of the force, which several names of the literature share.
+/// Name of the force. Several names of the literature share it.
 fn name_of_law(name: LawName) -> &'static str {
     let law = law(name, 0.5, Calibration::Exact).expect("within range");
     law.name()
 }
 
-/// Laws whose damping follows from e for any pair.
+/// Laws whose damping follows from e for every pair.
 fn calibrated() -> impl Iterator<Item = LawName> {
     damped().filter(|name| matches!(name.about().exact, Exact::Any(_)))
 }
@@ -31,7 +31,7 @@ fn limit_a_law_given_by_its_restitution_is_the_calibrated_one() {
         let exact = known(Calibration::Exact);
         assert_eq!(read(r#""restitution": 0.65"#), exact);
         assert_eq!(read(r#""restitution": 0.65, "calibration": "exact""#), exact);
-        // The names that share a force differ in the literature's formula; files mean that of the force's own name.
+        // Names that share a force differ in the literature's formula. Files use the formula of the force's first name.
         if name_of_law(name) == name.name() {
             let literature = r#""restitution": 0.65, "calibration": "literature""#;
             assert_eq!(read(literature), known(Calibration::Literature));

@@ -1,4 +1,4 @@
-//! Tests of all laws at once: what they deliver, what they give as forces.
+//! Tests over all laws: restitution, forces and calibration.
 
 mod calibration;
 mod delivered;
@@ -7,12 +7,12 @@ mod given;
 #[expect(unreachable_pub, reason = "in the crate it is reachable")]
 mod marhefka_orin;
 
-// The law of CONTRIBUTING.md finds them where it finds them in the crate.
+// The law of CONTRIBUTING.md imports these names from the crate root.
 use pounding_contact::{
     About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name, Power, approach_damper, parameter,
 };
 
-/// The reduced mass of the paper's left and middle structures, nearly, at a usual speed.
+/// The reduced mass of the paper's left and middle structures, approximately, at a usual speed.
 const PAIR: FreePair = FreePair {
     reduced_mass: 73_170.0,
     approach_speed: 0.3,
@@ -26,7 +26,7 @@ fn stiffness(name: LawName) -> f64 {
     }
 }
 
-/// A law calibrated to an e, where it can be.
+/// A law calibrated to an e; `None` if this is impossible.
 fn law(name: LawName, restitution: f64, calibration: Calibration) -> Option<ContactLaw> {
     name.calibrated(stiffness(name), (restitution, calibration), &PAIR).ok()
 }
@@ -44,7 +44,7 @@ fn restitutions() -> impl Iterator<Item = f64> {
     (1..=20).map(|n| 0.05 * f64::from(n)).map(|e| e.min(1.0))
 }
 
-/// The law that CONTRIBUTING.md adds is this one, word for word, and does what the page says.
+/// The law that CONTRIBUTING.md adds is this law, word for word, and behaves as the page says.
 #[test]
 fn limit_the_law_of_the_worked_example() {
     let page = include_str!("../../../../CONTRIBUTING.md");

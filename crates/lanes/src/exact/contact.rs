@@ -1,4 +1,4 @@
-//! A compliant contact of one scene.
+//! A compliant contact of a scene.
 
 use pounding_contact::Form;
 
@@ -14,9 +14,9 @@ pub(super) struct Contact {
     /// Fourth root of the time since the touch \[s^¼\], and the next step in it.
     pub(super) s: f64,
     pub(super) step: f64,
-    /// How fast its force changes \[N/s\]; no number just after a touch or a bend.
+    /// Rate of its force \[N/s\]; NaN just after a touch or a bend.
     pub(super) climb: f64,
-    /// \[N·s\].
+    /// Impulse so far \[N·s\].
     pub(super) impulse: f64,
 }
 

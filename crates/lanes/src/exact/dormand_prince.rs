@@ -4,7 +4,8 @@ use pounding_contact::Number;
 
 use super::pressed::{Point, Pressed, State, fourth_power, larger};
 
-/// Weights of the slopes so far at the second stage; those of the others below, of which the last are the solution of order 5.
+/// Weights of the earlier slopes at the second stage. The constants below are those of the other stages; the last are the solution of order
+/// 5.
 const SECOND: [f64; 1] = [1.0 / 5.0];
 const THIRD: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
 const FOURTH: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
@@ -32,10 +33,10 @@ const BETWEEN: [f64; 7] = [
     69_997_945.0 / 29_380_423.0,
 ];
 
-/// A step that may be taken.
+/// A trial step.
 pub(super) struct Stepped<N> {
     pub(super) next: Point<N>,
-    /// Relative to the approach speed.
+    /// Estimated error relative to the approach speed.
     pub(super) error: N,
     slopes: [State<N>; 7],
 }
@@ -67,7 +68,7 @@ impl<N: Number> Pressed<N> {
         }
         let velocity = larger(error[1].abs(), error[3].abs());
         let impulse = self.largest_inverse_mass * error[4].abs();
-        // A deformation is an approach speed times the time since the touch.
+        // A deformation is at most the approach speed times the time since the touch.
         let deformation = (error[0] - error[2]).abs() / fourth_power(next.s);
         let error = step * larger(larger(velocity, impulse), deformation) / self.speed;
         Stepped { next, error, slopes }
@@ -75,7 +76,7 @@ impl<N: Number> Pressed<N> {
 }
 
 impl<N: Number> Stepped<N> {
-    /// The polynomial from where the step began.
+    /// The polynomial from the start of the step.
     #[inline(always)]
     pub(super) fn way(&self, from: &Point<N>, step: N) -> Way<N> {
         let mut way = Way {
@@ -110,7 +111,7 @@ impl<N: Number> Way<N> {
     }
 }
 
-/// The motions within a step, with these weights of slopes; the impulse, on which nothing depends, is left behind.
+/// The motions within a step, with these weights of slopes. The impulse is omitted, because nothing depends on it.
 #[inline(always)]
 fn on_the_way<N: Number, const STAGES: usize>(from: &Point<N>, step: N, slopes: &[State<N>; 7], weights: [f64; STAGES]) -> State<N> {
     let mut state = from.state;
@@ -120,7 +121,7 @@ fn on_the_way<N: Number, const STAGES: usize>(from: &Point<N>, step: N, slopes: 
     state
 }
 
-/// Sum of the slopes of one number with weights; those that are zero ask for nothing.
+/// Weighted sum of the slopes of a component; zero weights cost nothing.
 #[inline(always)]
 fn weighted<N: Number, const STAGES: usize>(slopes: &[State<N>; 7], weights: [f64; STAGES], index: usize) -> N {
     let first = slopes[0][index];
@@ -168,7 +169,7 @@ mod tests {
         pressed.at(0.4, [0.05, 0.6, 0.01, -0.3, 0.0])
     }
 
-    /// The end of so many steps over a length.
+    /// The end after this many steps over a length.
     fn end(steps: u32, length: f64) -> State<f64> {
         let pressed = pressed();
         let step = length / f64::from(steps);
@@ -192,7 +193,7 @@ mod tests {
         assert!((4.7..5.4).contains(&order), "{order}: {coarse:e} {fine:e}");
     }
 
-    /// Over one step an error of order 5 is that of a method of order 4.
+    /// For a single step, an error of order 5 is that of a method of order 4.
     #[test]
     fn order_of_the_polynomial_between_ends_is_four() {
         let pressed = pressed();

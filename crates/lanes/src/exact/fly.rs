@@ -1,4 +1,4 @@
-//! Free flight in lanes: where a structure of every scene would be at the next sample, and whether it could turn on the way.
+//! Free flight in lanes: the state of a structure of every scene at the next sample, and whether it could turn before.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -7,41 +7,41 @@ use super::pair::Side;
 use crate::number::{Lanes, MOST_LANES, Mask};
 use pounding_solver::Flight;
 
-/// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
+/// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a flight.
 const NEWTON: usize = 3;
 const TERMS: usize = 22;
-/// Part of the time to a turn within which its jerk tells the rest.
+/// Part of the time to a turn within which the third derivative gives the rest.
 const NEAR: f64 = 1e-3;
 
 /// A structure of every scene, or its wall.
 pub(super) struct Flyer<S: Simd> {
-    /// Change of the displacement, and velocity at the next sample, by a unit of velocity, of load over mass that stays, and of load
-    /// over mass that grows by one in a second.
+    /// Change of displacement, and velocity at the next sample, per unit of: velocity; constant load over mass; load over mass that grows
+    /// by one per second.
     change: [Lanes<S>; 3],
     end: [Lanes<S>; 3],
-    /// c/m \[1/s\], k/m \[1/s²\], and 1 or 0 of walls.
+    /// c/m \[1/s\], k/m \[1/s²\], and mobility: 1, or 0 for a wall.
     damping: Lanes<S>,
     stiffness: Lanes<S>,
     mobile: Lanes<S>,
-    /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
+    /// Bound of the acceleration during a flight, relative to its values at both ends and the load.
     growth: Lanes<S>,
     pub(super) displacement: Lanes<S>,
     velocity: Lanes<S>,
-    /// Least and largest displacement so far \[m\].
+    /// Smallest and largest displacement so far \[m\].
     pub(super) extremes: [Lanes<S>; 2],
 }
 
-/// How long it is to the next sample \[s\]; acceleration of the ground \[m/s²\], and its slope \[m/s³\].
+/// Time to the next sample \[s\]; acceleration of the ground \[m/s²\], and its slope \[m/s³\].
 pub(super) type Ahead<S> = (f64, [Lanes<S>; 2]);
 
-/// Where a structure would be at the next sample.
+/// State of a structure at the next sample.
 #[derive(Clone, Copy)]
 pub(super) struct Landing<S: Simd> {
     pub(super) displacement: Lanes<S>,
     velocity: Lanes<S>,
-    /// How far it could be on the way from the line between the ends \[m\].
+    /// Largest distance during the flight from the line between the ends \[m\].
     pub(super) bow: Lanes<S>,
-    /// Where it turns on the way, if that is farther than it has reached \[m\].
+    /// Displacement at a turn during the flight, if it exceeds the extremes \[m\].
     turned: Lanes<S>,
 }
 
@@ -63,7 +63,7 @@ impl<S: Simd> Flyer<S> {
         };
         let growth = |side: &Side| {
             let [damping, stiffness] = over_mass(side);
-            // No instant is farther than half a step from one of the ends.
+            // Every instant is at most half a step from one of the ends.
             1.0 / (1.0 - 0.5 * step * (damping + 0.5 * step * stiffness))
         };
         Self {
@@ -79,8 +79,8 @@ impl<S: Simd> Flyer<S> {
         }
     }
 
-    /// Where the structure would be at the next sample, and where it could turn on the way beyond what it has reached, unless
-    /// [`Self::turn`] has found how far it goes.
+    /// The state at the next sample, and the lanes in which the structure could turn beyond its extremes at a turn that [`Self::turn`] has
+    /// not located.
     #[inline(always)]
     pub(super) fn ahead(&self, (length, ground): Ahead<S>) -> (Landing<S>, Mask<S>) {
         let (u, v) = (self.displacement, self.velocity);
@@ -131,12 +131,12 @@ impl<S: Simd> Flyer<S> {
         (landing, turns)
     }
 
-    /// Displacement where the velocity, which has these values and slopes at the ends of an interval, goes through zero once, and
-    /// where it has been found to rounding.
+    /// Displacement at the only zero of the velocity, and the lanes in which the zero is found to rounding. The velocity has these values
+    /// and slopes at the ends of an interval.
     #[inline(always)]
     fn turn(&self, slope: Lanes<S>, length: f64, [v, a, velocity, acceleration]: [Lanes<S>; 4]) -> (Lanes<S>, Mask<S>) {
         let like = |number: f64| v.like(number);
-        // The cubic through the ends; its zero from the secant by Newton's method.
+        // The cubic through the ends; its zero by Newton's method from the secant.
         let (rise, first, last) = (velocity - v, like(length) * a, like(length) * acceleration);
         let cubic = first + last - rise - rise;
         let square = rise - first - cubic;
@@ -163,7 +163,7 @@ impl<S: Simd> Flyer<S> {
             }
         }
         let [u, v, a] = sums;
-        // What is left to the zero, in parts of this time: with the jerk nothing is left but rounding.
+        // The remaining time to the zero, as a part of this time: after the third derivative only rounding is left.
         let [half, sixth, zero] = [0.5, 1.0 / 6.0, 0.0].map(like);
         let jerk = zero - (stiffness * v + damping * a + slope * time * time * time);
         let straight = (zero - v) / a;
@@ -183,7 +183,7 @@ impl<S: Simd> Flyer<S> {
         ];
     }
 
-    /// Gives a scene the motion of its lane.
+    /// Copies the motion of a lane to a scene.
     #[inline(always)]
     pub(super) fn put(&self, lane: usize, side: &mut Side) {
         side.displacement = self.displacement.lane(lane);
@@ -191,7 +191,7 @@ impl<S: Simd> Flyer<S> {
         side.extremes = [self.extremes[0].lane(lane), self.extremes[1].lane(lane)];
     }
 
-    /// Takes the motion of a scene into its lane.
+    /// Copies the motion of a scene to its lane.
     #[inline(always)]
     pub(super) fn take(&mut self, lane: usize, side: &Side) {
         self.displacement.set(lane, side.displacement);
@@ -202,7 +202,7 @@ impl<S: Simd> Flyer<S> {
 }
 
 impl<S: Simd> Flyer<S> {
-    /// Whether it has not moved.
+    /// Whether it never moved.
     #[inline(always)]
     pub(super) fn rests(&self, lane: usize) -> bool {
         let [least, largest] = self.extremes.map(|extreme| extreme.lane(lane));
@@ -210,7 +210,7 @@ impl<S: Simd> Flyer<S> {
     }
 }
 
-/// What a unit of velocity, of load over mass and of its slope make of the displacement and the velocity over an interval.
+/// Displacement and velocity after an interval per unit of velocity, of load over mass and of its slope.
 fn weights(side: &Side, step: f64) -> [[f64; 3]; 2] {
     let by = |velocity: f64, ground: [f64; 2]| {
         let flight = Flight {

@@ -1,4 +1,4 @@
-//! Batches of scenes from sample to sample: in lanes by groups, and alone where something happens.
+//! Batches of scenes from sample to sample: in lanes by groups, and alone at events.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -11,10 +11,10 @@ use crate::number::{Lanes, MOST_LANES};
 use crate::{Excitations, SceneSums};
 use pounding_solver::{Elastic, Row};
 
-/// Scenes of a batch: enough for the contacts of an interval to fill lanes, and few enough to stay in the near caches.
+/// Scenes of a batch: enough that the contacts of an interval fill lanes, and few enough for the near caches.
 const BATCH: usize = 256;
 
-/// Runs rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in them.
+/// Runs rows with two structures and reports to `tallies`. Each row comes with its index among the scenes of `tallies`.
 #[inline(always)]
 pub(super) fn run<S: Simd>(simd: S, method: &ExactSideBySide<'_>, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
     for (batch, rows) in rows.chunks(BATCH).enumerate() {
@@ -66,7 +66,7 @@ pub(super) fn run<S: Simd>(simd: S, method: &ExactSideBySide<'_>, rows: &[(usize
     }
 }
 
-/// Brings scenes to the next sample, each from event to event: flights one by one, contacts in lanes.
+/// Brings scenes to the next sample, from event to event: flights scene by scene, contacts in lanes.
 #[inline(always)]
 fn go_alone<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, scenes: &mut [Scene], alone: &[usize], waiting: &mut Vec<usize>) {
     for scene in alone {
@@ -96,7 +96,7 @@ fn go_alone<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, scenes: &mu
     }
 }
 
-/// Acceleration of the ground at the start of an interval \[m/s²\], and its slope \[m/s³\].
+/// Acceleration of the ground at the start of an interval \[m/s²\], and its slope \[m/s³\], in lanes.
 #[inline(always)]
 fn in_lanes<S: Simd>(simd: S, intervals: [Interval; MOST_LANES]) -> [Lanes<S>; 2] {
     [
@@ -105,7 +105,7 @@ fn in_lanes<S: Simd>(simd: S, intervals: [Interval; MOST_LANES]) -> [Lanes<S>; 2
     ]
 }
 
-/// Places of the bits of a number, from the lowest.
+/// Positions of the set bits of a number, from the lowest.
 fn places(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let place = (bits != 0).then_some(bits.trailing_zeros() as usize);
@@ -118,20 +118,20 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
-    /// How far they have come towards each other \[m\]; nothing where nobody asks.
+    /// How far neighbours have come towards each other \[m\]; `None` if not requested.
     closing: Option<Lanes<S>>,
-    /// Lanes whose pair is not plainly apart, and so goes alone; those whose scenes have been given up; and those that have scenes.
+    /// Bit masks: lanes whose pair is not clearly apart, and which run alone; lanes whose scenes were given up; lanes with a scene.
     touching: u64,
     lost: u64,
     all: u64,
-    /// Intervals in which some scene went alone.
+    /// Intervals in which some scene ran alone.
     alone: u64,
 }
 
 impl<S: Simd> Group<S> {
     #[inline(always)]
     fn new(simd: S, scenes: &[Scene], step: f64) -> Self {
-        // Lanes without a scene repeat the last one, and go nowhere alone.
+        // Lanes without a scene repeat the last scene and never run alone.
         let of = |lane: usize| &scenes[lane.min(scenes.len() - 1)];
         let side = |index: usize| -> [Side; MOST_LANES] { std::array::from_fn(|lane| of(lane).sides[index]) };
         let bits = |is_so: fn(&Scene) -> bool| {
@@ -152,7 +152,7 @@ impl<S: Simd> Group<S> {
         }
     }
 
-    /// Brings scenes to the next sample; returns those that have to go there alone, which have their motions then.
+    /// Brings scenes to the next sample; returns the lanes that must run alone, with their motions copied to the scenes.
     #[inline(always)]
     fn go(&mut self, ahead: Ahead<S>, step: f64, scenes: &mut [Scene]) -> u64 {
         let [left, right] = &self.flyers;
@@ -183,7 +183,7 @@ impl<S: Simd> Group<S> {
         alone
     }
 
-    /// Takes a scene that went alone back into its lane.
+    /// Copies a scene that ran alone back to its lane.
     #[inline(always)]
     fn take(&mut self, lane: usize, scene: &Scene) {
         let bit = 1 << lane;
@@ -202,7 +202,7 @@ impl<S: Simd> Group<S> {
         }
     }
 
-    /// Tells what happened in a lane, as that scene.
+    /// Reports the results of a lane as those of its scene.
     #[inline(always)]
     fn tell(&self, lane: usize, scene: &Scene, (place, tallies): (usize, &mut SceneSums)) {
         for (node, flyer) in self.flyers.iter().enumerate() {

@@ -1,12 +1,12 @@
 //! The exact method of many scenes at once: free flight and compliant contact in lanes, other events scene by scene.
 //!
-//! A lane flies from sample to sample of the record with the weights of the exact solution for a load that is linear between
-//! samples. Bounds say where a gap may close, or a displacement may turn beyond what was reached; a scene goes through
-//! such an interval alone ([`scene`]), by power series to its turns, touches and impacts. Scenes in compliant contact fill lanes
-//! again, whichever they are ([`press`]), and go by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and
-//! P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969) 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
+//! A lane flies from sample to sample of the record with the weights of the exact solution for a load that is linear between samples.
+//! Bounds show where a gap may close, or a displacement may turn beyond its extremes. A scene runs through such an interval alone
+//! ([`scene`]), by power series to its turns, touches and impacts. Scenes in compliant contact, in any combination, fill lanes again
+//! ([`press`]) and advance by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and P. C. Jennings, *Bull. Seismol. Soc. Am.* 59
+//! (1969) 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
 //!
-//! Series, as the exact method has them alone, take ten times as long here at a tolerance of 1e-6.
+//! Power series in contact, as in the exact method alone, would take ten times as long here at a tolerance of 1e-6.
 
 mod contact;
 mod dormand_prince;
@@ -26,53 +26,53 @@ use fearless_simd::{Level, dispatch};
 use super::{Excitations, SceneSums};
 use pounding_solver::{Budget, Clock, Elastic, Exact, Pair, Row, RunError, Support};
 
-/// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
+/// Smallest tolerance of compliant contact. For a smaller tolerance, run the scene alone.
 const FINEST: f64 = 1e-12;
-/// Largest tolerance that it is followed to: with 1e-3 a contact by a Kelvin–Voigt element can end 12 % off.
+/// Largest tolerance of compliant contact: with 1e-3 the impulse of a Kelvin–Voigt contact can have an error of 12 %.
 const COARSEST: f64 = 1e-4;
 
-/// Ground motions, with samples at the same instants, under which many rows of two elastic structures run by the exact method.
+/// Ground motions, with samples at common instants, under which many rows of two elastic structures run by the exact method.
 ///
-/// Impacts and free flight are carried to rounding, as [`Exact`] alone does, but not in the same bits; compliant contact to errors
-/// of about the tolerance. Who wants histories, or a ledger, runs a scene alone.
+/// Impacts and free flight are exact to rounding, as in [`Exact`], but with other last bits. Compliant contact has errors of about the
+/// tolerance. Histories and a ledger are available only in a run of a scene alone.
 #[derive(Debug, Clone)]
 pub struct ExactSideBySide<'a> {
     tolerance: f64,
     excitations: Excitations<'a>,
-    /// Between two samples of the records \[s\], and how many such intervals are before the end.
+    /// Time between two samples of the records \[s\], and number of such intervals before the end.
     step: f64,
     n_whole: usize,
-    /// From the last sample before the end to the end \[s\]; nothing where a sample is there.
+    /// Time from the last sample before the end to the end \[s\]; `None` if the end is at a sample.
     rest: Option<f64>,
     pub(super) level: Level,
     budget: Budget,
-    /// Whether neighbours are followed where they come close.
+    /// Whether the closing of neighbours is recorded.
     closings: bool,
 }
 
 /// The ground between two samples of the record.
 #[derive(Debug, Clone, Copy)]
 struct Interval {
-    /// Its duration \[s\].
+    /// Duration \[s\].
     length: f64,
     /// Acceleration at the start \[m/s²\] and its slope \[m/s³\].
     value: f64,
     slope: f64,
-    /// Whether the acceleration jumps where the interval begins, behind a record that does not end with zero.
+    /// Whether the acceleration jumps at the start of the interval, after a record that does not end with zero.
     jumps: bool,
 }
 
 impl<'a> ExactSideBySide<'a> {
-    /// Takes the ground motions for a clock, of which only the end counts.
+    /// Takes the ground motions for a clock; only the end of the clock matters.
     ///
     /// # Errors
-    /// [`RunError::Setting`] for a tolerance out of range, and for records whose samples are not equally far apart.
+    /// [`RunError::Setting`] if a tolerance is out of range, or the records have different times between samples.
     pub fn new(settings: Exact, excitations: impl Into<Excitations<'a>>, clock: Clock) -> Result<Self, RunError> {
         settings.check()?;
         let (excitations, end) = (excitations.into(), clock.time(clock.n_steps));
         let step = excitations.time_step()?;
         let part = end / step;
-        // An end that rounding puts beside a sample is at that sample.
+        // An end within rounding of a sample counts as at the sample.
         let whole = if (part - part.round()).abs() < 1e-9 * part {
             part.round()
         } else {
@@ -97,20 +97,20 @@ impl<'a> ExactSideBySide<'a> {
         })
     }
 
-    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    /// Also ends runs when the budget's `stop` is set; unfinished scenes are then not told. The rest of the budget is ignored.
     #[must_use]
     pub fn within(self, budget: Budget) -> Self {
         Self { budget, ..self }
     }
 
-    /// The same, and tells how far neighbours come towards each other ([`PairSums::closing`](super::PairSums::closing)).
+    /// Also records how far neighbours come towards each other ([`PairSums::closing`](super::PairSums::closing)).
     #[must_use]
     pub fn with_closings(self, closings: bool) -> Self {
         Self { closings, ..self }
     }
 
-    /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, whose floors can touch; the ground
-    /// motion arrives at both at once; and a tolerance of 1e-12 or more, or an impulsive contact, which has none.
+    /// Whether a row can run in lanes. It needs two structures of one storey, or a structure and a wall, whose floors can touch. The ground
+    /// motion must arrive at both at once. The tolerance must be at least 1e-12, unless the contact is impulsive, which needs no tolerance.
     pub fn takes(row: &Row<Elastic>, settings: Exact) -> bool {
         let on_ground = |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
         let two = row.nodes().len() == 2 && row.pairs().len() == 1 && row.is_chain();
@@ -118,18 +118,18 @@ impl<'a> ExactSideBySide<'a> {
         two && (0..2).all(on_ground) && row.pairs().iter().all(is_flown)
     }
 
-    /// Runs rows that it [takes](Self::takes) to the end of the clock, and tells what happened in each at its place among the
-    /// scenes of `tallies` ([`SceneSums::begin`]).
+    /// Runs rows that [`takes`](Self::takes) accepts to the end of the clock. The results of each go to its index among the scenes of
+    /// `tallies` ([`SceneSums::begin`]).
     ///
-    /// A run of it alone says what happens in a scene that is not told:
+    /// A scene is not told, and needs a run alone, if
     ///
     /// - bounces do not end, or neighbours press from the start;
     /// - only rounding decides whether neighbours at rest part;
-    /// - a period is shorter than some six samples;
-    /// - a structure goes further than 1 km.
+    /// - a period is shorter than about six samples;
+    /// - a structure moves further than 1 km.
     ///
-    /// What is told of a scene does not depend on the others. Where each has a ground motion of its own, there are as many of them as
-    /// rows, in their order; otherwise nothing is told.
+    /// The results of a scene do not depend on the others. If each scene has its own ground motion, the motions must be as many as the
+    /// rows, in the order of the rows; otherwise nothing is told.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
         if !self.excitations.are_for(rows.len()) {
             return;
@@ -152,7 +152,7 @@ impl ExactSideBySide<'_> {
         }
     }
 
-    /// An interval of this length \[s\] of the motion of a scene.
+    /// An interval of this length \[s\] in the motion of a scene.
     fn interval(&self, (index, length): (usize, f64), scene: usize) -> Interval {
         let samples = self.excitations.of_scene(scene).samples();
         match samples.get(index..index + 2) {

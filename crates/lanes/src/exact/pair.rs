@@ -1,4 +1,4 @@
-//! Two neighbours of one scene.
+//! Two neighbours of a scene.
 
 use pounding_contact::ContactLaw;
 
@@ -9,21 +9,21 @@ use pounding_solver::formulas::Expansion;
 use pounding_solver::formulas::{LONGEST_LEAP, in_flight};
 use pounding_solver::{Elastic, Flight, Node, Row};
 
-/// A structure, or a wall: what does not change, and its motion.
+/// A structure, or a wall: its constants and its motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Side {
     /// 1/m \[1/kg\], c \[N·s/m\] and k \[N/m\].
     pub(super) inverse_mass: f64,
     pub(super) damping: f64,
     pub(super) stiffness: f64,
-    /// 1, and 0 of a wall, which no ground motion moves.
+    /// Mobility: 1, or 0 for a wall, which no ground motion moves.
     pub(super) mobile: f64,
-    /// Coefficients of its series that reach rounding.
+    /// Number of coefficients of its series down to rounding.
     pub(super) len: usize,
     /// Displacement \[m\] and velocity \[m/s\].
     pub(super) displacement: f64,
     pub(super) velocity: f64,
-    /// Least and largest displacement so far \[m\].
+    /// Smallest and largest displacement so far \[m\].
     pub(super) extremes: [f64; 2],
 }
 
@@ -33,57 +33,57 @@ pub(super) struct Scene {
     pub(super) sides: [Side; 2],
     pub(super) gap: f64,
     pub(super) law: ContactLaw,
-    /// \[kg\].
+    /// Reduced mass \[kg\].
     pub(super) reduced_mass: f64,
     pub(super) tolerance: f64,
     pub(super) tally: PairSums,
     pub(super) link: Link,
-    /// Of the interval through which it goes alone: how far it is, the time since its start \[s\], and events so far.
+    /// Progress through an interval alone: its stage, the time since the start of the interval \[s\], and the events so far.
     pub(super) stage: Stage,
     pub(super) at: f64,
     pub(super) events: usize,
-    /// Impacts that have followed each other at once.
+    /// Impacts in immediate succession.
     pub(super) bounces: Bounces,
-    /// Impulse of the last one, with that of the rest behind it \[N·s\].
+    /// Impulse of the last impact, including the rest after it \[N·s\].
     pub(super) struck: f64,
 }
 
-/// What is between two neighbours.
+/// State of the gap between two neighbours.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Link {
-    /// A gap.
+    /// Open gap.
     Apart,
-    /// A gap that opens: it is closed at this instant, or was a moment ago, by an impact or a parting.
+    /// A gap that opens: an impact or a parting closed it at this instant, or just before.
     Parting(Opening),
-    /// A gap that is closed at this instant, and no rate: whether they part or press is to be decided.
+    /// A gap that is closed without a rate: parting or pressing must be decided.
     Closed {
-        /// Whether this goes on from an impact.
+        /// Whether this follows an impact.
         is_struck: bool,
     },
-    /// They press against each other and move as one.
+    /// The neighbours press against each other and move together.
     Resting {
-        /// So many of the first coefficients of their force are zero at this instant, though rounding says otherwise.
+        /// Number of first coefficients of their force that are zero at this instant, despite rounding.
         zero_orders: usize,
     },
     /// Compliant contact.
     Pressed(Contact),
 }
 
-/// What is known of a deformation where it is nearly zero, better than displacements and velocities know it.
+/// A deformation near zero, known better than from displacements and velocities.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Opening {
-    /// Itself \[m\], ≤ 0, and its rate \[m/s\].
+    /// The deformation \[m\], ≤ 0, and its rate \[m/s\].
     At(f64, f64),
-    /// So many of its first coefficients are zero.
+    /// Number of first coefficients that are zero.
     Order(usize),
 }
 
-/// Impacts that follow each other at once.
+/// Impacts in immediate succession.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounces {
-    /// When the last one was, since the start of the interval \[s\].
+    /// Time of the last impact since the start of the interval \[s\].
     pub(super) last: f64,
-    /// How many have followed the one before at once.
+    /// Number of impacts that followed the previous one at once.
     pub(super) burst: u32,
 }
 
@@ -96,7 +96,7 @@ impl Default for Bounces {
     }
 }
 
-/// How far a scene is that goes alone through an interval.
+/// Progress of a scene that runs alone through an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Stage {
     OnTheWay,
@@ -105,7 +105,7 @@ pub(super) enum Stage {
 }
 
 impl Side {
-    /// Of a record with samples this far apart \[s\].
+    /// A side under a record with samples this far apart \[s\].
     fn new(node: &Node<Elastic>, step: f64) -> Self {
         let displacement = node.initial_displacement;
         let mut side = Self {
@@ -122,14 +122,14 @@ impl Side {
         side
     }
 
-    /// The rate with which coefficients of its motion fall \[1/s\].
+    /// Rate at which the coefficients of its motion fall \[1/s\].
     pub(super) fn fastest_rate(&self) -> f64 {
         let damping = self.damping * self.inverse_mass;
         let stiffness = self.stiffness * self.inverse_mass;
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
     }
 
-    /// Its free motion under a ground that has this acceleration \[m/s²\] and slope \[m/s³\].
+    /// Its free motion under a ground with this acceleration \[m/s²\] and slope \[m/s³\].
     pub(super) fn expand(&self, ground: [f64; 2], room: &mut Expansion) {
         let flight = Flight {
             origin: 0.0,
@@ -145,7 +145,7 @@ impl Side {
         flight.expand(room);
     }
 
-    /// Brings the side to a displacement.
+    /// Updates the extremes with a displacement.
     pub(super) fn reach(&mut self, displacement: f64) {
         let [least, largest] = self.extremes;
         self.extremes = [least.min(displacement), largest.max(displacement)];
@@ -153,7 +153,7 @@ impl Side {
 }
 
 impl Scene {
-    /// The scene of a row; given up at once where series do not reach over an interval.
+    /// The scene of a row; given up at once if series do not reach over an interval.
     pub(super) fn new(row: &Row<Elastic>, method: &ExactSideBySide<'_>) -> Self {
         let step = method.step;
         let pair = &row.pairs()[0];
@@ -186,7 +186,7 @@ impl Scene {
         scene
     }
 
-    /// What happened to the pair, with a contact that goes on.
+    /// Results of the pair, including a contact in progress.
     pub(super) fn tally(&self) -> PairSums {
         let open = match &self.link {
             Link::Pressed(contact) => contact.impulse,

@@ -1,6 +1,6 @@
 //! Compliant contact of many scenes between two samples.
 //!
-//! A lane takes the next scene that waits as soon as its own is done, and goes on with steps of its own length.
+//! A lane takes the next waiting scene as soon as its scene is done, and continues with steps of another length.
 
 use fearless_simd::Simd;
 
@@ -10,7 +10,7 @@ use super::pair::{Link, Scene};
 use super::pressing::Pressing;
 use crate::number::{Lanes, MOST_LANES, Mask};
 
-/// Brings the scenes that wait, all in contact by laws of the same powers, to the end of the interval or to their partings.
+/// Brings the waiting scenes, all in contact by laws with common powers, to the end of the interval or to their partings.
 #[inline(always)]
 pub(super) fn press<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, scenes: &mut [Scene], waiting: &[usize]) {
     let Some(scene) = waiting.first().map(|scene| &scenes[*scene]) else {

@@ -1,14 +1,14 @@
-//! Two neighbours that press against each other: their equations.
+//! The equations of two neighbours that press against each other.
 //!
-//! Just after a touch forces are powers of δ like 1/4, which no step in time follows well. Motions are functions of s with s⁴ the
-//! time since the touch, in which they are smooth.
+//! Just after a touch, forces are powers of δ such as 1/4, which steps in time follow badly. Motions are therefore functions of s with s⁴
+//! the time since the touch; in s they are smooth.
 
 use pounding_contact::{Action, Form, Number};
 
-/// A force nearer to the end of its branch than this has just bent, or is about to: which branch it is on is told a little later.
+/// A force closer than this to the end of its branch has just bent, or is about to bend: its branch is evaluated a little later.
 const SLOWLY: f64 = 1e-5;
 
-/// Displacements and velocities of both sides, left, left, right, right, and the impulse so far.
+/// Displacement and velocity of the left side, then of the right side, and the impulse so far.
 pub(super) type State<N> = [N; 5];
 
 /// A state with its derivative in s.
@@ -23,39 +23,39 @@ pub(super) struct Point<N> {
 /// A structure or a wall.
 #[derive(Clone, Copy)]
 pub(super) struct Half<N> {
-    /// 1/m \[1/kg\], c \[N·s/m\], k \[N/m\], and 1 or 0 of walls.
+    /// 1/m \[1/kg\], c \[N·s/m\], k \[N/m\], and mobility: 1, or 0 for a wall.
     pub(super) inverse_mass: N,
     pub(super) damping: N,
     pub(super) stiffness: N,
     pub(super) mobile: N,
 }
 
-/// What moves in contact.
+/// Constants of the contact.
 pub(super) struct Pressed<N> {
     pub(super) left: Half<N>,
     pub(super) right: Half<N>,
-    /// Of both \[1/kg\].
+    /// Largest inverse mass of the two sides \[1/kg\].
     pub(super) largest_inverse_mass: N,
-    /// \[m\].
+    /// Gap \[m\].
     pub(super) gap: N,
     pub(super) form: Form<N>,
     /// Approach rate at the touch \[m/s\].
     pub(super) speed: N,
-    /// Ground acceleration \[m/s²\] at the touch, had it always been that of this interval, and its slope \[m/s³\].
+    /// Ground acceleration \[m/s²\] extrapolated to the touch from this interval, and its slope \[m/s³\].
     pub(super) ground: [N; 2],
 }
 
-/// What ends a smooth piece of a contact.
+/// Event that ends a smooth piece of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Corner {
-    /// The force bends: a damper lets go or acts again.
+    /// The force bends: a damper stops or starts to act.
     Bend,
     /// The neighbours part.
     Parting,
 }
 
 impl<N: Number> Point<N> {
-    /// The state somewhat farther, on a line.
+    /// The state moved by a distance along its slope.
     #[inline(always)]
     pub(super) fn moved(&self, by: N) -> State<N> {
         let mut state = self.state;
@@ -67,7 +67,7 @@ impl<N: Number> Point<N> {
 }
 
 impl<N: Number> Half<N> {
-    /// Acceleration over the ground \[m/s²\] at a displacement and velocity, pushed by a force \[N\].
+    /// Acceleration relative to the ground \[m/s²\], from displacement and velocity and a pounding force \[N\].
     #[inline(always)]
     fn acceleration(&self, [u, v]: [N; 2], force: N, ground: N) -> N {
         let force = force - (self.damping * v + self.stiffness * u);
@@ -81,7 +81,7 @@ impl<N: Number> Pressed<N> {
         state[0] - state[2] - self.gap
     }
 
-    /// \[N\]; 0 where they do not touch.
+    /// Pounding force \[N\]; 0 if the neighbours do not touch.
     #[inline(always)]
     pub(super) fn force(&self, state: &State<N>) -> N {
         let (deformation, zero) = (self.deformation(state), self.gap.like(0.0));
@@ -113,11 +113,11 @@ impl<N: Number> Pressed<N> {
         Point { s, state, slope }
     }
 
-    /// A number that goes through zero at a corner.
+    /// A number that passes through zero at a corner.
     ///
-    /// At a bend it says on which of its smooth branches the force is: with or without a damper that acts on approach alone; pushing,
-    /// or clamped where the formula would pull. Its magnitude is 1 in the ordinary. Without a deformation it has the sign of a very
-    /// small one: a force that is clamped before neighbours part is found where a step ends behind both.
+    /// At a bend, its sign tells the smooth branch of the force. Either a damper that acts on approach only acts or not, or the force
+    /// pushes or is clamped because the formula would pull. Its magnitude is usually 1. Without a deformation it has the sign of a very
+    /// small deformation. This finds a force that is clamped before neighbours part if the step ends after both.
     #[inline(always)]
     pub(super) fn side_of(&self, corner: Corner, state: &State<N>) -> N {
         match (corner, self.form.action) {
@@ -138,7 +138,7 @@ impl<N: Number> Pressed<N> {
         }
     }
 
-    /// The same where a step begins; where the force bends there, a little later, on the branch on which it goes on.
+    /// The number at the start of a step. If the force bends there, it is taken a little later, on the branch that follows.
     #[inline(always)]
     pub(super) fn side_behind(&self, corner: Corner, here: &Point<N>, probe: N) -> N {
         let side = self.side_of(corner, &here.state);
@@ -149,7 +149,7 @@ impl<N: Number> Pressed<N> {
         N::select(bends, self.side_of(corner, &here.moved(probe)), side)
     }
 
-    /// Where neighbours are apart after a step. Who has just touched is together to rounding, and parts where the rate says so.
+    /// Lanes in which neighbours are apart after a step. Neighbours that have just touched are together to rounding, and the rate decides.
     #[inline(always)]
     pub(super) fn parts(&self, here: &Point<N>, next: &Point<N>) -> N::Mask {
         let zero = self.gap.like(0.0);
@@ -158,7 +158,8 @@ impl<N: Number> Pressed<N> {
         zero.exceeds(self.deformation(&next.state)) & (overlapped | opens)
     }
 
-    /// The force \[N\] at a point, and how fast it changes \[N/s\]; on the branch of an approach, or of its own rate.
+    /// The force \[N\] at a point and its rate \[N/s\], on the branch of an approach where `approaches`, else on the branch of the present
+    /// rate.
     #[inline(always)]
     pub(super) fn climb(&self, point: &Point<N>, approaches: N::Mask) -> [N; 2] {
         let zero = self.gap.like(0.0);
@@ -182,7 +183,7 @@ pub(super) fn rate<N: Number>(state: &State<N>) -> N {
     state[1] - state[3]
 }
 
-/// The larger of both; the second where the first is no number.
+/// The larger of two numbers; the second if the first is NaN.
 #[inline(always)]
 pub(super) fn larger<N: Number>(one: N, other: N) -> N {
     N::select(one.exceeds(other), one, other)

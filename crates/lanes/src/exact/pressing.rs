@@ -1,4 +1,4 @@
-//! Steps in compliant contact in lanes, with their error under control.
+//! Steps in compliant contact in lanes, with error control.
 
 mod follow;
 mod reach;
@@ -14,9 +14,9 @@ use super::pressed::{Half, Point, Pressed, fourth_power};
 use crate::number::{Lanes, Mask};
 use reach::Reached;
 
-/// Steps of a contact between two samples; no scene that was looked at needs a tenth.
+/// Most steps of a contact between two samples; no examined scene needs a tenth.
 const MOST_STEPS: f64 = 10_000.0;
-/// A step shrinks to this part at least, and grows by no more than this.
+/// Largest shrink and largest growth of a step.
 const LEAST_SHRINK: f64 = 0.2;
 const MOST_GROWTH: f64 = 4.0;
 
@@ -24,36 +24,36 @@ const MOST_GROWTH: f64 = 4.0;
 pub(super) struct Pressing<S: Simd> {
     pressed: Pressed<Lanes<S>>,
     here: Point<Lanes<S>>,
-    /// Time since the touch where the scene came \[s\].
+    /// Time since the touch at which the scene came \[s\].
     start: Lanes<S>,
-    /// Next step, and the end of the interval, in s.
+    /// Next step, and end of the interval, in s.
     step: Lanes<S>,
     end: Lanes<S>,
     tolerance: Lanes<S>,
-    /// 1 in lanes with a scene, 0 in others.
+    /// 1 in lanes with a scene, else 0.
     used: Lanes<S>,
-    /// Steps that were tried.
+    /// Number of trial steps.
     tried: Lanes<S>,
-    /// How fast the force changes here \[N/s\]; no number just after a touch or a bend, or where the ground's acceleration jumps.
+    /// Rate of the force \[N/s\]; NaN just after a touch or a bend, or after a jump of the ground's acceleration.
     climb: Lanes<S>,
     peak_force: Lanes<S>,
-    /// Least and largest displacements of both sides.
+    /// Smallest and largest displacements of both sides.
     extremes: [[Lanes<S>; 2]; 2],
-    /// How far they have come towards each other \[m\]; nothing where nobody asks.
+    /// How far neighbours have come towards each other \[m\]; `None` if not requested.
     closing: Option<Lanes<S>>,
 }
 
-/// What became of lanes in a step.
+/// Results of lanes in a step.
 pub(super) struct Ends<S: Simd> {
-    /// Does not go on: parted, broken, or at the end of the interval.
+    /// Lanes that stop: parted, broken, or at the end of the interval.
     pub(super) ended: Mask<S>,
     pub(super) parted: Mask<S>,
-    /// No numbers, or no end of steps.
+    /// Lanes with NaN, or with too many steps.
     pub(super) broken: Mask<S>,
 }
 
 impl<S: Simd> Pressing<S> {
-    /// Lanes for contacts by laws of the same powers as that of a scene, which is asked for the same.
+    /// Lanes for contacts whose laws have the powers of this scene's law. Closings are recorded if the scene requests them.
     #[inline(always)]
     pub(super) fn new(simd: S, form: &Form, scene: &Scene) -> Self {
         let zero = Lanes::splat(simd, 0.0);
@@ -96,7 +96,7 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
-    /// Takes a scene in contact into a lane.
+    /// Copies a scene in contact to a lane.
     #[inline(always)]
     pub(super) fn take(&mut self, lane: usize, scene: &Scene, contact: &Contact, interval: &Interval) {
         let since = fourth_power(contact.s);
@@ -145,13 +145,13 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
-    /// Looks at where lanes are, after scenes were taken in.
+    /// Evaluates the state of lanes after scenes were copied to them.
     #[inline(always)]
     pub(super) fn begin(&mut self) {
         self.here = self.pressed.at(self.here.s, self.here.state);
     }
 
-    /// Gives a scene what became of it in a lane, which is free then.
+    /// Copies the results of a lane to its scene; the lane is then free.
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, scene: &mut Scene, contact: &mut Contact) {
         self.used.set(lane, 0.0);
@@ -168,13 +168,13 @@ impl<S: Simd> Pressing<S> {
         scene.tally.closing = self.closing.map(|closing| closing.lane(lane));
     }
 
-    /// Time since a scene came into a lane \[s\].
+    /// Time since a scene came to a lane \[s\].
     #[inline(always)]
     pub(super) fn passed(&self, lane: usize) -> f64 {
         fourth_power(self.here.s.lane(lane)) - self.start.lane(lane)
     }
 
-    /// Tries a step in every lane, each of its own length.
+    /// Tries a step in every lane, each of a separate length.
     #[inline(always)]
     pub(super) fn advance(&mut self) -> Ends<S> {
         let step = self.step;
@@ -192,7 +192,7 @@ impl<S: Simd> Pressing<S> {
         let broken = used & (self.tried.exceeds(like(MOST_STEPS)) | !sound);
         let taken = used & sound & like(1.0).reaches(error);
         self.follow(&reached, force, taken);
-        // Roots of order 4 and 8 on purpose: shrinks more than order 5 asks for, and grows less.
+        // Roots of order 4 and 8 on purpose: they shrink more than order 5 demands, and grow less.
         let root = error.sqrt().sqrt();
         let shrunk = length * (like(0.9) / root).max(like(LEAST_SHRINK));
         let shrunk = Number::select(reached.again, length, shrunk);

@@ -1,4 +1,4 @@
-//! Neighbours that come to rest against each other by an impulsive law, and move as one while they press.
+//! Neighbours that come to rest against each other by an impulsive law, and move together while they press.
 
 use super::Interval;
 use super::pair::{Bounces, Link, Opening, Scene, Side};
@@ -7,13 +7,13 @@ use pounding_solver::formulas::{BURST, CHATTER, ROUNDING_OF_COEFFICIENTS, bounce
 use pounding_solver::formulas::{CAPACITY, quick_first_root};
 use pounding_solver::formulas::{Expansion, value};
 
-/// Below [`ROUNDING_OF_COEFFICIENTS`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between
-/// them the scene is given up.
+/// A coefficient below [`ROUNDING_OF_COEFFICIENTS`] times its terms is zero; above this part of its terms its sign is certain. In between
+/// the scene is given up.
 const CERTAIN: f64 = 1e-9;
 
-/// What neighbours do that touch without a rate.
+/// Behaviour of neighbours that touch without a rate.
 enum Decision {
-    /// Their gap opens, or they press, with all coefficients of the free deformation below this order zero.
+    /// Their gap opens, or they press; all coefficients of the free deformation below this order are zero.
     Parts(usize),
     Presses(usize),
     /// They move alike.
@@ -21,7 +21,7 @@ enum Decision {
 }
 
 impl Scene {
-    /// An impact at a rate \[m/s\], under this ground acceleration \[m/s²\]. Of bounces that would be over at once it is the last.
+    /// An impact at a rate \[m/s\], under this ground acceleration \[m/s²\]. If its bounces would end at once, it is the last.
     pub(super) fn strike(&mut self, rate: f64, restitution: f64, ground: f64) {
         let [left, right] = &self.sides;
         let momentum = self.reduced_mass * rate;
@@ -52,25 +52,26 @@ impl Scene {
         };
     }
 
-    /// Adds to the impulse of the last impact, as rest behind it does \[N·s\].
+    /// Adds the impulse of a rest to that of the last impact \[N·s\].
     fn push(&mut self, impulse: f64) {
         self.struck += impulse;
         self.tally.impulse += impulse;
         self.tally.largest_impulse = self.tally.largest_impulse.max(self.struck);
     }
 
-    /// Rests or parts, whichever the first coefficient of the free deformation says that is not rounding.
+    /// Puts the pair at rest or parts it, by the first coefficient of the free deformation that is not rounding.
     pub(super) fn settle(&mut self, ahead: &Interval, is_struck: bool) {
         match self.decide(ahead) {
             Some(Decision::Parts(order)) => self.link = Link::Parting(Opening::Order(order)),
-            // Rest without an impact has a largest force, which is not looked for here; nor is how soft neighbours begin to press.
+            // Rest without an impact has a peak force, which is not computed here. The start of pressing of compliant neighbours is not
+            // computed either.
             Some(Decision::Presses(order)) if is_struck => self.rest(order - 2),
             Some(Decision::Alike) if self.law.impulsive().is_some() => self.rest(usize::MAX),
             Some(Decision::Presses(_) | Decision::Alike) | None => self.give_up(),
         }
     }
 
-    /// Lets the lighter side go with the heavier one.
+    /// Gives the lighter side the velocity of the heavier side.
     fn rest(&mut self, zero_orders: usize) {
         let (base, apart) = self.base();
         let Side {
@@ -81,7 +82,7 @@ impl Scene {
         self.link = Link::Resting { zero_orders };
     }
 
-    /// `None` if it may be rounding.
+    /// Decides between rest and parting; `None` if the deciding coefficient may be rounding.
     fn decide(&self, ahead: &Interval) -> Option<Decision> {
         let mut rooms = [Expansion::default(), Expansion::default()];
         let ground = [ahead.value, ahead.slope];
@@ -95,7 +96,7 @@ impl Scene {
         if alike {
             return Some(Decision::Alike);
         }
-        // Displacements that are rounding of larger ones say nothing.
+        // Displacements within the rounding of larger ones do not count.
         let mut sizes = self.sides.each_ref().map(|side| {
             let [least, largest] = side.extremes;
             let force = side.damping * side.velocity.abs() + side.stiffness * largest.max(-least);
@@ -126,7 +127,7 @@ impl Scene {
         None
     }
 
-    /// The heavier side, or the wall, and by how much more than it the other one is displaced at rest \[m\].
+    /// Index of the heavier side, or of the wall, and the displacement at rest of the other side relative to it \[m\].
     fn base(&self) -> (usize, f64) {
         let [left, right] = &self.sides;
         if left.inverse_mass <= right.inverse_mass {
@@ -136,7 +137,7 @@ impl Scene {
         }
     }
 
-    /// The motion of both as one, by that of the heavier side.
+    /// The common motion of both sides, as that of the heavier side.
     fn as_one(&self, ahead: &Interval) -> Flight {
         let (base, apart) = self.base();
         let [heavier, lighter] = [&self.sides[base], &self.sides[1 - base]];
@@ -159,7 +160,8 @@ impl Scene {
         }
     }
 
-    /// Moves as one to where the force fades, or one of both turns, or to the sample; so many of the first coefficients of the force are zero.
+    /// Moves both together until the force fades, either side turns, or the sample arrives. `zero_orders` coefficients of the force are
+    /// zero at first.
     pub(super) fn rest_on(&mut self, ahead: &Interval, zero_orders: usize) {
         let (base, apart) = self.base();
         let flight = self.as_one(ahead);
@@ -168,10 +170,10 @@ impl Scene {
         flight.expand(&mut room);
         let [displacement, rates] = [room.displacement(len), room.velocity(len)];
         let lighter = &self.sides[1 - base];
-        // Minus the contact force [N]: it fades where this rises through zero.
+        // Minus the contact force [N]: the force fades where this rises through zero.
         let mut series = [0.0; CAPACITY];
         let minus_force = &mut series[..len];
-        // A force pushes the lighter side to the right, if that is the right one.
+        // A force pushes the lighter side to the right if it is the right side.
         let toward = if base == 0 { -1.0 } else { 1.0 };
         for (order, force) in minus_force.iter_mut().enumerate().skip(zero_orders) {
             let ground = [ahead.value, ahead.slope].get(order).copied();
@@ -201,7 +203,7 @@ impl Scene {
         }
         self.at += length;
         self.link = if (fades.is_some() && !turned) || !pushes {
-            // A collision ends with its force: one that begins later without an impact is another one.
+            // A collision ends with its force: a later force without an impact is another collision.
             Link::Closed { is_struck: pushes }
         } else {
             Link::Resting { zero_orders: 0 }
@@ -212,14 +214,14 @@ impl Scene {
     }
 }
 
-/// ∫ from 0 to x.
+/// Integral of a series from 0 to x.
 fn integral(coefficients: &[f64], x: f64) -> f64 {
     let terms = coefficients.iter().enumerate().rev();
     x * terms.fold(0.0, |sum, (order, coefficient)| sum * x + coefficient / (order + 1) as f64)
 }
 
 impl Side {
-    /// Over the ground \[m/s²\], free, with this velocity.
+    /// Acceleration relative to the ground \[m/s²\] of the free side at this velocity.
     fn acceleration(&self, velocity: f64, ground: f64) -> f64 {
         let force = self.damping * velocity + self.stiffness * self.displacement;
         -self.inverse_mass * force - self.mobile * ground

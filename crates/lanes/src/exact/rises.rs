@@ -1,11 +1,11 @@
-//! How far polynomials rise, and where they turn.
+//! Largest values and turns of polynomials.
 
 use pounding_solver::formulas::{CAPACITY, quick_first_root, shift, value_and_slope};
 
-/// Turns that are looked for: a motion between two samples has one or two.
+/// Most turns in a search. A motion between two samples has one or two.
 const MOST_TURNS: usize = 8;
 
-/// The largest of what is known and of the values of a polynomial between 0 and x.
+/// The largest of a known value and the values of a polynomial between 0 and x.
 pub(super) fn highest(polynomial: &[f64], x: f64, known: f64) -> f64 {
     let mut room = [0.0; CAPACITY];
     let series = &mut room[..polynomial.len()];
@@ -26,14 +26,14 @@ pub(super) fn highest(polynomial: &[f64], x: f64, known: f64) -> f64 {
         };
         shift(series, turn);
         rest -= turn;
-        // There, and not where rounding says.
+        // The zero is exactly there, despite rounding.
         series[1] = 0.0;
         highest = highest.max(series[0]);
     }
     highest
 }
 
-/// First instant from which on a rate has another sign than behind the start.
+/// First instant after which a rate has the opposite sign to that just after the start.
 pub(super) fn first_turn(rates: &[f64], length: f64) -> Option<f64> {
     let first = rates.iter().find(|rate| **rate != 0.0)?;
     let mut series = [0.0; CAPACITY];
@@ -44,7 +44,7 @@ pub(super) fn first_turn(rates: &[f64], length: f64) -> Option<f64> {
     quick_first_root(falling, length)
 }
 
-/// Upper bound of the rise of a polynomial, times this sign, from 0 to x.
+/// Upper bound of the rise of a polynomial, times a sign, from 0 to x.
 pub(super) fn rise_bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
     let sum = |sum: f64, coefficient: &f64| sum * x + (sign * coefficient).max(0.0);
     x * coefficients.iter().skip(1).rev().fold(0.0, sum)
@@ -54,7 +54,7 @@ pub(super) fn rise_bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// x − 3x² + 2x³ has its top at (3 − √3)/6 and rises through that height again behind 1.
+    /// x − 3x² + 2x³ has its maximum at (3 − √3)/6 and rises through this height again after 1.
     #[test]
     fn reference_the_largest_value_of_a_cubic() {
         let cubic = [0.25, 1.0, -3.0, 2.0];
@@ -70,7 +70,7 @@ mod tests {
             let found = highest(&cubic, x, known);
             assert!((found - wanted).abs() < 1e-15, "{x} {known}: {found} {wanted}");
         }
-        // Upside down it falls first, and its top is behind that.
+        // Upside down it falls first, and its maximum comes later.
         let turned = cubic.map(|coefficient| -coefficient);
         let wanted = -at((3.0 + libm::sqrt(3.0)) / 6.0);
         let found = highest(&turned, 0.9, f64::NEG_INFINITY);

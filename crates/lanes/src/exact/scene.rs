@@ -9,15 +9,15 @@ use super::rises::{first_turn, highest, rise_bound};
 use pounding_solver::formulas::{CAPACITY, quick_first_root, value_and_slope};
 use pounding_solver::formulas::{Expansion, value};
 
-/// Events of a scene between two samples; with more of them bounces may not end, and a run of it alone says so.
+/// Most events of a scene between two samples. With more, bounces may not end, and the scene needs a run alone.
 const MOST_EVENTS: usize = 1000;
 
-/// A deformation smaller than this part of the displacements is carried as a number of its own: their difference has lost its digits.
+/// A deformation below this part of the displacements is stored as a separate number, because their difference has lost its digits.
 const CARRIED: f64 = 1e-3;
-/// Rest of an interval that is none, as a part of it.
+/// Part of an interval that counts as no rest of it.
 const NOTHING: f64 = 1e-15;
 
-/// What ends a piece of free flight.
+/// Event that ends a piece of free flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Event {
     Sample,
@@ -28,28 +28,28 @@ enum Event {
 
 /// A piece of free flight.
 struct Flown {
-    /// How long it took \[s\].
+    /// Duration \[s\].
     length: f64,
     event: Event,
-    /// Of the pair at its end \[m\], and its rate \[m/s\].
+    /// Deformation of the pair at the end \[m\], and its rate \[m/s\].
     deformation: f64,
     rate: f64,
 }
 
 impl Scene {
-    /// Begins an interval in which the scene goes alone.
+    /// Begins an interval that the scene runs alone.
     pub(super) fn set_out(&mut self) {
         (self.stage, self.at, self.events) = (Stage::OnTheWay, 0.0, 0);
         self.bounces = Bounces::default();
     }
 
-    /// Goes on, to the sample or into compliant contact.
+    /// Advances to the sample or to compliant contact.
     pub(super) fn go_on(&mut self, interval: &Interval) {
         while self.stage == Stage::OnTheWay {
             let ahead = interval.after(self.at);
             match self.link {
                 Link::Pressed(_) => {
-                    // A touch at the sample has the next interval before it.
+                    // A touch at the sample belongs to the next interval.
                     if self.at >= interval.length {
                         self.arrive();
                     }
@@ -57,7 +57,7 @@ impl Scene {
                 }
                 Link::Apart => self.fly_on(&ahead, None),
                 Link::Parting(opening) => self.fly_on(&ahead, Some(opening)),
-                // Rounding has put the end of a rest before the sample: the next interval decides.
+                // Rounding put the end of a rest before the sample: the next interval decides.
                 Link::Closed { .. } if ahead.length <= NOTHING * interval.length => {
                     self.at = interval.length;
                     self.arrive();
@@ -69,7 +69,7 @@ impl Scene {
         }
     }
 
-    /// Flies to the next event, from a gap that opens or from apart.
+    /// Flies to the next event, from an opening gap or from apart.
     fn fly_on(&mut self, ahead: &Interval, opening: Option<Opening>) {
         let Flown {
             length,
@@ -91,12 +91,12 @@ impl Scene {
         }
     }
 
-    /// Is at the end of the interval.
+    /// Marks the scene as arrived at the end of the interval.
     pub(super) fn arrive(&mut self) {
         self.stage = Stage::Arrived;
     }
 
-    /// The end of a compliant contact, some time after \[s\] it was gone on with.
+    /// Ends a compliant contact, `passed` seconds after it was resumed.
     pub(super) fn part(&mut self, contact: &Contact, passed: f64, interval: &Interval) {
         self.at = (self.at + passed).min(interval.length);
         self.tally.impulse += contact.impulse;
@@ -106,12 +106,12 @@ impl Scene {
         self.count();
     }
 
-    /// Only a run of the scene alone can say what happens.
+    /// Gives the scene up: it needs a run alone.
     pub(super) fn give_up(&mut self) {
         self.stage = Stage::GivenUp;
     }
 
-    /// What its law branches on: scenes in contact at once go side by side where this is the same.
+    /// Branches of its law: scenes in contact share lanes if these are equal.
     pub(super) fn branches(&self) -> Option<[u64; 3]> {
         let Link::Pressed(Contact { form, .. }) = self.link else {
             return None;
@@ -175,7 +175,7 @@ impl Scene {
         }
     }
 
-    /// The pair meets at a rate \[m/s\], under this ground acceleration \[m/s²\]: an impact, or the beginning of compliant contact.
+    /// The pair touches at a rate \[m/s\], under this ground acceleration \[m/s²\]: an impact, or the start of compliant contact.
     fn touch(&mut self, rate: f64, ground: f64) {
         if rate <= 0.0 {
             self.give_up();
@@ -196,8 +196,8 @@ impl Scene {
 }
 
 impl Side {
-    /// First instant at which it turns; `None` if it cannot pass its extremes within a length. The first coefficient of its displacement
-    /// is not read.
+    /// First instant of a turn; `None` if the motion cannot exceed its extremes within a length. The first coefficient of the displacement
+    /// is not used.
     pub(super) fn turn(&self, [displacement, rates]: [&[f64]; 2], length: f64) -> Option<f64> {
         let farther = |sign: f64| sign * self.displacement + rise_bound(displacement, sign, length);
         let [least, largest] = self.extremes;
@@ -209,7 +209,7 @@ impl Side {
 }
 
 impl Interval {
-    /// What is left of it after a time \[s\].
+    /// The rest of the interval after a time \[s\].
     pub(super) fn after(&self, at: f64) -> Self {
         Self {
             length: self.length - at,

@@ -1,33 +1,33 @@
-//! Where numbers go through zero, in every lane for itself.
+//! Zeros of functions, separately in every lane.
 
 use pounding_contact::Number;
 
-/// Evaluations of a search; none that was looked at needs a third.
+/// Most evaluations of a search; no examined search needs a third.
 const MOST_SEARCH: usize = 60;
 
-/// Where in 0 ..= 1 a number rises through zero, which is negative at 0 and not at 1, to within `part`; in lanes that are wanted.
+/// Position in 0 ..= 1 at which a number rises through zero (negative at 0, not negative at 1), to within `part`, in the `wanted` lanes.
 ///
-/// The secant, with the value at an end that stays halved (Illinois); the middle where that leaves the bracket, or is no number.
-/// What is found in a lane does not depend on others.
+/// Uses the secant, with halving of the value at an end that stays (Illinois), or the middle if the secant is outside the bracket or NaN.
+/// The result in a lane does not depend on others.
 #[inline(always)]
 pub(super) fn rise<N: Number>(wanted: N::Mask, [start, end]: [N; 2], part: f64, number: impl Fn(N) -> N) -> N {
     let like = |number: f64| start.like(number);
     let (zero, half) = (like(0.0), like(0.5));
     let (mut low, mut below) = (zero, start);
     let (mut high, mut above) = (like(1.0), end);
-    // Which end moved last: −1, 1, or none yet.
+    // The end that moved last: −1, 1, or 0 for none yet.
     let mut moved = zero;
-    // No number before the first evaluation, which nothing is near to.
+    // NaN before the first evaluation, to which nothing is close.
     let (mut x, mut open) = (like(f64::NAN), wanted);
     for _ in 0..MOST_SEARCH {
         let secant = high - above * (high - low) / (above - below);
-        // It is an end where the value there is zero, or that at the other end without bound: then it says nothing.
+        // The zero is at an end if the value there is zero, or that at the other end is infinite: the secant is then useless.
         let at_end = !above.exceeds(zero) & !secant.exceeds(high);
         let inside = secant.exceeds(low) & (high.exceeds(secant) | at_end);
         let next = N::select(inside, secant, half * (low + high));
         let near = like(part).exceeds((next - x).abs());
         x = N::select(open, next, x);
-        // A secant that creeps from one end is near to nothing: the other end has to have moved, too.
+        // A secant that creeps from one end is not close to the zero: the other end must have moved, too.
         let both = low.exceeds(zero) & like(1.0).exceeds(high);
         let closed = like(part).exceeds(high - low) | (near & (both | at_end));
         open = open & !closed;
@@ -64,7 +64,7 @@ mod tests {
         }
     }
 
-    /// Secants that creep from an end where the number is a million times as large are no zeros.
+    /// Secants that creep from an end at which the number is a million times as large are not zeros.
     #[test]
     fn extreme_ends_of_other_magnitudes() {
         let steep = |x: f64| (x - 0.5) / libm::pow(x + 1e-5, 1.25);

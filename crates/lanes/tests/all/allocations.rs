@@ -1,4 +1,4 @@
-//! A step side by side allocates nothing.
+//! A step in lanes allocates nothing.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -13,7 +13,7 @@ use crate::steps::SETTINGS;
 struct Counting;
 
 thread_local! {
-    /// Allocations of this thread: other tests run beside this one.
+    /// Allocations of this thread; other tests run in other threads.
     pub(crate) static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn allocations() -> usize {
 fn limit_a_step_side_by_side_allocates_nothing() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).unwrap();
-    // Storeys of every structure, and structures.
+    // Number of storeys of every structure, and number of structures.
     let shapes = [(1, 5), (1, 2), (1, 3), (3, 2)];
     let laws = [STEREOMECHANICAL, VISCOELASTIC];
     for ((storeys, n), law) in shapes.into_iter().flat_map(|one| laws.map(|law| (one, law))) {
@@ -74,7 +74,7 @@ fn limit_a_step_side_by_side_allocates_nothing() {
             assert!(beside.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies));
             (allocations() - before, tallies.touching_steps)
         };
-        // Before anything touches there is nothing to allocate for.
+        // Before the first touch there is no reason to allocate.
         let ((none, apart), (many, touching)) = (count(2), count(2000));
         assert_eq!(apart, 0, "nothing touches yet");
         assert!(touching > 100, "the rows must collide: {touching}");

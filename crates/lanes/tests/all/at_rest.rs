@@ -12,12 +12,12 @@ use crate::common::moving;
 use crate::exact::{CLOCK, GROUND_STEP, alone, beside, distance, row_of, scaled};
 use crate::random_rows::config;
 
-/// What rounding of the data leaves open.
+/// Effect of the rounding of the data.
 const ROUNDING: f64 = 1e-13;
 
 fn rows() -> impl Strategy<Value = Row<Elastic>> {
     let side = || {
-        // Undamped structures return to a neighbour that they left with no speed at all: whether they touch is rounding.
+        // Undamped structures return without speed to a neighbour that they left: rounding decides whether they touch.
         let column = (0.13..1.0_f64, 0.01..0.2_f64);
         let start = (-0.001..0.001_f64, -0.2..0.2_f64);
         let start = prop_oneof![2 => start, 1 => Just((0.0, 0.0))];
@@ -45,7 +45,7 @@ fn rows() -> impl Strategy<Value = Row<Elastic>> {
     })
 }
 
-/// A ground that pushes for a second or so in one direction, or in steps with stretches of nothing, and stops.
+/// A ground that pushes for about a second in one direction, or in steps with pauses, and stops.
 fn slow_ground() -> impl Strategy<Value = Vec<f64>> {
     let wave = (1.0..4.0_f64, 0.0..6.3_f64, 1.0..6.0_f64);
     let waves = (wave, 100..190_usize).prop_map(|((period, phase, amplitude), n)| {
@@ -60,7 +60,7 @@ fn slow_ground() -> impl Strategy<Value = Vec<f64>> {
     prop_oneof![2 => waves, 1 => steps]
 }
 
-/// Collisions of a run alone; none where it ends with an error.
+/// Collisions of a run alone; empty if it ends with an error.
 fn collisions(row: &Row<Elastic>, ground: &[f64]) -> Vec<Collision> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     let mut collisions = Collisions::new(2, row.pairs());
@@ -94,7 +94,7 @@ proptest! {
     }
 }
 
-/// Of rows whose neighbours come to rest with a gap before it.
+/// Lanes give the results of most rows whose neighbours come to rest after a gap.
 #[test]
 fn limit_rows_that_rest_are_told() {
     let mut runner = TestRunner::deterministic();
@@ -114,8 +114,8 @@ fn limit_rows_that_rest_are_told() {
     assert!(10 * told >= 9 * all, "{told} of {all} are told");
 }
 
-/// A structure that swings against a wall without a gap hits it every half period, however little is left of its motion. Rounding of its
-/// force from the first swing stayed when the motion died away: alone the exact method counted 44 impacts of 80.
+/// A structure that swings against a wall without a gap hits it every half period, however small its motion is. The rounding of its force
+/// from the first swing stayed when the motion decayed: the exact method alone counted 44 impacts instead of 80.
 #[test]
 fn issue_a_motion_that_dies_away_keeps_its_impacts() {
     for (period, ratio, restitution) in [(0.15, 0.1, 0.1), (0.2, 0.1, 0.3), (0.13, 0.02, 0.6), (0.3, 0.05, 0.01)] {
@@ -135,7 +135,7 @@ fn issue_a_motion_that_dies_away_keeps_its_impacts() {
     }
 }
 
-/// A light structure comes from farther left than a heavy one pushes it back to: of both only the heavy one has its peak at rest.
+/// A light structure starts farther to the left than a heavy structure pushes it back: only the heavy structure has its peak at rest.
 #[test]
 fn reference_one_of_two_at_rest_is_farther_than_ever() {
     let light = moving(1e4, [0.35, 0.05], [-0.03, 0.0]);

@@ -1,4 +1,4 @@
-//! Books of contacts side by side: they doubt what a ledger refuses, and little else.
+//! Books of contacts in lanes: they doubt everything that a ledger refuses, and little else.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, LinearSpring};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
@@ -26,7 +26,7 @@ fn row(scene: usize, law: ContactLaw) -> Row<Elastic> {
     Row::new(nodes, vec![pair]).expect("valid")
 }
 
-/// Two towers that yield and do the same.
+/// Two towers that yield, approach each other, and touch.
 fn tower_row(scene: usize, law: ContactLaw) -> Row<Bilinear> {
     let column = |stiffness: f64| Bilinear {
         stiffness,
@@ -51,7 +51,7 @@ const CENTRAL: CentralDifference = CentralDifference { contact_substeps: 1 };
 const SCENES: usize = 40;
 const END: f64 = 3.0;
 
-/// Names the columns of rows.
+/// Gives rows the name of their columns.
 type Kind<Column> = for<'a> fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 fn elastic<'a>(rows: &'a [&'a Row<Elastic>]) -> RowsOf<'a> {
@@ -62,7 +62,7 @@ fn bilinear<'a>(rows: &'a [&'a Row<Bilinear>]) -> RowsOf<'a> {
     RowsOf::Bilinear(rows)
 }
 
-/// How many scenes the ledger of a run alone refuses, and how many of the others are doubted side by side.
+/// Number of scenes that the ledger of a run alone refuses, and number of the others that lanes doubt.
 fn refused_and_doubted<Column: Hysteretic>(
     settings: CentralDifference,
     (row, kind): (impl Fn(usize) -> Row<Column>, Kind<Column>),
@@ -95,7 +95,7 @@ fn refused_and_doubted<Column: Hysteretic>(
     (refused, doubted)
 }
 
-/// Steps that resolve a contact badly let it give back more than it took.
+/// Steps that resolve a contact badly let it give back more energy than it took.
 #[test]
 fn limit_what_a_ledger_refuses_is_doubted() {
     let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 5e9 });
@@ -107,7 +107,7 @@ fn limit_what_a_ledger_refuses_is_doubted() {
     assert!(refused > 0, "towers: the test sees nothing");
 }
 
-/// Steps that resolve it are not doubted.
+/// Steps that resolve a contact are not doubted.
 #[test]
 fn limit_ordinary_scenes_are_not_doubted() {
     let asked = (0.65, Calibration::Exact);

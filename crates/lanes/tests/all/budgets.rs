@@ -1,4 +1,4 @@
-//! Runs side by side that are stopped, and long ones.
+//! Runs in lanes that are stopped, and long runs.
 
 use std::sync::atomic::AtomicBool;
 
@@ -9,14 +9,14 @@ use pounding_solver::{Budget, Clock, Elastic, Exact, Excitation, Integrator, Pea
 use crate::common::{STIFF, VISCOELASTIC, WEAK, elastic, ground, pairs};
 use crate::steps::SETTINGS;
 
-/// Stopped before it begins.
+/// A stop flag that is set before the run begins.
 static STOPPED: AtomicBool = AtomicBool::new(true);
 const STOP: Budget = Budget {
     pieces: Budget::PIECES,
     seconds: None,
     stop: Some(&STOPPED),
 };
-/// More steps than there are between two looks at the budget.
+/// More steps than between two checks of the budget.
 const LONG: Clock = Clock {
     time_step: 1e-4,
     n_steps: 40_000,
@@ -27,7 +27,7 @@ fn two(law: ContactLaw) -> Row<Elastic> {
     Row::new(nodes, pairs(2, 0.01, law)).expect("a row")
 }
 
-/// Nor one side by side with others: those are not told.
+/// A stopped run in lanes did not end; its scenes must not be told.
 #[test]
 fn issue_whoever_stops_ends_runs_side_by_side() {
     let samples = ground();
@@ -51,7 +51,7 @@ fn issue_whoever_stops_ends_runs_side_by_side() {
     }
 }
 
-/// Steps side by side are looked at in parts: the bits stay those of each scene alone, whatever its length.
+/// Steps in lanes run in parts: the bits remain those of each scene alone, for any length.
 #[test]
 fn limit_long_runs_side_by_side_have_the_bits_of_each_alone() {
     let samples = ground();

@@ -1,4 +1,4 @@
-//! Chains of impacts side by side: several pairs hit at one instant.
+//! Chains of impacts in lanes: several pairs hit at an instant.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
@@ -7,7 +7,7 @@ use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integra
 use crate::steps::{CLOCK, SCENES, SETTINGS, all, compare};
 use crate::watch::Watch;
 
-/// Pairs of a row that were hit at an instant at which a neighbouring pair was.
+/// Number of pairs hit at an instant at which a neighbouring pair was hit.
 fn hit_together(row: &Row<Elastic>, excitation: Excitation<'_>) -> usize {
     let mut recorder = Collisions::new(row.nodes().len(), row.pairs());
     let method = Integrator::CentralDifference(SETTINGS);
@@ -19,7 +19,7 @@ fn hit_together(row: &Row<Elastic>, excitation: Excitation<'_>) -> usize {
     joined.count()
 }
 
-/// Chains of pairs hit at one instant, with walls at the left, in the middle and at the right.
+/// Chains of pairs hit at an instant, with walls at the left, in the middle and at the right.
 #[test]
 fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
     let ground: Vec<f64> = (0..200).map(|n| 5.0 * libm::sin(0.37 * f64::from(n))).collect();
@@ -69,7 +69,7 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
     }
 }
 
-/// Lanes hold a pair of every floor and its right neighbour: others are left to runs of a scene alone.
+/// Lanes support only pairs of a floor and its right neighbour: other rows are left to runs alone.
 #[test]
 fn extreme_pairs_that_are_no_chain_are_left_alone() {
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });

@@ -1,4 +1,4 @@
-//! The exact method side by side: what it tells is what the exact method alone finds.
+//! The exact method in lanes: its results are those of the exact method alone.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical};
 use pounding_lanes::{ExactSideBySide, Excitations, PairSums, SceneSums};
@@ -19,12 +19,12 @@ pub(crate) const CLOCK: Clock = Clock {
     n_steps: 801,
 };
 
-/// Between two looks of a run alone at how far neighbours come towards each other: cubics between them are off by rounding.
+/// Time between two looks of a run alone at the closing of neighbours: the error of cubics between them is rounding.
 const LOOK: f64 = 2e-5;
 
 #[derive(Debug, Clone)]
 struct Case {
-    /// Mass \[kg\], period \[s\], damping ratio, initial velocity \[m/s\]; no period for a wall.
+    /// Mass \[kg\], period \[s\], damping ratio, initial velocity \[m/s\]; the period of a wall is NaN.
     sides: [[f64; 4]; 2],
     gap: f64,
     law: ContactLaw,
@@ -68,7 +68,7 @@ fn cases() -> impl Strategy<Value = Case> {
     })
 }
 
-/// The largest distance to exact runs under a record, or of structures with periods, that differ by a part.
+/// The largest distance to exact runs with a record, or with periods of structures, that differ by a relative amount `part`.
 fn condition(exact: &(Found, f64), case: &Case, ground: &[f64], part: f64) -> f64 {
     let mut slower = case.clone();
     for [_, period, ..] in &mut slower.sides {
@@ -89,7 +89,7 @@ fn settings(tolerance: f64) -> Exact {
 /// Peak displacements and closing \[m\], sum and largest of the impulses \[N·s\], and peak force \[N\] with the number of collisions.
 pub(crate) type Found = ([f64; 5], [f64; 2]);
 
-/// What the exact method finds in a row alone, and the momentum \[N·s\] with which its structures touch, of all touches.
+/// Results of the exact method for a row alone, and the total momentum \[N·s\] of approach over all touches.
 pub(crate) fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<(Found, f64)> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     let walls = row.nodes().iter().map(Node::is_wall).collect();
@@ -122,7 +122,7 @@ fn found([left, right]: [f64; 2], tally: PairSums) -> Found {
     (numbers, [tally.peak_force, tally.collisions])
 }
 
-/// What is told of rows side by side; nothing of those that have to run alone.
+/// Results of rows in lanes; `None` for rows that must run alone.
 pub(crate) fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<Found>> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     beside_under(rows, excitation.into(), tolerance)
@@ -143,9 +143,11 @@ fn beside_under(rows: &[Row<Elastic>], excitations: Excitations<'_>, tolerance: 
     (0..rows.len()).map(tell).collect()
 }
 
-/// The largest difference of peaks, impulses and forces, relative to the larger of them. Peaks are compared without their signs: which side
-/// is further is decided by less than the error where both are nearly as far. Closings are differences of displacements. Impulses that are less than the momentum of approach are
-/// relative to that, as the tolerance is: a soft touch of long duration passes on a hundredth of it.
+/// The largest difference of peaks, impulses and forces, relative to the larger of both.
+///
+/// Peaks are compared without their signs: if both sides are almost equally far, less than the error decides. Closings are differences of
+/// displacements. Impulses below the momentum of approach are relative to this momentum, like the tolerance: a soft touch of long duration
+/// passes on a hundredth of it.
 pub(crate) fn distance((one, momentum): &(Found, f64), other: &Found) -> f64 {
     let relative = |a: f64, b: f64, least: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(least);
     let displacement = one.0[0].abs().max(one.0[1].abs()).max(1e-12);
@@ -163,7 +165,7 @@ pub(crate) fn scaled(ground: &[f64], by: f64) -> Vec<f64> {
 proptest! {
     #![proptest_config(config(24))]
 
-    /// Distances are held to the [condition] of the scene.
+    /// Distances are compared with the [condition] of the scene.
     #[test]
     fn reference_what_is_told_is_what_the_exact_method_finds_alone(
         cases in prop::collection::vec(cases(), 11),
@@ -172,7 +174,7 @@ proptest! {
         let rows: Vec<_> = cases.iter().map(Case::row).collect();
         let tolerance = 1e-9;
         let told = beside(&rows, &ground, tolerance);
-        // Long steps give up touches alone that graze a parting.
+        // Long steps leave touches that graze a parting to runs alone.
         let coarse = beside(&rows, &ground, 1e-3);
         let lost = told.iter().zip(&coarse).filter(|(fine, coarse)| fine.is_some() && coarse.is_none());
         prop_assert!(lost.count() <= 1, "{told:?} {coarse:?}");
@@ -198,7 +200,7 @@ proptest! {
         }
     }
 
-    /// Whom a scene runs beside is not seen in any bit.
+    /// The other scenes of a run do not change any bit.
     #[test]
     fn limit_a_lane_does_not_know_the_others(
         cases in prop::collection::vec(cases(), 19),
@@ -226,7 +228,7 @@ proptest! {
         prop_assert_eq!(bits(beside(&many, &ground, 1e-8)), bits(again));
     }
 
-    /// A scene under a ground motion of its own has the bits that it has where all have this motion.
+    /// A scene has the same bits with a separate ground motion and with a common one.
     #[test]
     fn limit_a_lane_does_not_know_the_other_motions(
         cases in prop::collection::vec(cases(), 19),
@@ -247,7 +249,7 @@ proptest! {
     }
 }
 
-/// Rows that are not told run alone, which costs most of what lanes save.
+/// Rows that are not told run alone, which costs most of the savings of lanes.
 #[test]
 fn limit_most_random_rows_are_told() {
     let mut runner = TestRunner::deterministic();
@@ -263,7 +265,8 @@ fn limit_most_random_rows_are_told() {
     assert!(10 * told >= 9 * all, "{told} of {all} are told");
 }
 
-/// A contact of a few long steps: their polynomials miss where the forces of these laws end, and what is lost there is not seen in the error of the step.
+/// In a contact of a few long steps, polynomials missed where the forces of these laws end, and the error estimate of the step did not show
+/// the loss.
 #[test]
 fn issue_a_parting_that_the_polynomial_missed_is_tried_again() {
     let pair = FreePair {
@@ -291,7 +294,7 @@ fn issue_a_parting_that_the_polynomial_missed_is_tried_again() {
     }
 }
 
-/// Touches that fall on samples, to rounding on either side: steps in contact of no length, and contacts that begin with an interval.
+/// Touches at samples, within rounding on either side: contact steps without length, and contacts that begin with an interval.
 #[test]
 fn extreme_touches_at_samples() {
     let asked = (0.6, Calibration::Exact);
@@ -301,7 +304,7 @@ fn extreme_touches_at_samples() {
     let rows: Vec<_> = (1..=40)
         .map(|sample| {
             let case = Case {
-                // Nearly free: it arrives where it is sent.
+                // Nearly free: the structure arrives at its target.
                 sides: [[1e5, 1e5, 0.0, 0.5], [1.0, f64::NAN, 0.0, 0.0]],
                 gap: 0.5 * GROUND_STEP * f64::from(sample),
                 law,

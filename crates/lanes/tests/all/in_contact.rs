@@ -1,4 +1,4 @@
-//! Faults of compliant contact in lanes that random rows found, each by a row that showed it.
+//! Faults of compliant contact in lanes that random rows found; a row shows each.
 
 use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt, KuwabaraKono, ModifiedKelvin, NonlinearViscoelastic};
 use pounding_solver::{Elastic, Node, Row};
@@ -6,8 +6,8 @@ use pounding_solver::{Elastic, Node, Row};
 use crate::common::moving;
 use crate::exact::{alone, beside, distance, row_of, scaled};
 
-/// Holds what is told at tolerances to what the exact method finds alone, within so many times the tolerance and what a record that differs
-/// by it changes.
+/// Compares results at tolerances with the exact method alone. The allowed difference is `times` the tolerance plus the effect of an equal
+/// relative change of the record.
 fn held_to_the_exact_method(row: &Row<Elastic>, ground: &[f64], tolerances: &[f64], times: f64) {
     let exact = alone(row, ground).expect("it runs");
     for tolerance in tolerances {
@@ -20,8 +20,8 @@ fn held_to_the_exact_method(row: &Row<Elastic>, ground: &[f64], tolerances: &[f6
     }
 }
 
-/// Neighbours that part for 5 ms and touch again within one step of a coarse tolerance: their second touch was taken for the first one, and
-/// by a law that knows its approach speed the sum of impulses was 3.5 % off.
+/// Neighbours part for 5 ms and touch again within a step at a coarse tolerance. The second touch was taken for the first one, and with a
+/// law that depends on the approach speed the sum of impulses had an error of 3.5 %.
 #[test]
 fn issue_a_parting_within_a_step_is_a_parting() {
     let nodes = [
@@ -38,8 +38,8 @@ fn issue_a_parting_within_a_step_is_a_parting() {
     held_to_the_exact_method(&row, &ground, &tolerances, 10.0);
 }
 
-/// The ground's acceleration jumps where a record does not end with zero, and with it how fast a soft force changes: a second top behind it was
-/// missed, and the peak was 0.8 % low at a tolerance of 1e-5.
+/// The ground's acceleration jumps after a record that does not end with zero, and with it the rate of a soft force. A second maximum after
+/// the jump was missed, and the peak was 0.8 % too low at a tolerance of 1e-5.
 #[test]
 fn issue_a_top_behind_the_end_of_a_record_is_a_top() {
     let nodes = [
@@ -67,8 +67,8 @@ fn noise(seed: u64, samples: usize) -> Vec<f64> {
     (0..samples).map(|_| next()).collect()
 }
 
-/// Dampers that let go and act again within a step, and forces that are clamped for a moment: what was between the ends of a step was
-/// missed, and impulses were off by up to 7000 times the tolerance.
+/// Dampers stop and start again within a step, and forces are clamped for a moment. Changes between the ends of a step were missed, and
+/// impulses had errors of up to 7000 times the tolerance.
 #[test]
 fn issue_a_bend_and_back_within_a_step_is_seen() {
     let laws = [
@@ -91,12 +91,12 @@ fn issue_a_bend_and_back_within_a_step_is_seen() {
     }
 }
 
-/// A force that is clamped before neighbours part, where a step ends behind both: where it is clamped was not looked for, and impulses were off
-/// by up to 26 times the tolerance.
+/// A force is clamped before neighbours part, and the step ends after both. The clamp was not searched for, and impulses had errors of up
+/// to 26 times the tolerance.
 #[test]
 fn issue_a_force_that_is_clamped_in_the_step_that_parts() {
     let damped = [8, 10, 23, 27, 49].map(|seed| (2.1e5, seed));
-    // Without a damper nothing is clamped.
+    // Without a damper no force is clamped.
     for (impact_damping, seed) in damped.into_iter().chain([(0.0, 8)]) {
         let law = ContactLaw::KuwabaraKono(KuwabaraKono {
             impact_stiffness: 2e7,
@@ -108,8 +108,8 @@ fn issue_a_force_that_is_clamped_in_the_step_that_parts() {
     }
 }
 
-/// Forces and displacements that turn twice within a step, of soft neighbours whose steps are as long as those of the record: the turns between
-/// were missed, and peaks were up to 6e-4 low whatever the tolerance above 1e-8.
+/// Forces and displacements turn twice within a step, with soft neighbours whose steps are as long as those of the record. The turns in
+/// between were missed, and peaks were up to 6e-4 too low at any tolerance above 1e-8.
 #[test]
 fn issue_two_turns_within_a_step_are_seen() {
     let wall = Node::wall(Elastic { stiffness: 1.0 });
@@ -125,7 +125,7 @@ fn issue_two_turns_within_a_step_are_seen() {
     }
 }
 
-/// At a tolerance of 1e-3 the sum of these impulses was 12 % off.
+/// At a tolerance of 1e-3 the sum of these impulses had an error of 12 %.
 #[test]
 fn issue_coarse_steps_end_a_contact_where_it_ends() {
     let law = ContactLaw::KelvinVoigt(KelvinVoigt {

@@ -1,4 +1,4 @@
-//! Tests of lanes: what is told is what runs of each scene alone tell. The kind of each test is in its name.
+//! Tests of lanes: their results must be those of runs of each scene alone. The name of each test states its kind.
 
 mod allocations;
 mod at_rest;

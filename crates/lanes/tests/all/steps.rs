@@ -1,4 +1,4 @@
-//! Scenes side by side: every lane gives the bits of its scene alone.
+//! Scenes in lanes: every lane gives exactly the bits of its scene alone.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{Excitations, PairSums, RowsOf, SceneSums, SideBySide};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use crate::random_rows::{Case, SI, any_law, cases, config};
 use crate::watch::Watch;
 
-/// More than go in step, with a last group that is full in part or missing, whether two, four or eight lanes are a group.
+/// More scenes than advance together; the last group is partly full or absent, for groups of two, four or eight lanes.
 pub(crate) const SCENES: [usize; 2] = [13, 19];
 
 pub(crate) const CLOCK: Clock = Clock {
@@ -21,10 +21,11 @@ pub(crate) const CLOCK: Clock = Clock {
 
 pub(crate) const SETTINGS: CentralDifference = CentralDifference { contact_substeps: 1 };
 
-/// One scene that no step of the clock can follow must not disturb the others. It may go as far to both sides, which is left to runs alone.
+/// A scene that no step of the clock can resolve must not disturb the others. If it moves equally far to both sides, it is left to a run
+/// alone.
 pub(crate) const BEYOND_THE_CLOCK: usize = 5;
 
-/// The same kind of law with other numbers.
+/// A law of this kind with other parameters.
 pub(crate) fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
     if let ContactLaw::Stereomechanical(mut law) = law {
         law.restitution /= factor;
@@ -33,7 +34,7 @@ pub(crate) fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
     law.stiffened(factor)
 }
 
-/// The same row with other numbers.
+/// The row with other numbers.
 fn varied(case: &Case, scene: usize) -> Case {
     let factor = 1.0 + 0.05 * f64::from(u32::try_from(scene).expect("few"));
     let mut case = case.clone();
@@ -56,7 +57,7 @@ fn varied(case: &Case, scene: usize) -> Case {
     case
 }
 
-/// Number of steps of a scene: not the same of all.
+/// Number of steps of a scene; it differs between scenes.
 fn steps(scene: usize) -> usize {
     CLOCK.n_steps - 7 * (scene % 3)
 }
@@ -97,10 +98,10 @@ pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
     rows.iter().collect()
 }
 
-/// Names the columns of rows.
+/// Gives rows the name of their columns.
 pub(crate) type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
-/// Ground accelerations for each of so many scenes: larger or smaller, and not equally long.
+/// Ground accelerations for each of n scenes: larger or smaller, with different lengths.
 pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
     let own = |scene: usize| {
         let factor = 0.5 + 0.1 * f64::from(u32::try_from(scene).expect("few"));
@@ -110,7 +111,7 @@ pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
     (0..n).map(own).collect()
 }
 
-/// Holds every scene of some rows to itself alone: under one ground motion, and each under one of its own.
+/// Compares every scene of some rows with itself alone: under a common ground motion, and each under a separate motion.
 pub(crate) fn compare<'a, Column: Hysteretic>(
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     ground: &[f64],
@@ -120,7 +121,7 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     compare_under((rows, kind), &common)?;
     let own = own_grounds(ground, rows.len());
     let mut own: Vec<_> = own.iter().map(|ground| excitation(ground)).collect();
-    // Samples of one motion are farther apart.
+    // Samples of a single motion are farther apart.
     own[1] = Excitation::new(0.0125, own[1].samples()).expect("the record is finite");
     compare_under((rows, kind), &own)
 }
@@ -137,7 +138,7 @@ fn bits_of_pair(sums: &PairSums) -> ([u64; 4], Option<u64>) {
     (numbers.map(f64::to_bits), closing.map(f64::to_bits))
 }
 
-/// Whether sums are those of runs that nobody asked for closings.
+/// Whether sums equal those of a run without closings.
 fn are_the_same<Column: Hysteretic>(full: &SceneSums, lean: &SceneSums, row: &Row<Column>) -> bool {
     let floor =
         |sums: &SceneSums, scene: usize, floor: usize| [sums.displacement(scene, floor), sums.drift(scene, floor)].map(f64::to_bits);
@@ -178,9 +179,9 @@ fn compare_under<'a, Column: Hysteretic>(
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
         };
-        // What goes further than structures do is left to runs alone.
+        // Displacements beyond all bounds are left to runs alone.
         let far = floors.iter().flatten().any(|peak| peak.abs() >= 1e3);
-        // Rest after an impact with e = 0 is told by runs alone.
+        // Rest after an impact with e = 0 is left to runs alone.
         let may_rest = pairs.iter().zip(row.pairs()).any(|(tally, pair)| {
             let law = pair.law.impulsive();
             tally.collisions > 0.0 && law.is_some_and(|law| law.restitution == 0.0)
@@ -217,7 +218,7 @@ fn compare_under<'a, Column: Hysteretic>(
     Ok(())
 }
 
-/// The same with scenes like this one, so many, with every kind of columns.
+/// Compares `count` scenes like this one, with every kind of columns.
 pub(crate) fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
     let scenes: Vec<_> = (0..count).map(|scene| varied(case, scene)).collect();
     let row = |(scene, case): (usize, &Case)| displaced(&case.row(SI), scene);
@@ -249,7 +250,7 @@ proptest! {
     }
 }
 
-/// The same row, but in every third scene all structures begin displaced, so that no gap is another one.
+/// The row; in every third scene all structures begin displaced, with unchanged gaps.
 fn displaced(row: &Row<Bilinear>, scene: usize) -> Row<Bilinear> {
     let initial_displacement = if scene % 3 == 1 { 0.03 } else { 0.0 };
     let node = |node: &Node<Bilinear>| Node {
@@ -260,7 +261,8 @@ fn displaced(row: &Row<Bilinear>, scene: usize) -> Row<Bilinear> {
     Row::new(nodes, row.pairs().to_vec()).expect("the row is valid")
 }
 
-/// The same row with other columns. Its last structure is a wall if it is at rest and not alone, else the first one on that condition.
+/// The row with other columns. Its last structure becomes a wall if it is at rest and not alone, else the first structure under this
+/// condition.
 fn with_columns<Column: Hysteretic>(row: &Row<Bilinear>, column: impl Fn(&Node<Bilinear>) -> Column) -> Row<Column> {
     let last = row.nodes().len() - 1;
     let rests = |index: &usize| {
@@ -283,7 +285,7 @@ fn with_columns<Column: Hysteretic>(row: &Row<Bilinear>, column: impl Fn(&Node<B
     Row::new(nodes, row.pairs().to_vec()).expect("the row is valid")
 }
 
-/// On ground at rest.
+/// The method on ground at rest.
 fn side_by_side(settings: CentralDifference, clock: Clock) -> Result<SideBySide<'static>, RunError> {
     let excitation = Excitation::new(1.0, &[0.0]).expect("valid");
     SideBySide::new(settings, excitation, clock)
@@ -323,7 +325,7 @@ fn limit_rows_of_other_shapes_are_not_taken() {
     insta::assert_snapshot!(refused.expect_err("sub-steps run alone"), @"contact_substeps: found 2, allowed 1 side by side; scenes with more run alone");
 }
 
-/// As far to the left as to the right: a run alone keeps the first, and lanes do not know which that was.
+/// Equally far to the left and to the right: a run alone keeps the first peak, and lanes do not know which was first.
 #[test]
 fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
     // Ω Δt = √2: u = −2⁻⁷, 0, 2⁻⁷ without rounding.
@@ -350,7 +352,7 @@ fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
 fn limit_no_lane_looks_at_contact_while_none_touches() {
     let together = side_by_side(SETTINGS, CLOCK).expect("valid");
     let mut found = SceneSums::default();
-    // The first moves to the right until it meets the other.
+    // The first structure moves to the right until it meets the second.
     let with_gap = |gap: f64| {
         let row = pair_of(0.5);
         let mut nodes = row.nodes().to_vec();

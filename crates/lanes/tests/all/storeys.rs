@@ -1,4 +1,4 @@
-//! Buildings of several storeys side by side: every lane gives the bits of its scene alone.
+//! Buildings of several storeys in lanes: every lane gives exactly the bits of its scene alone.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
@@ -22,7 +22,7 @@ struct Building {
     is_wall: bool,
 }
 
-/// A row of them under a record.
+/// A row of buildings under a record.
 #[derive(Debug, Clone)]
 struct Case {
     buildings: Vec<Building>,
@@ -36,7 +36,7 @@ fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| libm::pow(10.0, exponent))
 }
 
-/// From the ground up, with every level or every second one; some are halls whose only lower floor is the ground.
+/// A building with floors at every level or every second level, from the ground up. Some are halls whose only lower floor is the ground.
 fn building() -> impl Strategy<Value = Building> {
     let storey = (
         power_of_ten(4.0..6.0),
@@ -72,9 +72,9 @@ fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> 
             for (index, building) in buildings.iter_mut().enumerate() {
                 building.is_wall &= index == last || index == 0;
             }
-            // Two walls have nothing to do with each other.
+            // Two walls cannot touch each other.
             buildings[0].is_wall &= !buildings[1].is_wall;
-            // All lean alike, so that none meets its neighbour at t = 0; beside a wall none leans.
+            // All lean alike, so that no gap is closed at t = 0; next to a wall none leans.
             let walls = buildings.iter().any(|building| building.is_wall);
             let lean = if walls { 0.0 } else { buildings[0].moves[1] };
             for building in &mut buildings {
@@ -89,7 +89,7 @@ fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> 
     })
 }
 
-/// The same row with other numbers; one scene that no step of the clock can follow must not disturb the others.
+/// The row with other numbers. A scene that no step of the clock can resolve must not disturb the others.
 fn row<Column: Hysteretic>(case: &Case, scene: usize, column: impl Fn(f64, f64) -> Column) -> Row<Column> {
     let factor = 1.0 + 0.03 * scene as f64;
     let floors: Vec<_> = case.buildings.iter().map(|one| one.floors.clone()).collect();
@@ -137,7 +137,7 @@ fn row<Column: Hysteretic>(case: &Case, scene: usize, column: impl Fn(f64, f64) 
     Row::new(nodes, pairs).expect("the row is valid")
 }
 
-/// Holds so many scenes like this one to themselves alone, with every kind of columns.
+/// Compares `count` scenes like this one with themselves alone, with every kind of columns.
 fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
     let elastic = |stiffness, _| Elastic { stiffness };
     let rows: Vec<_> = (0..count).map(|scene| row(case, scene, elastic)).collect();
@@ -206,7 +206,7 @@ fn limit_rows_of_other_storeys_are_not_taken() {
     assert!(takes(&[&tower]), "a tower");
     assert!(takes(&[&houses]), "two houses");
     assert!(!takes(&[&tower, &houses]), "a tower beside two houses");
-    // A hall whose base stands at the second level of the tower on its right.
+    // A hall with its base at the second level of the tower to its right.
     let nodes = vec![elastic(1e5), elastic(1e5), on(elastic(1e5), 0)];
     assert!(takes(&[&row(nodes, vec![impact(1)])]), "a hall");
 }

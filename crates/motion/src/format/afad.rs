@@ -1,8 +1,8 @@
 //! AFAD (NSMN) of Turkey: 18 lines of titles in a Turkish code page, then north-south, east-west
 //! and up-down in gal.
 //!
-//! No file was at hand: this follows programs that read the format. The peaks of the header are of
-//! the raw record, so they are not held against the values.
+//! No file was available: this follows programs that read the format. The peaks of the header are those of the raw record and are not
+//! compared with the values.
 
 use super::table::Table;
 use super::title::{self, needed};

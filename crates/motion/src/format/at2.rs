@@ -15,19 +15,18 @@ pub(super) const READER: Reader = Reader {
 
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.
 ///
-/// The line with NPTS and DT is the last among the first ten that names both, in any order and
-/// case, such as `NPTS=  4000, DT= .01000 SEC` or `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without any, it is
-/// line 4 if that is a whole number and a time step. A title line says that the values are acceleration in g, or none names
-/// a unit, which must then be declared.
-/// Values stand in any number of columns of any width, as C or Fortran writes them, and may touch.
-/// The component is the direction behind the last comma of PEER's line of earthquake and station, where there is one.
-/// They end at the end of the file or at a line that does not begin with a number; blank lines are
-/// skipped. The first value is at t = 0, since the format has no times: a file that leaves out the
-/// state of rest is early by one step. The title lines become the provenance.
+/// The line with NPTS and DT is the last of the first ten lines that names both, in any order and case, such as `NPTS=  4000, DT= .01000
+/// SEC` or `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without such a line it is line 4, if this is a whole number and a time
+/// step. A title line must state that the values are acceleration in g; if no line names a unit, the unit must be declared.
+///
+/// Values are in any number of columns of any width, as written by C or Fortran, and may touch. They end at the end of the file or at a
+/// line that does not begin with a number; blank lines are skipped. The first value is at t = 0, because the format has no times: a file
+/// without the state of rest is early by a step. The component is the direction after the last comma of PEER's line of earthquake and
+/// station, if there is one. The title lines become the provenance.
 ///
 /// # Errors
-/// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
-/// than g, a field that is not a finite number, and more or fewer values than NPTS.
+/// Refuses a file without a readable line of NPTS and DT, velocity and displacement, and units other than g. Refuses a field that is not a
+/// finite number, and a number of values other than NPTS.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let header::Header { titles, line, data } = header::split(&file.lines)?;
     let unit = header::unit(titles)?.or(header::unit(&[line])?);

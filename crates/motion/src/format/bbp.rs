@@ -1,7 +1,7 @@
 //! SCEC Broadband Platform: comments behind `#` that name four columns, time and three components, on one line or a line each.
 //!
-//! The comments say `cm/s` of velocities and, in some files, of accelerations too: such files are taken for
-//! velocities unless the caller says otherwise, and leave the unit to the caller.
+//! The comments give the unit `cm/s` for velocities and, in some files, also for accelerations. Such files count as velocities unless the
+//! caller states otherwise, and need a declared unit.
 
 use super::said::Said;
 use super::table::Table;
@@ -13,7 +13,7 @@ use crate::{Place, ReadError};
 /// Time and three components.
 const COLUMNS: usize = 4;
 
-/// What the components are called, in capitals, and their names.
+/// Words for the components, in capitals, and their names.
 const WORDS: [(&str, &str); 9] = [
     ("NORTH-SOUTH", "NS"),
     ("EAST-WEST", "EW"),
@@ -38,7 +38,7 @@ pub(super) const READER: Reader = Reader {
 struct Column<'t> {
     name: &'static str,
     line: Line<'t>,
-    /// What the line says of it.
+    /// Text of the line about it.
     text: String,
 }
 

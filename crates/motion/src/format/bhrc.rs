@@ -1,6 +1,6 @@
 //! Volume 1 of BHRC, Iran: per channel 13 titles, seven lines of whole numbers and seven of others, then values alone.
 //!
-//! The ninth of the numbers with a point is the rate, of which the lines show only the first six of eight.
+//! The ninth number with a point is the rate; the lines show only the first six of its eight digits.
 
 use super::csmip_v1::scale;
 use super::csmip_v2::component;

@@ -1,7 +1,7 @@
 //! Texts with decimal commas, as programs write them in many countries: `0,01;0,25`, or `0,01 0,25`.
 //!
-//! Where semicolons or blanks part the numbers there is no doubt, and points are put in their place, byte for byte, so that every
-//! line and column stays where it is. Where nothing but commas stands, there is: see `RowError::DecimalComma`.
+//! If semicolons or blanks separate the numbers, commas are replaced by points, byte for byte, so that every line and column keeps its
+//! place. If only commas occur, the text is ambiguous: see `RowError::DecimalComma`.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use crate::line::{Line, lines, number};
 /// Bytes in which the first row of numbers is looked for.
 const SEARCHED: usize = 1 << 16;
 
-/// What parts the numbers of a row with decimal commas.
+/// Separator of the numbers of a row with decimal commas.
 #[derive(Clone, Copy, PartialEq)]
 enum Parted {
     BySemicolons,
@@ -39,7 +39,7 @@ pub(super) fn with_points(bytes: &[u8]) -> (Cow<'_, [u8]>, Option<usize>) {
     (Cow::Owned(text), Some(line))
 }
 
-/// What parts the numbers of a line, if it is a row with decimal commas or semicolons.
+/// Separator of the numbers of a line, if it is a row with decimal commas or semicolons.
 fn parted(line: &[u8]) -> Option<Parted> {
     let has = |byte: u8| memchr::memchr(byte, line).is_some();
     let is_number = |field: &[u8]| {

@@ -33,10 +33,10 @@ pub(super) fn is_sum(name: &str) -> bool {
     sums.iter().any(|sum| name.trim().eq_ignore_ascii_case(sum))
 }
 
-/// Index of the component that is declared, or of the only one.
+/// Index of the declared component, or of the only one.
 ///
-/// A declared one is a name, a number from 1, or a part of one name alone: whole words such as `90 Deg` of
-/// `CHAN 1: 90 DEG` first, then any part that cuts no number.
+/// A declaration is a name, a number from 1, or a unique part of a name. Whole words such as `90 Deg` of `CHAN 1: 90 DEG` come first, then
+/// any part that does not cut a number.
 pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, ReadError> {
     let names = || components.iter().map(|component| component.name.clone());
     let Some(declared) = declared else {

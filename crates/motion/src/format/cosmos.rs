@@ -1,10 +1,9 @@
-//! COSMOS 1.2, volumes 0 to 2: per channel titles, whole numbers, numbers with a point, comments
-//! and the values, each block with a line above that says how it is printed.
+//! COSMOS 1.2, volumes 0 to 2. Each channel has titles, whole numbers, numbers with a point, comments and the values. A line above each
+//! block gives its print format.
 //!
-//! The 62nd of the numbers with a point is the time step in milliseconds, the 64th the peak. The
-//! number of values and a code for their unit stand on the line above them. A volume 2 may have
-//! velocity and displacement as further channels; only those of acceleration are listed. Volume 1
-//! was at hand, volumes 0 and 2 were not.
+//! The 62nd number with a point is the time step in milliseconds, the 64th the peak. The line above the values gives their number and a
+//! code for their unit. A volume 2 may have velocity and displacement as further channels; only those of acceleration are listed. Volume 1
+//! was available, volumes 0 and 2 were not.
 
 use super::columns::{Columns, leading_data};
 use super::numbers::{is_mark, last_digit};
@@ -217,8 +216,7 @@ fn unknown(titles: &[Line<'_>]) -> f64 {
     marks.unwrap_or(-999.0)
 }
 
-/// What the values are, from a line such as `7000  acceleration pts, approx   70 secs,
-/// units=cm/sec2(04),Format=(8F10.5)`.
+/// Unit of the values, from a line such as `7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
 fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
     let place = Place::Line(line.number);
     let text = line.excerpt();

@@ -1,9 +1,8 @@
 //! CSMIP (CDMG) volume 1: uncorrected accelerograms, per channel 13 titles and 14 lines of numbers, then the values.
 //!
-//! Newer files have a line such as `13200 Accelerogram points at 200 pts/sec in units of g.
-//! Format:(8f9.6)` or `12001 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC. (UNITS: G)` above values
-//! alone. Older ones have pairs of time and value, five to a line of 10F7 or, of USC, 1X,10F7, and most
-//! a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
+//! Newer files have a line such as `13200 Accelerogram points at 200 pts/sec in units of g. Format:(8f9.6)` or `12001 POINTS OF ACCEL DATA
+//! EQUALLY SPACED AT .005 SEC. (UNITS: G)` above the values. Older files have pairs of time and value, five to a line of 10F7 (USC:
+//! 1X,10F7). Most have a title such as `UNITS ARE SEC AND G/10`; otherwise the unit must be declared.
 
 use super::columns::{Columns, decimal, leading_data};
 use super::csmip_v2::{component, identity_in};

@@ -1,8 +1,8 @@
-//! CSMIP (CDMG) volume 2: per channel titles and numbers, then blocks of acceleration, velocity and displacement, of which
-//! the first is read.
+//! CSMIP (CDMG) volume 2. Each channel has titles and numbers, then blocks of acceleration, velocity and displacement; only acceleration is
+//! read.
 //!
-//! The line above each block tells how many values there are, their step, their unit and, in newer
-//! files, their Fortran format; older ones have 8F10.3.
+//! The line above each block gives the number of values, their step, their unit and, in newer files, their Fortran format; older files have
+//! 8F10.3.
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
@@ -84,7 +84,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     Component::new(words.join(" "), Place::Line(line.number)).at(Site::of_location(location))
 }
 
-/// Station, event and its time: the event stands on the title of this index, from 0, and its time on the next.
+/// Station, event and its time: the event is in the title with this index, from 0, and its time in the next title.
 pub(super) fn identity_in(titles: &[Line<'_>], event: usize) -> Identity {
     let line = |index: usize| titles.get(index).map(|line| line.text());
     let time = line(event + 1).unwrap_or_default();

@@ -22,8 +22,8 @@ const OURS: [(&str, AccelerationUnit); 2] = [
     ("acceleration_m_per_s2", AccelerationUnit::MetrePerSecondSquared),
 ];
 
-/// Two words and a comma, the first of which begins like the header: what is wrong with the rest
-/// is told, and not taken for the titles of plain text.
+/// Two words and a comma, the first word like that of the header: errors in the rest are reported, and the line does not count as a title
+/// of plain text.
 fn recognises(file: &File<'_>) -> bool {
     file.first().is_some_and(|line| {
         let mut fields = fields(line);
@@ -57,14 +57,13 @@ fn fields(line: Line<'_>) -> impl Iterator<Item = &[u8]> {
 /// a line.
 ///
 /// The header is `time_s,acceleration_g` or `time_s,acceleration_m_per_s2` and gives the unit.
-/// Times \[s\] rise in equal steps, to within 10⁻⁶ of a step and the rounding of their printed
-/// decimals; the time step is the shortest decimal number that gives the printed span, and the mean
-/// step where none does. The first time is 0, or one time step: such files leave out the state of
-/// rest, and a value of 0 at t = 0 is put before the others. The comments become the provenance.
+///
+/// Times \[s\] rise in equal steps, to within 10⁻⁶ of a step and the rounding of their printed decimals. The time step is the shortest
+/// decimal number that gives the printed span, else the mean step. The first time is 0, or a time step: such files lack the state of rest,
+/// and a value of 0 at t = 0 is added. The comments become the provenance.
 ///
 /// # Errors
-/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
-/// times that do not keep to the rules above.
+/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and times that violate these rules.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let mut rows = file.lines.iter().copied().filter(|line| !line.is_blank() && !line.is_comment());
     let header = rows.next().ok_or(ReadError::Empty)?;

@@ -12,7 +12,7 @@ use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 const COLUMNS: Columns = Columns::new(4, 10);
 
-/// Keys of which a header has two, in capitals.
+/// Keys in capitals; a header has at least two of them.
 const KEYS: [&str; 4] = ["STATIONCODE:", "AMPLITUDEUNIT:", "DATASEQUENCE:", "SAMPLERATE(HZ):"];
 
 pub(super) const READER: Reader = Reader {
@@ -48,7 +48,7 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &lines[..lines.iter().take_while(of_header).count()]
 }
 
-/// What stands behind a key, with its line.
+/// Text after a key, with its line.
 fn said<'t>(header: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
     header.iter().find_map(|line| {
         let text = line.text();

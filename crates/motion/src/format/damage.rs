@@ -1,10 +1,10 @@
-//! What stopped the values of a file before their number was reached: a number that is none, or something else.
+//! Why the values of a file end early: a damaged number, or another cause.
 
 use super::File;
 use crate::line::{excerpt, number};
 use crate::{Place, ReadError, RowError};
 
-/// The same error, or one that names the field where the values stopped.
+/// The error, replaced by one that names the field at which the values end, if there is one.
 pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     let ReadError::SampleCount {
         place: Place::Line(last),

@@ -1,4 +1,4 @@
-//! What a reader found in a file, and how it is held against the header and the caller's word.
+//! Result of a reader, and its comparison with the header and the declaration.
 
 use pounding_text::short;
 
@@ -9,7 +9,7 @@ use crate::direction::is_seismometer;
 use crate::shape;
 use crate::{AccelerationUnit, Accelerogram, Declared, Place, ReadError, Reading, Unusual};
 
-/// Something that a file states, with its place and its text.
+/// A statement of a file, with its place and its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Stated<T> {
     pub(crate) value: T,
@@ -17,7 +17,7 @@ pub(crate) struct Stated<T> {
     pub(crate) text: String,
 }
 
-/// What the values of a file are.
+/// Quantity and unit of the values of a file.
 #[derive(Clone, Debug)]
 pub(crate) enum Scale {
     /// Accelerations in a unit that the file states.
@@ -30,7 +30,7 @@ pub(crate) enum Scale {
     Velocity(Stated<()>),
     /// Displacements, as the header has it.
     Displacement(Stated<()>),
-    /// Counts of a digitiser, as the file states; of which instrument it does not say.
+    /// Counts of a digitiser, as stated by the file, which does not give their value.
     Counts(Stated<()>),
     /// The file says nothing.
     Unknown,
@@ -46,7 +46,7 @@ pub(crate) struct Peak {
     pub(crate) unit: Option<AccelerationUnit>,
 }
 
-/// What a reader found in a file, before it is held against the header and the declaration.
+/// Result of a reader, before its comparison with the header and the declaration.
 #[derive(Debug)]
 pub(crate) struct Draft {
     pub(crate) values: Vec<f64>,
@@ -175,8 +175,7 @@ impl Draft {
         Ok(one_signed)
     }
 
-    /// What speaks for velocities, where the file does not say that the values are accelerations: its header, or the code of
-    /// its channel.
+    /// Evidence for velocities if the file does not state that the values are accelerations: its header, or the code of its channel.
     fn velocity(&self, component: Option<&Component>) -> Option<Stated<()>> {
         match &self.scale {
             Scale::Unit(_) | Scale::Several(_) | Scale::Acceleration | Scale::Displacement(_) => None,
@@ -193,8 +192,8 @@ impl Draft {
         }
     }
 
-    /// Holds the number of values against that of the header. A few more or fewer of many are told: programs count steps, or
-    /// the line of the header.
+    /// Compares the number of values with that of the header. Small differences are reported: programs count steps, or the line of the
+    /// header.
     fn count(&self, ends: bool) -> Result<Vec<Reading>, ReadError> {
         let found = self.values.len();
         if found == 0 && self.count.is_none() {
@@ -278,10 +277,9 @@ impl Draft {
         }
     }
 
-    /// Holds the largest value against the peak of the header: a check of the unit and of the cut
-    /// of the columns that costs nothing.
+    /// Compares the largest value with the peak of the header. This checks the unit and the division into columns at no cost.
     ///
-    /// Some agencies state the peak before their last correction, so a difference is told. A large one is refused.
+    /// Some agencies state the peak before their last correction: a difference is reported, a large one is refused.
     fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<(Option<Reading>, Option<Unusual>), ReadError> {
         let Some(peak) = &self.peak else {
             return Ok((None, None));
@@ -322,7 +320,7 @@ impl Draft {
     }
 }
 
-/// Most values that a header may count more or fewer than there are, of a hundred times as many.
+/// Most values by which the header may differ, for a hundred times as many.
 const MOST_OFF: usize = 2;
 
 /// Most that the largest value may differ from the peak of the header, as a part of it: of 156 components of UNAM whose peaks

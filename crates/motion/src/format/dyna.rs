@@ -29,14 +29,14 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &searched[..above.map_or(searched.len(), |above| above + 1)]
 }
 
-/// What stands behind a key and its colon.
+/// Text after a key and its colon.
 fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
     let (line, value) = title::value_of(header(file), key).ok_or(ReadError::NoKey { key })?;
     let value = value.split_once(':').map_or("", |(_, value)| value.trim());
     Ok((line, value.to_owned()))
 }
 
-/// What stands behind a key, without a refusal.
+/// Text after a key; `None` if it is missing.
 fn said(file: &File<'_>, key: &'static str) -> Option<String> {
     value(file, key).ok().map(|(_, value)| value)
 }

@@ -32,7 +32,7 @@ fn recognises(file: &File<'_>) -> bool {
         && values.next().is_none()
 }
 
-/// What the title says.
+/// Statements of the title.
 fn said(file: &File<'_>) -> Said {
     Said::new(&file.lines[..1], None)
 }

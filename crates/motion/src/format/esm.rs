@@ -9,7 +9,7 @@ use crate::{Identity, Place, ReadError, Site};
 /// Lines in which keys are looked for; their number is 64 in all files seen.
 const HEADER: usize = 100;
 
-/// Depth from which on a sensor is not at the ground \[m\].
+/// Depth at which a sensor is no longer at the ground \[m\].
 const DEEP: f64 = 3.0;
 
 pub(super) const READER: Reader = Reader {

@@ -30,7 +30,7 @@ const SIGNATURES: [(&[u8], &str, &str); 11] = {
 /// Bytes that are looked at for those that no text has.
 const SEARCHED: usize = 4096;
 
-/// What a file is, where that keeps it from being read.
+/// Kind of a file that cannot be read.
 pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
     let bytes = file.bytes;
     let known = SIGNATURES.iter().find(|(start, ..)| bytes.starts_with(start));

@@ -1,8 +1,8 @@
 //! `GeoNet` V1A and V2A: three components, each with 16 titles, numbers in 10I8 and 10F8, then
 //! accelerations in 10F8.1; a V2A goes on with velocity and displacement.
 //!
-//! Values are in mm/s². A V2A was at hand, a V1A was not; since the offset of uncorrected values is
-//! not known to be in its peak, only that of a V2A is checked.
+//! Values are in mm/s². A V2A was available, a V1A was not. The peak may exclude the offset of uncorrected values: only that of a V2A is
+//! checked.
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};

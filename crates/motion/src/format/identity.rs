@@ -15,7 +15,7 @@ pub(super) fn time(said: &str) -> Option<String> {
     Some(normal(said)).filter(|time| !time.is_empty())
 }
 
-/// What stands behind a key that begins a line, and behind its colon if there is one.
+/// Text after a key at the start of a line, and after its colon if there is one.
 pub(super) fn behind(lines: &[Line<'_>], key: &str) -> Option<String> {
     let (_, value) = title::value_of(lines, key)?;
     let value = value.trim_start_matches([' ', ':', '=', '\t']);

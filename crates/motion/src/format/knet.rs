@@ -4,8 +4,8 @@
 //! have an offset, so their mean is removed, as it is for the peak in the header. Directions are
 //! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface, each north-south, east-west and up.
 //!
-//! The network does not let its files be passed on, and none was at hand: this follows its
-//! description and programs that read it.
+//! The network does not allow redistribution of its files, and none was available: this follows its description and programs that read the
+//! format.
 
 use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title};

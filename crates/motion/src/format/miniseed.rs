@@ -4,8 +4,8 @@
 //! Whole numbers are counts of a digitiser: their worth is not in the file. Records of a stream must
 //! follow each other without a gap.
 //!
-//! The crates for this format at hand stop the program or run for ever on damaged files, so it is
-//! read here. No file of a network was at hand: tests read what another program wrote.
+//! The existing crates for this format stop the program or run for ever on damaged files; this is own code. No file of a network was
+//! available: tests read files written by another program.
 
 mod record;
 mod samples;
@@ -55,7 +55,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-/// The streams, but for sums of components.
+/// The streams, except sums of components.
 fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
     let mut seen = BTreeMap::new();
     for record in records {

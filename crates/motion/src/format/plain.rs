@@ -1,10 +1,9 @@
 //! Plain text: accelerations one after the other, or columns of times and of accelerations, below any titles.
 //!
-//! Numbers are separated by blanks or commas. Lines that begin with `#` are comments wherever they
-//! stand; other text may stand above the numbers only. Two columns are time and acceleration. More are components, where a
-//! title names the columns or the first of them rises like a time; or values line after line, where the last line is short, a
-//! number of values stands above them, or the caller says so. The unit must be declared unless a column's name or a title has
-//! it, and without times the time step.
+//! Numbers are separated by blanks or commas. Lines that begin with `#` are comments anywhere; other text may only be above the numbers.
+//! Two columns are time and acceleration. More columns are components if a title names them or the first rises like a time. They are
+//! consecutive values if the last line is short, a number of values is above them, or the caller states it. The unit must be declared
+//! unless a column's name or a title gives it; without times, so must the time step.
 
 mod above;
 mod clock;
@@ -230,7 +229,7 @@ fn header_above(layout: &Layout<'_, '_>) -> Option<ReadError> {
     )
 }
 
-/// What the values are, by the name of their column and by titles.
+/// Quantity and unit of the values, from the name of their column and from titles.
 fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
     let of_name = name.map(|name| {
         let place = Place::Line(name.line.number);

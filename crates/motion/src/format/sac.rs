@@ -129,7 +129,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(component.into_iter().collect())
 }
 
-/// Depth of burial from which on a sensor is not at the ground \[m\].
+/// Depth of burial at which a sensor is no longer at the ground \[m\].
 const DEEP: f64 = 3.0;
 
 /// Station, event, and the reference time of the header: year, day of the year, hour, minute and second.

@@ -1,7 +1,7 @@
-//! What comments and titles of a text say of the numbers below: step or rate, number, unit, component, station, event, time.
+//! Statements in comments and titles about the numbers below: step or rate, number, unit, component, station, event, time.
 //!
-//! One reader for `key: value`, `key = value` and a few phrases, as networks, programs and people write them. It takes what it
-//! is sure of and passes over the rest: the values are then held against it, and so is what a caller declares.
+//! A single reader for `key: value`, `key = value` and a few phrases, as written by networks, programs and people. It takes unambiguous
+//! statements and ignores the rest. The values, and the caller's declarations, are then compared with them.
 
 mod phrases;
 
@@ -12,7 +12,7 @@ use crate::line::Line;
 use crate::{AccelerationUnit, Direction, Identity, Place};
 use phrases::{around, counts, other_quantity, steps, unit_of_accelerations};
 
-/// Lines above the numbers in which something is looked for.
+/// Lines above the numbers in which statements are searched.
 const MOST_LINES: usize = 200;
 
 /// Keys of a unit.
@@ -26,7 +26,7 @@ const UNIT: [&str; 7] = [
     "unidades",
 ];
 
-/// Words of numbers that have units of their own.
+/// Words of other numbers with units.
 const OF_OTHERS: [&str; 4] = ["gravit", "vs30", "vs 30", "wave"];
 
 /// Keys of a component.
@@ -54,7 +54,7 @@ const TIME: [&str; 7] = [
     "time of first sample",
 ];
 
-/// What a text says of its numbers.
+/// Statements of a text about its numbers.
 #[derive(Debug, Default)]
 pub(super) struct Said {
     /// Time steps \[s\], above zero.
@@ -92,7 +92,7 @@ impl Other {
 }
 
 impl Said {
-    /// Reads the lines above the numbers, but for one of this number that names columns.
+    /// Reads the lines above the numbers, except the line with this index, which names columns.
     pub(super) fn new(titles: &[Line<'_>], names: Option<usize>) -> Self {
         let mut said = Self::default();
         let titles = titles.iter().filter(|line| Some(line.number) != names);
@@ -102,12 +102,12 @@ impl Said {
         said
     }
 
-    /// What the values are.
+    /// Quantity and unit of the values.
     pub(super) fn scale(&self) -> Scale {
         self.scale_with(Vec::new())
     }
 
-    /// What the values are, where other places state units, too.
+    /// Quantity and unit of the values, including units stated at other places.
     pub(super) fn scale_with(&self, mut units: Vec<Stated<AccelerationUnit>>) -> Scale {
         units.extend(self.units.iter().cloned());
         if let Some(first) = units.first().cloned() {

@@ -124,7 +124,7 @@ impl<'l, 't> Header<'l, 't> {
         Ok((header, rest))
     }
 
-    /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
+    /// Splits off the comments; the 16th whole number, counted from 1, is their number.
     fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), ReadError> {
         let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
         let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");

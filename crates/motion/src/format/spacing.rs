@@ -16,24 +16,24 @@ const MOST_PER_PAIR: usize = 8;
 /// How far apart the values of a file are.
 #[derive(Clone, Debug)]
 pub(crate) enum Spacing {
-    /// As far as each other.
+    /// At equal distances.
     Even(Stated<f64>),
-    /// As far as each other, by times whose unit nothing tells.
+    /// At equal distances, by times without a known unit.
     Unlabelled(Stated<f64>),
-    /// Each at a time of its own.
+    /// At separate times.
     Uneven(Uneven),
-    /// The file gives several that differ.
+    /// The file gives several different steps.
     Several(Vec<Stated<f64>>),
 }
 
-/// Steps that are one but for the digits in which they are printed, as a part of themselves.
+/// Largest relative difference of steps that are equal up to their printed digits.
 const ALIKE: f64 = 0.01;
 
 /// Times in no named unit that rise by this and more \[s\] may be in milliseconds.
 const LARGE: f64 = 1.0;
 
 impl Spacing {
-    /// The same step in a unit that nothing tells.
+    /// The step in an unknown unit.
     pub(super) fn unlabelled(self) -> Self {
         match self {
             Self::Even(step) => Self::Unlabelled(step),
@@ -41,8 +41,7 @@ impl Spacing {
         }
     }
 
-    /// What the times of a column give, or else what comments say; where both do, or comments say several things, they must
-    /// agree.
+    /// The spacing from the times of a column, or else from comments. If both exist, or comments state several steps, they must agree.
     pub(super) fn of(column: Option<Self>, mut said: Vec<Stated<f64>>) -> Option<Self> {
         let differ = |one: &Stated<f64>, other: &Stated<f64>| (one.value - other.value).abs() > ALIKE * one.value;
         match column {
@@ -75,7 +74,7 @@ impl Spacing {
     }
 }
 
-/// The same step in milliseconds.
+/// The step in milliseconds.
 fn milliseconds(step: &Stated<f64>) -> Stated<f64> {
     Stated {
         value: step.value / 1000.0,

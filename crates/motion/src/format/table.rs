@@ -1,4 +1,4 @@
-//! Rows of numbers, of which one column is a component.
+//! Rows of numbers in which a column is a component.
 
 use super::columns::decimal;
 use super::numbers::{Numbers, Values};

@@ -20,7 +20,7 @@ const UNITS: [(&str, AccelerationUnit); 8] = {
     ]
 };
 
-/// Lengths of which there are units of an acceleration, in capitals.
+/// Lengths that form units of acceleration, in capitals.
 const LENGTHS: [(&str, AccelerationUnit); 4] = [
     ("CM", AccelerationUnit::CentimetrePerSecondSquared),
     ("CMS", AccelerationUnit::CentimetrePerSecondSquared),
@@ -43,7 +43,7 @@ pub(super) fn unit_of(word: &str) -> Option<AccelerationUnit> {
     })
 }
 
-/// The first unit of an acceleration that stands in a text as a word of its own, and that word.
+/// The first unit of acceleration that is a separate word of a text, and this word.
 pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
     let separates = |letter: char| !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*' | '²'));
     text.split(separates).find_map(|word| Some((unit_of(word)?, word)))
@@ -106,7 +106,7 @@ pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, S
     Some((line, value.trim().to_owned()))
 }
 
-/// A line or a refusal that says what should stand in its place.
+/// The line, or a refusal that names the line allowed in its place.
 pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, ReadError> {
     found.ok_or_else(|| ReadError::Truncated {
         place: Place::Line(last.map_or(1, |line| line.number)),

@@ -1,8 +1,7 @@
 //! UNAM (Mexico), standard file of accelerations: some hundred lines of keys in Latin-1, then a
 //! column for each channel, in gal.
 //!
-//! Keys with `C1-C6` give a value for each channel behind a slash. No file was at hand: this
-//! follows programs that read the format.
+//! Keys with `C1-C6` give a value for each channel after a slash. No file was available: this follows programs that read the format.
 
 use super::table::Table;
 use super::title::{self, needed};
@@ -56,7 +55,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(components.collect())
 }
 
-/// Station and event, of which date and hour stand on two lines.
+/// Station and event; date and hour of the event are on two lines.
 fn identity_of(file: &File<'_>) -> Identity {
     let said = |key: &'static str| {
         let header = &file.lines[..file.lines.len().min(HEADER)];

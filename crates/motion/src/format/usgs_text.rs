@@ -1,4 +1,4 @@
-//! Text of the US Geological Survey of the 1980s: blocks of seven titles and values, of which those of acceleration are read.
+//! Text of the US Geological Survey of the 1980s: blocks of seven titles and values; only acceleration is read.
 
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};

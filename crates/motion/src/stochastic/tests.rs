@@ -76,8 +76,8 @@ fn reference_the_stationary_motion_has_the_target_density_at_every_frequency() {
     }
 }
 
-/// The mean over n seeds of an energy that is nearly exponentially distributed scatters by 1/√n of itself; of 48 such
-/// means the farthest is beyond 4.5 of that in one choice of seeds of 3 000.
+/// The mean over n seeds of an energy with a nearly exponential distribution scatters by 1/√n of itself. Of 48 such means the farthest is
+/// beyond 4.5 of this in one choice of seeds out of 3 000.
 #[test]
 fn reference_the_mean_spectrum_under_the_envelope_is_the_target_spread_by_the_envelope() {
     let n_seeds = 200_u16;

@@ -24,7 +24,7 @@ fn at2(fields: &[String], columns: usize) -> String {
     )
 }
 
-/// The number that stands in a field of its own.
+/// The number in a separate field.
 fn alone(field: &str) -> f64 {
     field.trim().parse().expect("a number")
 }

@@ -1,4 +1,4 @@
-//! What names of files tell: directions, quantities, and which files are of one record.
+//! Meaning of names of files: directions, quantities, and files of a common record.
 
 use pounding_motion::{Direction, NamedFile, Quantity};
 use proptest::prelude::*;

@@ -4,7 +4,7 @@ use pounding_motion::{Direction, NamedFile};
 
 use crate::named_files::numbered;
 
-/// What the names of a folder tell, a word each: `V` is vertical, `B` in a borehole; others have the number of their record.
+/// Meaning of the names of a folder, a word each: `V` is vertical, `B` in a borehole; others have the number of their record.
 fn told(names: &[&str]) -> String {
     let files = NamedFile::of_all(names);
     let is_left_out = |file: &&NamedFile| file.direction == Some(Direction::Vertical) || file.in_borehole;
@@ -113,7 +113,7 @@ x_acc.csv | y_acc.csv | z_acc.csv => 0 0 V
 A_E_1.csv | A_N_1.csv | A_E_2.csv | A_N_2.csv => 0 0 1 1
 ";
 
-/// Verticals shook rows, and components were events of their own, unless the word stood at the end of the name.
+/// Vertical components shook rows, and components were separate events, unless the word was at the end of the name.
 #[test]
 fn issue_words_for_directions_wherever_they_stand() {
     check(WHEREVER);

@@ -24,8 +24,8 @@ fn rough() -> Vec<f64> {
     (0..120).map(sample).collect()
 }
 
-/// Order, corners \[Hz\] and time step \[s\], and what scipy 1.17 makes of the rough record: samples 0, 1, 60 and 119 of
-/// `sosfiltfilt`, then of `sosfilt`, with the sections of `butter(order, [low, high], "bandpass", fs=1/dt)`.
+/// Order, corners \[Hz\] and time step \[s\], and results of scipy 1.17 for the rough record: samples 0, 1, 60 and 119 of `sosfiltfilt`,
+/// then of `sosfilt`, with the sections of `butter(order, [low, high], "bandpass", fs=1/dt)`.
 const SCIPY: &str = "\
 4 0.1 25.0 0.01  0.1307972354877549 1.0642260142124298 1.241905392337023 0.2431935488939007  -0.09280495787097971 -0.38611207947962084 0.62466763246554 0.5496529420333768
 3 0.5 10.0 0.01  -0.05150748874437039 0.29621988881003414 0.15350228589017484 -0.09839591074778253  -0.015878347948126138 -0.07846718740433375 0.06111002849647751 -0.047343364698545776

@@ -1,4 +1,4 @@
-//! Figures with logarithmic axes, names, and what panels share.
+//! Figures with logarithmic axes, names, and shared axes.
 
 use super::super::*;
 use super::{drawn, figure, of, wave};
@@ -34,7 +34,7 @@ fn exponents(log: bool) -> Drawing {
 fn limit_decades_stand_where_their_exponents_do() {
     let (decades, linear) = (exponents(true), exponents(false));
     let frame = |drawing: &Drawing| {
-        // The axes are one line through three corners.
+        // The axes are a single line through three corners.
         let corners = drawing.shapes.iter().find_map(|shape| {
             if let Shape::Line { points, .. } = shape {
                 (points.len() == 3).then(|| points.clone())

@@ -1,4 +1,4 @@
-//! One structure without contact.
+//! A single structure without contact.
 
 use libm::{acos, cos, exp, sin};
 use pounding_solver::{Bilinear, Node, Row};
@@ -51,7 +51,7 @@ fn reference_a_structure_under_a_ramp() {
 
 #[test]
 fn extreme_the_ground_stops_at_the_last_sample() {
-    // Ground acceleration 1 for 0.2 s, then 0: a free mass keeps the velocity it has.
+    // Ground acceleration 1 for 0.2 s, then 0: a free mass keeps its velocity.
     let row = Row::new(vec![Node::structure(1.0, 0.0, super::FREE)], vec![]).unwrap();
     let found = &run(&row, &[1.0, 1.0, 1.0], 0.5).structures[0];
     close(found.end_velocity, -0.2, 1e-15, "velocity");

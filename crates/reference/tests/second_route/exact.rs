@@ -1,4 +1,4 @@
-//! The second route beside the exact method.
+//! The second route compared with the exact method.
 
 use pounding_reference::Response;
 use pounding_solver::{Clock, Collisions, Exact, Excitation, Hysteretic, Integrator, Node, Peaks, Row, TransferredMomentum};
@@ -12,13 +12,13 @@ const TOLERANCE: f64 = 1e-9;
 /// Impacts and pressing of a pair.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Met {
-    /// Number of impacts of an impulsive law, or of touches of another.
+    /// Number of impacts of an impulsive law, or of touches of another law.
     pub(super) n: usize,
     /// Total impulse \[N·s\].
     impulse: f64,
-    /// Largest pounding force, of an impulsive law that of a rest without an impact \[N\].
+    /// Largest pounding force; for an impulsive law, that of a rest without an impact \[N\].
     pub(super) force: f64,
-    /// Time of touching, at rest of an impulsive law \[s\].
+    /// Duration of touching; for an impulsive law, of rest \[s\].
     pub(super) touching: f64,
 }
 
@@ -58,7 +58,7 @@ fn exact<Column: Hysteretic>(row: &Row<Column>, duration: f64) -> (Peaks, Transf
     recorders
 }
 
-/// Both routes on one row: peaks and transferred momenta of its floors are the same.
+/// Compares both routes on a row: peaks and transferred momenta of its floors must agree.
 pub(super) fn agree_on_floors<Column: Hysteretic>(
     row: &Row<Column>,
     duration: f64,
@@ -79,7 +79,7 @@ pub(super) fn agree_on_floors<Column: Hysteretic>(
     (collisions, other)
 }
 
-/// Both routes on one row; what happens to every pair.
+/// Compares both routes on a row; returns the results of every pair.
 pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: &str) -> Vec<Met> {
     let (collisions, other) = agree_on_floors(row, duration, (TOLERANCE, what));
     let of_pair = |(pair, wanted): (usize, &Vec<pounding_reference::Collision>)| {

@@ -6,7 +6,7 @@ use pounding_solver::{Node, Row};
 
 use super::{FREE, close, moving, pairs, run, stereomechanical, viscoelastic};
 
-/// A free impact of two masses 1 cm apart at a relative speed: its collision and both velocities after it.
+/// A free impact of two masses 1 cm apart at a relative speed: the collision and both final velocities.
 fn free_impact(ratio: f64, masses: [f64; 2], speed: f64) -> (Collision, [f64; 2]) {
     let nodes = vec![moving(masses[0], speed, FREE), moving(masses[1], 0.0, FREE)];
     let row = Row::new(nodes, pairs(2, 0.01, viscoelastic(ratio))).expect("a valid row");
@@ -40,11 +40,11 @@ fn reference_free_viscoelastic_impact() {
 
 #[test]
 fn reference_largest_deformation_of_a_free_impact() {
-    // All energy of the restitution is in the spring then: 2/5 β δ^2.5 = ½ m (e v)².
+    // At the largest deformation of the return, the spring holds all energy of the restitution: 2/5 β δ^2.5 = ½ m (e v)².
     for (ratio, speed) in [(0.0, 0.3), (0.35, 0.3), (0.35, 2.0)] {
         let nodes = vec![moving(75e3, speed, FREE), Node::wall(FREE)];
         let row = Row::new(nodes, pairs(2, 0.01, viscoelastic(ratio))).unwrap();
-        // The end is before the mass is back where it started, 1 cm on the other side of the gap.
+        // The end is before the mass returns to its start, 1 cm on the other side of the gap.
         let response = run(&row, &[0.0], 0.01 / speed + 0.06);
         let zeta = 2.0 * ratio / 5.0_f64.sqrt();
         let returned = exp(-zeta * acos(zeta) / (1.0 - zeta * zeta).sqrt()) * speed;
@@ -61,7 +61,7 @@ fn reference_largest_deformation_of_a_free_impact() {
 
 #[test]
 fn reference_three_equal_masses_in_a_row() {
-    // The two on the right touch at rest: the simultaneous rule gives (−1/3, 2/3, 2/3).
+    // The two masses on the right touch at rest: the simultaneous rule gives (−1/3, 2/3, 2/3).
     let nodes = vec![moving(2.0, 1.0, FREE), moving(2.0, 0.0, FREE), moving(2.0, 0.0, FREE)];
     let mut contacts = pairs(3, 0.5, stereomechanical(1.0));
     contacts[1].relation.offset = 0.0;

@@ -6,10 +6,10 @@ use pounding_solver::{Bilinear, Clock, Collisions, Exact, Excitation, Integrator
 
 use super::{close, pairs, run};
 
-/// Masses and stiffnesses: the paper's left and middle structures, and a light one to be hit on the other side.
+/// Masses and stiffnesses: the paper's left and middle structures, and a light structure on the other side.
 const STRUCTURES: [(f64, f64); 3] = [(75e3, 2.056e6), (3e6, 1.316e9), (50e3, 4e6)];
 
-/// Every compliant law, calibrated to some e; springs have no other than 1.
+/// Every compliant law, calibrated to some e; springs have only e = 1.
 fn laws() -> Vec<(LawName, f64, ContactLaw)> {
     let pair = FreePair {
         reduced_mass: STRUCTURES[0].0 * STRUCTURES[1].0 / (STRUCTURES[0].0 + STRUCTURES[1].0),
@@ -37,7 +37,7 @@ fn ground() -> Vec<f64> {
     (0..=40).map(|i| acceleration(0.1 * f64::from(i))).collect()
 }
 
-/// The structures, a centimetre apart, elastic or yielding.
+/// The structures with gaps of a centimetre, elastic or yielding.
 fn row(law: ContactLaw, yield_displacement: f64) -> Row<Bilinear> {
     let node = |(mass, stiffness): (f64, f64)| {
         let yield_force = stiffness * yield_displacement;
@@ -54,7 +54,7 @@ fn row(law: ContactLaw, yield_displacement: f64) -> Row<Bilinear> {
 
 /// Impulse and peak force of the exact method while a pair touches.
 ///
-/// Its collisions are those of a force: where a clamped law lets go and grips again they are two.
+/// The exact method may count two collisions if a clamped law releases and pushes again.
 fn during(collisions: &Collisions, (pair, touch): (usize, &Collision)) -> (f64, f64) {
     let within = collisions.all().iter().filter(|found| {
         let after = found.start > touch.start - 1e-9;

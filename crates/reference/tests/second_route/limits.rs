@@ -8,7 +8,7 @@ use super::{FREE, close, moving, pairs, run, stereomechanical, viscoelastic};
 const MASSES: [f64; 3] = [75e3, 3e6, 1e5];
 const STIFFNESSES: [f64; 3] = [2.056e6, 1.316e9, 4e6];
 
-/// Three undamped structures 1 cm apart, which start at these velocities.
+/// Three undamped structures with gaps of 1 cm and these initial velocities.
 fn undamped(law: pounding_contact::ContactLaw) -> Row<Elastic> {
     let node = |index: usize| {
         let stiffness = STIFFNESSES[index];
@@ -154,7 +154,7 @@ fn extreme_settings_out_of_range_and_motions_without_end() {
         let refused = matches!(found, Err(SecondRouteError::Setting { .. }));
         assert!(refused, "{duration}, {tolerance}, {steps}: {found:?}");
     }
-    // Beyond the range of numbers, or beyond what time can tell apart before that.
+    // Beyond the range of numbers, or before that beyond the resolution of time.
     let found = try_with(&[1e300; 3], 1.0, 1e-13, 4);
     let ended = matches!(
         found,
@@ -165,7 +165,7 @@ fn extreme_settings_out_of_range_and_motions_without_end() {
 
 #[test]
 fn extreme_a_pair_of_zero_gap_touches_from_the_start() {
-    // Without a gap the first touch is at t = 0 with rate 0; a wall holds the mass back at once.
+    // Without a gap the first touch is at t = 0 with rate 0; a wall stops the mass at once.
     let nodes = vec![Node::structure(1e5, 0.0, FREE), Node::wall(FREE)];
     let gap_free = Pair::of_floors(0, 1, 0.0, viscoelastic(0.35));
     let response = run(&Row::new(nodes, vec![gap_free]).unwrap(), &[-2.0; 4], 0.2);

@@ -1,4 +1,4 @@
-//! Loops of columns that harden or yield smoothly, of a floor so heavy that they do not move it.
+//! Loops of columns that harden or yield smoothly, below a floor so heavy that they do not move it.
 
 use libm::{exp, tan, tanh};
 use pounding_reference::{Response, StructureResponse};
@@ -11,7 +11,7 @@ const YIELD_FORCE: f64 = 1e3;
 const HARDENING: f64 = 0.1;
 const UNIT: f64 = YIELD_FORCE / STIFFNESS;
 
-/// A floor that starts at `speed` \[m/s\] and is thrown back at 1 m/s²: its drift is speed·t − t²/2.
+/// A floor that starts with `speed` \[m/s\] and decelerates at 1 m/s²: its drift is speed·t − t²/2.
 fn thrown<Column: Hysteretic>(column: Column, speed: f64, duration: f64) -> StructureResponse {
     let node = Node {
         initial_velocity: speed,
@@ -21,7 +21,7 @@ fn thrown<Column: Hysteretic>(column: Column, speed: f64, duration: f64) -> Stru
     run(&row, &[1.0; 100], duration).structures[0]
 }
 
-/// The same as the upper storey of a building whose first floor moves alike, by a drift that is none.
+/// The floor as upper storey of a building whose first floor moves alike: the drift has no deceleration.
 fn thrown_upstairs<Column: Hysteretic>(column: Column, speed: f64, duration: f64) -> StructureResponse {
     let lower = Node::structure(1e25, 0.0, column);
     let upper = Node {
@@ -33,7 +33,7 @@ fn thrown_upstairs<Column: Hysteretic>(column: Column, speed: f64, duration: f64
         ground_damping: 0.0,
     });
     let row = Row::new(vec![lower, upper], vec![]).expect("a valid row");
-    // Both are thrown back, so that the drift is speed·t.
+    // Both floors decelerate, so that the drift is speed·t.
     run(&row, &[1.0; 100], duration).structures[1]
 }
 
@@ -48,7 +48,7 @@ fn shaken<Column: Hysteretic>(column: Column) -> Response {
     run(&row, &[0.0, 2.0, -3.0, 1.0, 4.0, -2.0], 2.0)
 }
 
-/// Time at which a floor thrown up by √(2·`top`) is back at a drift \[s\].
+/// Time at which a floor with initial velocity √(2·`top`) returns to a drift \[s\].
 fn back_at(top: f64, drift: f64) -> f64 {
     let speed = (2.0 * top).sqrt();
     speed + (2.0 * (top - drift)).sqrt()
@@ -61,7 +61,7 @@ fn reference_a_bilinear_loop_by_hand() {
         yield_force: YIELD_FORCE,
         hardening: HARDENING,
     };
-    // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N; back it yields after twice 10 mm, at −800 N; at −30 mm −1200 N.
+    // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N. Back: yields after twice 10 mm, at −800 N. At −30 mm: −1200 N.
     for (drift, force) in [(0.02, 200.0), (0.0101, -790.0), (0.0099, -801.0), (-0.03, -1200.0)] {
         let found = thrown(column, 0.06_f64.sqrt(), back_at(0.03, drift));
         close(found.end_displacement, drift, 1e-13, "drift");
@@ -86,8 +86,7 @@ fn loaded(exponent: u32, s: f64) -> f64 {
     }
 }
 
-/// y after the drift has gone back by `s` from y₀ > 0: dy/ds = −(1 − c yⁿ) while y > 0, c = γ − β; then the first drift
-/// to the other side.
+/// y after the drift has gone back by `s` from y₀ > 0: dy/ds = −(1 − c yⁿ) while y > 0, c = γ − β. A first drift to the other side follows.
 fn unloaded(exponent: u32, unloading: f64, from: f64, s: f64) -> f64 {
     let c = 1.0 - 2.0 * unloading;
     // Drift at which y vanishes.

@@ -31,13 +31,13 @@ fn viscoelastic(impact_damping_ratio: f64) -> ContactLaw {
     })
 }
 
-/// Contacts of all neighbours, with one gap and law.
+/// Pairs of all neighbours, with a common gap and law.
 fn pairs(n_nodes: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
     let pair = |left| Pair::of_floors(left, left + 1, gap, law);
     (0..n_nodes - 1).map(pair).collect()
 }
 
-/// A structure that moves at the start.
+/// A structure with an initial velocity.
 fn moving<Column>(mass: f64, velocity: f64, column: Column) -> Node<Column> {
     Node {
         initial_velocity: velocity,
@@ -51,7 +51,7 @@ fn run<Column: Hysteretic>(row: &Row<Column>, ground: &[f64], duration: f64) -> 
     pounding_reference::run(row, excitation, duration, Fineness::FINE).expect("the run ends")
 }
 
-/// Asserts that a number is the wanted one within `tolerance` of it.
+/// Asserts that a number is within a relative `tolerance` of the wanted number.
 #[track_caller]
 fn close(found: f64, wanted: f64, tolerance: f64, what: &str) {
     assert!(

@@ -1,12 +1,12 @@
-//! Two towers of three storeys by OpenSees: studies/opensees/three-storey-pair.csv, made by the script beside it.
+//! Two towers of three storeys in OpenSees: studies/opensees/three-storey-pair.csv, made by the script in that folder.
 
 use pounding_reference::Fineness;
 use pounding_solver::{Clock, Collisions, Elastic, Excitation, Integrator, Peaks, Rk4, Row};
 
 use super::storeys::{buildings, elastic, spring};
 
-/// Numbers of a pair: peak displacements of the floors, left and right, from the ground up \[m\]; touches and peak forces
-/// \[N\] of the levels.
+/// Results of the pair: peak displacements of the floors, left and right, from the ground up \[m\]; touches and peak forces \[N\] of the
+/// levels.
 #[derive(Debug, Default)]
 struct Numbers {
     displacements: [[f64; 3]; 2],
@@ -14,7 +14,7 @@ struct Numbers {
     forces: [f64; 3],
 }
 
-/// Numbers of OpenSees with a time step, as the table writes it.
+/// Results of OpenSees for a time step, in the notation of the table.
 fn opensees(time_step: &str) -> Numbers {
     let table = include_str!("../../../../studies/opensees/three-storey-pair.csv");
     let mut numbers = Numbers::default();
@@ -105,8 +105,8 @@ impl Numbers {
     }
 }
 
-/// OpenSees comes near with the square of its step. Both stepping methods see forces at their nodes only, which takes some
-/// 1e-8 of a peak force.
+/// The error of OpenSees falls with the square of its step. Both stepping methods see forces only at their nodes, which limits peak forces
+/// to about 1e-8.
 #[test]
 fn reference_opensees_comes_near_two_towers() {
     let (row, ground) = (pair(), record());

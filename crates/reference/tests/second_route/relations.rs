@@ -20,7 +20,7 @@ fn on_floor<Column>(below: usize, node: Node<Column>) -> Node<Column> {
     })
 }
 
-/// The point that has such a part of the upper floor's displacement.
+/// The point with this part of the upper floor's displacement.
 fn between(lower: impl Into<Option<usize>>, upper: usize, upper_part: f64) -> Point {
     Point::between(lower.into(), upper, upper_part).expect("a point of the row")
 }
@@ -33,7 +33,7 @@ fn pair(left: impl Into<Point>, right: impl Into<Point>, offset: f64, law: Conta
     }
 }
 
-/// Two slabs hit points of the columns above and below one floor: alone the impulse of one of them would be a pull.
+/// Two slabs hit points of the columns above and below a floor: treated alone, the impulse of one of them would be a pull.
 #[test]
 fn reference_slabs_that_share_a_floor() {
     let law = stereomechanical(0.65);
@@ -119,7 +119,7 @@ fn reference_a_slab_presses_a_column_through_a_spring() {
     }
 }
 
-/// Pairs that ask for what others ask for share the impulse so that the sum of squares is least.
+/// Dependent pairs share the impulse with the least sum of squares.
 #[test]
 fn reference_pairs_too_many_share_an_impulse() {
     let law = stereomechanical(0.5);
@@ -135,14 +135,14 @@ fn reference_pairs_too_many_share_an_impulse() {
         pair(3, 2, 0.0, law),
     ];
     let response = run(&Row::new(nodes, pairs).expect("a valid row"), &[0.0], 0.1);
-    // Both floors need (1 + e) m v, which the outer ones could give alone.
+    // Both floors need (1 + e) m v; the outer pairs alone could give it.
     let needed = 1.5 * 3e5 * 2e5 / 5e5;
     for met in &response.collisions {
         close(met[0].impulse, 2.0 / 3.0 * needed, 1e-14, "impulse");
     }
 }
 
-/// Two floors, a slab that moves with a part of each, and storeys below them.
+/// Two floors, a slab that moves with a part of each, and their storeys.
 struct Joined {
     slab: f64,
     parts: [f64; 2],
@@ -181,7 +181,7 @@ impl Joined {
     }
 }
 
-/// A slab at rest against a point between two floors, until nothing pushes it.
+/// A slab at rest against a point between two floors, until their force fades.
 #[test]
 fn reference_a_slab_rests_on_a_column() {
     let joined = Joined {
@@ -225,7 +225,7 @@ fn reference_a_slab_rests_on_a_column() {
     }
 }
 
-/// Towers of three and two storeys. Two pairs meet one floor, others meet points between floors or above the ground.
+/// Towers of three and two storeys. Two pairs meet at a floor; others meet at points between floors or above the ground.
 fn towers(law: ContactLaw) -> Row<Elastic> {
     let of = TOWERS.map(elastic);
     let row = buildings(&of[..2], (ALPHA, BETA), (0.01, law));
@@ -239,7 +239,7 @@ fn towers(law: ContactLaw) -> Row<Elastic> {
     Row::new(row.nodes().to_vec(), pairs).expect("a valid row")
 }
 
-/// The same without gaps.
+/// The towers without gaps.
 fn towers_without_gaps(law: ContactLaw) -> Row<Elastic> {
     let row = towers(law);
     let pairs = row.pairs().iter();
@@ -247,7 +247,7 @@ fn towers_without_gaps(law: ContactLaw) -> Row<Elastic> {
     Row::new(row.nodes().to_vec(), pairs.collect()).expect("a valid row")
 }
 
-/// The laws with forces.
+/// The compliant laws.
 fn compliant() -> [ContactLaw; 2] {
     [
         ContactLaw::KelvinVoigt(KelvinVoigt {
@@ -302,7 +302,7 @@ fn reference_the_exact_method_agrees_on_pairs_of_any_points() {
             let found = found.map(|found| (found.impulse, found.peak_force));
             let [found, known] = [found.fold((0.0, 0.0), sums), known.fold((0.0, 0.0), sums)];
             close(found.0, known.0, 1e-11, &what);
-            // Where it rests, each route decides which impact was the last before that.
+            // Before a rest, each route decides which impact was the last.
             if law.is_compliant() {
                 close(found.1, known.1, 1e-11, &what);
             }
@@ -310,7 +310,7 @@ fn reference_the_exact_method_agrees_on_pairs_of_any_points() {
     }
 }
 
-/// Most of the time several pairs are at rest, on one floor or across each other.
+/// Usually several pairs are at rest, on a single floor or across each other.
 #[test]
 fn reference_the_exact_method_agrees_on_pairs_without_gaps() {
     for law in [0.0, 0.3].map(stereomechanical) {
@@ -338,7 +338,7 @@ fn reference_stepping_methods_come_near_pairs_of_any_points() {
     }
 }
 
-/// What columns and contacts keep and what moves, before and after collisions without a loss.
+/// The energy of columns, contacts and motion, before and after collisions without loss.
 #[test]
 fn limit_energy_is_kept_by_pairs_of_any_points() {
     for law in [stereomechanical(1.0), spring(5e8)] {
@@ -371,7 +371,7 @@ fn limit_energy_is_kept_by_pairs_of_any_points() {
     }
 }
 
-/// All sets of sixteen pairs are too many.
+/// Sixteen pairs have too many sets to try.
 #[test]
 fn extreme_more_pairs_at_once_than_can_be_tried() {
     let nodes = vec![moving(1e5, 1.0, Elastic { stiffness: 1e6 }); 17];

@@ -19,7 +19,7 @@ fn reference_bouncing_ball() {
     let response = run(&ball(restitution), &[-gravity; 42], 4.0);
     let first = (2.0 / gravity).sqrt();
     let speed = gravity * first;
-    // The n-th flight lasts 2 e^n times the first fall; the end is shortly before the ball rests at 4.06 s.
+    // Flight n lasts 2 eⁿ times the first fall; the end is shortly before the ball rests at 4.06 s.
     let (mut time, mut factor) = (first, 1.0);
     let mut wanted = Vec::new();
     while time < 4.0 {
@@ -42,18 +42,18 @@ fn reference_a_ball_at_rest() {
     let (gravity, restitution) = (9.81_f64, 0.8);
     let response = run(&ball(restitution), &[-gravity; 62], 6.0);
     let found = &response.collisions[0];
-    // The last impact and the rest after it are one.
+    // The last impact and the rest after it are a single collision.
     let rest = found.last().expect("collisions");
     let over = (2.0 / gravity).sqrt() * (1.0 + restitution) / (1.0 - restitution);
     let early = over - rest.start;
     assert!((0.0..2e-12).contains(&early), "end of the bounces: {early:e}");
     close(rest.end, 6.0, 0.0, "end of the run");
     assert!(found.iter().all(|impact| impact.peak_force.is_none()));
-    // Bounces end once what follows takes less than 1e-12 s: over · eⁿ.
+    // Bounces end once the remainder takes less than 1e-12 s: over · eⁿ.
     let n = found.len() as f64;
     let wanted = libm::log(1e-12 / over) / libm::log(restitution);
     assert!((n - wanted).abs() < 2.0, "{n} impacts, {wanted}");
-    // It has neither fallen nor risen in the end.
+    // In the end it has neither fallen nor risen.
     let impulse: f64 = found.iter().map(|collision| collision.impulse).sum();
     close(impulse, gravity * 6.0, 1e-14, "impulse");
     let ball = response.structures[0];
@@ -75,7 +75,7 @@ fn reference_two_structures_swing_together() {
     let common = speed * masses[0] / mass;
     let omega = ((stiffnesses[0] + stiffnesses[1]) / mass).sqrt();
     let half = std::f64::consts::PI / omega;
-    // They press with what the stiffer one lacks to swing as slowly as both together.
+    // Their force slows the stiffer structure down to the common period.
     let press = (masses[0] * stiffnesses[1] - masses[1] * stiffnesses[0]) / mass * common / omega;
     let response = run(&row, &[0.0], half + 0.01);
     let [met] = response.collisions[0][..] else {
@@ -96,8 +96,8 @@ fn reference_two_structures_swing_together() {
     }
 }
 
-/// Neighbours without a gap begin at one velocity. The right one is a ten-thousandth stiffer than swinging alike asks for, so that they
-/// press slightly.
+/// Neighbours without a gap begin with a common velocity. The right one is stiffer by a ten-thousandth than the stiffness for equal swings,
+/// so that they press slightly.
 #[test]
 fn reference_the_peak_of_a_slight_force_at_rest() {
     let (masses, stiffnesses, speed) = ([3e5, 1e5], [4e7, 4e7 / 3.0 * 1.0001], 0.3_f64);
@@ -118,7 +118,7 @@ fn reference_the_peak_of_a_slight_force_at_rest() {
     close(peak, press, 1e-11, "a quarter of a period after the start");
 }
 
-/// Columns that yield at a part of their stiffness times a metre.
+/// Columns that yield at a force of `yields` metres times their stiffness.
 fn structure(mass: f64, period: f64, yields: f64) -> Node<Bilinear> {
     let omega = 2.0 * std::f64::consts::PI / period;
     let stiffness = mass * omega * omega;
@@ -152,7 +152,7 @@ fn contacts(of: &[(f64, f64)]) -> Vec<Pair> {
     of.iter().enumerate().map(pair).collect()
 }
 
-/// Asserts that both routes agree and that neighbours press at rest in so many of the pairs.
+/// Asserts that both routes agree and that `n_resting` pairs press at rest.
 #[track_caller]
 fn agree_at_rest<Column: Hysteretic>(row: &Row<Column>, n_resting: usize, what: &str) {
     let met = agree(row, 4.0, what);
@@ -185,8 +185,8 @@ fn reference_a_structure_between_walls_rests_on_both() {
     }
 }
 
-/// A structure between walls without gaps, of whose forces each route decides on its own: the walls carry all of the ground's
-/// push, whichever leans on it.
+/// A structure between walls without gaps. Each route decides freely between its forces: together the walls carry the whole push of the
+/// ground.
 #[test]
 fn limit_an_enclosed_structure_does_not_move() {
     let nodes = vec![wall(), structure(1e5, 0.5, 0.02), wall()];
@@ -211,7 +211,7 @@ fn reference_towers_rest_on_several_levels() {
     }
 }
 
-/// Neighbours at rest whose grounds move differently share their motion in space.
+/// Neighbours at rest with different grounds share their absolute motion.
 #[test]
 fn reference_neighbours_at_rest_are_shaken_in_turn() {
     let row = Row::new(chain(), contacts(&[(0.01, 0.0), (0.005, 0.0)])).expect("a valid row");

@@ -1,7 +1,7 @@
 //! Towers that pound each other, by the second route and by the classical Runge–Kutta method with shrinking steps.
 //!
-//! A touch costs that method all but two of its orders where the force begins like δ, and more where it begins like
-//! δ^(1/4); so does a knee of columns that is sharp. Its steps are not led by events: it knows them in other ways.
+//! A touch reduces the order of this method to two if the force begins like δ, and further if it begins like δ^(1/4). A sharp knee of
+//! columns also reduces it to two. Its steps do not depend on events.
 
 use pounding_contact::ContactLaw;
 use pounding_reference::Response;
@@ -22,8 +22,7 @@ impl Recorder for Ends {
     fn impact(&mut self, _: &Impact) {}
 }
 
-/// Largest distance of displacements and velocities at the end of a run, as parts of the largest displacement and of
-/// 30/s times that.
+/// Largest difference of displacements and velocities at the end of a run, relative to the largest displacement, and to 30/s times it.
 pub(super) fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, method: Integrator, n_steps: usize) -> f64 {
     let ground = ground();
     let excitation = Excitation::new(0.1, &ground).expect("finite samples");
@@ -45,8 +44,8 @@ pub(super) fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, met
     errors.fold(0.0, f64::max)
 }
 
-/// Runge–Kutta comes near the second route: within `nearest` with the fine steps, and with at least the `order` between the
-/// coarse and the fine ones. Where in its step a touch falls is luck, and makes either better than its order.
+/// Checks that Runge–Kutta approaches the second route: within `nearest` with the fine steps, and with at least the `order` from the coarse
+/// to the fine steps. The position of a touch in a step is random, and may improve either result.
 fn approaches<Column: Hysteretic>(towers: &[Building<Column>], contact: (f64, ContactLaw), [nearest, order]: [f64; 2], what: &str) {
     let row = buildings(towers, (ALPHA, BETA), contact);
     if contact.0 < 1.0 {
@@ -57,7 +56,7 @@ fn approaches<Column: Hysteretic>(towers: &[Building<Column>], contact: (f64, Co
     approach(&row, Integrator::Rk4(Rk4), [nearest, order], what);
 }
 
-/// The same of a row and a method.
+/// Checks that a method approaches the second route on a row.
 pub(super) fn approach<Column: Hysteretic>(row: &Row<Column>, method: Integrator, [nearest, order]: [f64; 2], what: &str) {
     let known = run(row, &ground(), DURATION);
     let [coarse, fine] = [15_000, 240_000].map(|n_steps| error(row, &known, method, n_steps));

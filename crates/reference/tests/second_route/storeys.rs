@@ -18,7 +18,7 @@ pub(super) fn spring(impact_stiffness: f64) -> ContactLaw {
     ContactLaw::LinearSpring(LinearSpring { impact_stiffness })
 }
 
-/// Buildings side by side with damping α and β; floors that face each other are pairs.
+/// Neighbouring buildings with damping α and β; floors that face each other are pairs.
 pub(super) fn buildings<Column: Hysteretic>(
     of: &[Building<Column>],
     (alpha, beta): (f64, f64),
@@ -64,7 +64,7 @@ pub(super) fn ground() -> Vec<f64> {
     (0..=60).map(|i| acceleration(0.1 * f64::from(i))).collect()
 }
 
-/// A mode: circular frequency, damping ratio, shape, and what it takes of the ground's acceleration.
+/// A mode: circular frequency, damping ratio, shape, and participation in the ground's acceleration.
 struct Mode {
     omega: f64,
     zeta: f64,
@@ -187,7 +187,7 @@ fn limit_energy_is_kept_without_damping() {
             let floor = &response.structures[index];
             (floor.end_displacement, floor.end_velocity)
         };
-        // What a contact keeps that lasts to the end.
+        // Energy in a contact that lasts to the end.
         let pairs = row.pairs().iter().map(|pair| {
             let overlap = (end(pair.left()).0 - end(pair.right()).0 - pair.gap()).max(0.0);
             if let ContactLaw::LinearSpring(spring) = law {
@@ -205,7 +205,7 @@ fn limit_energy_is_kept_without_damping() {
     }
 }
 
-/// Only one floor moves at first; the others are woken through their storeys.
+/// Only one floor moves at first; the storeys set the others in motion.
 #[test]
 fn extreme_a_floor_wakes_the_others() {
     let of = vec![(1e5, Elastic { stiffness: 5e7 }); 6];
@@ -221,7 +221,7 @@ fn extreme_a_floor_wakes_the_others() {
     close(after, 5e4, 1e-13, "energy");
 }
 
-/// Floors that nothing holds hit each other level by level, as rows of their own would.
+/// Floors without columns hit each other level by level, like separate rows.
 #[test]
 fn limit_levels_without_columns_are_rows_of_their_own() {
     let free = Elastic { stiffness: 0.0 };
@@ -252,7 +252,7 @@ fn limit_levels_without_columns_are_rows_of_their_own() {
     }
 }
 
-/// A floor that stands loose on another one leaves that one the structure it is alone.
+/// A loose floor on top of another floor leaves that floor an ordinary structure.
 #[test]
 fn limit_one_storey_is_a_structure() {
     let ground = ground();
@@ -270,7 +270,7 @@ fn limit_one_storey_is_a_structure() {
     let wanted = wanted.structures[0];
     close(found.displacement.value, wanted.displacement.value, 1e-13, "peak");
     close(found.displacement.time, wanted.displacement.time, 1e-12, "its time");
-    // Upper storeys of a stiffness that lets them drift by a millionth: one mass of their sum.
+    // Upper storeys so stiff that they drift by a millionth: a single mass.
     let rigid = elastic(&[(4e4, 5e7), (3e4, 5e13), (3e4, 5e13)]);
     let row = buildings(&[rigid], (0.0, 0.0), (0.0, spring(1.0)));
     let sum = buildings(&[elastic(&[(1e5, 5e7)])], (0.0, 0.0), (0.0, spring(1.0)));

@@ -1,4 +1,4 @@
-//! Ground motions that arrive at one structure after the other, against the exact method.
+//! Ground motions that arrive at structures one after the other, compared with the exact method.
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{Bilinear, Elastic, Node, Row};
@@ -36,7 +36,7 @@ fn reference_structures_shaken_in_turn() {
             }),
         ];
         let row = Row::new(nodes, pairs(4, 0.02, law)).expect("a valid row");
-        // Neither order, nor whole parts of the 0.1 s between samples.
+        // Neither ordered, nor whole parts of the 0.1 s between samples.
         for arrivals in [[0.0, 0.07, 0.15, 0.222], [0.13, 0.13, 0.0, 0.05]] {
             let what = format!("{law:?}, {arrivals:?}");
             let row = row.clone().delayed(arrivals.to_vec()).expect("valid arrivals");
@@ -48,7 +48,7 @@ fn reference_structures_shaken_in_turn() {
 
 #[test]
 fn reference_towers_shaken_in_turn() {
-    // Hits of e = 0.9 between three towers multiply rounding: after 1 s two tolerances are 2e-8 apart.
+    // Hits with e = 0.9 between three towers multiply rounding: after 1 s two tolerances differ by 2e-8.
     for (law, duration) in laws(0.34) {
         let of: Vec<_> = TOWERS.iter().map(|tower| elastic(tower)).collect();
         let row: Row<Elastic> = buildings(&of, (ALPHA, BETA), (0.01, law));

@@ -1,14 +1,14 @@
 //! The force of columns that yield smoothly, as a power series.
 //!
-//! h = (1 − a) k z obeys dh = (1 − a) k (1 − |y|ⁿ s) dd, y = h/((1 − a) `f_y`), s = γ + β sgn(z ḋ): over the drift, and so in
-//! any variable of which the drift is a series. Where neither z nor the rate of the drift changes its sign, |y|ⁿ is a product
-//! of series.
+//! h = (1 − a) k z obeys dh = (1 − a) k (1 − |y|ⁿ s) dd. Here y = h/((1 − a) `f_y`) and s = γ + β sgn(z ḋ). This holds over the drift d,
+//! and therefore in any variable in which the drift is a series. While the signs of z and of the rate of the drift stay the same, |y|ⁿ is a
+//! product of series.
 
 use crate::Smoothness;
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
 
-/// Products that |y|ⁿ takes for n up to 31 at most.
+/// Most products that |y|ⁿ takes, for n up to 31.
 const PRODUCTS: usize = 8;
 
 /// Columns that yield smoothly, over one piece.
@@ -19,21 +19,21 @@ pub(super) struct Bend {
     stiffness: f64,
     /// (1 − a) `f_y` \[N\].
     limit: f64,
-    /// The products, from |y| on: squares, and where `true` times |y|.
+    /// The sequence of products from |y| to |y|ⁿ. Each is a square, followed by a factor |y| if `true`.
     products: Vec<bool>,
-    /// Sign of h, and of the rate of the drift; 0 as long as they are not known.
+    /// Signs of h and of the rate of the drift; 0 while unknown.
     signs: (f64, f64),
-    /// Sign of the rate of the drift where its first coefficients are rounding; else 0.
+    /// Sign of the rate of the drift if its first coefficients are only rounding; else 0.
     direction: f64,
-    /// h.
+    /// Coefficients of h.
     pub(super) force: [f64; CAPACITY],
-    /// |y| and its powers, one a product.
+    /// Coefficients of |y| and of its powers, one per product.
     powers: [[f64; CAPACITY]; PRODUCTS + 1],
 }
 
 impl Bend {
     pub(super) fn new(smoothness: Smoothness, stiffness: f64, limit: f64) -> Self {
-        // From the second binary digit of the exponent on: a square, and for a one another factor.
+        // From the second binary digit of the exponent on: a square, and another factor for a digit 1.
         let mut products = Vec::new();
         let exponent = smoothness.exponent.clamp(1, 31);
         for digit in (0..exponent.ilog2()).rev() {
@@ -64,13 +64,12 @@ impl Bend {
         }
     }
 
-    /// What is known of the next pieces' direction is forgotten: their first coefficients tell it.
+    /// Forgets the direction of the next pieces; the first coefficients will determine it.
     pub(super) fn forget_direction(&mut self) {
         self.direction = 0.0;
     }
 
-    /// Takes the direction from a coefficient of the rate of the drift that is not rounding; true where the last expansion
-    /// went the other way.
+    /// Takes the direction from a coefficient of the rate of the drift that is not rounding; true if the last expansion went the other way.
     pub(super) fn goes_with(&mut self, leading: f64) -> bool {
         let known = sign(leading);
         let other = self.signs.1.total_cmp(&known).is_ne();
@@ -80,14 +79,14 @@ impl Bend {
         other
     }
 
-    /// Finds coefficient `n` of h; those of the drift up to `n` are known.
+    /// Finds coefficient `n` of h from the coefficients of the drift up to `n`.
     pub(super) fn find(&mut self, drift: &[f64; CAPACITY], n: usize) {
         if n > 0 {
             if self.signs.1 == 0.0 {
                 self.signs.1 = sign(drift[n]);
             }
             if self.signs.0 == 0.0 {
-                // From zero on z goes with the drift.
+                // From zero, z goes in the direction of the drift.
                 self.signs.0 = self.signs.1;
             }
             let slope = |m: usize| self.slope(m);
@@ -115,7 +114,7 @@ impl Bend {
         }
     }
 
-    /// Length up to which the series has converged to the tolerance; nothing where there is none.
+    /// Length up to which the series has converged to the tolerance; `None` if there is no such length.
     pub(super) fn reach(&self, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
         let mut x = length;
         loop {
@@ -130,7 +129,7 @@ impl Bend {
         }
     }
 
-    /// Last quarter of the series at x as a part of the whole.
+    /// Last quarter of the series at x, as a part of the whole.
     fn tail(&self, len: usize, x: f64) -> f64 {
         let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
         for (n, coefficient) in self.force[..len].iter().enumerate() {
@@ -141,11 +140,11 @@ impl Bend {
             }
             weight *= x;
         }
-        // What a storey that has hardly begun to move is known by may lie in the last coefficients alone.
+        // A storey that has hardly begun to move may have its only significant terms in the last coefficients.
         if tail > NOTHING * self.limit { tail / sum } else { 0.0 }
     }
 
-    /// Whether the series of |y|ⁿ is that power at x: from y = 0 on it may begin beyond its last coefficient.
+    /// Whether the series of |y|ⁿ equals that power at x. From y = 0 the series may begin beyond the last coefficient.
     fn is_bent(&self, len: usize, x: f64, tolerance: f64) -> bool {
         let at = |index: usize| value(&self.powers[index][..len], x);
         let (first, exponent) = (at(0), self.smoothness.exponent);
@@ -155,7 +154,7 @@ impl Bend {
     }
 }
 
-/// Part of the yield force that is none.
+/// Part of the yield force that counts as zero.
 const NOTHING: f64 = 1e-20;
 
 fn sign(number: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Pieces of the floors that move together, and their launch.
+//! Pieces of the motion of floors that move together, and the start of each piece.
 
 use std::ops::Range;
 
@@ -13,34 +13,34 @@ use crate::model::incidence::Incident;
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
-/// The piece of the motion under way of floors that move together.
+/// The current piece of the motion of floors that move together.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
     pub(super) start: Past,
-    /// When it ends, on the clock.
+    /// End of the piece on the clock.
     pub(super) end: f64,
     pub(super) power: Power,
     /// Length of the piece in x, t = start + x^p.
     pub(super) length: f64,
     /// Number of coefficients.
     pub(super) len: usize,
-    /// What happens at the end.
+    /// Events at the end of the piece.
     pub(super) events: Vec<Event>,
 }
 
-/// Number of coefficients in free flight by the part s of the series' reach that a piece may take: sⁿ/n! < 1e-21.
+/// Number of coefficients in free flight, for a piece that takes the part s of the reach of the series: sⁿ/n! < 1e-21.
 const IN_FLIGHT: [(f64, usize); 4] = [(0.125, 13), (0.25, 15), (0.5, 18), (1.0, 22)];
-/// In compliant contact.
+/// Number of coefficients in compliant contact.
 const IN_CONTACT: usize = 32;
-/// Just after the first touch of compliant contact, in the fourth root of time.
+/// Number of coefficients just after the first touch of compliant contact, in the fourth root of time.
 const AT_TOUCH: usize = 56;
-/// Coefficients beyond this magnitude are left out: the next one might not be finite.
+/// Largest coefficient that is kept: the next one might not be finite.
 const LARGEST: f64 = 1e250;
-/// Pieces of one contact of a law with δ̇/v₀ after which a run gives up.
+/// Most pieces of a contact whose law has δ̇/v₀. The run is given up beyond.
 const MOST_IN_CONTACT: u32 = 100_000;
 
 impl Body {
-    /// At t = 0.
+    /// The body at t = 0.
     pub(super) fn at_start() -> Self {
         Self {
             start: Past::default(),
@@ -52,7 +52,7 @@ impl Body {
         }
     }
 
-    /// x at a time of the piece.
+    /// x at an instant of the piece.
     pub(super) fn position(&self, now: Past) -> f64 {
         if now.time() >= self.end {
             self.length
@@ -63,13 +63,13 @@ impl Body {
 }
 
 impl Touching<'_> {
-    /// Whether some neighbours of a body rest against each other.
+    /// Whether some neighbours in a body rest against each other.
     fn rests(&self, first: usize) -> bool {
         let mut pairs = self.groups.of(first).pairs().iter();
         pairs.any(|pair| self.contacts[*pair].link == Link::Resting)
     }
 
-    /// Ends the run where a contact goes on and on: each piece is as short as the relaxation of its damper.
+    /// Ends the run if a contact goes on and on: each piece is as short as the relaxation time of its damper.
     fn count_pieces(&mut self, first: usize, time: f64) -> Result<(), RunError> {
         for pair in self.groups.of(first).pairs() {
             let contact = &mut self.contacts[*pair];
@@ -92,7 +92,7 @@ impl Touching<'_> {
         Ok(())
     }
 
-    /// Restitution whose remaining energy is below the tolerance is over.
+    /// Ends restitutions whose remaining energy is below the tolerance.
     fn find_partings(&mut self, first: usize, tolerance: f64) {
         for pair in self.groups.of(first).pairs() {
             let contact = &mut self.contacts[*pair];
@@ -107,8 +107,7 @@ impl Touching<'_> {
         }
     }
 
-    /// First of the neighbours in a chain that share this one's velocity because they rest against each other on grounds that
-    /// move alike.
+    /// First of the chain neighbours that share the velocity of this node because they rest against each other on grounds that move alike.
     pub(super) fn leader(&self, node: usize) -> usize {
         let mut leader = node;
         while self.is_led(leader) {
@@ -117,7 +116,7 @@ impl Touching<'_> {
         leader
     }
 
-    /// A node and those that share its velocity, of which it is the first; nothing where it is not.
+    /// The nodes that share the velocity of `leader`; empty if `leader` is not the first of them.
     pub(super) fn led_by(&self, leader: usize) -> Range<usize> {
         let mut end = leader;
         while end < self.groups.body_of.len() && self.is_led(end) == (end > leader) {
@@ -126,7 +125,7 @@ impl Touching<'_> {
         leader..end
     }
 
-    /// Whether a node of a chain shares the velocity of its left neighbour. In other rows each turns by itself.
+    /// Whether a node of a chain shares the velocity of its left neighbour. In other rows each node turns alone.
     fn is_led(&self, node: usize) -> bool {
         let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
         let left = beside(self.incidence, node)[0].filter(|_| self.is_chain());
@@ -139,8 +138,7 @@ impl Touching<'_> {
         all.filter(|at| self.contacts[at.pair].link != Link::Apart)
     }
 
-    /// What those of them that have the node on their left, or on their right, give it of some quantity of theirs; nothing where there
-    /// are none.
+    /// Sum of a quantity over the touching or resting pairs that have the node on their left (or right); `None` if there is no such pair.
     #[inline]
     pub(super) fn pushed(&self, node: usize, on_left: bool, quantity: impl Fn(&Contact) -> f64) -> Option<f64> {
         self.joined_at(node)
@@ -151,7 +149,7 @@ impl Touching<'_> {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Expands the motion of a body from now on; returns the number of coefficients.
+    /// Expands the motion of a body from now on; returns the power of time and the number of coefficients.
     pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
         let stop = self.shake(first, time).min(self.agenda.end);
         let group = self.touching.groups.of(first);
@@ -191,7 +189,7 @@ impl<R: Recorder> Run<'_, R> {
         (power, (0..len).take_while(tame).count())
     }
 
-    /// Begins the next piece of a body that has landed.
+    /// Starts the next piece of a body that has landed.
     pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
         if time >= self.agenda.end {
             let body = &mut self.moving.bodies[first];
@@ -220,7 +218,7 @@ impl<R: Recorder> Run<'_, R> {
         };
         watch.events.clear();
         self.watch(&mut watch, (first, len), time)?;
-        // A force at rest that fades as the next sample arrives may go on with it.
+        // A force at rest that fades when the next sample arrives may continue after it.
         let left = power.time(length) - power.time(watch.length);
         let at_sample = whole && left <= rounding::OF_SUMS * self.agenda.clock.absolute(stop);
         if at_sample && self.touching.rests(first) && watch.events.iter().all(Event::is_of_forces) {
@@ -229,7 +227,7 @@ impl<R: Recorder> Run<'_, R> {
         let end = if whole && watch.events.is_empty() {
             stop
         } else if watch.events.is_empty() {
-            // Series that reach no further than the clock can tell are taken as far as that.
+            // If the series reach less than the resolution of the clock, the piece takes this resolution.
             (time + power.time(watch.length)).max(time.next_up()).min(stop)
         } else {
             (time + power.time(watch.length)).min(stop)
@@ -238,8 +236,8 @@ impl<R: Recorder> Run<'_, R> {
             start: self.agenda.clock.past(time),
             end,
             power,
-            // To the instant that the clock can tell, not to the event itself: the ground and what flies alone are there, too, and each
-            // event would shift the body in time against them.
+            // The piece ends at the instant on the clock, not at the event itself: the ground and everything that flies alone end there,
+            // too. Otherwise each event would shift the body in time against them.
             length: power.root(end - time),
             len,
             events: watch.events,
@@ -250,19 +248,19 @@ impl<R: Recorder> Run<'_, R> {
     /// When the next sample arrives at a node, or the run ends.
     fn stop(&self, nodes: &[usize]) -> f64 {
         let members = nodes.iter().map(|node| &self.moving.members[*node]);
-        // The motion of a wall knows no samples where all grounds move alike.
+        // A wall needs no samples if all grounds move alike.
         if self.shaking.travel.is_none() && members.clone().all(Member::is_wall) {
             return self.agenda.end;
         }
         members.fold(self.agenda.end, |end, member| end.min(member.ground.end))
     }
 
-    /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
+    /// Length up to which the series of all touching pairs of a body, and of columns that yield smoothly, have converged.
     fn converged(&self, first: usize, power: Power, len: usize, longest: f64, time: f64) -> Result<f64, RunError> {
         let mut length = longest;
         let group = self.touching.groups.of(first);
         let limits = (longest, self.settings.tolerance);
-        // Each from the same start, so that their order does not matter.
+        // Each pair starts from the same length, so that the order of pairs does not matter.
         for pair in group.pairs() {
             let contact = &self.touching.contacts[*pair];
             let [left, right] = contact.floors();
@@ -279,7 +277,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(length)
     }
 
-    /// Expands a body; once more where the first expansion shows that columns unload, or that its first coefficients are only rounding.
+    /// Expands a body. Expands it again if columns turn out to unload, or if the first coefficients are only rounding.
     fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
         let group = self.touching.groups.of(first);
         for pair in group.pairs() {
@@ -321,7 +319,7 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Completes the state of a node at the start of its piece.
     fn fill_start(&mut self, node: usize, time: f64, power: Power, len: usize) -> Result<(), RunError> {
-        // As at its end: what rounding leaves of a force that fades does not pull.
+        // As at the end of a piece, the rounding of a force that fades must not pull.
         let force = |on_left| {
             self.touching
                 .pushed(node, on_left, |contact| pushing(contact.force[0]))
@@ -332,7 +330,7 @@ impl<R: Recorder> Run<'_, R> {
         member.state.acceleration = member.acceleration[0];
         member.state.force_from_left = left;
         member.state.force_from_right = right;
-        // A motion of which not even the acceleration is known goes nowhere.
+        // Without a known acceleration there is no motion.
         if len > power.order() && member.state.acceleration.is_finite() {
             return Ok(());
         }
@@ -340,13 +338,13 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Number of coefficients in free flight over this part of the series' reach.
+/// Number of coefficients in free flight, for a piece that takes this part of the reach of the series.
 pub fn in_flight(part: f64) -> usize {
     let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
     enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len)
 }
 
-/// A contact force without what rounding lets it pull; what is no number stays.
+/// A contact force without the pull that rounding leaves; NaN stays NaN.
 pub(super) fn pushing(force: f64) -> f64 {
     if force < 0.0 { 0.0 } else { force }
 }

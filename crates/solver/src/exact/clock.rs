@@ -1,29 +1,29 @@
-//! The clock of the exact method: it is set back as the run goes on, so that it tells instants as well at the end as at the start.
+//! The clock of the exact method. It is set back as the run goes on, so that its resolution is the same at the end as at the start.
 //!
-//! A clock that runs on from t = 0 tells at 20 s instants 4e-15 s apart. That is 1e-13 of a displacement at every event, and decides
-//! who hits first where floors are caught between two neighbours.
+//! A clock that runs from t = 0 resolves 4e-15 s at 20 s. This is 1e-13 of a displacement at every event, and can decide which neighbour a
+//! floor between two of them hits first.
 
 use crate::Recorder;
 use crate::exact::Run;
 use crate::model::sampling::Sampling;
 
-/// A clock that shows 0 at an instant after the start.
+/// A clock that shows 0 at some instant after the start.
 ///
-/// What is ahead is known as a time on it, and set back with it, without rounding; what has passed as a [`Past`].
+/// Future instants are times on this clock, set back with it without rounding. Past instants are [`Past`] values.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LocalClock {
-    /// The instant at which it shows 0 \[s\], a whole number of units.
+    /// The instant at which the clock shows 0 \[s\], a whole number of units.
     zero: f64,
-    /// Its unit is a power of two: what the clock is set back by has no rounding, however often.
+    /// The unit of the clock is a power of two: setting the clock back never rounds.
     sampling: Sampling,
 }
 
-/// An instant that a clock has told.
+/// An instant on a clock that may have been set back since.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Past {
-    /// Where that clock showed 0 \[s\].
+    /// The instant at which the clock showed 0 \[s\].
     zero: f64,
-    /// What it showed \[s\].
+    /// The time that the clock showed \[s\].
     time: f64,
 }
 
@@ -33,54 +33,54 @@ impl Past {
         (self.time - earlier.time) + (self.zero - earlier.zero)
     }
 
-    /// Time since the start of the run, as recorders tell it \[s\].
+    /// Time since the start of the run, as recorders see it \[s\].
     pub(super) fn absolute(self) -> f64 {
         self.zero + self.time
     }
 
-    /// The same as a sum that is not rounded.
+    /// Time since the start of the run as an unrounded sum \[s\].
     pub(super) fn instant(self) -> [f64; 2] {
         [self.zero, self.time]
     }
 
-    /// What its clock showed \[s\].
+    /// The time that the clock showed \[s\].
     pub(super) fn time(self) -> f64 {
         self.time
     }
 }
 
 impl LocalClock {
-    /// Of a run whose samples arrive so.
+    /// A clock for samples with these arrival times.
     pub(super) fn new(sampling: Sampling) -> Self {
         Self { zero: 0.0, sampling }
     }
 
-    /// The instant at which it shows 0 \[s\].
+    /// The instant at which the clock shows 0 \[s\].
     pub(super) fn zero(&self) -> f64 {
         self.zero
     }
 
-    /// An instant that it shows.
+    /// The instant at which this clock shows `time`.
     pub(super) fn past(&self, time: f64) -> Past {
         let zero = self.zero;
         Past { zero, time }
     }
 
-    /// What it would have shown at an instant that another one told \[s\].
+    /// Time on this clock of an instant from another clock \[s\].
     pub(super) fn shown(&self, past: Past) -> f64 {
         past.since(self.past(0.0))
     }
 
-    /// Time since the start of the run, as recorders and errors tell it \[s\].
+    /// Time since the start of the run, as recorders and errors see it \[s\].
     pub(super) fn absolute(&self, time: f64) -> f64 {
         self.past(time).absolute()
     }
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Sets the clock back to less than a unit, and all instants ahead; returns by how much \[s\].
+    /// Sets the clock, and all future instants, back to less than a unit; returns the difference \[s\].
     ///
-    /// It depends on the instant alone: what a body does has the same bits whatever others do.
+    /// The result depends only on the instant: a body keeps the same bits whatever the others do.
     pub(super) fn set_clock(&mut self, now: f64) -> f64 {
         let [by, _] = self.agenda.clock.sampling.split(now);
         if by == 0.0 {

@@ -1,4 +1,4 @@
-//! The columns of a storey: their branch, and the numbers of their loop.
+//! The columns of a storey: their branch, and the constants of their loop.
 
 use crate::exact::bend::Bend;
 use crate::{Hysteresis, Knee};
@@ -7,29 +7,29 @@ use crate::{Hysteresis, Knee};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Branch {
     Elastic,
-    /// Yielding to the right, under a force > 0 but for hardening.
+    /// Yielding to the right. Without hardening the force is > 0.
     Right,
     /// Yielding to the left.
     Left,
 }
 
-/// The line that the force of columns is on where they do not yield.
+/// The line on which the force of columns lies while they do not yield.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Line {
-    /// Through zero: nothing has yielded.
+    /// The line through zero: nothing has yielded.
     FirstLoading,
-    /// Shifted by what has yielded.
+    /// The line shifted by the plastic displacement.
     Shifted,
 }
 
 impl Line {
-    /// Of a force h that yields at a limit \[N\].
+    /// The line of a force h that yields at a limit \[N\].
     pub(super) fn of(force: f64, limit: f64) -> Self {
         if force.abs() < limit { Self::FirstLoading } else { Self::Shifted }
     }
 }
 
-/// The numbers of a loop as a member has them.
+/// The constants of a loop, as a member stores them.
 pub(super) struct Columns {
     pub(super) stiffness: f64,
     pub(super) hardened_stiffness: f64,
@@ -46,7 +46,7 @@ impl Columns {
             yield_force,
             knee,
         } = hysteresis;
-        // What never yields is elastic.
+        // Columns that never yield are elastic.
         if yield_force.is_infinite() {
             hardening = 0.0;
         }
@@ -65,7 +65,7 @@ impl Columns {
         }
     }
 
-    /// The part h of their force at a drift \[m\].
+    /// The hysteretic part h of the force at a drift \[m\].
     pub(super) fn hysteretic_force(&self, force: f64, drift: f64) -> f64 {
         if self.hardened_stiffness > 0.0 {
             force - self.hardened_stiffness * drift

@@ -1,4 +1,4 @@
-//! What is known of a pair between events: whether it touches, its deformation, its force.
+//! State of a pair between events: whether it touches, its deformation and its force.
 
 use pounding_contact::{Action, ContactLaw, Form, Power as Exponent, Term};
 
@@ -13,9 +13,9 @@ use crate::{Pair, Point, Relation};
 /// How a pair is joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Link {
-    /// Not at all, or touching without a force.
+    /// The pair is apart, or touches without a force.
     Apart,
-    /// Impulsive contact that has come to rest: the neighbours move as one while they press.
+    /// Impulsive contact at rest: the neighbours move together while they press.
     Resting,
     /// Compliant contact.
     Touching(Phase),
@@ -26,28 +26,28 @@ pub(super) enum Link {
 pub(super) enum Phase {
     Approach,
     Restitution,
-    /// The law would pull; there is no force until it would push again.
+    /// The law would pull: the force is zero until the law pushes again.
     Clamped,
-    /// What is left of the force is below the tolerance; the neighbours part.
+    /// The rest of the force is below the tolerance; the neighbours part.
     Parting,
 }
 
-/// What the gap of a pair does.
+/// State of the gap of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Gap {
-    /// Its deformation and rate say so.
+    /// The deformation and its rate describe the gap.
     Known,
-    /// A touch has been found and is still to be resolved.
+    /// A touch has been found and is not yet resolved.
     Touches,
-    /// It is closed without a rate, and opens from now on.
+    /// The gap is closed without a rate and opens now.
     Parts,
 }
 
-/// How the grounds of a pair move to each other.
+/// How the grounds of a pair move relative to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Grounds {
     Alike,
-    /// The ground motion arrives at one of them later than at the other.
+    /// The ground motion arrives at the two sides at different times.
     Apart,
 }
 
@@ -58,47 +58,47 @@ pub(super) struct Contact {
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
     pub(super) grounds: Grounds,
-    /// Force of the present contact, which may know its approach speed; nothing before the first one.
+    /// Form of the present contact, which may contain its approach speed; `None` before the first contact.
     pub(super) form: Option<Form>,
     /// Rate of deformation at the touch.
     pub(super) approach_speed: f64,
-    /// Pieces of the present contact, where its law knows that speed.
+    /// Pieces of the present contact, if its law depends on the approach speed.
     pub(super) pieces: u32,
     pub(super) link: Link,
-    /// Rests without a force: those of others hold it.
+    /// The pair rests without a force, held by other pairs.
     pub(super) idle: bool,
-    /// The instant of `deformation` and `rate`.
+    /// The instant at which `deformation` and `rate` hold.
     pub(super) time: f64,
     pub(super) deformation: f64,
     pub(super) rate: f64,
-    /// Largest displacements and gap so far \[m\]: what rounding of a difference is measured by.
+    /// Largest displacement or gap so far \[m\]: the scale of the rounding of a deformation.
     pub(super) scale: f64,
-    /// What its gap does where it has just closed.
+    /// State of the gap if it has just closed.
     pub(super) gap: Gap,
     /// The contact force has just faded: the relative acceleration is zero.
     pub(super) faded: bool,
-    /// Orders in time, from that of the acceleration on, in which the neighbours move alike as they begin to touch.
+    /// Number of orders in time, starting with the acceleration, in which the neighbours move alike when they begin to touch.
     pub(super) alike: usize,
-    /// The force is known to have an extremum.
+    /// The force has an extremum at this instant.
     pub(super) peaked: bool,
-    /// Instant at which the force before the clamp last changed its sign.
+    /// Instant at which the force before the clamp last changed sign.
     pub(super) crossed: f64,
-    /// The next touch that the pieces on both sides lead to; infinite without one.
+    /// The next touch according to the pieces on both sides; infinite if there is none.
     pub(super) meets: f64,
-    /// The same in the variable of `series`, not rounded to what time can tell apart.
+    /// The next touch in the variable of `series`, without the rounding of time.
     pub(super) meets_at: f64,
     /// Instant of the last impact.
     pub(super) hit: f64,
-    /// Impacts before it that followed each other within the shortest remainder.
+    /// Impacts before `hit` that followed each other within the shortest remainder.
     pub(super) burst: u32,
-    /// Impacts since the pair last came to rest.
+    /// Impacts since the pair was last at rest.
     pub(super) bounces: u32,
     pub(super) series: Deformation,
     /// Pounding force, in the variable of its body.
     pub(super) force: [f64; CAPACITY],
-    /// What has the sign of the force before the clamp.
+    /// A series with the sign of the force before the clamp.
     pub(super) pull: [f64; CAPACITY],
-    /// Deformation and its rate in touch, in the variable of its body.
+    /// Deformation and its rate during a touch, in the variable of the body.
     pub(super) deformations: [f64; CAPACITY],
     pub(super) rates: [f64; CAPACITY],
     pub(super) spring: [f64; CAPACITY],
@@ -115,7 +115,7 @@ pub(super) struct Deformation {
     pub(super) power: Power,
 }
 
-/// The parts that bodies are made of.
+/// The parts from which bodies are built.
 #[derive(Clone, Copy)]
 pub(super) struct System<'a> {
     pub(super) members: &'a [Member],
@@ -165,7 +165,7 @@ impl Contact {
         }
     }
 
-    /// The same on a clock that shows less.
+    /// Shifts all times to a clock that shows `by` less \[s\].
     pub(super) fn set_back(&mut self, by: f64) {
         self.time -= by;
         self.crossed -= by;
@@ -173,42 +173,42 @@ impl Contact {
         self.hit -= by;
     }
 
-    /// The floors of its points, of one between two floors the nearer one: they stand on the grounds of both buildings.
+    /// The floors of both points, on the grounds of both buildings; for a point between two floors, the nearer one.
     pub(super) fn floors(&self) -> [usize; 2] {
         self.relation.points().map(Point::floor)
     }
 
-    /// Whether its grounds move towards each other, and apart.
+    /// Whether the grounds of the pair move relative to each other.
     pub(super) fn opens(&self) -> bool {
         self.grounds == Grounds::Apart
     }
 
-    /// c/m of a damper that is the same in every contact, whatever its deformation and speed \[1/s\]; 0 of others.
+    /// c/m \[1/s\] of a damper that does not depend on deformation and speed; 0 for other dampers.
     pub(super) fn relaxation(&self) -> f64 {
         let form = self.law.form(self.reduced_mass, 1.0);
         let same = |form: &Form| form.damper.power == Exponent::Zero && !self.law.knows_approach_speed();
         form.filter(same).map_or(0.0, |form| form.damper.coefficient / self.reduced_mass)
     }
 
-    /// Begins compliant contact, at the rate of the touch.
+    /// Begins compliant contact, with the rate of the touch as approach speed.
     pub(super) fn begin(&mut self) {
         (self.approach_speed, self.pieces) = (self.rate.max(0.0), 0);
         self.form = self.law.form(self.reduced_mass, self.approach_speed);
         self.link = Link::Touching(Phase::Approach);
     }
 
-    /// Whether the force would fall below zero were it not clamped.
+    /// Whether the force would fall below zero without the clamp.
     pub(super) fn can_pull(&self) -> bool {
         let damped = |form: Form| form.action == Action::Both && form.damper.coefficient > 0.0;
         self.form.is_some_and(damped)
     }
 
-    /// The force before the clamp has changed its sign.
+    /// Notes that the force before the clamp has changed sign.
     pub(super) fn cross(&mut self, phase: Phase) {
         (self.link, self.crossed) = (Link::Touching(phase), self.time);
     }
 
-    /// Gives its floors an impulse \[N·s\].
+    /// Gives the floors of the pair an impulse \[N·s\].
     pub(super) fn kick(&self, impulse: f64, members: &mut [Member]) {
         for (floor, part) in self.relation.pushes() {
             let member = &mut members[floor];
@@ -216,7 +216,7 @@ impl Contact {
         }
     }
 
-    /// Phase of compliant contact at a deformation and rate that have jumped.
+    /// Phase of compliant contact after a jump of deformation or rate.
     pub(super) fn phase(&self) -> Phase {
         let pulls = |form: &Form| form.action == Action::Both && form.unclamped(self.deformation, self.rate) < 0.0;
         if self.rate > 0.0 {
@@ -228,12 +228,12 @@ impl Contact {
         }
     }
 
-    /// Coefficient of restitution of an impulsive law; nothing for a compliant one.
+    /// Coefficient of restitution of an impulsive law; `None` for a compliant law.
     pub(super) fn restitution(&self) -> Option<f64> {
         self.law.impulsive().map(|law| law.restitution)
     }
 
-    /// How far the left point is ahead of the right one in what they also have by their grounds.
+    /// `ahead` plus the difference of a ground quantity between the left and the right side, if the grounds move apart.
     #[inline]
     pub(super) fn over_grounds(&self, ahead: f64, ground: impl Fn(usize) -> f64) -> f64 {
         if self.opens() {
@@ -244,7 +244,7 @@ impl Contact {
         }
     }
 
-    /// Coefficient `n` of the displacement of one of its points, with that of its ground where it moves on its own.
+    /// Coefficient `n` of the displacement of a point, including its ground if the grounds move apart.
     pub(super) fn displacement_of(&self, members: &[Member], point: Point, (p, n): (usize, usize)) -> f64 {
         let own = point.of(|node| members[node].displacement[n]);
         if self.opens() {
@@ -254,8 +254,8 @@ impl Contact {
         }
     }
 
-    /// Finds in how many orders neighbours that begin to touch without a rate move alike but for rounding; true when in
-    /// any: rounding would part them, or press them, at once.
+    /// Finds in how many orders neighbours that begin to touch without a rate move alike up to rounding; true if in any. Rounding would
+    /// otherwise part them, or press them together, at once.
     pub(super) fn find_alike(&mut self, members: &[Member], power: Power, len: usize) -> bool {
         let begins = matches!(self.link, Link::Touching(_));
         if !begins || self.deformation > 0.0 || self.rate != 0.0 {
@@ -272,14 +272,14 @@ impl Contact {
         self.alike > 0
     }
 
-    /// Energy \[J\] that the spring still holds where its force is not smooth at the parting; nothing where it is.
+    /// Energy \[J\] that the spring still holds if its force is not smooth at the parting, else `None`.
     pub(super) fn rough_remainder(&self) -> Option<f64> {
         let Term { coefficient, power } = self.form?.spring;
         let deformation = self.deformation.max(0.0);
         (power == Exponent::ThreeHalves).then(|| 0.4 * coefficient * deformation * deformation * deformation.sqrt())
     }
 
-    /// Whether it has gone past its parting.
+    /// Whether the deformation has passed the parting.
     pub(super) fn has_parted(&self) -> bool {
         let touching = matches!(self.link, Link::Touching(phase) if phase != Phase::Approach);
         touching && self.deformation <= 0.0 && self.rate < 0.0

@@ -1,15 +1,15 @@
-//! What a run will cost, before it starts: what it cannot do with is refused.
+//! Estimate of the cost of a run before it starts. A run that costs too much is refused.
 
 use crate::exact::Run;
 use crate::{Recorder, RunError};
 
-/// Part of a run that pairs with strong dampers touch, as far as its cost is asked before: they creep apart.
+/// Part of the run during which pairs with strong dampers are assumed to touch: such pairs creep apart.
 ///
-/// Two structures took a seventieth to a five-hundredth of c/m times the duration, under two records, with ξ̄ from 1e3 to 1e7.
+/// Two structures needed between 1/70 and 1/500 of c/m times the duration, under two records, with ξ̄ from 1e3 to 1e7.
 const TOUCHING: f64 = 0.01;
 
 impl<R: Recorder> Run<'_, R> {
-    /// Refuses a run that will need more than so many pieces: each reaches no further than the next sample and the series of
+    /// Refuses a run that needs more than `allowed` pieces. A piece reaches at most to the next sample, and no further than the series of
     /// the fastest floor of its building.
     pub(super) fn check_cost(&self, allowed: f64) -> Result<(), RunError> {
         let samples = (self.shaking.excitation.samples().len() - 1) as f64;

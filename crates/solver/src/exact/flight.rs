@@ -1,8 +1,8 @@
-//! Free flight of a whole row from sample to sample by closed form, as long as nothing happens.
+//! Free flight of a whole row from sample to sample in closed form, as long as nothing happens.
 //!
-//! Where a structure on the elastic line of its columns is at the next sample follows from velocity, force and ground at
-//! this one, with weights that are found once for a run. Bounds of what it could do on the way say where that is all there
-//! is to know. Where they cannot, the pieces of the general method take over until the next sample.
+//! The state of an elastic structure at the next sample follows from its velocity, its force and the ground at this sample, with weights
+//! that are computed once per run. Bounds of the motion in between show whether any event is possible. If one is, the pieces of the general
+//! method take over until the next sample.
 
 use crate::exact::Run;
 use crate::exact::body::in_flight;
@@ -15,26 +15,26 @@ use crate::exact::member::Member;
 use crate::exact::rounding::weighed;
 use crate::{Flight, Path, Recorder, Relation, Span, State};
 
-/// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
+/// Longest time between two samples, as a part of the reach of the series: a single piece covers it.
 pub const LONGEST: f64 = 0.999;
 
-/// What the structures of a row do between two samples.
+/// Free flights of the structures of a row between two samples.
 #[derive(Debug)]
 pub(super) struct Flights {
-    /// Of every structure that stands on the ground and is shaken at once, with columns of a sharp knee and a period that the
-    /// samples resolve; nothing for walls and others.
+    /// Weights of every structure that stands on the ground, is shaken at t = 0, has columns with a sharp knee, and a period that the
+    /// samples resolve; `None` for walls and other structures.
     leaps: Vec<Option<Leap>>,
-    /// Whether all structures have one: then the row can fly as a whole.
+    /// Whether all structures have weights: the row can then fly as a whole.
     whole: bool,
 }
 
 /// The ground between two samples.
 #[derive(Debug, Clone, Copy)]
 struct Interval {
-    /// The samples' instants \[s\].
+    /// Instants of the samples \[s\].
     from: f64,
     to: f64,
-    /// The first of them as recorders tell it: the same whatever the clock shows later \[s\].
+    /// First sample as time since the start of the run, independent of the clock \[s\].
     origin: f64,
     /// Acceleration at the start \[m/s²\], its slope \[m/s³\], and acceleration at the end.
     value: f64,
@@ -42,19 +42,19 @@ struct Interval {
     last: f64,
 }
 
-/// What a structure does between two samples.
+/// Weights of the flight of a structure between two samples.
 #[derive(Debug, Clone, Copy)]
 struct Leap {
-    /// Change of the displacement, and velocity at the end, by a unit of velocity at the start, of load over mass that
-    /// stays, and of load over mass that grows by one in a second.
+    /// Change of displacement, and final velocity, per unit of: initial velocity; constant load over mass; load over mass that grows by one
+    /// per second.
     displacement: [f64; 3],
     velocity: [f64; 3],
     /// c/m \[1/s\] and k/m \[1/s²\].
     damping: f64,
     stiffness: f64,
-    /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
+    /// Bound of the acceleration in between, relative to its values at both ends and the load.
     growth: f64,
-    /// Coefficients of its series that reach rounding.
+    /// Number of coefficients of the series, down to rounding.
     len: usize,
 }
 
@@ -103,13 +103,13 @@ impl Leap {
             velocity: columns.map(|[_, velocity]| velocity),
             damping,
             stiffness,
-            // No instant is farther than half a step from one of the ends.
+            // Every instant is at most half a step from one of the ends.
             growth: 1.0 / (1.0 - 0.5 * step * (damping + 0.5 * step * stiffness)),
             len,
         }
     }
 
-    /// The flight of a structure to the next sample; nothing where its columns could yield, or it turn more than once, on the way.
+    /// The flight of a structure to the next sample; `None` if its columns could yield, or if it could turn more than once.
     #[inline]
     fn ahead(&self, member: &Member, ground: &Interval) -> Option<Ahead> {
         let half = 0.5 * (ground.to - ground.from);
@@ -127,7 +127,7 @@ impl Leap {
         let load = self.stiffness * fastest + ground.slope.abs();
         let most = self.growth * (before.abs().max(acceleration.abs()) + half * load);
         let jerk = self.damping * most + self.stiffness * (fastest + half * most) + ground.slope.abs();
-        // What lies between two ends is no farther from the line through them than this times its second derivative.
+        // A curve between two ends lies within this factor times its second derivative of the line through them.
         let bow = 0.5 * half * half;
         let held = member.hysteretic_force.abs().max(hysteretic_force.abs()) + bow * member.hysteretic_stiffness * most;
         let slowest = start.velocity.abs().min(velocity.abs());
@@ -154,7 +154,7 @@ impl Leap {
 }
 
 impl Interval {
-    /// The flight of a structure from its state on.
+    /// The flight of a structure from its present state.
     fn flight(&self, member: &Member, len: usize) -> Flight {
         Flight {
             origin: self.origin,
@@ -171,7 +171,7 @@ impl Interval {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Flies on as far as nothing happens; returns the instant from which the general method goes on.
+    /// Flies while nothing happens; returns the instant from which the general method continues.
     pub(super) fn fly(&mut self, mut now: f64) -> f64 {
         let mut flown = false;
         if self.moving.flights.whole && self.flies() {
@@ -190,7 +190,7 @@ impl<R: Recorder> Run<'_, R> {
         now
     }
 
-    /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
+    /// The ground from the sample at exactly this instant to the next one; `None` if the run ends before it or there is no such sample.
     fn interval_from(&self, time: f64) -> Option<Interval> {
         let sampling = self.shaking.excitation.sampling();
         let step = sampling.step;
@@ -218,7 +218,7 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// Whether all structures have landed, elastic and apart; walls are under way all the time.
+    /// Whether all structures have landed, elastic and apart. Walls always fly.
     fn flies(&self) -> bool {
         let mut members = self.moving.members.iter().zip(&self.moving.landed);
         let mut contacts = self.touching.contacts.iter();
@@ -226,7 +226,7 @@ impl<R: Recorder> Run<'_, R> {
             && contacts.all(|contact| contact.link == Link::Apart)
     }
 
-    /// Finds the flights of all structures to the next sample; false where something could happen on the way.
+    /// Finds the flights of all structures to the next sample; false if any event could happen.
     fn leap(&mut self, interval: &Interval) -> bool {
         for (member, leap) in self.moving.members.iter_mut().zip(&self.moving.flights.leaps) {
             let Some(leap) = leap else {
@@ -247,7 +247,7 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// Reports the way of every structure to the next sample, and brings its state there.
+    /// Reports the flight of every structure to the next sample and updates its state.
     fn land_flights(&mut self, interval: &Interval) {
         self.agenda.work.events += 1;
         for contact in &mut self.touching.contacts {
@@ -288,7 +288,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Brings all pairs here after flights.
+    /// Updates the deformations of all pairs after flights.
     fn find_deformations(&mut self, time: f64) {
         for pair in 0..self.touching.contacts.len() {
             let points = self.touching.contacts[pair].relation.points();
@@ -300,7 +300,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Looks ahead to the next sample for a body that begins a piece: what flies there alone arrives in the same bits
+    /// Finds the flight to the next sample for a body that begins a piece. A structure that flies alone then arrives with the same bits
     /// whatever the others do.
     pub(super) fn look_to_sample(&mut self, first: usize, time: f64) {
         let nodes = self.touching.groups.of(first).nodes();
@@ -318,25 +318,25 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 impl Member {
-    /// Displacements at both ends of the way to the next sample.
+    /// Displacements at both ends of the flight.
     fn way(&self) -> [f64; 2] {
         let start = self.state.displacement;
         let end = self.ahead.as_ref();
         [start, end.map_or(start, |ahead| ahead.state.displacement)]
     }
 
-    /// What the acceleration does not exceed there.
+    /// Bound of the acceleration during the flight.
     fn most(&self) -> f64 {
         self.ahead.as_ref().map_or(0.0, |ahead| ahead.acceleration)
     }
 
-    /// Magnitude of its displacement at the end of the way.
+    /// Magnitude of the displacement at the end of the flight.
     fn reach(&self) -> f64 {
         let end = self.ahead.map_or(self.state, |ahead| ahead.state);
         end.displacement.abs()
     }
 
-    /// The restoring force at this drift, the hysteretic part of which is known.
+    /// The restoring force at a drift, from its hysteretic part.
     pub(super) fn with_hardening(&self, drift: f64, hysteretic_force: f64) -> f64 {
         if self.hardened_stiffness > 0.0 {
             self.hardened_stiffness * drift + hysteretic_force

@@ -34,7 +34,7 @@ impl Contact {
         }
     }
 
-    /// Takes what is known of deformation and rate once the accelerations below `n` are: p and 2p coefficients more.
+    /// Extends deformation and rate by the coefficients that follow from the accelerations below `n`: p and 2p more.
     fn follow(&mut self, members: &[Member], p: usize, n: usize) {
         let begin = |order: usize| if n == 0 { 0 } else { n + order - 1 };
         for index in begin(2 * p)..n + 2 * p {
@@ -45,7 +45,7 @@ impl Contact {
         }
     }
 
-    /// Finds coefficient `n` of a compliant force; those below `n` and what they imply are known.
+    /// Finds coefficient `n` of a compliant force from those below `n`.
     pub(super) fn find_force(&mut self, members: &[Member], power: Power, n: usize) {
         self.follow(members, power.order(), n);
         let (Link::Touching(phase), Some(form)) = (self.link, self.form) else {
@@ -71,12 +71,12 @@ impl Contact {
         };
     }
 
-    /// The force before the clamp divided by δ^κ, K δ^(n−κ) + C δ̇, which has the same sign.
+    /// The force before the clamp divided by δ^κ: K δ^(n−κ) + C δ̇ has the sign of the force.
     ///
-    /// n − κ is 0 or 1 in every law that would pull, which a test of the laws holds: no root, so that it stays smooth where the
-    /// deformation vanishes.
+    /// n − κ is 0 or 1 in every law that would pull (a test of the laws checks this). The quotient therefore has no root and stays smooth
+    /// at δ = 0.
     fn pull(&self, form: &Form, n: usize) -> f64 {
-        // Known to be zero, and not what rounding made of that.
+        // This value is known to be zero; its rounding does not count.
         if n == 0 && self.crossed >= self.time {
             return 0.0;
         }
@@ -91,7 +91,7 @@ impl Contact {
         spring.coefficient * pushes + damper.coefficient * self.rates[n]
     }
 
-    /// What is left of the force when a pair parts falls to zero in a line; its impulse is below the tolerance.
+    /// After a parting the remaining force falls linearly to zero; its impulse is below the tolerance.
     fn remainder(&self, form: &Form, power: Power, n: usize) -> f64 {
         let mut force = form.spring.coefficient * self.deformation * self.deformation.sqrt();
         if form.action == Action::Both {
@@ -106,7 +106,7 @@ impl Contact {
         }
     }
 
-    /// The power of x with which the deformation begins; nothing as long as it is not known.
+    /// The power of x with which the deformation begins; `None` while unknown.
     fn leading(&self, power: Power, n: usize) -> Option<usize> {
         if self.deformation > 0.0 {
             return Some(0);
@@ -118,7 +118,7 @@ impl Contact {
             .find(|&index| self.deformations[index] > 0.0)
     }
 
-    /// K δ^n: with δ = x^q D it is x^(nq) D^n.
+    /// Coefficient `n` of K δ^n: with δ = x^q D it is x^(nq) D^n.
     fn spring(&mut self, spring: Term, power: Power, n: usize) -> f64 {
         let Some(leading) = self.leading(power, n) else {
             return 0.0;
@@ -132,7 +132,7 @@ impl Contact {
         spring.coefficient * self.spring[m]
     }
 
-    /// C δ^κ δ̇.
+    /// Coefficient `n` of C δ^κ δ̇.
     fn damper(&mut self, damper: Term, power: Power, n: usize) -> f64 {
         if damper.power == Exponent::Zero {
             return damper.coefficient * self.rates[n];
@@ -140,7 +140,7 @@ impl Contact {
         let Some(leading) = self.leading(power, n) else {
             return 0.0;
         };
-        // The rate begins with the power leading − p, which is how far the root need not be known.
+        // The rate begins with the power leading − p, so that the root needs as many coefficients less.
         let (shift, behind) = (times(damper.power, leading), leading.saturating_sub(power.order()));
         if n < shift + behind {
             return 0.0;
@@ -169,9 +169,9 @@ impl Contact {
     }
 }
 
-/// The power of x with which δ^exponent begins where δ begins with x^`leading`.
+/// The power of x with which δ^exponent begins if δ begins with x^`leading`.
 ///
-/// At a touch `leading` is a multiple of four, so that every exponent leads to a whole power; later it is 0.
+/// At a touch `leading` is a multiple of four, so that every exponent gives a whole power. Later `leading` is 0.
 fn times(exponent: Exponent, leading: usize) -> usize {
     match exponent {
         Exponent::Zero => 0,

@@ -1,4 +1,4 @@
-//! Who moves together: floors that storeys join, and neighbours that touch or rest against each other.
+//! Bodies: floors that move together because storeys join them, or because neighbours touch or rest against each other.
 
 use std::ops::Range;
 
@@ -9,47 +9,47 @@ use crate::model::incidence::Incidence;
 /// The bodies of a row, from its links.
 #[derive(Debug, Default)]
 pub(super) struct Groups {
-    /// First node of the body of this node.
+    /// First node of the body of each node.
     pub(super) body_of: Vec<usize>,
     /// Nodes, body by body.
     nodes: Vec<usize>,
-    /// Those of them that stand on a floor, or whose columns yield smoothly.
+    /// Nodes of bodies that stand on a floor, or whose columns yield smoothly.
     followed: Vec<usize>,
-    /// Of a chain alone.
+    /// Blocks of nodes at rest, for chains only.
     blocks: Vec<Block>,
-    /// Of a row that is no chain alone: the pairs at rest of a body, by its first node; `None` if no pair rests.
+    /// For rows that are no chain: the pairs at rest of each body, by its first node; `None` if no pair rests.
     ties: Vec<Option<Tie>>,
     /// Pairs that touch or rest.
     pairs: Vec<usize>,
     /// Pairs that touch a body or are inside it.
     around: Vec<usize>,
-    /// Where those of a body are, by its first node.
+    /// Places of the lists of each body, by its first node.
     places: Vec<Places>,
-    /// Links that all this was made from.
+    /// Links from which the lists were made.
     links: Vec<Kind>,
-    /// The next node of a body, by node; its own place at the end.
+    /// The next node of the body, by node; the last node points to itself.
     next: Vec<usize>,
     pub(super) is_chain: bool,
 }
 
-/// Nodes that rest against each other and share their acceleration, or one alone.
+/// Nodes that rest against each other and share their acceleration, or a single node.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block {
     pub(super) first: usize,
     pub(super) last: usize,
     /// Pair that pushes from the left.
     pub(super) left: Option<usize>,
-    /// The first pair at rest inside, of as many as there are nodes but one.
+    /// The first pair at rest inside the block, which has one pair less than nodes.
     pub(super) within: usize,
     pub(super) right: Option<usize>,
 }
 
-/// What a node adds to its side of a pair.
+/// Contribution of a node to its side of a pair.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Side {
-    /// What decides which side is lighter, ≥ 0.
+    /// Weight ≥ 0 that decides which side is lighter.
     pub(super) weight: f64,
-    /// What is asked of the lighter side.
+    /// Need that is summed over the lighter side.
     pub(super) need: f64,
 }
 
@@ -70,8 +70,8 @@ impl Side {
 }
 
 impl Block {
-    /// Tells of every pair inside, by its place, what its lighter side needs (of equal ones the left), in as many steps as there
-    /// are nodes: what is lighter grows from its end of the block.
+    /// Calls `tell` for every pair inside, by its place, with the need of its lighter side (the left one of equal sides). The number of
+    /// operations is proportional to the number of nodes, because the lighter side grows from its end of the block.
     pub(super) fn tell_lighter_sides(&self, side: impl Fn(usize) -> Side, mut tell: impl FnMut(usize, Lighter)) {
         let (mut first, mut last) = (self.first, self.last);
         if first == last {
@@ -98,7 +98,7 @@ impl Block {
     }
 }
 
-/// Parts of the lists of all bodies.
+/// Parts of the lists that belong to a body.
 #[derive(Debug, Clone, Default)]
 struct Places {
     first: usize,
@@ -139,13 +139,13 @@ impl<'a> Group<'a> {
         &self.groups.pairs[self.places.pairs.clone()]
     }
 
-    /// Its pairs at rest, in a row that is no chain.
+    /// Pairs at rest of the body, in a row that is no chain.
     #[inline]
     pub(super) fn tie(self) -> Option<&'a Tie> {
         self.groups.ties[self.places.first].as_ref()
     }
 
-    /// Whether its row is a chain, and the group has blocks.
+    /// Whether the row is a chain, so that the group has blocks.
     #[inline]
     pub(super) fn is_of_chain(self) -> bool {
         self.groups.is_chain
@@ -187,7 +187,7 @@ impl Groups {
         groups
     }
 
-    /// Bodies anew, where the links have changed.
+    /// Updates the bodies if the links have changed.
     pub(super) fn update(&mut self, system: System<'_>) {
         let same = |(kind, contact): (&Kind, &Contact)| *kind == contact.kind();
         if !self.links.iter().zip(system.contacts).all(same) {
@@ -212,7 +212,7 @@ impl Groups {
         }
     }
 
-    /// The first node of every node's body, and the next one.
+    /// Finds the first node of the body of every node, and the next node.
     fn unite(&mut self, System { members, contacts, .. }: System<'_>) {
         for (node, body) in self.body_of.iter_mut().enumerate() {
             *body = node;
@@ -229,12 +229,12 @@ impl Groups {
             }
         }
         for node in 0..members.len() {
-            // Every root comes before what it leads to.
+            // Every root comes before the nodes that lead to it.
             self.body_of[node] = self.body_of[self.body_of[node]];
             self.next[node] = node;
         }
         for node in (0..members.len()).rev() {
-            // From the right: meanwhile the first node of a body leads to the node just met.
+            // From the right: until it is reached, the first node of a body leads to the last node found.
             let first = self.body_of[node];
             if first != node {
                 (self.next[node], self.next[first]) = (self.next[first], node);
@@ -257,7 +257,7 @@ impl Groups {
         self.body_of[a.max(b)] = a.min(b);
     }
 
-    /// Lists what belongs to the body of a first node.
+    /// Lists everything that belongs to the body with this first node.
     fn list(&mut self, first: usize, system: System<'_>) {
         let starts = self.lengths();
         let mut node = first;
@@ -303,7 +303,7 @@ impl Groups {
         }
         for at in system.incidence.at(node) {
             let [left, right] = system.contacts[at.pair].floors();
-            // Once of several floors that carry a point; and a neighbour of the same body has it already.
+            // Several floors may carry a point, but the pair is listed once. A neighbour in the same body has listed it already.
             let first = if at.on_left {
                 node == left
             } else {
@@ -321,7 +321,7 @@ impl Groups {
         }
     }
 
-    /// Lets a node of a chain rest against the one before, or begin a block.
+    /// Adds a node of a chain to the block of the node before it if they rest, or begins a block.
     fn extend_blocks(&mut self, node: usize, incidence: &Incidence) {
         let [left, right] = beside(incidence, node);
         let pushing = |pair: &usize| self.links[*pair] == Kind::Touching;

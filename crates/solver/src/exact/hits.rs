@@ -1,4 +1,4 @@
-//! Impulsive pairs that touch at one instant: chains, or in other rows all that bodies join.
+//! Impulsive pairs that touch at an instant: chains, or in other rows all pairs that bodies join.
 
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
@@ -6,21 +6,21 @@ use crate::exact::tie;
 use crate::exact::{BURST, CHATTER, Moving, Run};
 use crate::{Recorder, RunError};
 
-/// Impulsive pairs that touch at one instant and hang together. In a chain their floors do, one after the other.
+/// Impulsive pairs that touch at an instant and are connected. In a chain their floors follow each other.
 pub(super) struct Hit {
-    /// The pairs, rising.
+    /// The pairs, in ascending order.
     pub(super) pairs: Vec<usize>,
-    /// Their nodes, rising.
+    /// Their nodes, in ascending order.
     pub(super) nodes: Vec<usize>,
-    /// Velocities of the grounds of the nodes of a chain where they move at different times, relative to that of a wall or else to
-    /// the mean of the first and the last; empty where they move alike.
+    /// Velocities of the grounds of a chain's nodes, relative to the ground of a wall, or else to the mean of the first and the last. Empty
+    /// if the grounds move alike.
     pub(super) carried: Vec<f64>,
-    /// Velocities of the nodes and rates of the pairs before.
+    /// Velocities of the nodes and rates of the pairs before the impact.
     pub(super) before: Vec<f64>,
     pub(super) rates: Vec<f64>,
-    /// Pairs that were at rest until now.
+    /// Pairs that were at rest before.
     pub(super) rested: Vec<bool>,
-    /// Pairs that are closed without a rate, and open.
+    /// Pairs that are closed without a rate and open.
     pub(super) parts: Vec<bool>,
     /// Pairs that come to rest instead of bouncing on.
     pub(super) plastic: Vec<bool>,
@@ -29,8 +29,7 @@ pub(super) struct Hit {
 }
 
 impl Hit {
-    /// The pair at the second of two walls of the chain whose grounds move towards each other: there is no room for what
-    /// touches both.
+    /// The pair at the second of two walls of the chain whose grounds move towards each other: the floors between them have no room.
     pub(super) fn closed_in(&self, members: &[Member]) -> Option<usize> {
         let mut before: Option<f64> = None;
         for (index, carried) in self.carried.iter().enumerate() {
@@ -51,18 +50,18 @@ impl Hit {
         if self.plastic[place] { 0.0 } else { law }
     }
 
-    /// Whether the pair at a place neither approaches nor separates, and passes on what it is hit by.
+    /// Whether the pair at a place neither approaches nor separates, and passes on a hit.
     pub(super) fn passes_on(&self, place: usize) -> bool {
         self.rates[place] >= 0.0 && !(self.rates[place] > 0.0 || self.parts[place])
     }
 
-    /// Velocity of one of its nodes before.
+    /// Velocity of a node before the impact.
     pub(super) fn before(&self, node: usize) -> f64 {
         self.before[self.nodes.binary_search(&node).unwrap_or_default()]
     }
 
-    /// Whether the pair at a place goes on resting: all its floors keep their velocities to the last bit. What is known of them
-    /// stays known, such as that one passes zero.
+    /// Whether the pair at a place stays at rest: all its floors keep their velocities to the last bit. Known facts about them, such as a
+    /// passage through zero, remain valid.
     pub(super) fn rests_on(&self, index: usize, contact: &Contact, members: &[Member]) -> bool {
         let keeps = |floor: usize| {
             let velocity = members[floor].state.velocity;
@@ -96,8 +95,8 @@ impl<R: Recorder> Run<'_, R> {
         self.touching.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
 
-    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does. In another row
-    /// all that hangs together is one.
+    /// The chain that begins with a pair, and the chains after it that are connected to it through buildings. In other rows all connected
+    /// pairs form one hit.
     pub(super) fn hits_with(&self, pair: usize, time: f64) -> Result<Vec<Hit>, RunError> {
         self.agenda.guard.wait(time)?;
         if !self.touching.is_chain() {
@@ -125,7 +124,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(hits)
     }
 
-    /// All touching pairs that hang together with one, by bodies and each other.
+    /// All touching pairs that are connected with a pair, through bodies and each other.
     fn hanging_together(&self, first: usize, time: f64) -> Result<Vec<usize>, RunError> {
         let bodies = |pair: usize| {
             let floors = self.touching.contacts[pair].floors();
@@ -148,8 +147,8 @@ impl<R: Recorder> Run<'_, R> {
         let nodes = tie::floors(&pairs, &self.touching.contacts);
         let soon = |contact: &Contact| time - contact.hit < CHATTER;
         let rests = |contact: &Contact| contact.link == Link::Resting;
-        // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
-        // given at once.
+        // A floor that two neighbours hit in turn ends at rest against one of them. The remaining impulses of this series on the other pair
+        // are given at once.
         let caught = |contact: &Contact| {
             let beside = |other: &Contact| floors(other).any(|floor| floors(contact).any(|own| own == floor));
             contacts().any(|other| rests(other) && soon(other) && !std::ptr::eq(other, contact) && beside(other))
@@ -186,7 +185,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Takes from others what hangs together with what is found, directly or by others; `look` may end the search.
+/// Moves everything that is connected, directly or indirectly, from the others to the found ones; `look` may end the search.
 fn hang<T>(
     found: &mut Vec<T>,
     mut others: Vec<T>,
@@ -210,7 +209,7 @@ fn floors(contact: &Contact) -> impl Iterator<Item = usize> {
 }
 
 impl Contact {
-    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
+    /// Changes the rate by a jump; a compliant pair may change its phase.
     pub(super) fn push(&mut self, jump: f64) {
         self.rate += jump;
         if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {

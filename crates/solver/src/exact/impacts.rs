@@ -1,11 +1,12 @@
 //! Velocity jumps of pairs that touch at one instant.
 //!
-//! With r the rate of deformation before, P the impulse and r⁺ the rate after: 0 ≤ −(r⁺ + e r) ⟂ P ≥ 0 over the touching
-//! pairs that do not separate, P = 0 elsewhere, repeated while a touching pair approaches. Each round changes the
-//! kinetic energy by −½ Σ P (1 − e) r ≤ 0. A pair that has stopped in a round touches no longer in the next: where floors are caught
-//! between two neighbours that is the limit of their impacts one after the other. In a chain the matrix that links impulses and rates is an M-matrix: growing the set of
-//! pairs with an impulse finds the solution. `rounds.rs` has other rows. Impulses and rates are sums of terms of one sign, so that nothing cancels
-//! at extreme mass ratios.
+//! Let r be the rate of deformation before, P the impulse and r⁺ the rate after. Touching pairs that do not separate have 0 ≤ −(r⁺ + e r) ⟂
+//! P ≥ 0; others have P = 0. This is repeated while a touching pair approaches. Each round changes the kinetic energy by −½ Σ P (1 − e) r ≤
+//! 0. A pair that has stopped in a round no longer touches in the next one: for floors caught between two neighbours this is the limit of
+//! successive impacts.
+//!
+//! In a chain the matrix between impulses and rates is an M-matrix, so that a growing set of pairs with an impulse finds the solution.
+//! `rounds.rs` has other rows. Impulses and rates are sums of terms of the same sign, so that nothing cancels at extreme mass ratios.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -23,13 +24,13 @@ pub enum SimultaneousImpacts {
     Sequential,
 }
 
-/// Ends the impacts of an instant where a run is over its budget.
+/// Ends the impacts of an instant if the run exceeds its budget.
 pub(super) type Look<'a> = &'a dyn Fn() -> Result<(), RunError>;
 
-/// Rounds after which the rest is plastic (e = 0).
+/// Number of rounds. Later impacts are plastic (e = 0).
 pub(super) const ROUNDS: usize = 50;
 
-/// A chain of neighbours, each pair of which touches.
+/// A chain of neighbours in which each pair touches.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
     /// Masses \[kg\], infinite for a wall.
@@ -38,14 +39,14 @@ pub(super) struct Chain {
     /// Rate of deformation of every pair \[m/s\].
     pub(super) rates: Vec<f64>,
     pub(super) restitutions: Vec<f64>,
-    /// Whether a pair that neither approaches nor separates passes on what it is hit by; one that parts is taken by itself once it
-    /// approaches, as if its gap were open already.
+    /// Whether a pair that neither approaches nor separates passes on a hit. A pair that parts counts as open and is treated alone once it
+    /// approaches.
     pub(super) passes_on: Vec<bool>,
     /// Impulse of every pair \[N·s\].
     pub(super) impulses: Vec<f64>,
     active: Vec<bool>,
     closing: Vec<bool>,
-    /// Rates after the round under way.
+    /// Rates after the current round.
     after: Vec<f64>,
 }
 
@@ -59,7 +60,7 @@ impl Chain {
         self.impulses.clear();
     }
 
-    /// Gives impulses until no pair approaches. The work grows with the cube of the chain: `look` may end it.
+    /// Gives impulses until no pair approaches. The cost grows with the cube of the chain length: `look` may end it.
     pub(super) fn collide(&mut self, rule: SimultaneousImpacts, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.impulses.clear();
@@ -80,7 +81,7 @@ impl Chain {
                 self.sweep(look)?;
             }
             if rounds > 2 * ROUNDS {
-                // Rounding alone is left.
+                // Only rounding is left.
                 for rate in &mut self.rates {
                     *rate = rate.min(0.0);
                 }
@@ -89,7 +90,7 @@ impl Chain {
         Ok(())
     }
 
-    /// Every approaching pair once, from left to right.
+    /// Resolves every approaching pair once, from left to right.
     fn sweep(&mut self, look: Look<'_>) -> Result<(), RunError> {
         for pair in 0..self.rates.len() {
             if self.rates[pair] > 0.0 {
@@ -102,7 +103,7 @@ impl Chain {
         Ok(())
     }
 
-    /// All pairs at once; the plastic end takes in those that separate as well.
+    /// Resolves all pairs at once. The final plastic round includes pairs that separate.
     fn round(&mut self, plastic: bool, look: Look<'_>) -> Result<(), RunError> {
         let n = self.rates.len();
         self.closing.clear();
@@ -140,7 +141,7 @@ impl Chain {
         (first, last)
     }
 
-    /// Change of the rate that an active pair asks for, ≥ 0.
+    /// Change of rate that an active pair demands, ≥ 0.
     fn turn(&self, pair: usize) -> f64 {
         (1.0 + self.restitutions[pair]) * self.rates[pair]
     }
@@ -155,7 +156,7 @@ impl Chain {
                 let (lower, upper) = (pair.min(other), pair.max(other));
                 let (near, far) = (left(lower), right(upper));
                 let total = left(last - 1) + self.masses[last];
-                // A wall is infinitely heavy: its side and the whole cancel.
+                // A wall is infinitely heavy: its side and the total mass cancel.
                 let share = match (near.is_infinite(), far.is_infinite()) {
                     (false, true) => near,
                     (true, false) => far,
@@ -175,7 +176,7 @@ impl Chain {
             let after = if self.active[pair] {
                 -self.restitutions[pair] * self.rates[pair]
             } else {
-                // Neither neighbour is pushed towards the other but from outside.
+                // Only pairs outside push the two neighbours towards each other.
                 let push = |other: usize, structure: usize| {
                     let block = self.block(structure);
                     Ok(self.impulse(other, block, look)? / self.masses[structure])
@@ -197,10 +198,10 @@ impl Chain {
         Ok(())
     }
 
-    /// Gives the active pairs their impulses.
+    /// Applies the impulses of the active pairs.
     ///
-    /// Velocities of a block follow from its momentum and the rates within: adding impulses to them would lose the
-    /// digits of a light structure between heavy ones.
+    /// The velocities of a block follow from its momentum and its inner rates. Adding impulses to the velocities would lose the digits of a
+    /// light structure between heavy ones.
     fn apply(&mut self, look: Look<'_>) -> Result<(), RunError> {
         self.rates_after(look)?;
         let mut first = 0;
@@ -219,8 +220,9 @@ impl Chain {
         Ok(())
     }
 
-    /// v of each structure of a block = V + Σ over its pairs right of it of r⁺ (mass right of the pair)/M − the same on
-    /// the left, with V the block's momentum over its mass; summed so that a mirrored block gives mirrored bits.
+    /// Velocity of each structure of a block: V + Σ r⁺ (mass right of the pair)/M over the pairs to its right − Σ r⁺ (mass left of the
+    /// pair)/M over those to its left. V is the momentum of the block over its mass M. The order of summation makes a mirrored block give
+    /// mirrored bits.
     fn set_velocities(&mut self, first: usize, last: usize, look: Look<'_>) -> Result<(), RunError> {
         let (masses, after) = (&self.masses, &self.after);
         let outward = |sum: f64, mass: &f64| sum + mass;
@@ -311,7 +313,7 @@ mod tests {
     }
 
     proptest! {
-        /// The rule of the stepping methods, found in another way.
+        /// The rule of the stepping methods, computed by another route.
         #[test]
         fn reference_together_is_what_stepping_methods_do(
             structures in prop::collection::vec((-1.0..1.0_f64, -2.0..2.0_f64), 2..9),

@@ -1,4 +1,4 @@
-//! The landing of a piece: what is reported of it, and the states at its end.
+//! Landing: the end of a piece, with its report and the new states.
 
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
@@ -12,7 +12,7 @@ use crate::span::{Power, Series, rise, value};
 use crate::{Motion, Path, Push, Recorder, Span, State};
 
 impl Touching<'_> {
-    /// Whether two points touch, or rest, and each moves with one floor alone: both floors are at zero if one is.
+    /// Whether two points touch or rest without a gap and each moves with a single floor: if either floor is at zero, both are.
     fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
         let contact = &self.contacts[pair];
         let touches = match contact.link {
@@ -27,7 +27,7 @@ impl Touching<'_> {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Ends the piece of a body now: reports its spans and brings its state here.
+    /// Ends the piece of a body now: reports its spans and updates its state.
     pub(super) fn land(&mut self, first: usize, time: f64) {
         if self.moving.landed[first] {
             return;
@@ -36,7 +36,7 @@ impl<R: Recorder> Run<'_, R> {
         let now = self.agenda.clock.past(time);
         let (x, full) = (body.position(now), time >= body.end);
         let advanced = now.since(body.start) > 0.0;
-        // What an event set to zero at the start stays known until the recorders' clock has moved on.
+        // A value that an event set to zero at the start stays known until the clock of the recorders has advanced.
         let later = now.absolute() > body.start.absolute();
         for place in self.touching.groups.nodes_of(first) {
             self.moving.landed[self.touching.groups.node(place)] = true;
@@ -45,7 +45,7 @@ impl<R: Recorder> Run<'_, R> {
             self.carry_deformation(self.touching.groups.pair(place), time);
         }
         let events = std::mem::take(&mut self.moving.bodies[first].events);
-        // From the ground up: floors report the motion of those below, which have their new state by then.
+        // From the ground up: the report of a floor contains the motion of the floor below, whose state must be new.
         for place in self.touching.groups.nodes_of(first) {
             let node = self.touching.groups.node(place);
             let ahead = self.moving.members[node].ahead;
@@ -78,7 +78,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         for place in self.touching.groups.around(first) {
             let pair = self.touching.groups.pair(place);
-            // What another event of this instant ends just behind the parting has parted; its force would be a power of a negative number.
+            // A pair that another event ends just behind the parting has parted. Its force would be a power of a negative number.
             if self.touching.contacts[pair].has_parted() {
                 self.apply(Event::Part(pair), time);
             }
@@ -86,13 +86,13 @@ impl<R: Recorder> Run<'_, R> {
         self.moving.bodies[first].events = events;
     }
 
-    /// Whether a node hits a wall without a gap now, or neighbours without gaps that touch one: it does so at zero. What rounding leaves
-    /// of its displacement would move it later on, when nothing else does.
+    /// Whether a node now hits a wall without a gap, directly or through neighbours without gaps. It does so at displacement zero: a
+    /// rounded displacement would move it later, when nothing else does.
     fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
         if self.moving.walls == 0 {
             return false;
         }
-        // Nothing is allocated where a node touches nobody.
+        // No allocation if the node touches nobody.
         let (mut met, mut next) = (Vec::new(), Some(node));
         let mut looked = 0;
         while let Some(node) = next {
@@ -109,7 +109,8 @@ impl<R: Recorder> Run<'_, R> {
         met.into_iter().any(|met| self.moving.members[met].is_wall())
     }
 
-    /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
+    /// State of a node at the end of its piece (displacement zero if `at_wall`), and the hysteretic part of its force. The nodes below
+    /// already have theirs.
     fn end_state(&self, node: usize, (x, at_wall): (f64, bool), events: &[Event]) -> (State, f64) {
         let body = &self.moving.bodies[self.touching.groups.body_of[node]];
         let (member, len) = (&self.moving.members[node], body.len);
@@ -173,7 +174,7 @@ impl<R: Recorder> Run<'_, R> {
                 contact.pushes(push, (body, x));
             }
         }
-        // Filled only where several pairs push.
+        // Used only if several pairs push.
         let [left, right] = &mut [None, None];
         let (left, right) = (side(pushes, false, left), side(pushes, true, right));
         let span = Span {
@@ -214,7 +215,7 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 impl Contact {
-    /// Tells what the pair did from the start of a piece of its body to x.
+    /// Writes the action of the pair from the start of a piece of its body to x.
     fn pushes<'a>(&'a self, push: &mut Push<'a>, (body, x): (&Body, f64)) {
         let series = &self.force[..body.len];
         push.forces = [pushing(series[0]), pushing(value(series, x))];
@@ -224,7 +225,7 @@ impl Contact {
 }
 
 impl Member {
-    /// The hysteretic part of the force at x, to which the drift has come there.
+    /// The hysteretic part of the force at x, at this drift.
     fn hysteretic_end(&self, drift: f64, len: usize, x: f64) -> f64 {
         match &self.bend {
             None => self.hysteretic_force_at(drift, rise(&self.drift()[..len], x)),
@@ -233,7 +234,7 @@ impl Member {
     }
 }
 
-/// Room for the pushes on a floor: for few of them, and for more.
+/// Storage for the pushes on a floor: fixed for few of them, a list for more.
 #[derive(Default)]
 pub(super) struct Room<'a> {
     few: [Push<'a>; 4],
@@ -241,7 +242,7 @@ pub(super) struct Room<'a> {
 }
 
 impl<'a> Room<'a> {
-    /// Pushes of pairs that do nothing yet.
+    /// Pushes without effect, one for each incident.
     pub(super) fn of(&mut self, incidents: &[Incident]) -> &mut [Push<'a>] {
         let pushes = if let Some(few) = self.few.get_mut(..incidents.len()) {
             few
@@ -256,7 +257,7 @@ impl<'a> Room<'a> {
     }
 }
 
-/// The series of what pairs on one side of a floor give it: of one alone its own, of others their sum.
+/// The series of the pushes on one side of a floor: that of the only pair, or the sum of several pairs.
 fn side<'a>(pushes: &[Push<'a>], on_left: bool, room: &'a mut Option<[f64; CAPACITY]>) -> &'a [f64] {
     let all = || {
         let pushes = pushes.iter().filter(|push| push.on_left == on_left);
@@ -277,7 +278,7 @@ fn side<'a>(pushes: &[Push<'a>], on_left: bool, room: &'a mut Option<[f64; CAPAC
     &sum[..first.series.len()]
 }
 
-/// The impulse that pairs on one side of a floor give it.
+/// The impulse of the pairs on one side of a floor.
 fn impulse(pushes: &[Push<'_>], on_left: bool) -> f64 {
     let pushes = pushes.iter().filter(|push| push.on_left == on_left);
     let given = pushes.map(|push| push.part * push.impulse);

@@ -1,7 +1,7 @@
 //! The deformation of a pair from piece to piece, and its next touch.
 //!
-//! A small deformation is carried from piece to piece as a number of its own: as a difference of displacements it would
-//! have lost its digits, and bouncing could gain energy from rounding.
+//! A small deformation is stored as a separate number from piece to piece. As a difference of displacements it would have lost its digits,
+//! and bouncing could gain energy from rounding.
 
 use std::cmp::Ordering;
 
@@ -15,11 +15,11 @@ use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::span::{Power, value};
 use crate::{Motion, Point, Recorder, Relation, Share};
 
-/// A deformation below this part of the displacements is carried; above, their difference is as good.
+/// A deformation below this part of the displacements is stored. A larger one is computed as their difference.
 pub(super) const CARRIED: f64 = 1e-6;
 
 impl Shaking<'_> {
-    /// Adds the displacement of the ground of a node to its series; returns its length.
+    /// Adds the displacement of the ground of a node to its series; returns the length of the series.
     fn add_ground(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let Some(travel) = &self.travel else {
             return 0;
@@ -40,7 +40,7 @@ impl Shaking<'_> {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Brings deformation and rate of a pair to this instant, from its own series.
+    /// Updates deformation and rate of a pair to this instant, from its series.
     pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
         let contact = &self.touching.contacts[pair];
         let body = &self.moving.bodies[self.touching.groups.body_of[contact.floors()[0]]];
@@ -69,7 +69,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Takes a deformation that is not small from the displacements.
+    /// Computes a deformation that is not small from the displacements.
     pub(super) fn refresh_deformation(&mut self, pair: usize, time: f64) {
         let contact = &self.touching.contacts[pair];
         let (relation, [left, right]) = (contact.relation, contact.floors());
@@ -89,16 +89,16 @@ impl<R: Recorder> Run<'_, R> {
         let is_chain = self.touching.is_chain();
         let contact = &mut self.touching.contacts[pair];
         contact.scale = contact.scale.max(scale);
-        // At a touch the series knows both better than the rounded time does.
+        // At a touch the series knows both better than the rounded time.
         let touches = contact.meets <= time;
-        // The rounding of displacements dies away with them.
+        // The rounding of displacements decays with the displacements.
         let coarse = !touches && deformation.abs() > CARRIED * scale;
-        // Zero by an impact it stays: at another one of the same instant the rounding of its time would be an overlap.
-        // In a row that is no chain points of one floor touch at one instant, one after the other.
+        // A deformation that an impact has set to zero stays zero: at another impact of this instant the rounding of time would be an
+        // overlap. In a row that is no chain, points of one floor touch in turn at an instant.
         let struck = contact.deformation == 0.0 && (contact.hit >= time || !is_chain);
         if coarse && !struck && contact.link != Link::Resting {
             contact.deformation = deformation;
-            // A rate that is zero by an event stays so.
+            // A rate that an event has set to zero stays zero.
             if contact.rate != 0.0 {
                 contact.rate = rate;
             }
@@ -133,9 +133,9 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Bodies on both sides of a pair whose pieces run in roots of time from different instants: the earlier of them.
+    /// The earlier of the two bodies of a pair if their pieces run in roots of time from different instants.
     ///
-    /// Nothing where they cannot meet: what never touches must not end a piece.
+    /// `None` if the bodies cannot meet: a pair that never touches must not end a piece.
     pub(super) fn conflict(&self, pair: usize) -> Option<usize> {
         let earlier = self.earlier_root(pair)?;
         (!self.out_of_reach(pair)).then_some(earlier)
@@ -153,7 +153,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Whether the largest displacements that the pieces on both sides of a pair could have leave it clearly open.
+    /// Whether the largest possible displacements of both pieces leave the pair clearly open.
     fn out_of_reach(&self, pair: usize) -> bool {
         let contact = &self.touching.contacts[pair];
         let most = |node: usize, sign: f64| {
@@ -177,7 +177,7 @@ impl<R: Recorder> Run<'_, R> {
         closest < -2.0 * CARRIED * contact.scale
     }
 
-    /// Displacement of a node as a series from an instant that is that far from the origin in x; returns its length.
+    /// Displacement of a node as a series from an instant at a distance `offset` in x from the origin; returns its length.
     fn displacement_from(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let (body, member) = (&self.moving.bodies[self.touching.groups.body_of[node]], &self.moving.members[node]);
         series[..body.len].copy_from_slice(&member.displacement[..body.len]);
@@ -195,7 +195,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Displacements of both points of a pair as series, with their grounds where those move apart.
+    /// Displacements of both points of a pair as series, including their grounds if these move apart.
     fn sides_from(&self, pair: usize, begin: (Past, f64), power: Power) -> ([[f64; CAPACITY]; 2], usize) {
         let contact = &self.touching.contacts[pair];
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
@@ -232,7 +232,7 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         if self.earlier_root(pair).is_some() {
-            // Out of reach, or the pieces would have been ended.
+            // The pair is out of reach: otherwise the pieces would have been ended.
             self.touching.contacts[pair].meets = f64::INFINITY;
             self.touching.contacts[pair].series.len = 0;
             return;
@@ -244,7 +244,7 @@ impl<R: Recorder> Run<'_, R> {
         let now = self.agenda.clock.past(time);
         let (origin, power) = rooted.map_or((now, Power::One), |body| (body.start, Power::Four));
         let offset = power.root(now.since(origin));
-        // Before its own start a series may be far beyond its reach: then both are taken from now on.
+        // Before its start a series may be far beyond its reach. Both are then taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start.since(origin) > 0.0;
         let from_now = power == Power::Four && bodies.iter().any(late);
         let begin = if from_now { (now, offset) } else { (origin, 0.0) };
@@ -260,7 +260,7 @@ impl<R: Recorder> Run<'_, R> {
         let contact = &mut self.touching.contacts[pair];
         contact.begin_series(&mut coefficients[..len], power, offset);
         if contact.deformation == 0.0 && contact.rate == 0.0 {
-            // What rounding leaves of two equal motions touches nothing.
+            // The rounded difference of two equal motions is not a touch.
             let (relation, p) = (contact.relation, power.order());
             let rounding = |n: usize| noise(members, relation, [sides[0][n], sides[1][n]], (p, n));
             let head = coefficients[..len].iter_mut().enumerate();
@@ -290,7 +290,7 @@ impl Contact {
     /// Deformation and rate of a pair that is apart.
     fn at(&self, now: Past) -> (f64, f64) {
         let series = &self.series;
-        // A touch is where the series has it: the time since an origin just before it has lost its digits.
+        // A touch is located by the series: the time since an origin just before it has lost its digits.
         let at = if now.time() < self.meets {
             series.power.root(now.since(series.origin).max(0.0)) - series.offset
         } else {
@@ -300,14 +300,14 @@ impl Contact {
         let (deformation, slope) = value_and_slope(&series.coefficients[..series.len], at);
         let rate = match series.power {
             Power::One => slope,
-            // At the origin itself nothing has changed yet.
+            // At the origin nothing has changed yet.
             Power::Four if x == 0.0 => self.rate,
             Power::Four => slope / (4.0 * x * x * x),
         };
         (deformation, rate)
     }
 
-    /// Puts the carried deformation and rate at the head of the series, and clears what is known to be zero.
+    /// Writes the stored deformation and rate at the head of the series, and clears coefficients that are known to be zero.
     fn begin_series(&self, coefficients: &mut [f64], power: Power, offset: f64) {
         coefficients[0] = self.deformation;
         if offset > 0.0 {
@@ -323,12 +323,12 @@ impl Contact {
         }
     }
 
-    /// Rate of deformation at the touch ahead, also where time cannot tell it apart from now.
+    /// Rate of deformation at the next touch, even if time cannot distinguish it from now.
     pub(super) fn rate_at_touch(&self, clock: LocalClock) -> f64 {
         self.at(clock.past(self.meets)).1
     }
 
-    /// The pair touches now.
+    /// Notes that the pair touches now.
     pub(super) fn touch(&mut self, time: f64, rate: f64) {
         (self.deformation, self.time, self.meets) = (0.0, time, f64::INFINITY);
         self.rate = rate;
@@ -336,7 +336,7 @@ impl Contact {
     }
 }
 
-/// Turns a series in t into one in x, t = x⁴, as far as the capacity goes; returns its number of coefficients.
+/// Converts a series in t to a series in x, t = x⁴, up to the capacity; returns its number of coefficients.
 fn spread(coefficients: &mut [f64; CAPACITY], len: usize) -> usize {
     let kept = len.min(CAPACITY / 4);
     let old = *coefficients;
@@ -347,8 +347,7 @@ fn spread(coefficients: &mut [f64; CAPACITY], len: usize) -> usize {
     4 * kept - 3
 }
 
-/// Turns a series in τ into one in y, τ = (offset + y)⁴ − offset⁴, as far as the capacity goes; returns its number of
-/// coefficients.
+/// Converts a series in τ to a series in y, τ = (offset + y)⁴ − offset⁴, up to the capacity; returns its number of coefficients.
 fn compose(coefficients: &mut [f64; CAPACITY], len: usize, offset: f64) -> usize {
     let squared = offset * offset;
     let inner = [4.0 * squared * offset, 6.0 * squared, 4.0 * offset, 1.0];

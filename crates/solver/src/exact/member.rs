@@ -6,20 +6,20 @@ use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
-/// What the first coefficients of an acceleration are sums of.
+/// Magnitudes of the terms of the first coefficients of an acceleration.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Terms {
-    /// Magnitude of the terms of the own forces \[N\].
+    /// Magnitude of the terms of the member's forces \[N\].
     pub(super) own: f64,
     /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
     pub(super) acceleration: f64,
-    /// The largest of those that storeys join with it.
+    /// The largest such sum among the members joined by storeys.
     pub(super) around: f64,
-    /// Magnitude of the ground acceleration and its slope.
+    /// Magnitudes of the ground acceleration and its slope.
     pub(super) ground: (f64, f64),
-    /// The fastest rate of those that share the acceleration, or that storeys join, \[1/s\].
+    /// The fastest rate among members that share the acceleration or are joined by storeys \[1/s\].
     pub(super) rate: f64,
-    /// Now \[s\].
+    /// Present time \[s\].
     pub(super) time: f64,
 }
 
@@ -29,15 +29,15 @@ pub(super) struct Ahead {
     pub(super) flight: Flight,
     /// Instant of the sample \[s\].
     pub(super) end: f64,
-    /// State there, and the hysteretic part of its force.
+    /// State at the sample, and the hysteretic part of the force.
     pub(super) state: State,
     pub(super) hysteretic_force: f64,
-    /// What its acceleration does not exceed on the way \[m/s²\].
+    /// Bound of the acceleration during the flight \[m/s²\].
     pub(super) acceleration: f64,
 }
 
 impl Ahead {
-    /// The same on a clock that shows less.
+    /// Shifts the time to a clock that shows `by` less \[s\].
     pub(super) fn set_back(&mut self, by: f64) {
         self.end -= by;
     }
@@ -45,25 +45,26 @@ impl Ahead {
 
 /// A floor with the storey below it, or a wall.
 ///
-/// The columns' force is f = a k d + h: a line, and a part h with the stiffness (1 − a) k that yields at ±(1 − a) `f_y`.
+/// The force of the columns is f = a k d + h: a line, and a hysteretic part h with the stiffness (1 − a) k that yields at ±(1 − a) `f_y`.
 #[derive(Debug, Clone)]
 pub(super) struct Member {
     pub(super) inverse_mass: f64,
-    /// Infinite for a wall.
+    /// Mass \[kg\]; infinite for a wall.
     pub(super) mass: f64,
     /// When the ground motion arrives \[s\].
     pub(super) arrival: f64,
-    /// The piece of it that the present expansion is under.
+    /// The piece of ground motion of the present expansion.
     pub(super) ground: Segment,
-    /// Damping of the storey; of a floor on the ground all its damping.
+    /// Damping of the storey; for a floor on the ground, all its damping.
     pub(super) damping: f64,
-    /// Damping against the ground of a floor that stands on another one.
+    /// Damping against the ground, for a floor that stands on another floor.
     pub(super) ground_damping: f64,
     /// The floor that stands on it.
     pub(super) above: Option<usize>,
-    /// Of a floor that stands on another one: which, and the drift.
+    /// The storey below, for a floor that stands on another floor.
     pub(super) storey: Option<Box<Upper>>,
-    /// Neither tied to another floor nor yielding smoothly: the columns' force is a line over the displacement.
+    /// Whether the member is neither tied to another floor nor yields smoothly: the force of its columns is then a line over the
+    /// displacement.
     pub(super) plain: bool,
     /// k \[N/m\].
     stiffness: f64,
@@ -77,16 +78,16 @@ pub(super) struct Member {
     pub(super) bend: Option<Box<Bend>>,
     pub(super) branch: Branch,
     pub(super) line: Line,
-    /// Its rate bounds the motion of a body together with those of all others; see [`fastest_rate`].
+    /// Rate that bounds the motion of a body together with the rates of its other members; see [`fastest_rate`].
     pub(super) fastest_rate: f64,
-    /// The net pounding force is known to be zero.
+    /// The net pounding force is zero at this instant.
     pub(super) balanced: bool,
-    /// The net pounding force is known to have an extremum.
+    /// The net pounding force has an extremum at this instant.
     pub(super) peaked: bool,
     pub(super) terms: Terms,
-    /// Where it flies to, if nothing comes in between.
+    /// The flight to the next sample, unless an event happens before.
     pub(super) ahead: Option<Ahead>,
-    /// State at the start of the piece; displacement, velocity and restoring force lead, the rest follows.
+    /// State at the start of the piece. Displacement, velocity and restoring force are primary; the others follow from them.
     pub(super) state: State,
     /// h at the start of the piece \[N\].
     pub(super) hysteretic_force: f64,
@@ -100,7 +101,7 @@ pub(super) struct Member {
 pub(super) struct Upper {
     /// The floor below.
     pub(super) below: usize,
-    /// The rate of the drift is known to be zero at the start of the piece: its difference would be rounding.
+    /// The rate of the drift is zero at the start of the piece: its computed difference would be rounding.
     pub(super) still: bool,
     pub(super) drift: [f64; CAPACITY],
     pub(super) rate: [f64; CAPACITY],
@@ -162,7 +163,7 @@ impl Member {
         member
     }
 
-    /// Coefficient `n` of the displacement of its ground, of those that are not left to the state: from the acceleration on.
+    /// Coefficient `n` of the ground displacement, from the order of the acceleration on; lower orders are in the state.
     pub(super) fn ground_displacement(&self, p: usize, n: usize) -> f64 {
         if n == 2 * p {
             0.5 * self.ground.value
@@ -173,7 +174,7 @@ impl Member {
         }
     }
 
-    /// The same of its velocity.
+    /// Coefficient `n` of the ground velocity, from the order of the acceleration on.
     pub(super) fn ground_velocity(&self, p: usize, n: usize) -> f64 {
         if n == p {
             self.ground.value
@@ -193,7 +194,7 @@ impl Member {
         self.storey.is_some() || self.above.is_some()
     }
 
-    /// Whether its columns go another way from where the drift turns.
+    /// Whether its columns take another path when the drift turns.
     pub(super) fn unloads(&self) -> bool {
         self.branch != Branch::Elastic || self.bend.is_some()
     }
@@ -206,7 +207,7 @@ impl Member {
         }
     }
 
-    /// The same of h; of columns that yield smoothly it says nothing.
+    /// Tangent stiffness of h \[N/m\]; meaningless for columns that yield smoothly.
     pub(super) fn hysteretic_tangent(&self) -> f64 {
         match self.branch {
             Branch::Elastic => self.hysteretic_stiffness,
@@ -214,9 +215,9 @@ impl Member {
         }
     }
 
-    /// h after a piece \[N\], to this drift and by this change of it \[m\]; not of columns that yield smoothly.
+    /// h after a piece \[N\], at this drift and after this change of it \[m\]; not for columns that yield smoothly.
     ///
-    /// As long as nothing has yielded it follows from the drift: summed up, its rounding would stay when the motion dies away.
+    /// Until the first yielding, h follows from the drift alone: the rounding of a sum would remain when the motion dies away.
     #[inline]
     pub(super) fn hysteretic_force_at(&self, drift: f64, change: f64) -> f64 {
         match self.line {
@@ -230,7 +231,7 @@ impl Member {
         self.storey.as_ref().map_or(&self.displacement, |storey| &storey.drift)
     }
 
-    /// Coefficients of its rate.
+    /// Coefficients of the rate of the drift.
     pub(super) fn drift_rate(&self) -> &[f64; CAPACITY] {
         self.storey.as_ref().map_or(&self.velocity, |storey| &storey.rate)
     }
@@ -243,7 +244,7 @@ impl Member {
         }
     }
 
-    /// The same of columns whose force is a line over this coefficient of the drift.
+    /// Coefficient `n` of the restoring force of columns whose force is a line, from this coefficient of the drift.
     #[inline]
     pub(super) fn force_of(&self, drift: f64, n: usize) -> f64 {
         if n == 0 {
@@ -253,8 +254,8 @@ impl Member {
         }
     }
 
-    /// Ends yielding where the motion from a standstill leads back, and turns columns that yield smoothly the way it leads;
-    /// true when it did either. As below, `len` coefficients of this expansion are known.
+    /// Ends yielding if the motion from a standstill leads back, and gives columns that yield smoothly their new direction; true if
+    /// anything changed. `len` coefficients of this expansion are known, as below.
     pub(super) fn turns_back(&mut self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
         let Some(leading) = self.leading_rate(below, (p, len)) else {
             return false;
@@ -265,8 +266,7 @@ impl Member {
         self.unload(leading)
     }
 
-    /// Whether what rounding leaves of the first rates of the drift leads another way than the motion: it would turn at once, again
-    /// and again.
+    /// Whether the rounding of the first rates of the drift points against the motion: the columns would turn at once, again and again.
     pub(super) fn goes_astray(&self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
         let first = self.drift_rate()[..len].iter().find(|rate| **rate != 0.0);
         let leading = self.leading_rate(below, (p, len));
@@ -276,19 +276,19 @@ impl Member {
     /// The first coefficient of the rate of the drift that is more than rounding.
     fn leading_rate(&self, below: Option<&Self>, (p, len): (usize, usize)) -> Option<f64> {
         let mut rates = self.drift_rate()[..len].iter().enumerate();
-        // An event sets the rounding of what it makes zero to zero; and a row at rest before its record begins need not ask.
+        // An event sets rounded zeros to zero, and a row at rest before its record begins has only zeros.
         let leads = |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
         let leading = rates.find(|(n, rate)| leads(*n, **rate));
         leading.map(|(_, rate)| *rate)
     }
 
-    /// Clears what rounding leaves of the first rates of the drift from a standstill: columns would yield, or turn, again at once.
+    /// Clears the rounding of the first rates of the drift from a standstill: columns would yield, or turn, at once.
     pub(super) fn clear_standstill(&mut self, below: Option<&Self>, (p, len): (usize, usize)) {
         for n in 0..len.min(CAPACITY - p) {
             if self.drift_rate()[n].abs() > self.noise_of_rate(below, p, n) {
                 return;
             }
-            // Of a drift that does not begin the force of smooth columns is none: it would pass through zero again at once.
+            // A drift that does not begin gives smooth columns no force: otherwise it would pass through zero at once.
             if let Some(bend) = &mut self.bend {
                 bend.force[n + p] = 0.0;
             }
@@ -303,7 +303,7 @@ impl Member {
         }
     }
 
-    /// Columns yield no longer once their drift, at this rate, turns; true where they did.
+    /// Ends yielding if the drift turns at this rate; true if it did.
     pub(super) fn unload(&mut self, rate: f64) -> bool {
         let turned = match self.branch {
             Branch::Elastic => false,
@@ -323,7 +323,7 @@ impl Member {
     }
 }
 
-/// A member and the floor it stands on, which comes before it.
+/// A member, and the floor on which it stands, which comes before it.
 pub(super) fn with_below(members: &mut [Member], node: usize) -> Option<(&mut Member, Option<&Member>)> {
     let (lower, upper) = members.split_at_mut(node);
     let member = upper.first_mut()?;
@@ -331,9 +331,9 @@ pub(super) fn with_below(members: &mut [Member], node: usize) -> Option<(&mut Me
     Some((member, below))
 }
 
-/// The rate ρ with ρ² = ρ C + K, C and K the sums of the magnitudes in a row of M⁻¹C and M⁻¹K.
+/// The rate ρ with ρ² = ρ C + K, where C and K are the sums of the magnitudes in a row of M⁻¹C and M⁻¹K.
 ///
-/// With the largest of its members coefficients of the motion of a body fall at least like ρⁿ/n!.
+/// With ρ the largest rate of its members, the coefficients of the motion of a body fall at least like ρⁿ/n!.
 fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
     let (nodes, floor) = (row.nodes(), &row.nodes()[node]);
     let steepest = |node: usize| {
@@ -345,7 +345,7 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
         } = nodes[node].column.hysteresis();
         match knee {
             Knee::Sharp => stiffness,
-            // Unloading beyond the elastic line.
+            // Unloading may be stiffer than the elastic line.
             Knee::Smooth(smoothness) => {
                 let bend = (2.0 * smoothness.unloading).max(1.0);
                 stiffness * (hardening + (1.0 - hardening) * bend)

@@ -1,16 +1,16 @@
 //! Event-driven integration without a time step: power series between events, events found by bounds.
 //!
-//! Between two events the equation of motion of a floor is linear with a load that is linear in time; its solution
-//! is a power series whose coefficients follow from the equation itself, on pieces so short that some twenty of them
-//! reach rounding; storeys couple the series of the floors of a building. Columns that yield smoothly have a series of their
-//! own. Events are the samples of the record, yielding, unloading (zeros of velocities and of rates of drifts), touching, parting,
-//! the fading of a contact force and the reversal of the rate of deformation. Impulsive contact is a jump of
-//! velocities; bouncing that would go on for ever is summed, and the neighbours then move as one while they press.
-//! Compliant contact couples the series of the structures that touch; just after the first touch, where its force
-//! is not smooth in time, the series run in the fourth root of time.
+//! Between two events the equation of motion of a floor is linear, with a load that is linear in time. Its solution is a power series whose
+//! coefficients follow from the equation itself, on pieces so short that about twenty coefficients reach rounding. Storeys couple the
+//! series of the floors of a building. Columns that yield smoothly have separate series.
 //!
-//! Sources: the relations of several simultaneous impacts follow M. Frémond and F. Pfeiffer's complementarity form with
-//! Newton's restitution; Taylor series as an integrator: À. Jorba and M. Zou, *Experimental Mathematics* 14 (2005) 99.
+//! Events are the samples of the record, yielding, unloading (zeros of velocities and of rates of drifts), touching and parting. The fading
+//! of a contact force and the reversal of the rate of deformation are events, too. Impulsive contact is a jump of velocities. Endless
+//! bouncing is summed up, and the neighbours then move together while they press. Compliant contact couples the series of the structures
+//! that touch. Just after the first touch, where the force is not smooth in time, the series run in the fourth root of time.
+//!
+//! Sources: the relations of several simultaneous impacts follow M. Frémond and F. Pfeiffer's complementarity form with Newton's
+//! restitution; Taylor series as an integrator: À. Jorba and M. Zou, *Experimental Mathematics* 14 (2005) 99.
 
 mod bend;
 mod body;
@@ -63,10 +63,10 @@ use shaking::Shaking;
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exact {
-    /// Relative size of what a piece in compliant contact, or with columns that yield smoothly, leaves out \[–\], 1e-16 ..= 1e-3.
+    /// Relative truncation error of a piece in compliant contact, or with columns that yield smoothly \[–\], 1e-16 ..= 1e-3.
     ///
-    /// Free flight and impulsive contact are always carried to rounding. On a scene of two
-    /// structures with ten viscoelastic collisions 1e-4 takes 2134 pieces, 1e-8 2186, 1e-16 2600.
+    /// Free flight and impulsive contact are always exact to rounding. For two structures with ten viscoelastic collisions, 1e-4 takes 2134
+    /// pieces, 1e-8 2186 and 1e-16 2600.
     pub tolerance: f64,
     /// What happens when several pairs touch at the same instant.
     pub simultaneous_impacts: SimultaneousImpacts,
@@ -76,7 +76,7 @@ impl Exact {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RunError::Setting`] for one out of range.
+    /// [`RunError::Setting`] if a setting is out of range.
     pub fn check(&self) -> Result<(), RunError> {
         let valid = (1e-16..=1e-3).contains(&self.tolerance);
         require(valid, "tolerance", self.tolerance, "1e-16 to 1e-3")
@@ -92,21 +92,22 @@ impl Default for Exact {
     }
 }
 
-/// Remaining duration of bounces below which they are summed \[s\].
+/// Bounces with less remaining duration than this are summed \[s\].
 pub const CHATTER: f64 = 1e-12;
 /// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
 pub const BURST: u32 = 50;
-/// Events at one instant after which a run gives up, and those that each structure adds to them.
+/// Most events at an instant, and the number that each structure adds. The run is given up beyond.
 const MOST_AT_ONCE: usize = 1000;
 const MOST_AT_ONCE_EACH: usize = 10;
-/// Whether bounces from this rate \[m/s\] on, < 0 while the pair parts, will be over at once under this acceleration towards each other
-/// \[m/s²\].
+/// Whether bounces that start with this rate \[m/s\] (< 0 while the pair parts), under this acceleration towards each other \[m/s²\], end
+/// at once.
 pub fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
     let parts = rate < 0.0 && closing > 0.0 && restitution < 1.0;
     parts && -2.0 * rate < CHATTER * closing * (1.0 - restitution)
 }
 
-/// Everything of a run, in its parts. A step that needs one of them is a method of it; what joins them is a method of the run.
+/// All data of a run, in parts. A step that needs a single part is a method of this part; a step that joins several parts is a method of
+/// the run.
 struct Run<'a, R> {
     settings: Exact,
     shaking: Shaking<'a>,
@@ -116,22 +117,22 @@ struct Run<'a, R> {
     recorder: &'a mut R,
 }
 
-/// What moves: the floors and walls, and the pieces of their motion.
+/// The moving parts: floors and walls, and the pieces of their motion.
 struct Moving<'a> {
     members: Vec<Member>,
-    /// How many of them are walls.
+    /// Number of walls.
     walls: usize,
     buildings: &'a Buildings,
-    /// The body that begins with this node.
+    /// The body that begins with each node.
     bodies: Vec<Body>,
     /// Members whose bodies wait for their next piece.
     landed: Vec<bool>,
-    /// From sample to sample in one go.
+    /// Free flight of the whole row from sample to sample.
     flights: Flights,
 }
 
 impl<'a> Moving<'a> {
-    /// At t = 0, when everything waits for its first piece.
+    /// The state at t = 0: every body waits for its first piece.
     fn new(members: Vec<Member>, buildings: &'a Buildings, step: f64) -> Self {
         Self {
             walls: members.iter().filter(|member| member.is_wall()).count(),
@@ -144,23 +145,23 @@ impl<'a> Moving<'a> {
     }
 }
 
-/// What touches: the contacts, and who moves together because of them.
+/// The touching parts: the contacts, and the bodies that they form.
 struct Touching<'a> {
     contacts: Vec<Contact>,
     /// Which pairs meet which nodes.
     incidence: &'a Incidence,
-    /// Who belongs to which body.
+    /// The body of each node.
     groups: Groups,
-    /// Pairs of which this instant's impacts have been dealt with.
+    /// Pairs whose impacts at this instant are done.
     settled: Vec<bool>,
-    /// Impulses of a chain.
+    /// Impulses in a chain.
     chain: Chain,
-    /// Impulses of other rows, and which of their pairs rest.
+    /// Impulses in other rows, and the pairs that rest.
     rounds: AnyRounds,
 }
 
 impl<'a> Touching<'a> {
-    /// Before the first decision.
+    /// The state before the first event.
     fn new(contacts: Vec<Contact>, incidence: &'a Incidence, groups: Groups) -> Self {
         Self {
             settled: vec![false; contacts.len()],
@@ -172,19 +173,19 @@ impl<'a> Touching<'a> {
         }
     }
 
-    /// Whether the pairs are a chain of neighbours: those that rest move as blocks then, and impacts pass along it.
+    /// Whether the pairs form a chain of neighbours: pairs at rest then move as blocks, and impacts pass along the chain.
     fn is_chain(&self) -> bool {
         self.groups.is_chain
     }
 }
 
-/// What comes next, and how much has been spent on what is past.
+/// The next events, and the work so far.
 struct Agenda {
     clock: LocalClock,
-    /// End of the run, on that clock.
+    /// End of the run, on the clock.
     end: f64,
     guard: Guard,
-    /// Pieces that were tried to tell who rests.
+    /// Pieces tried in the search for pairs at rest.
     tried: u64,
     work: Work,
 }
@@ -196,7 +197,7 @@ impl Agenda {
     }
 }
 
-/// Integrates a row; the shared signature of all methods. Of the clock only the end counts.
+/// Integrates a row, with the signature of all methods. Uses only the end of the clock.
 pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     settings: Exact,
     row: &Row<Column>,
@@ -263,12 +264,12 @@ impl<R: Recorder> Run<'_, R> {
             if time >= self.agenda.end && self.bodies_at_end() {
                 return Ok(());
             }
-            // By the clock of recorders: what is shorter is no progress. Near 0 s it tells any two instants apart.
+            // Measured by the clock of recorders: less is no progress. Near 0 s this clock resolves any two instants.
             let [before, time_shown] = [now, time].map(|time| self.agenda.clock.absolute(time));
             let later = time_shown > before + SHORTEST_WAY;
             at_once = if later { 0 } else { at_once + 1 };
             self.agenda.guard.look(time, self.agenda.spent())?;
-            // Before anything lands: what a piece has lasted is rounded as its ends alone say.
+            // Set the clock before anything lands: the rounded duration of a piece then depends only on its ends.
             let time = time - self.set_clock(time);
             if at_once > most_at_once {
                 let events = self.agenda.work.events;
@@ -281,7 +282,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Gives a body the ground motion from an instant on; returns when the next sample arrives at one of its nodes.
+    /// Gives a body the ground motion from an instant on; returns the time at which the next sample arrives at any of its nodes.
     fn shake(&mut self, first: usize, time: f64) -> f64 {
         let mut end = f64::INFINITY;
         for place in self.touching.groups.nodes_of(first) {
@@ -293,13 +294,13 @@ impl<R: Recorder> Run<'_, R> {
         end
     }
 
-    /// How far the grounds of a pair have moved towards each other, and at which rate; nothing where they move alike.
+    /// How far the grounds of a pair have moved towards each other, and at which rate; `None` if they move alike.
     fn opening(&self, pair: usize, time: f64) -> Option<Motion> {
         let contact = &self.touching.contacts[pair];
         self.shaking.opening(contact, self.agenda.clock.past(time))
     }
 
-    /// Deformation and rate of a pair whose sides move like this over their grounds.
+    /// Deformation and rate of a pair from the motions of its sides over their grounds.
     fn closing(&self, pair: usize, time: f64, [left, right]: [Motion; 2]) -> (f64, f64) {
         let ahead = left.since(right);
         let Motion { displacement, velocity } = match self.opening(pair, time) {
@@ -327,7 +328,7 @@ impl<R: Recorder> Run<'_, R> {
             .all(|&first| self.agenda.clock.shown(self.moving.bodies[first].start) >= self.agenda.end)
     }
 
-    /// Ends every piece that ends at this instant, and those of the pairs that touch then.
+    /// Ends every piece that ends at this instant, and the pieces of pairs that touch at it.
     fn land_all(&mut self, time: f64) -> Result<(), RunError> {
         for first in 0..self.moving.bodies.len() {
             if self.touching.groups.body_of[first] == first && self.moving.bodies[first].end <= time {
@@ -368,7 +369,7 @@ impl<R: Recorder> Run<'_, R> {
         });
     }
 
-    /// Ends the pieces of neighbours whose gap is closed to what has landed: they take part in what happens now.
+    /// Ends the pieces of neighbours with a closed gap to a landed body: they take part in this instant.
     fn land_touching(&mut self, time: f64) -> Result<(), RunError> {
         let mut grown = true;
         while grown {
@@ -389,7 +390,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Resolves what happens at this instant and sends everything that landed on its next piece.
+    /// Resolves the events of this instant and starts the next piece of everything that has landed.
     fn go_on(&mut self, time: f64) -> Result<(), RunError> {
         self.resolve(time)?;
         for first in 0..self.moving.bodies.len() {

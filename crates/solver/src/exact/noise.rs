@@ -1,4 +1,4 @@
-//! What rounding leaves of coefficients that are zero: what a pair at rest is judged by.
+//! Rounding of coefficients that should be zero. It decides whether a pair at rest has a force.
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group, Lighter, Side};
@@ -8,12 +8,12 @@ use crate::exact::storey::magnitude;
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
 
-/// Orders in time of a force at rest that are looked at for rounding.
+/// Orders in time of a force at rest that are checked for rounding.
 const ORDERS: usize = 8;
-/// The same between floors of buildings of several storeys, which feel each other two orders later from floor to floor.
+/// Orders between floors of buildings of several storeys: each floor in between delays the effect by two orders.
 const ORDERS_OF_FLOORS: usize = 13;
 
-/// Finds what rounding of the coefficients of a body is measured by; clears forces at rest that are rounding.
+/// Finds the scale of the rounding of the coefficients of a body; clears forces at rest that are only rounding.
 pub(super) fn clean(
     group: Group<'_>,
     (members, contacts): (&mut [Member], &mut [Contact]),
@@ -46,7 +46,7 @@ pub(super) fn clean(
         let acceleration = if mass.is_finite() {
             (own + pushed) / mass + grounds.fold(0.0, f64::max)
         } else if nodes.iter().any(|member| member.arrival.total_cmp(&first).is_ne()) {
-            // The wall's ground carries them, and their own is taken off.
+            // The ground of the wall carries the nodes, and their own ground is subtracted.
             grounds.sum()
         } else {
             0.0
@@ -68,7 +68,7 @@ pub(super) fn clean(
     }
 }
 
-/// Finds it for a node of any row: its own forces and those of all pairs at it.
+/// Finds the scale for a node of any row, from its forces and those of all its pairs.
 fn measure(node: usize, (members, contacts): (&mut [Member], &[Contact]), incidence: &Incidence, time: f64) {
     let own = magnitude(members, node);
     let pushes = incidence.at(node).iter();
@@ -93,7 +93,8 @@ fn measure(node: usize, (members, contacts): (&mut [Member], &[Contact]), incide
     };
 }
 
-/// Clears the first coefficients of the forces at rest of any row that are rounding, of each pair all when the first ones are.
+/// Clears the leading coefficients of forces at rest that are only rounding, for any row. A pair whose first coefficients are all rounding
+/// loses all.
 fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize) {
     for order in 0..ORDERS_OF_FLOORS {
         let noise = |node: usize| {
@@ -118,7 +119,7 @@ fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize)
     }
 }
 
-/// Clears a force at rest if its first coefficients, one an order in time, are zero.
+/// Clears a force at rest if its first coefficients, one per order in time, are zero.
 fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
     let mut first = contact.force.iter().step_by(p).take(orders);
     if first.all(|force| *force == 0.0) {
@@ -126,7 +127,8 @@ fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
     }
 }
 
-/// Clears the first coefficients of the forces at rest of a block that are rounding, of each pair all when the first ones are.
+/// Clears the leading coefficients of forces at rest of a block that are only rounding. A pair whose first coefficients are all rounding
+/// loses all.
 fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p: usize) {
     if block.first == block.last {
         return;
@@ -135,7 +137,7 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
     let orders = if tied { ORDERS_OF_FLOORS } else { ORDERS };
     for order in 0..orders {
         let side = |node: usize| {
-            // Of a wall it may be no number: it is never the lighter side.
+            // The need of a wall may be NaN: a wall is never the lighter side.
             let need = Some(members[node].need_of_noise(order, p));
             let need = need.filter(|need| !need.is_nan()).unwrap_or(f64::INFINITY);
             Side { weight: need, need }
@@ -153,7 +155,8 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
     }
 }
 
-/// Floors that storeys join, and those at rest in a row that is no chain, round by the largest of its accelerations, from the next coefficient on.
+/// Gives joined floors, and floors at rest in a row that is no chain, the largest of their accelerations as scale of the rounding, from the
+/// next coefficient on.
 fn share(group: Group<'_>, members: &mut [Member]) {
     let rests = group.tie().is_some();
     if group.followed().is_empty() && !rests {

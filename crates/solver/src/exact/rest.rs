@@ -1,4 +1,4 @@
-//! Which pairs rest, and which part: of pairs that touch without a rate.
+//! Decision between rest and parting for pairs that touch without a rate.
 
 use std::ops::Range;
 
@@ -12,16 +12,16 @@ use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
-/// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
+/// Coefficients that decide between pressing and parting, from that of the acceleration on.
 const DECISIVE: usize = 12;
-/// Coefficients of displacements that every expansion finds, in orders of time.
+/// Coefficients of displacements that every expansion has, in orders of time.
 const FEWEST: usize = 15;
 
-/// The power of the fourth root of time by which an acceleration alone closes a gap.
+/// The power of the fourth root of time with which an acceleration closes a gap.
 pub(super) const OF_ACCELERATION: usize = 8;
 
 impl Touching<'_> {
-    /// Whether a pair that touches is neither at rest nor parting with a rate.
+    /// Whether a touching pair is neither at rest nor parting with a rate.
     fn may_press(&self, pair: usize) -> bool {
         let contact = &self.contacts[pair];
         contact.link == Link::Apart && contact.rate == 0.0
@@ -29,12 +29,12 @@ impl Touching<'_> {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
-    /// overlap, found by growing their set, each by the first coefficient of its deformation that is not rounding.
+    /// Decides which of the touching pairs without a rate press against each other. These are the pairs whose free motion would overlap.
+    /// The set grows pair by pair; each is decided by the first coefficient of its deformation that is not rounding.
     ///
-    /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
-    /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
-    /// go first whose coefficient does.
+    /// In a chain, a pair that presses only drives other pairs together, so that the order does not matter. A pair that presses on another
+    /// floor may part pairs there. It does so in a later coefficient than its deciding one. Of several chains, the chain with the lowest
+    /// deciding coefficient therefore goes first.
     pub(super) fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) -> Result<(), RunError> {
         let chains = || {
             let of = |hit: &'h Hit| {
@@ -74,8 +74,8 @@ impl<R: Recorder> Run<'_, R> {
                 break;
             }
         }
-        // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
-        // is zero, as one must be, is free.
+        // Neighbours that move alike without a force stay together. This excludes neighbours that walls hold on both sides: it is open
+        // which of their forces is zero, as one must be.
         for (hit, pair) in chains() {
             self.agenda.guard.wait(time)?;
             if self.touching.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
@@ -88,7 +88,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Whether both sides of a pair rest against walls already.
+    /// Whether both sides of a pair already rest against walls.
     fn is_held(&self, pair: usize) -> bool {
         if self.moving.walls < 2 {
             return false;
@@ -110,7 +110,7 @@ impl<R: Recorder> Run<'_, R> {
         holds(first..left + 1) && holds(left + 1..last + 1)
     }
 
-    /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.
+    /// Puts a pair at rest: the lighter side takes the velocity of the heavier side, over its ground.
     fn join(&mut self, (hit, index): (&Hit, usize), time: f64) {
         let pair = hit.pairs[index];
         self.touching.contacts[pair].link = Link::Resting;
@@ -128,7 +128,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
+    /// The power of the fourth root of time in which the free motion of a pair is decided, and whether it overlaps; `None` if rounding
     /// hides it.
     fn press(&self, pair: usize) -> Option<(usize, bool)> {
         let shown = |order: usize| {
@@ -140,17 +140,17 @@ impl<R: Recorder> Run<'_, R> {
         self.orders(pair).find_map(shown)
     }
 
-    /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, of those that decide.
+    /// Powers of the fourth root of time in which pairs that touch without a rate may begin to close, among the deciding ones.
     pub(super) fn orders(&self, pair: usize) -> impl Iterator<Item = usize> + use<R> {
         let p = self.power(pair);
         let mut floors = self.touching.contacts[pair].floors().into_iter();
         let last = if floors.any(|node| self.moving.members[node].is_tied()) {
-            // What happens on one floor is felt two orders later on the next.
+            // An event on a floor reaches the next floor two orders later.
             (FEWEST * p).min(CAPACITY)
         } else if self.touching.is_chain() {
             2 * p + DECISIVE
         } else {
-            // A force that begins without a rate, like t³, moves a pair beside it like t⁵.
+            // A force that begins without a rate, like t³, moves a neighbouring pair like t⁵.
             3 * p + DECISIVE
         };
         (2 * p..last).map(move |n| 4 * n / p)
@@ -167,13 +167,12 @@ impl<R: Recorder> Run<'_, R> {
         self.moving.bodies[self.touching.groups.body_of[node]].power.order()
     }
 
-    /// The coefficient of the free deformation of a pair by a power of the fourth root of time, and what rounding leaves of it: 0
-    /// where that hides it.
+    /// The coefficient of the free deformation of a pair at a power of the fourth root of time (0 if rounding hides it), and its rounding.
     pub(super) fn closing_by(&self, pair: usize, order: usize) -> (f64, f64) {
         let (contact, p) = (&self.touching.contacts[pair], self.power(pair));
         let n = order * p / 4;
         let values = contact.relation.points().map(|point| {
-            // A series in t beside one in its fourth root.
+            // A series in t next to a series in its fourth root.
             let stretched = p / self.power_of(point.floor());
             if n.is_multiple_of(stretched) && (n * 4).is_multiple_of(p) {
                 let at = (p / stretched, n / stretched);
@@ -188,7 +187,7 @@ impl<R: Recorder> Run<'_, R> {
         (if shown { closing } else { 0.0 }, noise)
     }
 
-    /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.
+    /// Expands the bodies that have landed. This is most of the cost when a long row comes to rest.
     pub(super) fn expand_landed(&mut self, time: f64) -> Result<(), RunError> {
         self.agenda.guard.look(time, self.agenda.spent())?;
         for first in 0..self.moving.bodies.len() {
@@ -203,9 +202,9 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
+    /// Measures the rounding of an expanded body; clears forces at rest that are only rounding.
     pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
-        // Where grounds move apart their positions have the rounding of the whole time.
+        // If grounds move apart, their positions have the rounding of the whole time.
         let time = if self.shaking.travel.is_some() {
             self.agenda.clock.absolute(time)
         } else {
@@ -216,7 +215,7 @@ impl<R: Recorder> Run<'_, R> {
         clean(group, system, self.touching.incidence, (time, power.order()));
     }
 
-    /// Bodies anew, from the links.
+    /// Updates the bodies from the links.
     pub(super) fn regroup(&mut self) {
         self.touching.groups.update(System {
             members: &self.moving.members,

@@ -1,9 +1,9 @@
-//! Which pairs of a row that is no chain rest, and which part.
+//! Decision between rest and parting in a row that is no chain.
 //!
-//! With c the accelerations of touching points towards each other, of pairs without a rate, as series in time, and F their forces:
-//! 0 ≤ F ⟂ −c ≥ 0, c = c₀ − W F, the first coefficient that is not zero deciding. It is found coefficient by coefficient. Pairs that
-//! press hold c = 0 from then on; those that part are out; those of which neither is known go on to the next coefficient. Those of
-//! which it never is stay together without a force.
+//! Let c be the accelerations of touching points towards each other as series in time, for pairs without a rate, and F their forces. Then 0
+//! ≤ F ⟂ −c ≥ 0 with c = c₀ − W F, decided by the first nonzero coefficient. The coefficients are treated in turn. A pair that presses
+//! keeps c = 0 afterwards. A pair that parts leaves the problem. A pair that is still open goes on to the next coefficient. Pairs that stay
+//! open stay together without a force.
 
 use crate::exact::Run;
 use crate::exact::contact::{Gap, Link, System};
@@ -15,7 +15,7 @@ use crate::impact::dense::ClosedIn;
 use crate::impact::dense::basis::Basis;
 use crate::{Recorder, RunError};
 
-/// What a coefficient decides.
+/// Decision of a coefficient about a pair.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Decision {
     Presses,
@@ -24,7 +24,7 @@ enum Decision {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Lets pairs rest or part.
+    /// Puts pairs at rest or parts them.
     pub(super) fn rest_or_part_any(&mut self, hit: &Hit, time: f64) -> Result<(), RunError> {
         for pair in &hit.pairs {
             let contact = &mut self.touching.contacts[*pair];
@@ -54,7 +54,7 @@ impl<R: Recorder> Run<'_, R> {
                         }
                         Decision::Parts => {
                             contact.gap = Gap::Parts;
-                            // Its acceleration is none that a fading force leaves.
+                            // A fading force leaves no acceleration of this kind.
                             contact.faded &= order > OF_ACCELERATION;
                         }
                         Decision::Open => {}
@@ -73,7 +73,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// The first coefficient, not before another, that is not hidden by rounding for all of these pairs.
+    /// The first coefficient from `from` on that rounding does not hide for all of these pairs.
     fn next_order(&self, open: &[usize], from: usize) -> Option<usize> {
         let first = |pair: &usize| {
             let mut orders = self.orders(*pair).filter(|order| *order >= from);
@@ -82,7 +82,7 @@ impl<R: Recorder> Run<'_, R> {
         open.iter().filter_map(first).min()
     }
 
-    /// What a coefficient decides of open pairs, beside those that press; a pair that has no room to move is an error.
+    /// Decisions of a coefficient about open pairs, given the pairs that press. A pair without room to move is an error.
     fn decide(&mut self, (open, pressing): (&[usize], &[usize]), order: usize) -> Result<Vec<Decision>, usize> {
         let closing = open.iter().map(|pair| self.closing_by(*pair, order));
         let closing: Vec<_> = closing.collect();
@@ -104,7 +104,7 @@ impl<R: Recorder> Run<'_, R> {
         problem.begin(floors.len(), 0);
         for (index, (pair, (value, noise))) in open.iter().zip(&closing).enumerate() {
             if !held.express(&tie::column(*pair, &floors, system)) {
-                // Those that press hold it, unless its ground moves.
+                // Pairs that press hold it, unless their grounds move.
                 if system.contacts[*pair].opens() && *value > 0.0 {
                     return Err(*pair);
                 }
@@ -113,7 +113,7 @@ impl<R: Recorder> Run<'_, R> {
                 }
                 continue;
             }
-            // A force that has just faded is none yet.
+            // A force that has just faded does not count yet.
             let fades = system.contacts[*pair].faded && order == OF_ACCELERATION;
             let demand = if fades { f64::NEG_INFINITY } else { *value };
             problem.push(held.rest().iter().copied().enumerate());
@@ -121,7 +121,7 @@ impl<R: Recorder> Run<'_, R> {
             asked.push(index);
         }
         while let Err(ClosedIn { contact }) = problem.solve() {
-            // On one ground only rounding leaves no room.
+            // On a common ground only rounding can leave no room.
             if opens {
                 return Err(open[asked[contact]]);
             }
@@ -141,7 +141,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(decisions)
     }
 
-    /// Keeps pairs together that nothing presses or parts; those that others hold carry no force.
+    /// Keeps pairs together that neither press nor part. Pairs that others hold carry no force.
     fn let_idle(&mut self, open: &[usize], pressing: &[usize]) {
         let system = System {
             members: &self.moving.members,
@@ -163,7 +163,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Takes from pairs that have come to rest what rounding leaves of their rates, by the least jump of energy.
+    /// Removes the rounded rates of pairs that have come to rest, with the least change of energy.
     fn pull(&mut self, hit: &Hit, time: f64) {
         let pairs = hit.pairs.iter().enumerate();
         let mut resting = pairs.filter(|(_, pair)| self.touching.contacts[**pair].link == Link::Resting);

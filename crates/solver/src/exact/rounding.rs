@@ -1,15 +1,14 @@
-//! What rounding leaves of the coefficients of a structure and of a pair.
+//! Rounding of the coefficients of a structure and of a pair.
 
 use crate::exact::member::Member;
 use crate::{Point, Relation};
 
-/// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
+/// Rounding of a coefficient, as a part of the sum of its terms' magnitudes.
 pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
-/// Rounding of a sum of a few numbers, a deformation or an instant, as a part of the largest.
+/// Rounding of a sum of few numbers, of a deformation or of an instant, as a part of the largest term.
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
-/// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
-/// coefficients of both points.
+/// Rounding of coefficient `n` of the deformation of a pair with equal displacements and velocities, from the coefficients of both points.
 pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], (p, n): (usize, usize)) -> f64 {
     let terms = if n >= 2 * p && n.is_multiple_of(p) {
         let order = n / p - 2;
@@ -22,7 +21,7 @@ pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], (p
     OF_COEFFICIENTS * (values[0].abs() + values[1].abs() + terms)
 }
 
-/// The sum of magnitudes of its floors that a point is made of, each by its part.
+/// Weighted sum of a magnitude over the floors of a point.
 #[inline]
 pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
     match point {
@@ -32,15 +31,15 @@ pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
 }
 
 impl Member {
-    /// What rounding of the acceleration's coefficient of this order in time is a part of: its terms, and what it
-    /// changes by in the time that has passed, whose rounding is that of every instant.
+    /// Scale of the rounding of the acceleration's coefficient of this order in time: its terms, and its change over the elapsed time,
+    /// because instants are rounded.
     pub(super) fn noise(&self, order: usize) -> f64 {
         let next = (order + 1) as f64 * self.magnitude_of(order + 1);
         self.magnitude_of(order) + self.terms.time * next
     }
 
-    /// What rounding of a force that moves it is a part of; columns that yield smoothly have coefficients that grow faster than the
-    /// terms tell.
+    /// Scale of the rounding of a force that moves the member. Columns that yield smoothly have coefficients that grow faster than the
+    /// terms show.
     pub(super) fn need_of_noise(&self, order: usize, p: usize) -> f64 {
         if order == 0 {
             self.mass * (self.noise(order) + self.terms.ground.0) + self.terms.own

@@ -1,9 +1,9 @@
 //! The motion of the floors of one body as power series: the recurrence of their equations of motion.
 //!
-//! With t = origin + x^p the equations m ü + c u̇ + f = F − m `a_g` give, power by power, the acceleration from forces
-//! that are already known, and from it velocity and displacement p powers further on. One formula serves c = 0, k = 0,
-//! critical damping and the plastic branch; structures at rest against each other share their acceleration. Storeys
-//! couple floors in the same way: by drifts and rates whose coefficients are known.
+//! With t = origin + x^p, the equations m ü + c u̇ + f = F − m `a_g` give the acceleration power by power from known forces. Velocity and
+//! displacement follow p powers further on. The same formula covers c = 0, k = 0, critical damping and the plastic branch. Structures at
+//! rest against each other share their acceleration. Storeys couple floors in the same way, by drifts and rates whose coefficients are
+//! known.
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group, Lighter, Side};
@@ -56,7 +56,7 @@ pub(super) fn expand(
     }
 }
 
-/// Finds what an acceleration makes of velocity and displacement.
+/// Finds the coefficients of velocity and displacement that follow from an acceleration.
 fn follow(member: &mut Member, (p, n): (usize, usize)) {
     member.velocity[n + p] = member.acceleration[n] * (p as f64 / (n + p) as f64);
     member.displacement[n + 2 * p] = member.velocity[n + p] * (p as f64 / (n + 2 * p) as f64);
@@ -64,7 +64,7 @@ fn follow(member: &mut Member, (p, n): (usize, usize)) {
 
 /// Coefficient `n` of the motion of a chain, and of the forces between members at rest.
 fn move_blocks(blocks: &[Block], (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
-    // Off the chain of dependent operations, where a division would be the longest.
+    // Computed outside the chain of dependent operations, in which a division would take longest.
     let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
     for block in blocks {
         let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
@@ -104,7 +104,7 @@ fn is_touching(contact: &Contact) -> bool {
     matches!(contact.link, Link::Touching(_))
 }
 
-/// Coefficient `n` of the forces at rest of any row, and what they change of the accelerations.
+/// Coefficient `n` of the forces at rest of any row, and their effect on the accelerations.
 fn hold(tie: &Tie, (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
     let closing = |pair: &usize| {
         let contact = &contacts[*pair];
@@ -122,8 +122,7 @@ fn hold(tie: &Tie, (members, contacts): (&mut [Member], &mut [Contact]), (p, n):
     }
 }
 
-/// Coefficient `n` of the acceleration that members at rest against each other share under a net force from outside: each
-/// has it over its own ground.
+/// Coefficient `n` of the acceleration that members at rest against each other share under a net outer force, each over its ground.
 fn accelerate(members: &mut [Member], block: &Block, force: f64, p: usize, n: usize) {
     let nodes = block.first..=block.last;
     let shared = match &members[nodes.clone()] {
@@ -161,7 +160,7 @@ fn resting_forces(members: &[Member], (block, contacts): (&Block, &mut [Contact]
     });
 }
 
-/// Largest length of a piece so that the last coefficients are below rounding, whatever branch its members take.
+/// Largest length of a piece for which the last coefficients are below rounding, on every branch of its members.
 pub(super) fn radius(members: &[Member], nodes: &[usize]) -> f64 {
     let fastest = nodes.iter().map(|node| members[*node].fastest_rate).fold(0.0, f64::max);
     1.0 / fastest

@@ -1,4 +1,4 @@
-//! What happens to pairs that touch at one instant: impacts, rest, or parting.
+//! Treatment of pairs that touch at an instant: impact, rest or parting.
 
 use crate::exact::contact::{Gap, Link, System};
 use crate::exact::hits::Hit;
@@ -12,13 +12,13 @@ use crate::impact::any_rounds::Closed;
 use crate::impact::dense::ClosedIn;
 use crate::{Impact, Recorder, RunError};
 
-/// Impacts of a pair without coming to rest after which a run gives up: with e = 1 neighbours that press bounce for ever.
+/// Most impacts of a pair without coming to rest; the run is given up beyond. With e = 1, neighbours that press bounce for ever.
 ///
-/// With e = 0.999 a bounce of 0.1 m/s is over after 25 000.
+/// With e = 0.999 a bounce of 0.1 m/s ends after 25 000 impacts.
 const MOST_BOUNCES: u32 = 100_000;
 
 impl Touching<'_> {
-    /// Gives up a pair that bounces without coming to rest.
+    /// Gives up if a pair bounces without coming to rest.
     fn count_bounce(&mut self, pair: usize, hit: bool, time: f64) -> Result<(), RunError> {
         let contact = &mut self.contacts[pair];
         if contact.link == Link::Resting {
@@ -46,7 +46,7 @@ impl Touching<'_> {
 }
 
 impl Moving<'_> {
-    /// Columns below and above floors that were hit yield no longer where their drift has turned.
+    /// Ends yielding of columns below and above floors that were hit, if their drift has turned.
     fn unload(&mut self, hits: &[Hit]) {
         for hit in hits {
             for (&node, before) in hit.nodes.iter().zip(&hit.before) {
@@ -73,7 +73,7 @@ impl Moving<'_> {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Whether a pair has landed with its gap closed, in need of a decision.
+    /// Whether a pair has landed with its gap closed and needs a decision.
     pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
         let contact = &self.touching.contacts[pair];
         let landed = contact.floors().into_iter().all(|floor| self.moving.landed[floor]);
@@ -83,19 +83,19 @@ impl<R: Recorder> Run<'_, R> {
             Link::Resting => contact.restitution().is_some(),
             Link::Touching(_) => false,
         };
-        // A compliant pair that is just closed touches only where its deformation grows.
+        // A compliant pair that is just closed touches only if its deformation grows.
         landed && closed && open && (contact.restitution().is_some() || contact.gap == Gap::Touches)
     }
 
     /// Resolves every chain of pairs that touch now.
     pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
         self.touching.settled.fill(false);
-        // Compliant pairs first: whether others come to rest depends on their forces, on whichever side of them they are.
+        // Compliant pairs come first: their forces decide whether other pairs come to rest, on both sides.
         for pair in 0..self.touching.contacts.len() {
             if self.touching.contacts[pair].restitution().is_none() && self.touches_now(pair, time) {
                 let contact = &mut self.touching.contacts[pair];
                 contact.gap = Gap::Known;
-                // A graze within rounding is none.
+                // A graze within rounding does not count.
                 if contact.rate >= 0.0 {
                     contact.begin();
                 }
@@ -111,7 +111,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Impacts of chains of touching pairs, then rest or parting.
+    /// Resolves the impacts of touching pairs, then rest or parting.
     fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
         let closed_in = |hit: &Hit| hit.closed_in(&self.moving.members);
         if let Some(pair) = hits.iter().find_map(closed_in) {
@@ -153,7 +153,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// The jumps of floors change the rates of the other pairs at them.
+    /// Changes the rates of other pairs by the jumps of their floors.
     fn push_neighbours(&mut self, hit: &Hit) {
         for (node, before) in hit.nodes.iter().zip(&hit.before) {
             let jump = self.moving.members[*node].state.velocity - before;
@@ -167,7 +167,7 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// Velocities and rates after impacts that hang together.
+    /// Finds velocities and rates after connected impacts.
     fn give_impulses(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
         if !self.touching.groups.is_chain {
             return self.give_any(hit, time);
@@ -187,7 +187,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// The same where pairs are no chain.
+    /// Finds velocities and rates after connected impacts of pairs that are no chain.
     fn give_any(&mut self, hit: &mut Hit, time: f64) -> Result<(), RunError> {
         let (members, contacts) = (&self.moving.members, &self.touching.contacts);
         let system = System {
@@ -195,7 +195,7 @@ impl<R: Recorder> Run<'_, R> {
             contacts,
             incidence: self.touching.incidence,
         };
-        // What of a body is slower than that by far does not move.
+        // A part of a body that is slower than this by far counts as at rest.
         let fastest = |pair: usize| {
             let bodies = contacts[pair].floors().map(|floor| self.touching.groups.body_of[floor]);
             let nodes = bodies.into_iter().flat_map(|body| self.touching.groups.of(body).nodes());
@@ -234,7 +234,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Whether bounces that have just begun will be over within the shortest remainder, the pair closing all the while.
+    /// Whether bounces that have just begun end within the shortest remainder while the pair keeps closing.
     fn chatters(&self, pair: usize, approach: f64) -> bool {
         let contact = &self.touching.contacts[pair];
         let restitution = contact.restitution().unwrap_or(0.0);
@@ -263,7 +263,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Lets velocities of a chain jump.
+/// Applies velocity jumps in a chain.
 fn give_along(
     chain: &mut Chain,
     hit: &mut Hit,
@@ -278,7 +278,7 @@ fn give_along(
     chain.masses.extend(masses);
     chain.collide(rule, look)?;
     for (index, node) in hit.nodes.iter().enumerate() {
-        // What was not hit keeps its velocity to the last bit.
+        // A floor that was not hit keeps its velocity to the last bit.
         let (before, after) = (hit.before[index], chain.velocities[index]);
         members[*node].state.velocity = match hit.carried.get(index) {
             None => after,

@@ -1,4 +1,4 @@
-//! How the ground shakes under a row, and what that does to the pairs whose grounds move apart.
+//! The ground motion under a row, and its effect on pairs whose grounds move apart.
 
 use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::Contact;
@@ -8,19 +8,19 @@ use crate::{Excitation, Motion, Travel};
 /// The ground motion, and how it travels along the row.
 pub(super) struct Shaking<'a> {
     pub(super) excitation: Excitation<'a>,
-    /// Nothing where it arrives everywhere at t = 0.
+    /// How the motion travels along the row; `None` if it arrives everywhere at t = 0.
     pub(super) travel: Option<Travel>,
-    /// The piece that was last asked for.
+    /// The last piece that was asked for.
     last: Asked,
 }
 
-/// A piece of the ground motion, and what was asked.
+/// A piece of the ground motion, with the arguments of the query.
 struct Asked {
-    /// On a clock that shows 0 at this instant \[s\],
+    /// Instant at which the clock shows 0 \[s\].
     zero: f64,
-    /// from this time on \[s\],
+    /// Start of the piece on this clock \[s\].
     time: f64,
-    /// of a ground motion that arrives then \[s\].
+    /// Arrival of the ground motion \[s\].
     arrival: f64,
     segment: Segment,
 }
@@ -39,7 +39,7 @@ impl<'a> Shaking<'a> {
         }
     }
 
-    /// The ground motion from an instant on, of some arrival.
+    /// The piece of ground motion at an instant, for an arrival.
     pub(super) fn segment(&mut self, clock: LocalClock, time: f64, arrival: f64) -> Segment {
         let zero = clock.zero();
         let last = &self.last;
@@ -56,13 +56,13 @@ impl<'a> Shaking<'a> {
         self.last.segment
     }
 
-    /// How far the grounds of a pair have moved towards each other, and at which rate; nothing where they move alike.
+    /// How far the grounds of a pair have moved towards each other, and at which rate; `None` if they move alike.
     pub(super) fn opening(&self, contact: &Contact, now: Past) -> Option<Motion> {
         let travel = self.travel.as_ref().filter(|_| contact.opens())?;
         Some(travel.opening_at(contact.floors(), now.instant()))
     }
 
-    /// Second coefficient of that opening, as a series in time, twice: its acceleration \[m/s²\].
+    /// Acceleration of the opening \[m/s²\]: twice its second coefficient as a series in time.
     pub(super) fn opening_acceleration(&self, contact: &Contact, now: Past) -> Option<f64> {
         let travel = self.travel.as_ref().filter(|_| contact.opens())?;
         Some(2.0 * travel.cubic_opening(contact.floors(), now.instant())[2])

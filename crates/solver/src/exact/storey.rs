@@ -3,7 +3,7 @@
 use crate::exact::member::{Member, Upper};
 use crate::roots::CAPACITY;
 
-/// Clears the drifts of these nodes; none of their coefficients is known.
+/// Clears the drifts of these nodes.
 pub(super) fn begin(members: &mut [Member], nodes: &[usize]) {
     for node in nodes {
         let member = &mut members[*node];
@@ -16,7 +16,7 @@ pub(super) fn begin(members: &mut [Member], nodes: &[usize]) {
     }
 }
 
-/// Finds coefficient `n` of the drifts of these nodes, and of what bends with them; that of the motion is known.
+/// Finds coefficient `n` of the drifts of these nodes, and of their smooth columns, from that of the motion.
 pub(super) fn follow(members: &mut [Member], nodes: &[usize], p: usize, n: usize) {
     for node in nodes {
         let (lower, upper) = members.split_at_mut(*node);
@@ -56,7 +56,7 @@ pub(super) fn own_force(members: &[Member], node: usize, n: usize) -> f64 {
     if member.is_tied() { own + tie(members, member, n) } else { own }
 }
 
-/// Coefficient `n` of the force that a node needs to move as it does.
+/// Coefficient `n` of the force that a node needs for its motion.
 pub(super) fn need(members: &[Member], node: usize, p: usize, n: usize) -> f64 {
     let member = &members[node];
     let ground = member.ground.coefficient(n, p);
@@ -67,7 +67,7 @@ pub(super) fn need(members: &[Member], node: usize, p: usize, n: usize) -> f64 {
     inertia + own_force(members, node, n)
 }
 
-/// What the ground and the storey above add to the force of a floor's own storey.
+/// Force of the ground damper and of the storey above, which adds to that of a floor's storey.
 fn tie(members: &[Member], member: &Member, n: usize) -> f64 {
     let ground = member.ground_damping * member.velocity[n];
     member.above.map_or(ground, |above| {
@@ -76,8 +76,7 @@ fn tie(members: &[Member], member: &Member, n: usize) -> f64 {
     })
 }
 
-/// Magnitude of the terms of the forces of dampers and columns on a node \[N\]; a restoring force near zero has the
-/// rounding of the amplitude.
+/// Magnitude of the terms of damping and column forces on a node \[N\]. A restoring force near zero has the rounding of its amplitude.
 pub(super) fn magnitude(members: &[Member], node: usize) -> f64 {
     let member = &members[node];
     let own = storey_magnitude(members, member);
@@ -98,7 +97,7 @@ fn storey_magnitude(members: &[Member], member: &Member) -> f64 {
     member.damping * drift + member.state.restoring_force.abs() + member.tangent() * amplitude + ground
 }
 
-/// Rate of the drift of a node's storey \[m/s\], now.
+/// Present rate of the drift of a node's storey \[m/s\].
 pub(super) fn rate_of_drift(members: &[Member], node: usize) -> f64 {
     let member = &members[node];
     match &member.storey {

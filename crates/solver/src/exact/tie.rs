@@ -1,16 +1,16 @@
 //! Pairs at rest of a body of any row, and the forces that hold them.
 //!
-//! With G the rows of their relations and W = G M⁻¹ Gᵀ the forces F keep the accelerations of their points equal: W F = c, c the
-//! accelerations towards each other without them. Chains have no need of this: they move as blocks.
+//! With G the rows of their relations and W = G M⁻¹ Gᵀ, the forces F keep the accelerations of touching points equal: W F = c, where c are
+//! the accelerations towards each other without these forces. Chains do not use this: they move as blocks.
 
 use crate::exact::contact::{Contact, System};
 use crate::impact::dense::basis::{Basis, add, dot};
 
-/// Pairs of a body that rest against each other and carry a force.
+/// Pairs of a body that rest against each other with a force.
 #[derive(Debug, Clone)]
 pub(super) struct Tie {
     pub(super) pairs: Vec<usize>,
-    /// Factors of W over those that do not depend on others before them, and their places.
+    /// Factors of W over pairs that do not depend on earlier ones, and the places of these pairs.
     basis: Basis,
     places: Vec<usize>,
     /// Changes of forces that move nothing, orthonormal.
@@ -58,8 +58,8 @@ impl Tie {
         Some(tie)
     }
 
-    /// Puts in place of accelerations towards each other the forces, or of rates the impulses, that take them away; of equal ones
-    /// the least.
+    /// Replaces accelerations towards each other by the forces that cancel them, or rates by impulses. Of several solutions this is the
+    /// smallest.
     pub(super) fn solve(&self, values: &mut [f64]) {
         if self.places.len() == values.len() {
             return self.basis.solve(values);
@@ -76,14 +76,14 @@ impl Tie {
         }
     }
 
-    /// What magnitudes of accelerations make of each force at most, by its place.
+    /// Bound of the force at a place for given magnitudes of accelerations.
     pub(super) fn size(&self, place: usize, magnitudes: &[f64]) -> f64 {
         let n = self.pairs.len();
         dot(&self.sizes[place * n..][..n], magnitudes, 0)
     }
 }
 
-/// The floors that carry points of pairs, rising.
+/// The floors that carry points of pairs, in ascending order.
 pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
     let pushes = pairs.iter().flat_map(|pair| contacts[*pair].relation.pushes());
     let mut floors: Vec<_> = pushes.map(|(floor, _)| floor).collect();
@@ -92,7 +92,7 @@ pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
     floors
 }
 
-/// Elements of the column M^(−½) gᵀ of a pair by the places of these floors.
+/// Elements of the column M^(−½) gᵀ of a pair, by the places of these floors.
 pub(super) fn elements<'a>(
     pair: usize,
     floors: &'a [usize],

@@ -8,18 +8,18 @@ use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
-/// What ends a piece, besides samples of the record and the reach of the series.
+/// Events that end a piece, besides the samples of the record and the reach of the series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Event {
-    /// The velocity of a node on the ground is zero: the end of yielding.
+    /// The velocity of a node on the ground is zero: yielding ends.
     Turn(usize),
-    /// The rate of the drift of a storey above the ground is zero: the end of its yielding.
+    /// The rate of the drift of a storey above the ground is zero: its yielding ends.
     TurnOfDrift(usize),
     /// A node begins to yield.
     Yield(usize, Branch),
-    /// The elastic part of the drift of a node, whose columns yield smoothly, changes its sign.
+    /// The elastic part of the drift of a node with smooth columns changes sign.
     Cross(usize),
-    /// The net pounding force on a node changes its sign.
+    /// The net pounding force on a node changes sign.
     Balance(usize),
     /// The net pounding force on a node has an extremum.
     Extremum(usize),
@@ -27,18 +27,18 @@ pub(super) enum Event {
     Peak(usize),
     /// The contact force of a pair at rest fades.
     Fade(usize),
-    /// The rate of deformation of a pair changes its sign.
+    /// The rate of deformation of a pair changes sign.
     Reversal(usize),
-    /// The law of a pair would pull from here on.
+    /// The law of a pair begins to pull.
     Clamp(usize),
-    /// The law of a pair that would pull pushes again.
+    /// The law of a pair that pulled pushes again.
     Grip(usize),
     /// A pair parts.
     Part(usize),
 }
 
 impl Event {
-    /// Whether it is one of pounding forces alone: they fade, change their sign or have an extremum.
+    /// Whether the event concerns pounding forces only: fading, a change of sign or an extremum.
     pub(super) fn is_of_forces(&self) -> bool {
         matches!(self, Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_))
     }
@@ -46,19 +46,19 @@ impl Event {
 
 /// The search for the first event of a piece.
 pub(super) struct Watch {
-    /// Time since the start of the run, which has the rounding by which the same zero could be found again \[s\].
+    /// Time since the start of the run \[s\]. Its rounding could find the same zero again.
     pub(super) start: f64,
     pub(super) power: Power,
-    /// Every search covers all of it, so that an event does not depend on the order of the searches.
+    /// Length of the search. Every search covers all of it, so that an event does not depend on the order of searches.
     pub(super) reach: f64,
-    /// The first event so far, or the reach.
+    /// Length to the first event so far, or the reach.
     pub(super) length: f64,
-    /// What happens there.
+    /// Events at this length.
     pub(super) events: Vec<Event>,
 }
 
 impl Watch {
-    /// A rise of the polynomial with these coefficients through zero.
+    /// Searches for a rise of the polynomial with these coefficients through zero.
     fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
@@ -69,7 +69,7 @@ impl Watch {
         }
     }
 
-    /// A change of sign; a zero `known` to be at the start is none.
+    /// Searches for a change of sign. A zero that is `known` to be at the start does not count.
     fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
@@ -89,13 +89,13 @@ impl Watch {
                 return;
             };
             let after = self.power.time(x);
-            // Near 0 s the clock tells any two instants apart.
+            // Near 0 s the clock resolves any two instants.
             let at_start = after < SHORTEST_WAY || self.start + after <= self.start;
             if !(begins_at_zero && at_start) {
                 self.take(x, event);
                 return;
             }
-            // The same zero again: what separates the two is rounding.
+            // This is the same zero again: the distance between the two is rounding.
             polynomial[leading] = 0.0;
         }
     }
@@ -120,7 +120,7 @@ impl Touching<'_> {
         match contact.link {
             Link::Apart => {}
             Link::Resting => {
-                // A force that has just faded and grows again begins at zero, not at what rounding made of it.
+                // A force that has just faded and grows again starts at zero, not at its rounding.
                 let known = |n: usize| n == 0 && contact.faded;
                 let pull = |n: usize| if known(n) { 0.0 } else { -contact.force[n] };
                 watch.rise(len, pull, Event::Fade(pair));
@@ -172,7 +172,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Whether the columns of a floor on the ground, or of one that rests against it and shares its velocity, unload where it turns.
+    /// Whether the columns of a floor on the ground, or of a floor that shares its velocity, unload when it turns.
     fn unloads_from(&self, leader: usize) -> bool {
         let mut on_ground = self
             .touching
@@ -181,7 +181,7 @@ impl<R: Recorder> Run<'_, R> {
         on_ground.any(|node| self.moving.members[node].unloads())
     }
 
-    /// What an event changes.
+    /// Applies the effect of an event.
     pub(super) fn apply(&mut self, event: Event, time: f64) {
         match event {
             Event::Turn(leader) => {
@@ -221,7 +221,7 @@ impl<R: Recorder> Run<'_, R> {
                     Link::Touching(Phase::Restitution) => {
                         contact.link = Link::Touching(Phase::Approach);
                     }
-                    // What was left of the deformation is below the tolerance: a new touch may begin.
+                    // The remaining deformation is below the tolerance: a new touch may begin.
                     Link::Touching(Phase::Parting | Phase::Clamped) | Link::Apart | Link::Resting => {
                         (contact.link, contact.deformation) = (Link::Apart, 0.0);
                     }
@@ -238,7 +238,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Finds when the columns of a node turn, yield, or pass through zero.
+/// Searches for the instants at which the columns of a node turn, yield, or pass through zero.
 fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
     if let Some(storey) = member.storey.as_ref().filter(|_| member.unloads()) {
         watch.change_of(len, false, |n| storey.rate[n], Event::TurnOfDrift(node));
@@ -261,12 +261,12 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
     }
 }
 
-/// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
+/// Length up to which the series of a touching pair have converged to the tolerance; `None` if there is no such length.
 pub(super) fn reach(contact: &Contact, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
     if !matches!(contact.link, Link::Touching(_)) {
         return Some(length);
     }
-    // Just after a touch the force is nothing beside what moves, but has to have a sign.
+    // Just after a touch the force is small compared with the moving forces, but its sign must be right.
     let approaches = contact.link == Link::Touching(Phase::Approach);
     let mut x = length;
     loop {
@@ -278,7 +278,7 @@ pub(super) fn reach(contact: &Contact, (power, len): (Power, usize), (length, to
         if tail <= tolerance * sum && (!approaches || pushes()) {
             return Some(x);
         }
-        // What still grows there is no series of this motion.
+        // A series that still grows at this length is not the series of this motion.
         if power.time(x) < SHORTEST_WAY {
             return (tail <= LOST * sum).then_some(x);
         }
@@ -286,7 +286,7 @@ pub(super) fn reach(contact: &Contact, (power, len): (Power, usize), (length, to
     }
 }
 
-/// Magnitudes of the terms of a series at x, all of them and those of its last quarter.
+/// Magnitudes of the terms of a series at x: sums over all of them and over the last quarter.
 fn last_quarter(series: &[f64], x: f64) -> (f64, f64) {
     let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
     for (n, coefficient) in series.iter().enumerate() {

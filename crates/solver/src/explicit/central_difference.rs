@@ -1,16 +1,15 @@
-//! Central difference method: compliant contact by forces at nodes, impacts as velocity jumps.
+//! Central difference method: compliant contact by forces at nodes, impulsive contact by velocity jumps.
 //!
-//! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. Written per unit of mass, so that a
-//! wall is a node of inverse mass 0, and for the increment of the displacement instead of the displacement: the same
-//! equation, but rounding then grows with the number of steps and not with its square (at Δt = 5e-7 s over 3 s it
-//! would spoil the fourth digit).
+//! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. The equations are written per unit of mass, so that a wall
+//! is a node of inverse mass 0. The unknown is the increment of the displacement instead of the displacement. The equation is equivalent,
+//! but rounding then grows with the number of steps instead of its square. The square would spoil the fourth digit at Δt = 5e-7 s over 3 s.
 //!
-//! Where the velocity jumps or the step changes its length, the increment is restarted as the textbook starts a run:
-//! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
-//! equation, so that a restart costs no accuracy.
+//! Where the velocity jumps or the step changes its length, the increment is restarted like a run in the textbook. It follows from the
+//! velocity and the acceleration at the node: Δt u̇ + Δt² ü/2. For a smooth motion this is the same equation, so that a restart costs no
+//! accuracy.
 //!
-//! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
-//! building (`building.rs`). Rows of structures of one storey keep a loop of their own.
+//! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every building
+//! (`building.rs`). Rows of structures of one storey have a separate loop.
 
 #![expect(
     clippy::inline_always,
@@ -38,18 +37,18 @@ use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, S
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
 ///
-/// A run begins from equilibrium, as textbooks do: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2. Impulsive contact is a jump of the velocities at the
-/// node at which an overlap is found.
+/// A run begins from equilibrium, as in textbooks: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2. Impulsive contact is a jump of the velocities at the node
+/// at which an overlap is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CentralDifference {
-    /// Steps into which a time step is divided for structures that touch, 1 to 1000.
+    /// Substeps of a time step for structures that touch, 1 to 1000.
     ///
-    /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
-    /// that next node; a building does so with all its floors. Others keep the whole step.
+    /// A structure sub-steps from a node at which it overlaps a neighbour, or would overlap a neighbour at the next node, to the next node.
+    /// A building sub-steps with all its floors. Others take the whole step.
     pub contact_substeps: u32,
 }
 
-/// More would be a run of many times the length that its time step says.
+/// Most substeps. A larger number would make the run many times longer than its time step suggests.
 const MOST_SUBSTEPS: u32 = 1000;
 
 impl Default for CentralDifference {
@@ -63,7 +62,7 @@ impl CentralDifference {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RunError::Setting`] for one out of range.
+    /// [`RunError::Setting`] if a setting is out of range.
     pub fn check(self) -> Result<(), RunError> {
         let valid = (1..=MOST_SUBSTEPS).contains(&self.contact_substeps);
         let found = self.contact_substeps.into();
@@ -71,29 +70,29 @@ impl CentralDifference {
     }
 }
 
-/// What each structure carries from step to step.
+/// State of a structure from step to step.
 struct Body<Memory> {
     displacement: f64,
     /// Displacement minus that of the node before \[m\].
     increment: f64,
-    /// Whether the node before lies a sub-step back.
+    /// Whether the node before is a sub-step back.
     fine: bool,
-    /// Central-difference velocity at the node before, before its jump; the equation's damping force is that of this velocity.
+    /// Central-difference velocity at the node before, before its jump. The damping force of the equation belongs to this velocity.
     velocity: f64,
     memory: Memory,
-    /// Start of the span under way.
+    /// Start of the present span.
     start: State,
     start_time: f64,
     start_ground: f64,
     force_from_left: f64,
     force_from_right: f64,
-    /// Impulses from the left and from the right that a whole step gives too much, where a neighbour that sub-steps was
-    /// met at its end: on both the force acts for half a sub-step \[N·s\].
+    /// Excess impulses of a whole step from the left and from the right \[N·s\]. They arise if a neighbour that sub-steps is met at the end
+    /// of the step: the force acts on both sides for half a sub-step.
     excess: (f64, f64),
 }
 
 impl<Memory> Body<Memory> {
-    /// Lets the next displacement follow from the state at this node, a step of this length ahead.
+    /// Sets the next increment from the state at this node, for a step of this length.
     fn restart(&mut self, time_step: f64) {
         let State {
             velocity, acceleration, ..
@@ -102,7 +101,7 @@ impl<Memory> Body<Memory> {
         self.displacement = self.start.displacement + self.increment;
     }
 
-    /// Takes the excess of a whole step out of the velocity at its end; the increment is restarted after it.
+    /// Removes the excess of a whole step from the velocity at its end. The increment is restarted afterwards.
     fn give_back(&mut self, end: &mut State, constants: &Coefficients) {
         let half_damping = 0.5 * constants.damping * constants.time_step;
         let excess = constants.inverse_mass * (self.excess.0 + self.excess.1);
@@ -124,26 +123,26 @@ struct Instant<'a> {
     fine: bool,
 }
 
-/// A run: its model and everything it needs, allocated once.
+/// A run: its model and all its memory, allocated once.
 struct Run<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     /// Whole step and sub-step \[s\].
     steps: [f64; 2],
-    /// For each of them the coefficients of every structure.
+    /// Coefficients of every structure, for both lengths.
     coefficients: [Vec<Coefficients>; 2],
     bodies: Vec<Body<Column::Memory>>,
-    /// Nothing where all structures have one storey.
+    /// `None` if all structures have one storey.
     storeys: Option<Storeys>,
     /// States at a node with velocity jumps.
     states: Vec<State>,
     jumps: Impacts,
-    /// Of each the impulse is the excess of a whole step until its span ends.
+    /// The impulse of each push is the excess of a whole step until its span ends.
     pushes: Pushes,
     approaches: Approaches,
     substeps: u32,
 }
 
-/// Integrates a row; the shared signature of all methods.
+/// Integrates a row, with the signature of all methods.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: CentralDifference,
     row: &Row<Column>,
@@ -158,7 +157,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {
-    /// Node n is reached by the step before the last; the last one gives it a velocity.
+    /// Node n is reached by the second-last step; the last step gives it a velocity.
     const FIRST: usize = 0;
 
     #[inline]
@@ -188,7 +187,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {
     }
 }
 
-/// By how much the displacement at t = 0 is more than that one step before \[m\], from velocity and acceleration there.
+/// Displacement at t = 0 minus displacement one step before \[m\], from the velocity and acceleration at t = 0.
 #[inline(always)]
 pub fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> N {
     let (step, half) = (velocity.like(dt), velocity.like(0.5 * dt));
@@ -240,7 +239,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         }
     }
 
-    /// One node: contact, the equation of every structure that has a node here, its span, impacts.
+    /// One node: contact, the equations and spans of all structures with a node here, impacts.
     fn node<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node, work);
         if self.storeys.is_some() {
@@ -254,7 +253,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         Ok(())
     }
 
-    /// Solves the equations of a node, each for itself, and reports the spans that end there.
+    /// Solves the equations of a node, structure by structure, and reports the spans that end there.
     fn advance<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let structures = self.bodies.iter_mut().zip(self.row.nodes());
         for (index, (body, structure)) in structures.enumerate() {
@@ -301,7 +300,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 }
 
-/// Solves equation (3) for the next displacement; returns the state at the current node, before its velocity jumps.
+/// Solves equation (3) for the next displacement. Returns the state at the current node, before its velocity jumps.
 #[inline]
 fn advance<Column: RestoringForce>(body: &mut Body<Column::Memory>, constants: &Coefficients, column: &Column, ground: f64) -> State {
     let response = column.respond(body.displacement, body.memory);

@@ -1,4 +1,4 @@
-//! Methods that step without solving equations.
+//! Methods whose steps solve no equations.
 
 pub(crate) mod central_difference;
 pub(crate) mod rk4;

@@ -3,9 +3,9 @@
 //! Source: W. Kutta, *Z. Math. Phys.* 46 (1901) 435; Hairer, Nørsett & Wanner, *Solving Ordinary Differential
 //! Equations I*, II.1.
 //!
-//! Compliant pairs push in every stage with the true rate of deformation there. Columns answer every stage from what
-//! they remembered at the start of the step and remember the end of it, so that a yielding column costs the method its
-//! order. The ground acceleration half way through a step is the record's own.
+//! Compliant pairs push in every stage with the rate of deformation of that stage. In every stage the columns respond from their memory at
+//! the start of the step. The memory changes only at the end of the step: yielding columns lower the order of the method. The ground
+//! acceleration in the middle of a step is taken from the record.
 
 use crate::impact::impacts::Impacts;
 use crate::march::{Step, Stepping, march};
@@ -15,15 +15,16 @@ use crate::pushes::Pushes;
 use crate::span::Load;
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
-/// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.
+/// Settings of the classical Runge–Kutta method (none). Order 4 while nothing touches or yields.
 ///
 /// Impulsive laws act after a step, as a jump of the velocities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rk4;
 
 impl Rk4 {
-    /// Time step \[s\] from which on the method is unstable for a linear structure of circular frequency ω \[rad/s\]
-    /// and damping ratio ζ ≥ 0: 2√2/ω without damping, 2.785/λ with the fastest decay λ of an overdamped structure.
+    /// Largest stable time step \[s\] for a linear structure of circular frequency ω \[rad/s\] and damping ratio ζ ≥ 0.
+    ///
+    /// It is 2√2/ω without damping, and 2.785/λ for an overdamped structure with the fastest decay rate λ \[1/s\].
     pub fn critical_time_step(angular_frequency: f64, damping_ratio: f64) -> f64 {
         // Slow and fast decay of an overdamped structure lie on the negative real axis; the fast one limits.
         let (real, imaginary, radius) = if damping_ratio < 1.0 {
@@ -48,7 +49,7 @@ impl Rk4 {
     }
 }
 
-/// |1 + z + z²/2 + z³/6 + z⁴/24|², the growth of the method's answer to ẏ = λy, z = λΔt.
+/// |1 + z + z²/2 + z³/6 + z⁴/24|²: growth per step of the method's solution of ẏ = λy, z = λΔt.
 fn growth(x: f64, y: f64) -> f64 {
     let (mut real, mut imaginary) = (1.0, 0.0);
     for divisor in [4.0, 3.0, 2.0, 1.0] {
@@ -65,18 +66,18 @@ struct Scratch<Memory> {
     /// States at the start of the step, after impacts.
     states: Vec<State>,
     memories: Vec<Memory>,
-    /// States of the stage under way.
+    /// States of the present stage.
     stages: Vec<State>,
-    /// Weighted sums over the stages of velocities and accelerations.
+    /// Weighted sums of velocities and accelerations over the stages.
     slopes: Vec<(f64, f64)>,
-    /// What acts on each structure in the stages.
+    /// Loads on each structure in the stages.
     loads: Vec<[Load; 4]>,
     pushes: Pushes,
     approaches: Approaches,
     impacts: Impacts,
 }
 
-/// Integrates a row; the shared signature of all methods.
+/// Integrates a row, with the signature of all methods.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     _: Rk4,
     row: &Row<Column>,
@@ -117,8 +118,7 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
-    /// The four stages, under the ground acceleration at the start, middle and end of the step; the first is the state
-    /// at the start.
+    /// The four stages, under the ground acceleration at the start, middle and end of the step. The first stage is the state at the start.
     fn advance<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, ground: [Ground<'_>; 3], dt: f64) {
         self.stages.copy_from_slice(&self.states);
         self.slopes.fill((0.0, 0.0));
@@ -132,7 +132,7 @@ impl<Memory: Copy> Scratch<Memory> {
             }
             self.push(row, ground);
             for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
-                // What the columns would remember of a stage is forgotten.
+                // The memory of the columns after a stage is discarded.
                 let drift = row.drift(index, &self.stages);
                 self.stages[index].restoring_force = node.column.respond(drift, *memory).force;
             }
@@ -140,13 +140,13 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
-    /// Gives the stage under way its pounding forces.
+    /// Computes the pounding forces of the present stage.
     fn push<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: Ground<'_>) {
         let (pushes, approaches) = (&mut self.pushes, &mut self.approaches);
         row.push(&mut self.stages, pushes, approaches, ground);
     }
 
-    /// Gives a stage its accelerations, from equilibrium, adds its slopes and keeps its loads.
+    /// Computes the accelerations of a stage from equilibrium, adds its slopes and keeps its loads.
     fn weigh_stage<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
         self.pushes.add(WEIGHTS[index]);
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {

@@ -3,14 +3,13 @@
 //! Source: W. C. Swope et al., *J. Chem. Phys.* 76 (1982) 637; L. Verlet, *Phys. Rev.* 159 (1967) 98. Over a step h:
 //! u⁺ = u + h u̇ + h²ü/2, then u̇⁺ = u̇ + h (ü + ü⁺)/2.
 //!
-//! Damping of the structures is half-implicit: ü⁺ has the damping of u̇⁺ itself (a division, since c is constant). The
-//! method then moves as the central difference method does, is in equilibrium at both ends, and keeps the limit 2/ω
-//! whatever the damping. Floors that stand on floors share it: their velocities then are the solution of a tridiagonal
-//! system. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
+//! Damping of the structures is half-implicit: ü⁺ contains the damping of u̇⁺ (a division, since c is constant). The method then moves like
+//! the central difference method, is in equilibrium at both ends, and keeps the limit 2/ω for any damping. For floors that stand on floors
+//! the velocities are the solution of a tridiagonal system. Compliant contact is explicit: its rate is that of the predicted velocities u̇
+//! + h ü.
 //!
-//! Impacts are located here and not in the central difference method: a step needs nothing but the state it starts
-//! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
-//! which a gap closes is the root of a quadratic.
+//! Impacts are located in this method, not in the central difference method, for two reasons. A step needs only the state at its start, so
+//! that it may begin and end anywhere. And displacements are quadratic in time: a gap closes at the root of a quadratic.
 
 pub(crate) mod formulas;
 mod storeys;
@@ -55,31 +54,31 @@ struct Body<Memory> {
     memory: Memory,
     /// Instant of its state, counted from the start of the step \[s\].
     since: f64,
-    /// Whether it gets a state at the instant under way.
+    /// Whether the structure gets a state at the present instant.
     due: bool,
-    /// Impulses of the pounding forces at the end of the span under way, from the left and from the right \[N·s\].
+    /// Impulses of the pounding forces at the end of the present span, from the left and from the right \[N·s\].
     impulses: (f64, f64),
 }
 
-/// A run: its state and everything it needs, allocated once.
+/// A run: its state and all its memory, allocated once.
 struct Scratch<Memory> {
     when: VerletImpacts,
     bodies: Vec<Body<Memory>>,
     /// Last states, after impacts.
     states: Vec<State>,
-    /// States at the instant under way.
+    /// States at the present instant.
     ends: Vec<State>,
     impacts: Impacts,
-    /// Of each the impulse is that of the force at the end of its span, until that is reported.
+    /// The impulse of each push is that of the force at the end of its span, until the span is reported.
     pushes: Pushes,
-    /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
+    /// When the gap of each pair closes \[s\], counted from the start of the step; infinite if it does not close.
     closings: Vec<f64>,
     approaches: Approaches,
-    /// Nothing where all structures have one storey.
+    /// `None` if all structures have one storey.
     dashpots: Option<Dashpots>,
 }
 
-/// Integrates a row; the shared signature of all methods.
+/// Integrates a row, with the signature of all methods.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Verlet,
     row: &Row<Column>,
@@ -136,7 +135,7 @@ fn begin<Column: RestoringForce>(settings: Verlet, row: &Row<Column>, ground: Gr
 }
 
 impl<Memory: Copy> Scratch<Memory> {
-    /// Finds the impacts within a step, one instant after the other, and lets the velocities jump there.
+    /// Finds the impacts within a step in order of time, and applies the velocity jumps.
     fn locate<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
@@ -147,7 +146,7 @@ impl<Memory: Copy> Scratch<Memory> {
         self.closings.fill(0.0);
         loop {
             for (pair, closing) in row.pairs().iter().zip(&mut self.closings) {
-                // Not a number marks a pair that was located already.
+                // NaN marks a pair that was already located.
                 if pair.law.impulsive().is_none() {
                     *closing = f64::INFINITY;
                 } else if !closing.is_nan() {
@@ -181,7 +180,8 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
-    /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
+    /// Chooses the structures that need a state at this instant: structures that are hit, and structures that touch them, with all their
+    /// floors.
     fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64, ground: Ground<'_>) {
         let pairs = row.pairs();
         for body in &mut self.bodies {
@@ -273,8 +273,8 @@ impl<Memory: Copy> Scratch<Memory> {
 
     /// Impulses of the pounding forces at an instant.
     ///
-    /// A pair's force acts for half the time since both of its structures last had a state, on both: one of them may
-    /// have been hit by its other neighbour since.
+    /// The force of a pair acts on both structures for half the time since both last had a state. Another neighbour may have hit either of
+    /// them since.
     fn share<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64) {
         for body in &mut self.bodies {
             body.impulses = (0.0, 0.0);
@@ -297,8 +297,8 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 }
 
-/// When the gap of a pair closes, counted from the start of the step; infinite where it does not close before its end,
-/// or is closed from the start.
+/// When the gap of a pair closes, counted from the start of the step; infinite if it does not close before the end or is closed from the
+/// start.
 fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
     let since = bodies[pair.left()].since.max(bodies[pair.right()].since);
     let h = |floor: usize| since - bodies[floor].since;
@@ -326,7 +326,7 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
     }
 }
 
-/// The state at the end of a span whose displacement and pounding forces are known; returns what the columns remember.
+/// The state at the end of a span with known displacement and pounding forces; returns the memory of the columns.
 fn close<Column: RestoringForce>(
     node: &Node<Column>,
     body: &Body<Column::Memory>,

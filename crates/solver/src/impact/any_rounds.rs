@@ -1,8 +1,8 @@
-//! Rounds of impulses between pairs that touch and are no chain: several on a side of a floor, points between floors.
+//! Rounds of impulses between touching pairs that are no chain: several pairs on a side of a floor, points between floors.
 //!
-//! The rule is that of `rounds.rs`: pairs that do not separate lose (1+e) of their approach r at least, and those that separate stay out.
-//! Rounds repeat while a pair approaches; the last ones are plastic and take all in. Each asks for 0 ≤ W P − (1 + e) r ⟂ P ≥ 0, a
-//! problem of [`Complementarity`].
+//! The rule is that of `rounds.rs`: pairs that do not separate lose at least (1+e) of their approach r; pairs that separate stay out.
+//! Rounds repeat while a pair approaches. The last rounds are plastic and include all pairs. Each round solves 0 ≤ W P − (1 + e) r ⟂ P ≥ 0,
+//! a problem of [`Complementarity`].
 
 use crate::impact::dense::{ClosedIn, Complementarity, ROUNDING};
 use crate::impact::rounds::MAX_ROUNDS;
@@ -11,13 +11,13 @@ use crate::{Point, Relation, RestoringForce, Row};
 /// A pair that touches.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Closed {
-    /// Rate of deformation \[m/s\], positive while approaching; what rounding leaves of it is none.
+    /// Rate of deformation \[m/s\], positive while approaching. A rate within rounding counts as 0.
     pub(crate) rate: f64,
     /// Coefficient of restitution e \[–\].
     pub(crate) restitution: f64,
-    /// Whether it passes on what it is hit by where it neither approaches nor separates.
+    /// Whether the pair passes on a hit if it neither approaches nor separates.
     pub(crate) passes_on: bool,
-    /// Magnitude of which the rate is rounded \[m/s\].
+    /// Magnitude of the velocities whose rounding the rate has \[m/s\].
     pub(crate) scale: f64,
     /// Impulse of all rounds \[N·s\].
     pub(crate) impulse: f64,
@@ -27,12 +27,12 @@ pub(crate) struct Closed {
 pub(crate) struct AnyRounds {
     pub(crate) pairs: Vec<Closed>,
     pub(crate) problem: Complementarity,
-    /// Which of them take part in a round.
+    /// Which pairs take part in a round.
     parts: Vec<bool>,
 }
 
 impl AnyRounds {
-    /// With room for so many pairs of a row of so many floors.
+    /// Scratch for at most `n_pairs` pairs in a row of `n_floors` floors.
     pub(crate) fn new(n_pairs: usize, n_floors: usize) -> Self {
         Self {
             pairs: Vec::with_capacity(n_pairs),
@@ -41,11 +41,11 @@ impl AnyRounds {
         }
     }
 
-    /// Gives impulses until no pair approaches, `alone` each pair by itself, from first to last; false when none does. The problem
-    /// knows the columns.
+    /// Gives impulses until no pair approaches; false if none did. With `alone` each pair is treated alone, from first to last. The problem
+    /// already has the columns.
     ///
-    /// Errors with the place of a pair that walls on both sides leave no impulse: where grounds move towards each other
-    /// (`opens`). Elsewhere only rounding does, and the pair is left out. `look` may end the rounds.
+    /// The error is the place of a pair that walls on both sides leave no impulse, which is possible if grounds move towards each other
+    /// (`opens`). Otherwise only rounding leads there, and the pair is left out. `look` may end the rounds.
     pub(crate) fn collide<E>(&mut self, alone: bool, opens: bool, look: impl Fn() -> Result<(), E>) -> Result<Result<bool, ClosedIn>, E> {
         let mut round = 0;
         while self.approaches() {
@@ -59,7 +59,7 @@ impl AnyRounds {
                 }
             }
             if round >= 2 * MAX_ROUNDS {
-                // Rounding alone is left.
+                // Only rounding is left.
                 for pair in &mut self.pairs {
                     pair.rate = pair.rate.min(0.0);
                 }
@@ -69,7 +69,7 @@ impl AnyRounds {
         Ok(Ok(round > 0))
     }
 
-    /// Whether a pair approaches beyond rounding.
+    /// Whether a pair approaches by more than rounding.
     fn approaches(&mut self) -> bool {
         for pair in &mut self.pairs {
             if pair.rate > 0.0 && pair.rate <= ROUNDING * pair.scale {
@@ -89,7 +89,7 @@ impl AnyRounds {
         self.parts.extend(self.pairs.iter().enumerate().map(takes_part));
     }
 
-    /// Gives the impulses of a round.
+    /// Applies the impulses of a round.
     fn strike(&mut self, plastic: bool, opens: bool) -> Result<(), ClosedIn> {
         let restitution = |pair: &Closed| if plastic { 0.0 } else { pair.restitution };
         for (index, pair) in self.pairs.iter().enumerate() {
@@ -138,7 +138,7 @@ struct Floor {
     /// Its row in the columns of the problem: floors are listed building by building.
     place: usize,
     inverse_mass: f64,
-    /// Its root.
+    /// Square root of the inverse mass.
     weight: f64,
 }
 
@@ -171,28 +171,28 @@ impl Jumps {
         self.opens = false;
     }
 
-    /// Takes a pair, by its index in the row; rate and scale are those of the grounds under it.
+    /// Adds a pair by its index in the row. `rate` and `scale` are those of the grounds under it.
     pub(crate) fn push(&mut self, (pair, relation): (usize, Relation), closed: Closed) {
         self.touching.push((pair, relation));
         self.rounds.pairs.push(closed);
         self.opens |= closed.rate != 0.0;
     }
 
-    /// The pairs taken, each with its impulse \[N·s\].
+    /// The pairs, each with its impulse \[N·s\].
     pub(crate) fn struck(&self) -> impl Iterator<Item = (usize, f64)> {
         let pairs = self.touching.iter().zip(&self.rounds.pairs);
         pairs.map(|((pair, _), closed)| (*pair, closed.impulse))
     }
 
-    /// Lets the velocities \[m/s\] of all floors jump until no pair approaches that touches; false when none does.
+    /// Applies jumps to the velocities \[m/s\] of all floors until no touching pair approaches; false if none did.
     ///
-    /// Errors with a pair that walls on both sides leave no impulse.
+    /// The error is a pair that walls on both sides leave no impulse.
     pub(crate) fn strike_all(&mut self, velocities: &mut [f64]) -> Result<bool, usize> {
         for ((_, relation), closed) in self.touching.iter().zip(&mut self.rounds.pairs) {
             let speeds = relation.pushes().map(|(floor, part)| (part * velocities[floor]).abs());
             closed.scale += speeds.sum::<f64>();
             closed.rate += relation.ahead(|floor| velocities[floor]);
-            // Points at rest take part in what hits them: whether rounding parts them says nothing.
+            // Points at rest take part in impacts on them, even if rounding parts them.
             if closed.rate.abs() <= ROUNDING * closed.scale {
                 closed.rate = 0.0;
             }
@@ -221,7 +221,7 @@ impl Jumps {
             let floors_of = relation.points().map(Point::floor);
             floors_of.map(|floor| floors[floor].building)
         });
-        // The leftmost building is summed apart: of two buildings, mirrored ones then give mirrored bits.
+        // The leftmost building is summed separately, so that mirroring two buildings mirrors the bits.
         let first = buildings.min().unwrap_or(0);
         let split = floors.iter().filter(|floor| floor.building <= first);
         problem.begin(floors.len(), split.count());
@@ -241,7 +241,7 @@ mod tests {
     use super::*;
     use crate::{Elastic, Node, Pair};
 
-    /// Two floors at rest against each other, parted by rounding alone, were hit one after the other: the second by 0.75 N·s, not 1.
+    /// Two floors at rest against each other, separated only by rounding, were hit in sequence: the second got 0.75 N·s instead of 1.
     #[test]
     fn issue_rounding_does_not_keep_floors_at_rest_out_of_an_impact() {
         let law = |restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution });

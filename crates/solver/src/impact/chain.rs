@@ -1,12 +1,12 @@
-//! Impulses of several pairs at one instant, found together; of one scene, or of several side by side.
+//! Impulses of several pairs of a chain at an instant, found together, for a single scene or for several scenes in lanes.
 //!
-//! The impulses P ≥ 0 of a row take away relative velocity: W P, with W = G M⁻¹ Gᵀ. Asked is the least P that takes
-//! away at least the demand of every pair, 0 ≤ W P − demand ⟂ P ≥ 0. W has no positive element off its diagonal (a
-//! push on a structure drives it into its other neighbour), so that growing the set of pushing pairs is enough: a pair
-//! once taken in never has to leave (R. Chandrasekaran, *Opsearch* 7 (1970) 263).
+//! The impulses P ≥ 0 of a row remove relative velocity W P, with W = G M⁻¹ Gᵀ. The solution is the smallest P that removes at least the
+//! demand of every pair: 0 ≤ W P − demand ⟂ P ≥ 0. W has no positive off-diagonal element (a push on a structure drives it into its other
+//! neighbour). A growing set of pushing pairs therefore suffices: a pair in the set never has to leave it (R. Chandrasekaran, *Opsearch* 7
+//! (1970) 263).
 //!
-//! `exact/impacts.rs` solves the same problem in another way on purpose: it keeps rates of deformation that are no differences of
-//! velocities. This one takes mobilities, which Moreau–Jean stepping changes from step to step.
+//! `exact/impacts.rs` deliberately solves this problem by another route: its rates of deformation are stored numbers, not differences of
+//! velocities. The solver here takes mobilities, which Moreau–Jean stepping changes from step to step.
 
 #![expect(
     clippy::inline_always,
@@ -15,21 +15,21 @@
 
 use pounding_contact::Number;
 
-/// What rounding leaves of a demand that was met, relative to its terms.
+/// Rounding of a demand that was met, relative to its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The pairs that take part, from left to right, and scratch.
 ///
-/// Numbers stand in the order of the links; there is room for one of every pair of the row, so that nothing is allocated later.
+/// Numbers are in the order of the links. There is room for every pair of the row, so that nothing is allocated later.
 pub(crate) struct Together<N: Number> {
     pub(crate) links: Vec<Link>,
-    /// Relative velocity that each pair has to lose \[m/s\]; −∞ in scenes in which it takes no part.
+    /// Relative velocity that each pair must lose \[m/s\]; −∞ in scenes in which the pair takes no part.
     pub(crate) demand: Vec<N>,
-    /// Impulse of each \[N·s\], ≥ 0.
+    /// Impulse of each pair \[N·s\], ≥ 0.
     pub(crate) impulses: Vec<N>,
-    /// Where it pushes.
+    /// Scenes in which each pair pushes.
     taken: Vec<N::Mask>,
-    /// Mobility of everything a pair has on its left, joined through the pairs that push.
+    /// Mobility of the structures to the left of a pair, joined through pushing pairs.
     behind: Vec<N>,
 }
 
@@ -42,7 +42,7 @@ pub struct Link {
     pub left: usize,
     /// Right neighbour.
     pub right: usize,
-    /// Whether it shares its left neighbour with the link before it.
+    /// Whether the left neighbour is the right neighbour of the link before.
     pub is_joined: bool,
 }
 
@@ -64,7 +64,7 @@ impl<N: Number> Together<N> {
         self.demand.clear();
     }
 
-    /// Takes a pair, farther to the right than those before, and its left neighbour.
+    /// Adds a pair, to the right of the earlier pairs, and its left neighbour.
     #[inline(always)]
     pub(crate) fn push(&mut self, (pair, left): (usize, usize), demand: N) {
         let before = self.links.last();
@@ -79,7 +79,7 @@ impl<N: Number> Together<N> {
 
     /// Finds the impulses from the demands.
     ///
-    /// `mobilities` are the velocities a unit impulse gives to each structure \[1/kg\].
+    /// `mobilities` are the velocities \[1/kg\] of each structure under a unit impulse.
     #[inline(always)]
     pub(crate) fn solve(&mut self, mobilities: &[N]) {
         self.impulses.clear();
@@ -96,13 +96,13 @@ impl<N: Number> Together<N> {
         }
     }
 
-    /// Whether the right neighbour of this pair is the left one of the next.
+    /// Whether the right neighbour of this pair is the left neighbour of the next pair.
     #[inline(always)]
     pub(crate) fn joins_next(&self, index: usize) -> bool {
         self.links.get(index + 1).is_some_and(|next| next.is_joined)
     }
 
-    /// Takes in the pairs that demand more than they get; true when there was one.
+    /// Adds pairs that demand more than they get; true if there were any.
     #[inline(always)]
     fn grow(&mut self, mobilities: &[N]) -> bool {
         let mut grown = false;
@@ -123,10 +123,10 @@ impl<N: Number> Together<N> {
         grown
     }
 
-    /// Solves W P = demand over the taken pairs, run by run from left to right.
+    /// Solves W P = demand over the pushing pairs, run by run from left to right.
     ///
-    /// The diagonal after elimination is a sum of mobilities in series and parallel. Subtracting instead would lose
-    /// as many digits as the masses differ in.
+    /// The diagonal after elimination is a sum of mobilities in series and parallel. A subtraction would lose as many digits as the masses
+    /// differ in.
     #[inline(always)]
     fn eliminate(&mut self, mobilities: &[N]) {
         for (index, link) in self.links.iter().enumerate() {
@@ -146,7 +146,7 @@ impl<N: Number> Together<N> {
             let ahead = mobilities[link.right];
             let mut sum = self.impulses[index];
             if self.joins_next(index) {
-                // Nothing comes back from a pair that does not push: its impulse is 0.
+                // A pair that does not push has impulse 0 and contributes nothing.
                 sum = sum + ahead * self.impulses[index + 1];
             }
             let impulse = sum / (self.behind[index] + ahead);

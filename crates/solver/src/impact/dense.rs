@@ -1,33 +1,32 @@
 //! Impulses of any set of contacts, found together.
 //!
-//! Asked is P with 0 ≤ P ⟂ W P − demand ≥ 0, W = Aᵀ A. The column of a contact is M^(−½) gᵀ: the weights of its points, left
-//! minus right, over the roots of the masses. Or it is D^(−½) L⁻¹ gᵀ, with L D Lᵀ the matrix of a step. P is a minimum of
-//! ½ Pᵀ W P − demandᵀ P over P ≥ 0. A push on a floor may help other contacts of its building: a contact that pushes may have
-//! to leave again. Growing the set, as `chain.rs` does, is not enough.
+//! The problem is 0 ≤ P ⟂ W P − demand ≥ 0 with W = Aᵀ A. The column of a contact is M^(−½) gᵀ: the weights of its points, left minus
+//! right, over the square roots of the masses. Or it is D^(−½) L⁻¹ gᵀ, with L D Lᵀ the matrix of a step. P is a minimum of ½ Pᵀ W P −
+//! demandᵀ P over P ≥ 0. A push on a floor may help other contacts of its building, so that a contact that pushes may have to leave again.
+//! The growing set of `chain.rs` does not suffice.
 //!
-//! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: contacts enter one by one; those
-//! that would pull leave on the way to the next solution. The minimum falls each time, so no set comes twice.
+//! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: contacts enter in turn; contacts that would pull
+//! leave on the way to the next solution. The minimum falls each time, so that no set occurs twice.
 //!
-//! We depart in one step. Contacts may depend on each other: three points between a slab and a storey do, and two walls
-//! beside a mass. If their restitution differs, the demand is no Aᵀb, and least squares have no solution. A contact that
-//! depends on those that push takes the place of one of them: impulses move along the dependence, which changes no
-//! velocity, until the first is zero.
+//! We depart in one step. Contacts may depend on each other, such as three points between a slab and a storey, or two walls beside a mass.
+//! If their restitution differs, the demand is no Aᵀb, and the least-squares problem has no solution. A contact that depends on pushing
+//! contacts then replaces one of them: impulses move along the dependence, which changes no velocity, until the first is zero.
 //!
-//! A P is unique, so velocities are. P may not be, where contacts that get exactly their demand depend on each other. The
-//! answer is then the least Σ P², the limit of equal springs: a second problem of this kind, whatever the order of the contacts.
+//! A P is unique, and so are the velocities. P may not be unique if contacts that get exactly their demand depend on each other. The answer
+//! is then the least Σ P², the limit of equal springs, for any order of the contacts. It is a second problem of this kind.
 
 pub(crate) mod basis;
 
 use basis::{Basis, DEPENDENT, add, dot, norm};
 
-/// What rounding leaves of a demand that was met, relative to its terms.
+/// Rounding of a demand that was met, relative to its terms.
 pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Times that contacts enter, per contact: tests saw one at most. Rounding must not let them enter for ever.
+/// Largest number of entries per contact; tests needed at most one. It prevents endless entries by rounding.
 const ENTRIES: usize = 16;
 /// Contacts that are solved together without further allocation.
 const USUAL: usize = 64;
 
-/// No impulses meet the demands: a contact asks for what others take back that hold the same bodies.
+/// No impulses meet the demands: the contacts that hold a body take back the demand of another contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ClosedIn {
     pub(crate) contact: usize,
@@ -36,20 +35,20 @@ pub(crate) struct ClosedIn {
 /// The problem, its answer and scratch.
 pub(crate) struct Complementarity {
     search: Search,
-    /// Contacts that get exactly their demand; those that push come first.
+    /// Contacts that get exactly their demand; pushing contacts come first.
     tight: Vec<usize>,
-    /// Places among them of those that do not depend on others before them.
+    /// Places of those among them that do not depend on earlier ones.
     members: Vec<usize>,
     /// Changes of their impulses that change no velocity, orthonormal.
     idle: Basis,
-    /// Their impulses without such a change.
+    /// Their impulses without these changes.
     fixed: Vec<f64>,
-    /// Finds the change.
+    /// Search for the change with the least Σ P².
     change: Search,
 }
 
 impl Complementarity {
-    /// For so many contacts and rows of a column.
+    /// A problem with room for this many contacts and rows per column.
     pub(crate) fn new(n_contacts: usize, n_rows: usize) -> Self {
         let n = n_contacts.min(USUAL);
         Self {
@@ -62,20 +61,20 @@ impl Complementarity {
         }
     }
 
-    /// Begins a problem with so many rows in a column.
+    /// Begins a problem with this many rows per column.
     ///
-    /// Products sum the rows before `split` and those behind apart. Two bodies, one on each side, may then change places
-    /// without a change of bits.
+    /// Products sum the rows before `split` and the rows after it separately. Two bodies, one on each side, may then be swapped without a
+    /// change of bits.
     pub(crate) fn begin(&mut self, n_rows: usize, split: usize) {
         self.search.begin(n_rows, split);
     }
 
-    /// Takes a contact, by the elements of its column that are not zero.
+    /// Adds a contact by the nonzero elements of its column.
     pub(crate) fn push(&mut self, column: impl Iterator<Item = (usize, f64)>) {
         self.search.push(column);
     }
 
-    /// Asks for the velocity that a contact is to lose at least \[m/s\]; `scale` is the magnitude at which that was rounded.
+    /// Sets the velocity that a contact must lose at least \[m/s\]; `scale` is the magnitude of its rounding.
     pub(crate) fn ask(&mut self, contact: usize, demand: f64, scale: f64) {
         self.search.contacts[contact].demand = demand;
         self.search.contacts[contact].scale = scale;
@@ -89,7 +88,7 @@ impl Complementarity {
         self.search.drive();
     }
 
-    /// The velocity that the impulses applied last take from a contact \[m/s\].
+    /// Velocity that the last applied impulses remove from a contact \[m/s\].
     pub(crate) fn taken(&self, contact: usize) -> f64 {
         self.search.taken(contact)
     }
@@ -99,17 +98,17 @@ impl Complementarity {
         self.search.contacts.iter().map(|contact| contact.impulse)
     }
 
-    /// Finds the impulses; true if they are unique: no contact that pushes depends on others that get exactly their demand.
+    /// Finds the impulses; true if they are unique: no pushing contact depends on others that get exactly their demand.
     ///
-    /// Rarely, those others are zero in every answer; the impulses are then unique without being called so. The caller checks
-    /// what rounding leaves of the demands.
+    /// Rarely, those others are zero in every answer: the impulses are then unique although the result is false. The caller checks the
+    /// demands against rounding.
     pub(crate) fn solve(&mut self) -> Result<bool, ClosedIn> {
         self.search.solve()?;
         self.gather();
         Ok(self.idle.len == 0 || self.spread())
     }
 
-    /// Lists the contacts that get exactly their demand, and what their impulses may change without any velocity.
+    /// Lists the contacts that get exactly their demand, and the changes of their impulses that change no velocity.
     fn gather(&mut self) {
         let search = &mut self.search;
         self.tight.clone_from(&search.pushing);
@@ -139,10 +138,10 @@ impl Complementarity {
         }
     }
 
-    /// Goes to the least Σ P²; true if no change is possible of a contact that pushes.
+    /// Finds the least Σ P²; true if no pushing contact can change.
     ///
-    /// Without idle changes Σ P² is least, but some may pull. With N the idle changes as columns, N Nᵀμ mends that,
-    /// 0 ≤ μ ⟂ N Nᵀ μ + those impulses ≥ 0.
+    /// Without idle changes Σ P² is least, but some contacts may pull. With N the idle changes as columns, N Nᵀμ corrects this: 0 ≤ μ ⟂ N
+    /// Nᵀ μ + those impulses ≥ 0.
     fn spread(&mut self) -> bool {
         let (contacts, change) = (&mut self.search.contacts, &mut self.change);
         self.fixed.clear();
@@ -161,7 +160,7 @@ impl Complementarity {
             contact.scale = largest;
             contact.demand = if contact.norm > DEPENDENT { -impulse } else { f64::NEG_INFINITY };
         }
-        // Without a change the impulses meet the demands too: where rounding hides the least ones, they stay.
+        // The impulses meet the demands without a change, too. If rounding hides the least ones, they stay.
         let found = change.solve().is_ok();
         let mut unique = true;
         for (place, contact) in self.tight.iter().enumerate() {
@@ -182,14 +181,14 @@ struct Contact {
     /// Length of its column.
     norm: f64,
     demand: f64,
-    /// Magnitude at which that was rounded.
+    /// Magnitude of the rounding of the demand.
     scale: f64,
     impulse: f64,
-    /// Whether rounding alone lets it enter.
+    /// Whether only rounding lets the contact enter.
     refused: bool,
 }
 
-/// The search for contacts that push, whose columns do not depend on each other.
+/// The search for pushing contacts with independent columns.
 struct Search {
     contacts: Vec<Contact>,
     /// A, column by column.
@@ -197,11 +196,11 @@ struct Search {
     /// Contacts that push, in the order of the basis.
     pushing: Vec<usize>,
     basis: Basis,
-    /// Impulses of those that push if none of them may leave.
+    /// Impulses of the pushing contacts if none may leave.
     free: Vec<f64>,
     /// A P.
     driven: Vec<f64>,
-    /// The sum of its terms without their signs.
+    /// Sum of the magnitudes of the terms of A P.
     sizes: Vec<f64>,
 }
 
@@ -273,7 +272,7 @@ impl Search {
         Ok(())
     }
 
-    /// The contact without impulse that lacks most, by the length of its column.
+    /// The contact without impulse that lacks most, relative to the length of its column.
     fn most_lacking(&self) -> Option<usize> {
         let (mut found, mut most) = (None, 0.0);
         for (index, contact) in self.contacts.iter().enumerate() {
@@ -305,13 +304,13 @@ impl Search {
         lack > -DEPENDENT * terms
     }
 
-    /// Expresses a column by those of the basis; true if it does not depend on them.
+    /// Expresses a column by the columns of the basis; true if it is independent of them.
     fn express(&mut self, index: usize) -> bool {
         let n_rows = self.driven.len();
         self.basis.express(&self.columns[index * n_rows..][..n_rows])
     }
 
-    /// Lets a contact push in place of one that it depends on.
+    /// Lets a contact push instead of a contact on which it depends.
     fn exchange(&mut self, index: usize) -> Result<(), ClosedIn> {
         self.basis.coefficients(&mut self.free);
         let negligible = DEPENDENT * self.contacts[index].norm;
@@ -334,15 +333,15 @@ impl Search {
         Ok(())
     }
 
-    /// Goes to the solution over the pushing contacts; those that would pull leave on the way.
+    /// Moves to the solution over the pushing contacts. Contacts that would pull leave on the way.
     fn shrink(&mut self) {
         loop {
             self.free.clear();
             let pushing = self.pushing.iter().map(|index| &self.contacts[*index]);
             self.free.extend(pushing.map(|contact| contact.demand));
             self.basis.solve(&mut self.free);
-            // The part of the way after which a contact that would pull is at zero.
-            // It is none of 0 / 0 for a contact that has just entered, which then leaves.
+            // The part of the way at which a contact that would pull reaches zero. A contact that has just entered gives 0 / 0, counts as
+            // zero, and leaves.
             let ratio = |contact: &Contact, free: f64| {
                 if free > 0.0 {
                     f64::INFINITY
@@ -378,7 +377,7 @@ impl Search {
         self.drive();
     }
 
-    /// Factors of the pushing contacts from one of them on.
+    /// Factorises the columns of the pushing contacts, starting from one of them.
     fn factorize(&mut self, from: usize) {
         self.basis.truncate(from);
         for place in from..self.pushing.len() {

@@ -1,14 +1,13 @@
 //! Impulsive contact as a jump of the velocities after a step: one rule for every stepping method.
 //!
-//! Every impulsive pair whose gap is closed and that approaches parts at e times its approach. One pair alone gets
-//! P = (1+e) m δ̇, m the reduced mass (the paper, equation (4)). Several at once are solved together, in rounds:
-//! 0 ≤ u⁺ + e u⁻ ⟂ P ≥ 0 over the touching pairs that do not separate, u the relative velocity (negative while
-//! approaching), repeated while a touching pair still approaches. A round changes the kinetic energy by
-//! ½ Σ P (1−e) u⁻ ≤ 0.
+//! Every impulsive pair that approaches with a closed gap parts at e times its approach. A single pair gets P = (1+e) m δ̇, m the reduced
+//! mass (the paper, equation (4)). Several pairs at once are solved together, in rounds. Each round solves 0 ≤ u⁺ + e u⁻ ⟂ P ≥ 0 over the
+//! touching pairs that do not separate. u is the relative velocity, negative while approaching. Rounds repeat while a touching pair
+//! approaches. A round changes the kinetic energy by ½ Σ P (1−e) u⁻ ≤ 0.
 //!
-//! Pairs one by one, each from the velocities before, would not create energy either (their impulses' product enters
-//! it with a minus sign), but would destroy it: a mass hit at once from both sides, e = 1, is not turned round, and its
-//! neighbours go on approaching.
+//! Treating each pair alone, from the velocities before, would not create energy either (the product of their impulses enters it with a
+//! minus sign). But it would destroy energy: a mass hit from both sides at once, e = 1, would not turn round, and its neighbours would go
+//! on approaching.
 
 use crate::impact::any_rounds::{Closed, Jumps};
 use crate::impact::rounds::{Rounds, Touching};
@@ -19,18 +18,18 @@ use crate::{Impact, Pair, Recorder, RestoringForce, Row, RunError, State};
 pub(crate) struct Impacts {
     /// Impulsive pairs that touch at this instant.
     pub(crate) touching: Vec<bool>,
-    /// Impulse of every pair \[N·s\], all rounds.
+    /// Impulse of every pair \[N·s\], over all rounds.
     impulses: Vec<f64>,
     /// Velocity of every structure before the instant.
     before: Vec<f64>,
-    /// Net impulse on every structure, where impulses were found with the step.
+    /// Net impulse on every structure, for impulses that were found with the step.
     net: Vec<f64>,
-    /// Its velocity after the impulses, where pairs are no chain.
+    /// Velocity of every structure after the impulses, if pairs are no chain.
     after: Vec<f64>,
     rounds: Solver,
 }
 
-/// What finds the impulses of a row.
+/// Solver for the impulses of a row.
 enum Solver {
     Chain(Box<Rounds<f64>>),
     Any(Box<Jumps>),
@@ -55,7 +54,7 @@ impl Impacts {
         }
     }
 
-    /// Lets the impulsive pairs whose gap is closed jump; true when one did. Errors are those of [`Self::jump`].
+    /// Applies jumps to the impulsive pairs with a closed gap; true if any jumped. The errors are those of [`Self::jump`].
     pub(crate) fn after_step<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
@@ -75,10 +74,10 @@ impl Impacts {
         }
     }
 
-    /// Lets the pairs marked as touching jump: velocities, then accelerations from equilibrium; true when one did.
+    /// Applies jumps to the pairs marked as touching: first velocities, then accelerations from equilibrium; true if any jumped.
     ///
-    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported. Errors with pairs that
-    /// are no chain and whose walls close in on them; of a chain the velocities are then no longer finite.
+    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported. Returns an error if pairs are
+    /// no chain and their walls close in on them. In a chain the velocities become non-finite in this case.
     pub(crate) fn jump<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
@@ -149,7 +148,7 @@ impl Impacts {
         }
     }
 
-    /// Keeps the impulses found, and gives states the velocities after them.
+    /// Keeps the impulses found, and gives the states their new velocities.
     fn tell(&mut self, states: &mut [State]) {
         match &self.rounds {
             Solver::Chain(rounds) => {
@@ -171,7 +170,7 @@ impl Impacts {
         }
     }
 
-    /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.
+    /// Adds the impulses of all pairs that were found with the step to the velocities. The precondition is that of a jump.
     pub(crate) fn impose<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
@@ -192,7 +191,7 @@ impl Impacts {
         }
     }
 
-    /// Reports the impacts of an instant; accelerations follow the new velocities.
+    /// Reports the impacts of an instant, and updates the accelerations from the new velocities.
     fn settle<Column: RestoringForce, R: Recorder>(
         &self,
         row: &Row<Column>,
@@ -208,7 +207,7 @@ impl Impacts {
         }
     }
 
-    /// Whether the velocity of a node has jumped, or that of a floor to which a damper joins it.
+    /// Whether the velocity of a node has jumped, or that of a floor joined to it by a damper.
     fn feels_jump<Column: RestoringForce>(&self, row: &Row<Column>, node: usize, states: &[State]) -> bool {
         let jumped = |node: usize| (states[node].velocity - self.before[node]).abs() > 0.0;
         let below = row.nodes()[node].support.below();
@@ -236,7 +235,7 @@ impl Impacts {
 fn strike<Column: RestoringForce>(row: &Row<Column>, impulses: &[f64], net: &mut [f64], states: &mut [State]) {
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {
-        // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
+        // Summed before it is added to a velocity, so that a mirrored row gives mirrored bits.
         pair.relation.spread(*impulse, |floor, impulse| net[floor] += impulse);
     }
     for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {

@@ -1,4 +1,4 @@
-//! Impulses of impacts at one instant: one pair, chains of pairs, any set of pairs.
+//! Impulses of impacts at an instant, for a single pair, chains of pairs, and any set of pairs.
 
 pub(crate) mod any_rounds;
 pub(crate) mod chain;

@@ -1,4 +1,4 @@
-//! Rounds of impulses between pairs that touch and are a chain, of one scene or of several side by side.
+//! Rounds of impulses between touching pairs of a chain, for a single scene or for several scenes in lanes.
 
 #![expect(
     clippy::inline_always,
@@ -9,26 +9,26 @@ use pounding_contact::Number;
 
 use crate::impact::chain::{Link, Together};
 
-/// Rounds after which the rest is plastic: what still touches and approaches then stays together.
+/// Number of rounds. Later rounds are plastic: pairs that still touch and approach stay together.
 pub(crate) const MAX_ROUNDS: u32 = 50;
-/// An approach left by rounding, relative to the velocities.
+/// Rounding of an approach, relative to the velocities.
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// An impulsive pair that touches.
 #[expect(missing_debug_implementations, reason = "masks of lanes have none")]
 pub struct Touching<N: Number> {
-    /// The scenes in which it does.
+    /// The scenes in which the pair touches.
     pub scenes: N::Mask,
     /// 1 + e.
     pub factor: N,
     /// Rate at which the grounds under it move towards each other \[m/s\].
     pub opening_rate: N,
-    /// The magnitude of which that is rounded \[m/s\]; its velocities are added when it is struck.
+    /// Magnitude of the rounding of `opening_rate` \[m/s\]. The velocities are added at the impact.
     pub speeds: N,
 }
 
 impl<N: Number> Touching<N> {
-    /// A pair under which no ground moves towards the other.
+    /// A pair whose grounds do not move relative to each other.
     #[inline(always)]
     pub fn on_one_ground(scenes: N::Mask, factor: N) -> Self {
         let zero = factor.like(0.0);
@@ -45,9 +45,9 @@ impl<N: Number> Touching<N> {
 #[expect(missing_debug_implementations, reason = "scratch")]
 pub struct Rounds<N: Number> {
     touching: Vec<Touching<N>>,
-    /// Impulse of each \[N·s\], all rounds.
+    /// Impulse of each pair \[N·s\], over all rounds.
     impulses: Vec<N>,
-    /// Velocity of every structure \[m/s\], before and after; those of structures that touch none are left alone.
+    /// Velocity of every structure \[m/s\], before and after. Structures that touch nobody are not updated.
     velocities: Vec<N>,
     /// Velocities that a unit impulse gives to each structure \[1/kg\].
     mobilities: Vec<N>,
@@ -55,19 +55,19 @@ pub struct Rounds<N: Number> {
 }
 
 impl<N: Number> Rounds<N> {
-    /// Of structures of such mobilities \[1/kg\], with room for so many pairs.
+    /// Rounds for structures with these mobilities \[1/kg\], with room for this many pairs.
     pub fn new(mobilities: Vec<N>, n_pairs: usize) -> Self {
         Self {
             touching: Vec::with_capacity(n_pairs),
             impulses: Vec::with_capacity(n_pairs),
-            // Of the same length; none is read before it is taken.
+            // Only the length matters: every value is set before it is read.
             velocities: mobilities.clone(),
             mobilities,
             together: Together::new(n_pairs),
         }
     }
 
-    /// Takes structures of such mobilities \[1/kg\] in place of those it has, and forgets the pairs.
+    /// Replaces the structures by others with these mobilities \[1/kg\], and forgets the pairs.
     #[inline(always)]
     pub fn renew(&mut self, mobilities: impl Iterator<Item = N>) {
         self.clear();
@@ -84,7 +84,7 @@ impl<N: Number> Rounds<N> {
         self.together.clear();
     }
 
-    /// Takes a pair, farther to the right than those before, and its left neighbour.
+    /// Adds a pair, to the right of the earlier pairs, and its left neighbour.
     #[inline(always)]
     pub fn push(&mut self, of: (usize, usize), touching: Touching<N>) {
         let zero = touching.factor.like(0.0);
@@ -93,26 +93,26 @@ impl<N: Number> Rounds<N> {
         self.touching.push(touching);
     }
 
-    /// Velocity of a structure after \[m/s\], of one that touches.
+    /// Velocity \[m/s\] after the impacts of a structure that touches.
     #[inline(always)]
     pub fn velocity(&self, node: usize) -> N {
         self.velocities[node]
     }
 
-    /// The pairs taken.
+    /// The pairs.
     #[inline(always)]
     pub fn links(&self) -> &[Link] {
         &self.together.links
     }
 
-    /// The same, each with its impulse \[N·s\].
+    /// The pairs, each with its impulse \[N·s\].
     #[inline(always)]
     pub fn struck(&self) -> impl Iterator<Item = (Link, N)> {
         let links = self.together.links.iter();
         links.copied().zip(self.impulses.iter().copied())
     }
 
-    /// Lets the velocities before \[m/s\] jump until no pair approaches that touches; false when none does.
+    /// Applies jumps to the velocities \[m/s\] until no touching pair approaches; false if none did.
     #[inline(always)]
     pub fn strike_all(&mut self, velocity: impl Fn(usize) -> N) -> bool {
         for (pair, link) in self.touching.iter_mut().zip(&self.together.links) {
@@ -130,7 +130,7 @@ impl<N: Number> Rounds<N> {
         round > 0
     }
 
-    /// Asks what each pair has to lose in this round; true when one approaches.
+    /// Finds the demand of each pair in this round; true if any pair approaches.
     #[inline(always)]
     fn demand(&mut self, round: u32) -> bool {
         let Some(zero) = self.impulses.first().map(|impulse| impulse.like(0.0)) else {
@@ -142,7 +142,7 @@ impl<N: Number> Rounds<N> {
         for (demand, (link, pair)) in demand.iter_mut().zip(links.iter().zip(&self.touching)) {
             let faster = self.velocities[link.left] - self.velocities[link.right];
             let rate = faster + pair.opening_rate;
-            // The first round meets real approaches; later ones also meet what rounding made of those.
+            // The first round has true approaches; later rounds also have their rounding.
             let left_over = if round == 0 { zero } else { zero.like(ROUNDING) * pair.speeds };
             approaching = approaching | (pair.scenes & rate.exceeds(left_over));
             let wanted = if round == MAX_ROUNDS {
@@ -152,7 +152,7 @@ impl<N: Number> Rounds<N> {
             };
             *demand = N::select(pair.scenes, wanted, nothing);
         }
-        // A scene in which no pair approaches is at its end.
+        // A scene in which no pair approaches is done.
         for demand in demand {
             *demand = N::select(approaching, *demand, nothing);
         }
@@ -167,7 +167,7 @@ impl<N: Number> Rounds<N> {
         for (index, link) in self.together.links.iter().enumerate() {
             let impulse = impulses[index];
             self.impulses[index] = self.impulses[index] + impulse;
-            // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
+            // Summed before it is added to a velocity, so that a mirrored row gives mirrored bits.
             let net = if link.is_joined { impulses[index - 1] - impulse } else { -impulse };
             let (left, right) = (link.left, link.right);
             velocities[left] = velocities[left] + mobilities[left] * net;

@@ -1,8 +1,8 @@
 //! Impulses of Moreau–Jean stepping on buildings of several storeys.
 //!
-//! An impulse on one floor moves the others of its building within the step, through the storeys, and those of buildings
-//! that a compliant pair joins to it. Velocities follow impulses by the inverse of the matrix of the step's equations, and
-//! all pairs of a cluster are solved with that.
+//! An impulse on a floor moves the other floors of its building within the step, through the storeys, and the floors of buildings that
+//! compliant pairs join to it. Velocities follow from impulses by the inverse of the matrix of the step's equations. All pairs of a cluster
+//! are solved with this inverse.
 
 use crate::impact::dense::{ClosedIn, Complementarity};
 use crate::implicit::clusters::Clusters;
@@ -11,19 +11,19 @@ use crate::implicit::equation::Slopes;
 use crate::implicit::step::Scratch;
 use crate::{RestoringForce, Row};
 
-/// Solutions of a step after which every other one is taken half way: columns that yield under one impulse and do not under
-/// the next would else change their tangents for ever (one in 2400 random rows of light floors, Δt = 0.01 s).
+/// Solutions of a step after which every second one is taken half way. Otherwise columns that yield under one impulse and not under the
+/// next could change their tangents for ever (1 in 2400 random rows of light floors, Δt = 0.01 s).
 const TRUSTED: u32 = 8;
 
 /// Scratch of the clusters with storeys.
 pub(crate) struct Joint {
-    /// Closed impulsive pairs that belong to such a cluster.
+    /// Closed impulsive pairs of clusters with storeys.
     pub(crate) members: Vec<bool>,
-    /// Those of the cluster under way.
+    /// Pairs of the present cluster.
     pairs: Vec<usize>,
-    /// What equilibrium leaves open of the velocity of a node \[m/s\].
+    /// Uncertainty of the velocity of each node after equilibrium \[m/s\].
     uncertain: Vec<f64>,
-    /// Places of its nodes, building by building.
+    /// Places of the nodes of the cluster, building by building.
     places: Vec<usize>,
     problem: Complementarity,
 }
@@ -39,8 +39,8 @@ impl Joint {
         }
     }
 
-    /// Finds anew the impulses of every cluster with storeys that has a pair which does not meet the law of impact; true
-    /// when there was such a pair. Errors with a pair that walls on both sides leave no impulse.
+    /// Finds new impulses for every cluster with storeys in which a pair violates the law of impact; true if there was such a pair. The
+    /// error is a pair that walls on both sides leave no impulse.
     pub(crate) fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
@@ -70,7 +70,7 @@ impl Joint {
         lacked
     }
 
-    /// The same for one cluster.
+    /// Finds new impulses for a cluster.
     fn settle<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
@@ -93,7 +93,7 @@ impl Joint {
         joined.solve(row, trials, &scratch.pairs);
         for (open, node) in joined.profile.vector.iter().zip(joined.nodes) {
             self.uncertain[*node] = slopes.velocity * open;
-            // No impulse moves a floor more than if it were free.
+            // An impulse moves a floor at most as far as a free floor.
             contacts.mobilities[*node] = row.nodes()[*node].inverse_mass;
         }
         let mut lacked = false;
@@ -123,14 +123,14 @@ impl Joint {
         Ok(true)
     }
 
-    /// Solves for the impulses of the cluster under way.
+    /// Solves for the impulses of the present cluster.
     fn replace<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
         contacts: &mut Contacts,
         scratch: &Scratch<Column::Memory>,
     ) -> Result<(), usize> {
-        // Without the impulses found so far, which are to be replaced.
+        // Remove the earlier impulses, which are about to be replaced.
         let earlier = self.pairs.iter().map(|index| contacts.impulses[*index]);
         self.problem.apply(earlier);
         for (place, &index) in self.pairs.iter().enumerate() {

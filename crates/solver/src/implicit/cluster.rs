@@ -1,4 +1,4 @@
-//! Buildings that find their equilibrium together: elimination in their equations, by what couples them.
+//! Buildings that find their equilibrium together, and the elimination in their equations, by kind of coupling.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::profile::Profile;
 use crate::{RestoringForce, Row};
 
-/// Structures of one storey that stand side by side; each touches the next.
+/// Neighbouring structures of one storey; each touches the next.
 pub(crate) struct Line {
     pub(crate) nodes: Range<usize>,
     pub(crate) pairs: Range<usize>,
@@ -48,7 +48,7 @@ impl Cluster for Line {
     }
 }
 
-/// One building that touches nobody.
+/// A building that touches nobody.
 pub(crate) struct Alone<'a> {
     /// Its floors from the ground up.
     pub(crate) floors: &'a [usize],
@@ -67,7 +67,7 @@ impl Cluster for Alone<'_> {
         std::iter::empty()
     }
 
-    /// Elimination in the tridiagonal system of its floors, as in that of a [`Line`].
+    /// Elimination in the tridiagonal system of its floors, as for a [`Line`].
     #[inline]
     fn correct<Column: RestoringForce>(&mut self, _: &Row<Column>, trials: &mut [Trial<Column::Memory>], _: &[PairTrial]) {
         for floors in self.floors.windows(2) {
@@ -93,11 +93,11 @@ pub(crate) struct Joined<'a> {
     /// Their floors in the order of elimination.
     pub(crate) nodes: &'a [usize],
     pub(crate) pairs: &'a [usize],
-    /// The matrix, laid out for them.
+    /// The matrix, laid out for the cluster.
     pub(crate) profile: &'a mut Profile,
-    /// Where each node comes in that order.
+    /// Place of each node in the order of elimination.
     pub(crate) place: &'a [usize],
-    /// What the equation of each node is multiplied by.
+    /// Factor of the equation of each node.
     pub(crate) masses: &'a [f64],
 }
 
@@ -126,10 +126,10 @@ impl Cluster for Joined<'_> {
 }
 
 impl Joined<'_> {
-    /// Makes the matrix of the equations, each times its mass, and solves for the vector of the profile.
+    /// Builds the matrix of the equations, each times its mass, and solves for the vector of the profile.
     ///
-    /// Storeys and pairs push both of their ends alike, as much as these move relative to each other: the matrix so is
-    /// symmetric and, as tangents are ≥ 0, positive definite.
+    /// Storeys and pairs push both of their ends equally, in proportion to their relative motion. The matrix is therefore symmetric and, as
+    /// tangents are ≥ 0, positive definite.
     pub(crate) fn solve<Column: RestoringForce>(&mut self, row: &Row<Column>, trials: &[Trial<Column::Memory>], pairs: &[PairTrial]) {
         self.profile.clear();
         for (place, &node) in self.nodes.iter().enumerate() {
@@ -156,7 +156,7 @@ impl Joined<'_> {
     }
 }
 
-/// Whether two floors move each other; a wall stays.
+/// Whether two floors move each other; a wall never moves.
 pub(crate) fn couples<Column: RestoringForce>(row: &Row<Column>, one: usize, other: usize) -> bool {
     let is_wall = |node: usize| row.nodes()[node].is_wall();
     !is_wall(one) && !is_wall(other)

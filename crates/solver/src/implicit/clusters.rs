@@ -1,4 +1,4 @@
-//! Which buildings move together: those that pairs join.
+//! Clusters: buildings that pairs join and that move together.
 
 use crate::implicit::cluster::{Joined, Line, couples};
 use crate::model::buildings::Buildings;
@@ -6,36 +6,36 @@ use crate::model::incidence::Incident;
 use crate::model::profile::Profile;
 use crate::{Node, RestoringForce, Row};
 
-/// Buildings that pairs join, found anew whenever other pairs join; scratch of a run.
+/// Buildings that pairs join, updated whenever the joining pairs change; scratch of a run.
 pub(crate) struct Clusters {
-    /// Of every building one that comes no later and is joined to it; itself for the first of a cluster.
+    /// For every building, an earlier building joined to it; for the first of a cluster, itself.
     earlier: Vec<usize>,
-    /// Of the first building of a cluster the last one.
+    /// For the first building of a cluster, the last building of the cluster.
     last: Vec<usize>,
-    /// Of every building the next one of its cluster.
+    /// For every building, the next building of its cluster.
     next: Vec<Option<usize>>,
     /// Whether a pair joins a building to another one.
     joined: Vec<bool>,
-    /// Nodes of the cluster gathered last, in the order of elimination: a floor comes after the one below it.
+    /// Nodes of the last gathered cluster, in the order of elimination: a floor comes after the floor below it.
     pub(crate) nodes: Vec<usize>,
-    /// Its pairs.
+    /// Pairs of this cluster.
     pub(crate) pairs: Vec<usize>,
-    /// Those that couple its floors.
+    /// Pairs that couple its floors.
     pushing: Vec<usize>,
-    /// Where each of its nodes comes in that order.
+    /// Place of each of its nodes in that order.
     place: Vec<usize>,
-    /// Mass of every node \[kg\]; 1 for a wall, whose equation says that it stays.
+    /// Mass of every node \[kg\]; 1 for a wall, whose equation keeps it in place.
     masses: Vec<f64>,
     /// Whether the pairs of the row are a chain.
     is_chain: bool,
-    /// Whether the cluster gathered last has a building of several storeys.
+    /// Whether the last gathered cluster has a building of several storeys.
     has_storeys: bool,
-    /// Its matrix.
+    /// Matrix of the cluster.
     profile: Profile,
 }
 
 impl Clusters {
-    /// Of a row with buildings of several storeys, or whose pairs are no chain; nothing for other rows, whose clusters are
+    /// Clusters of a row with buildings of several storeys, or with pairs that are no chain; `None` for other rows, whose clusters are
     /// [lines](Line).
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
         let buildings = row.buildings();
@@ -98,7 +98,7 @@ impl Clusters {
         building
     }
 
-    /// Gathers the cluster that begins with a building; true if there is one, of more than a building alone.
+    /// Gathers the cluster that begins with a building; true if it has more than this building.
     pub(crate) fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, first: usize, is_taken: impl Fn(usize) -> bool) -> bool {
         if !self.joined[first] || self.earlier[first] != first {
             return false;
@@ -114,13 +114,13 @@ impl Clusters {
             building = self.next[index];
         }
         self.has_storeys = tallest > 1;
-        // The matrix is as narrow as there are buildings, level by level, or storeys, building by building.
+        // Level by level the width of the matrix is the number of buildings; building by building it is the number of storeys.
         if n_buildings <= tallest {
             self.nodes.sort_unstable();
         }
         self.pairs.clear();
         for &node in &self.nodes {
-            // Of the floors that carry the left point of a pair, the first to come takes it.
+            // If several floors carry the left point of a pair, the first floor gathered takes the pair.
             for Incident { pair, .. } in row.incidence().at(node).iter().filter(|at| at.on_left) {
                 if is_taken(*pair) && !self.pairs.contains(pair) {
                     self.pairs.push(*pair);
@@ -130,12 +130,12 @@ impl Clusters {
         true
     }
 
-    /// Whether the cluster gathered last is more than a [`Line`]: it has a building of several storeys, or may branch.
+    /// Whether the last gathered cluster is more than a [`Line`]: it has a building of several storeys, or may branch.
     pub(crate) fn is_general(&self) -> bool {
         !self.is_chain || self.has_storeys
     }
 
-    /// Lists where the nodes of the cluster gathered last come in it, building by building; returns how many the first one has.
+    /// Lists the places of the nodes of the last gathered cluster, building by building; returns the number of nodes of the first building.
     pub(crate) fn by_building(&self, buildings: &Buildings, places: &mut Vec<usize>) -> usize {
         let building = |place: &usize| buildings.of(self.nodes[*place]);
         places.clear();
@@ -145,8 +145,8 @@ impl Clusters {
         places.partition_point(|place| Some(building(place)) == first)
     }
 
-    /// The cluster gathered last, if no building of it has several storeys: they stand side by side and each touches the next,
-    /// so that tall buildings elsewhere in the row do not change their bits.
+    /// The last gathered cluster if none of its buildings has several storeys: its structures are neighbours and each touches the next.
+    /// Tall buildings elsewhere in the row then do not change their bits.
     pub(crate) fn line(&self) -> Option<Line> {
         let range = |indices: &[usize]| {
             let (first, last) = (indices.first()?, indices.last()?);
@@ -161,7 +161,7 @@ impl Clusters {
         })
     }
 
-    /// The cluster gathered last; of its pairs, those that push couple their floors.
+    /// The last gathered cluster. Its pairs that push couple their floors.
     pub(crate) fn joined<Column: RestoringForce>(&mut self, row: &Row<Column>, pushes: impl Fn(usize) -> bool) -> Joined<'_> {
         for (place, node) in self.nodes.iter().enumerate() {
             self.place[*node] = place;

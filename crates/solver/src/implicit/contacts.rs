@@ -1,4 +1,4 @@
-//! The impulses of a step of the Moreau–Jean method: which pairs take part, and which lack something of the law of impact.
+//! The impulses of a step of the Moreau–Jean method: pairs that take part, and pairs that violate the law of impact.
 
 use crate::implicit::equation::Slopes;
 use crate::implicit::step::Scratch;
@@ -6,12 +6,12 @@ use crate::implicit::trial::Trial;
 use crate::model::ground::Ground;
 use crate::{Pair, RestoringForce, Row, RunError, State};
 
-/// What a pair may lack of its law, relative to its velocities before and after.
+/// Accepted violation of the law of impact, relative to the velocities before and after.
 const TOLERANCE: f64 = 1e-12;
-/// What rounding leaves of a velocity, relative to what it is a sum of.
+/// Rounding of a velocity, relative to its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// The impulses of a step, and what decides them.
+/// The impulses of a step, and the data that determine them.
 pub(crate) struct Contacts {
     /// Pairs that take part in this step.
     pub(crate) closed: Vec<bool>,
@@ -19,13 +19,13 @@ pub(crate) struct Contacts {
     pub(crate) impulses: Vec<f64>,
     /// Net impulse on every structure \[N·s\].
     pub(crate) net: Vec<f64>,
-    /// Velocity a unit impulse gives to each structure, its smooth forces included \[1/kg\].
+    /// Velocity of each structure under a unit impulse, with its smooth forces \[1/kg\].
     pub(crate) mobilities: Vec<f64>,
-    /// Relative velocity at which each pair is to separate at least \[m/s\].
+    /// Smallest relative velocity of separation of each pair \[m/s\].
     pub(crate) bounce: Vec<f64>,
-    /// Rate at which the grounds of each pair move towards each other at the end of the step \[m/s\]; 0 where they move alike.
+    /// Rate at which the grounds of each pair move towards each other at the end of the step \[m/s\]; 0 if they move alike.
     pub(crate) opening_rates: Vec<f64>,
-    /// Number of the solution under way.
+    /// Number of the present solution.
     pub(crate) solution: u32,
 }
 
@@ -63,7 +63,7 @@ impl Contacts {
         }
     }
 
-    /// Of the pairs chosen, leaves those that still approach at the end of the step without impulses.
+    /// Keeps, of the chosen pairs, those that still approach at the end of the step without impulses.
     pub(crate) fn approach<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &Scratch<Column::Memory>, start: Ground<'_>) {
         for (index, pair) in row.pairs().iter().enumerate() {
             if let Some(law) = pair.law.impulsive().filter(|_| self.closed[index]) {
@@ -74,7 +74,7 @@ impl Contacts {
         }
     }
 
-    /// Displacements and velocities at the end of the step without its smooth forces there, but with the impulses.
+    /// Displacements and velocities at the end of the step without the smooth forces at the end, but with the impulses.
     pub(crate) fn predict<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &mut Scratch<Column::Memory>, slopes: Slopes) {
         self.net.fill(0.0);
         for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
@@ -88,15 +88,15 @@ impl Contacts {
                 state.displacement + dt * state.velocity + slopes.velocity * change,
                 state.velocity + change,
             );
-            // Always from the same guess: a structure that was not hit then gets the same bits again.
+            // The same initial guess every time: a structure that was not hit gets the same bits again.
             trial.acceleration = state.acceleration;
         }
     }
 
-    /// Whether a closed pair does not meet 0 ≤ v⁺ + e v ⟂ P ≥ 0, beyond what balance and rounding leave open.
+    /// Whether a closed pair violates 0 ≤ v⁺ + e v ⟂ P ≥ 0 by more than balance and rounding allow.
     ///
-    /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
-    /// heavy velocities moves both impulses far, and together, for ever.
+    /// The criterion uses velocities, not the change of impulses: for a light structure between heavy ones, the rounding of the heavy
+    /// velocities moves both impulses far, together and for ever.
     pub(crate) fn lacks<Memory>(&self, index: usize, pair: &Pair, scratch: &Scratch<Memory>, uncertain: impl Fn(usize) -> f64) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
@@ -114,9 +114,9 @@ impl Contacts {
         lacking > allowed || (impulse > 0.0 && lacking < -allowed)
     }
 
-    /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
+    /// Removes the impulses from the velocities. They are added once the spans have been reported.
     ///
-    /// Accelerations follow, also of the floors that a damper joins to one that was hit.
+    /// Accelerations follow, also those of floors joined by a damper to a floor that was hit.
     pub(crate) fn release<Column: RestoringForce>(&self, row: &Row<Column>, ends: &mut [State], ground: Ground<'_>) {
         let is_hit = |node: usize| self.net[node].abs() > 0.0;
         for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
@@ -145,7 +145,7 @@ impl Contacts {
         pairs.filter(|pair| touches(*pair)).count() as u64
     }
 
-    /// Why a step is given up: its impulses still change.
+    /// Error of a step whose impulses still change.
     pub(crate) fn failure<Column: RestoringForce>(&self, row: &Row<Column>, time: f64) -> RunError {
         let closed = |(pair, closed): (&Pair, &bool)| closed.then_some((pair.left(), pair.right()));
         let mut pairs = row.pairs().iter().zip(&self.closed).filter_map(closed);

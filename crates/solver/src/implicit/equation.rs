@@ -1,16 +1,16 @@
-//! What a step solves: how its unknowns follow from accelerations, and which floors find their equilibrium together.
+//! The equations of a step: how its unknowns follow from accelerations, and which floors find their equilibrium together.
 
 use crate::implicit::trial::{PairTrial, Trial};
 use crate::{RestoringForce, Row};
 
-/// What a method's step looks like to Newton: how displacement and velocity follow the acceleration.
+/// Slopes of a method's step for Newton's method: how displacement and velocity follow the acceleration.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slopes {
     /// ∂u/∂ü \[s²\].
     pub(crate) displacement: f64,
     /// ∂u̇/∂ü \[s\].
     pub(crate) velocity: f64,
-    /// Weight of the inertia where that of the other forces is 1 \[–\].
+    /// Weight of the inertia if the other forces have weight 1 \[–\].
     pub(crate) inertia: f64,
     /// Δt, for messages \[s\].
     pub(crate) time_step: f64,
@@ -27,15 +27,15 @@ pub(crate) enum Failure {
 
 /// Floors that find their equilibrium together, and how the equations of motion couple them.
 pub(crate) trait Cluster {
-    /// Whether a floor of it may stand on another one.
+    /// Whether a floor may stand on another floor.
     const STOREYS: bool;
 
-    /// All floors of its buildings; each comes after the one below it.
+    /// All floors of the buildings; each comes after the floor below it.
     fn nodes(&self) -> impl Iterator<Item = usize> + Clone;
 
     /// The pairs that push.
     fn pairs(&self) -> impl Iterator<Item = usize>;
 
-    /// One Newton correction: eliminates in the linearised equations, adds what comes out to the accelerations.
+    /// Makes a Newton correction: solves the linearised equations and adds the result to the accelerations.
     fn correct<Column: RestoringForce>(&mut self, row: &Row<Column>, trials: &mut [Trial<Column::Memory>], pairs: &[PairTrial]);
 }

@@ -7,12 +7,12 @@ use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::ground::Ground;
 use crate::{Floor, Node, RestoringForce, Row, Support, Work};
 
-/// Relative rounding of a displacement, a velocity or a deformation: each goes through up to four operations.
+/// Relative rounding of a displacement, a velocity or a deformation, each the result of up to four operations.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Evaluates the residuals of a cluster; returns their sum of squares, each times its mass.
+/// Evaluates the residuals of a cluster; returns the sum of their squares, each times its mass.
 ///
-/// That weight makes light and heavy floors count alike. Walls have no residual.
+/// This weight gives light and heavy floors equal importance. Walls have no residual.
 #[inline]
 pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
@@ -50,7 +50,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     let mut sum = 0.0;
     for index in cluster.nodes() {
         let (node, trial) = (&row.nodes()[index], &mut trials[index]);
-        // The net contact force is summed before it is added to anything: a mirrored row then gives mirrored bits.
+        // The net contact force is summed before it is added, so that a mirrored row gives mirrored bits.
         trial.residual -= node.inverse_mass * (trial.force_from_left + trial.force_from_right);
         if !node.is_wall() {
             sum += trial.residual * trial.residual / node.inverse_mass;
@@ -59,15 +59,14 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     sum
 }
 
-/// Displacement and velocity that follow from the acceleration.
+/// Updates displacement and velocity from the acceleration.
 #[inline]
 fn follow<Memory>(trial: &mut Trial<Memory>, slopes: Slopes) {
     trial.displacement = trial.predicted.0 + slopes.displacement * trial.acceleration;
     trial.velocity = trial.predicted.1 + slopes.velocity * trial.acceleration;
 }
 
-/// Residual and tangent of one floor with the forces of its own storey; what stands on it and its neighbours are left
-/// out.
+/// Residual and tangent of a floor with the forces of its storey; floors above and neighbours are excluded.
 #[inline]
 fn evaluate<Column: RestoringForce>(
     node: &Node<Column>,
@@ -90,10 +89,10 @@ fn evaluate<Column: RestoringForce>(
     (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
 }
 
-/// Largest displacement and velocity that enter those of a trial: far beyond what the structure can follow, the
-/// prediction is large and cancels.
+/// Largest displacement and velocity that enter those of a trial. If they far exceed the response of the structure, the prediction is large
+/// and cancels.
 fn extent<Memory>(trial: &Trial<Memory>) -> (f64, f64) {
-    // Not `f64::max`, which spends four operations more on numbers that are none: no equation with one is balanced.
+    // Unlike `f64::max`, this spends no operations on NaN: no equation with NaN is balanced.
     let larger = |a: f64, b: f64| if a > b { a } else { b };
     (
         larger(trial.displacement.abs(), trial.predicted.0.abs()),
@@ -101,7 +100,7 @@ fn extent<Memory>(trial: &Trial<Memory>) -> (f64, f64) {
     )
 }
 
-/// Adds what a storey does to the floor below it, and what standing on a floor adds to its own.
+/// Adds the forces of a storey on the floor below, and the effect of the floor below on the storey.
 #[inline]
 fn stand<Column: RestoringForce>(
     node: &Node<Column>,
@@ -123,7 +122,7 @@ fn stand<Column: RestoringForce>(
     below.above = -w_below * tangent;
     trial.below = -w * tangent;
     trial.rounding += w * rounding(extent_below);
-    // Against the ground.
+    // Damping against the ground.
     let against = floor.ground_damping * trial.velocity;
     trial.residual += w * against;
     let own = (floor.ground_damping * slopes.velocity, ROUNDING * floor.ground_damping * extent.1);
@@ -142,7 +141,7 @@ fn couple<Column: RestoringForce>(
     (known.force, known.tangent) = (0.0, 0.0);
     let ahead = pair.relation.ahead(|floor| trials[floor].displacement);
     let deformation = ground.deformation(pair, ahead);
-    // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
+    // Impulsive contact acts between steps. A compliant pair that this step brings together may touch a little earlier.
     let near = deformation > 0.0 || known.approach_speed.is_some();
     if !(near && pair.law.is_compliant()) {
         return;
@@ -152,7 +151,7 @@ fn couple<Column: RestoringForce>(
         deformation,
         rate: ground.rate(pair, faster),
         reduced_mass: row.reduced_mass(pair),
-        // A building alone sees no pair; those that overlap then were marked, with their speed.
+        // A building alone has no pairs; pairs that overlap afterwards were marked, with their speed.
         approach_speed: known.approach_speed.unwrap_or(0.0),
     };
     let contact = if deformation > 0.0 {
@@ -177,7 +176,7 @@ fn couple<Column: RestoringForce>(
     for (floor, part) in pair.relation.pushes() {
         let (inverse_mass, trial) = (row.nodes()[floor].inverse_mass, &mut trials[floor]);
         let (size, off) = (part.abs(), -inverse_mass * tangent);
-        // A floor of a line has at most these two.
+        // A floor of a line has at most these two neighbours.
         if part < 0.0 {
             trial.force_from_right -= size * contact.force;
             trial.upper = off;

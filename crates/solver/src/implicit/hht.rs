@@ -1,19 +1,18 @@
 //! HHT-α method (Hilber, Hughes and Taylor) with Newton iterations and a consistent tangent.
 //!
-//! Source: H. M. Hilber, T. J. R. Hughes & R. L. Taylor, *Earthquake Engng Struct. Dyn.* 5 (1977) 283. Newmark's
-//! formulas with β = (1−α)²/4 and γ = 1/2 − α, and an equation that weighs all forces but inertia over both ends of the
-//! step: m ü⁺ + (1+α) r⁺ − α r = 0, r = c u̇ + `f_s` + m `a_g` − F. Pounding forces of compliant pairs are among
-//! them.
+//! Source: H. M. Hilber, T. J. R. Hughes & R. L. Taylor, *Earthquake Engng Struct. Dyn.* 5 (1977) 283. The method uses Newmark's formulas
+//! with β = (1−α)²/4 and γ = 1/2 − α. Its equation weighs all forces r except inertia over both ends of the step: m ü⁺ + (1+α) r⁺ − α r =
+//! 0. Here r = c u̇ + `f_s` + m `a_g` − F. The pounding forces of compliant pairs are included.
 //!
-//! Its accelerations so are not in equilibrium with the other forces at a node. Where the velocity jumps they change by
-//! what the damping force does, as if the velocity a step ago had jumped as well; restarting them from equilibrium would
-//! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
+//! The accelerations are therefore not in equilibrium with the other forces at a node. Where the velocity jumps, they change by the change
+//! of the damping force, as if the velocity one step before had jumped as well. A restart from equilibrium would give the two structures of
+//! a compliant pair different impulses when another neighbour hits either of them.
 
 use crate::error::require;
 use crate::implicit::newmark::Family;
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
-/// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
+/// Settings of the HHT-α method, which damps motions that the time step cannot resolve. Order 2, no critical time step.
 ///
 /// Impulsive laws act after a step, as a jump of the velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +28,7 @@ impl Hht {
     }
 }
 
-/// Integrates a row; the shared signature of all methods. Clusters form as in Newmark's method.
+/// Integrates a row, with the signature of all methods. Clusters form as in Newmark's method.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Hht,
     row: &Row<Column>,

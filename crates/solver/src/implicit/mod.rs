@@ -1,4 +1,4 @@
-//! Methods that solve for the state at the end of a step.
+//! Methods that solve equations for the state at the end of a step.
 
 pub(crate) mod building_impulses;
 pub(crate) mod cluster;

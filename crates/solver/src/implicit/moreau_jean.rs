@@ -1,23 +1,23 @@
-//! Moreau–Jean time stepping: a θ-method on velocities with the law of impact at the level of velocities.
+//! Moreau–Jean time stepping: a θ-method on velocities, with the law of impact for velocities.
 //!
 //! Source: J. J. Moreau, in *Nonsmooth Mechanics and Applications* (1988) 1; M. Jean, *Comput. Methods Appl. Mech.
 //! Engng* 177 (1999) 235; V. Acary & B. Brogliato, *Numerical Methods for Nonsmooth Dynamical Systems* (2008), ch. 10.
 //!
-//! Over a step h: m(u̇⁺ − u̇) = h (θ r⁺ + (1−θ) r) + P and u⁺ = u + h (θ u̇⁺ + (1−θ) u̇), r all smooth forces. A pair takes
-//! part where its gap, predicted half a step ahead, is closed; then 0 ≤ v⁺ + e v ⟂ P ≥ 0, v its relative velocity
-//! (negative while approaching) at both ends of the step. All pairs are solved together with the step.
+//! Over a step h: m(u̇⁺ − u̇) = h (θ r⁺ + (1−θ) r) + P and u⁺ = u + h (θ u̇⁺ + (1−θ) u̇). Here r is the sum of all smooth forces. A pair
+//! takes part if its gap, predicted half a step ahead, is closed. Then 0 ≤ v⁺ + e v ⟂ P ≥ 0, with v its relative velocity (negative while
+//! approaching) at both ends of the step. All pairs are solved together with the step.
 //!
-//! Two departures, so that no impact creates energy. A pair that separates at the start of the step, or would at its end
-//! without impulses, waits for the next step. And where the smooth forces slow the approach down within the step, what
-//! they leave of it is turned round, not the v of the start.
+//! Two departures ensure that no impact creates energy. A pair that separates at the start of the step, or would separate at its end
+//! without impulses, waits for the next step. If the smooth forces slow the approach down within the step, the remaining approach is
+//! reversed, not the v of the start.
 //!
-//! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
-//! met by repeating the solution with the tangents of the last one.
+//! Smooth forces are implicit, including those of compliant pairs. For yielding columns, and for neighbouring pairs of both kinds, the
+//! solution is repeated with the last tangents.
 //!
-//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give. Where
-//! buildings are hit on several levels the jumps of one instant create no energy together: the matrix of the step lets
-//! velocities follow impulses no further than free masses. One of them alone may seem to, at a large step: its pair
-//! was turned round by what storeys passed on from other levels.
+//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give. If buildings are hit on
+//! several levels, the jumps of an instant together create no energy. Through the matrix of the step, velocities follow impulses at most as
+//! far as free masses. A single jump may seem to create energy at a large step, because storeys passed on a part of the hits on other
+//! levels.
 
 use crate::error::require;
 use crate::impact::chain::Together;
@@ -33,11 +33,11 @@ use crate::{Course, Excitation, Pair, Recorder, RestoringForce, Row, RunError, W
 /// Settings of Moreau–Jean time stepping. No critical time step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoreauJean {
-    /// θ \[–\], 1/2 (order 2 while nothing touches, no damping of its own) ..= 1 (order 1, most damping).
+    /// θ \[–\], from 1/2 (order 2 while nothing touches, no numerical damping) to 1 (order 1, most damping).
     pub theta: f64,
 }
 
-/// Solutions after which a step is given up.
+/// Most solutions of a step. The run is given up beyond.
 const MAX_ITERATIONS: u32 = 50;
 
 impl MoreauJean {
@@ -50,16 +50,16 @@ impl MoreauJean {
 /// The solution of a step: its impulses, and what finds them.
 struct Solution {
     contacts: Contacts,
-    /// Pairs that do not yet meet the law of impact.
+    /// Pairs that still violate the law of impact.
     lacking: Vec<bool>,
-    /// Impulse of every pair that was found last \[N·s\].
+    /// Last impulse found for every pair \[N·s\].
     found: Vec<f64>,
     together: Together<f64>,
-    /// Of buildings of several storeys.
+    /// Scratch for buildings of several storeys.
     joint: Option<Joint>,
 }
 
-/// Integrates a row; the shared signature of all methods. Clusters of compliant pairs form as in Newmark's method.
+/// Integrates a row, with the signature of all methods. Clusters of compliant pairs form as in Newmark's method.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: MoreauJean,
     row: &Row<Column>,
@@ -87,7 +87,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     march(row, excitation, course, 1, begin, recorder)
 }
 
-/// A run: its state and everything it needs, allocated once.
+/// A run: its state and all its memory, allocated once.
 struct Run<Memory> {
     theta: f64,
     slopes: Slopes,
@@ -108,7 +108,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             contacts.release(row, &mut scratch.ends, at_ends[1]);
         }
         commit(row, scratch, &step, recorder, |node, ends| {
-            // The smooth forces at the end are those of the velocities after the impulses.
+            // The smooth forces at the end belong to the velocities after the impulses.
             let after = |node: usize| ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node];
             let start = load(reads_weighed, row, node, ends[0], at_ends[0].under(node));
             let end = load_at(reads_weighed, row, node, ends[1], at_ends[1].under(node), after);
@@ -135,7 +135,7 @@ impl Solution {
         }
     }
 
-    /// Solves a step: smooth forces with the impulses found so far, impulses with those forces, until neither changes.
+    /// Solves a step: alternates smooth forces for the last impulses with impulses for these forces, until neither changes.
     fn solve<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
@@ -168,8 +168,8 @@ impl Solution {
         Err(self.contacts.failure(row, time))
     }
 
-    /// Finds the impulses anew where the last ones do not meet the law of impact; true when there was such a pair. Errors with
-    /// a pair that walls on both sides leave no impulse.
+    /// Finds new impulses if the last ones violate the law of impact; true if any pair violated it. The error is a pair that walls on both
+    /// sides leave no impulse.
     fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
@@ -184,7 +184,7 @@ impl Solution {
         Ok(lacked | self.correct_lines(row, scratch, slopes))
     }
 
-    /// The same for clusters of structures of one storey.
+    /// Finds new impulses for clusters of structures of one storey.
     fn correct_lines<Column: RestoringForce>(&mut self, row: &Row<Column>, scratch: &Scratch<Column::Memory>, slopes: Slopes) -> bool {
         let trials = &scratch.trials;
         let uncertain = |node: usize| slopes.velocity * trials[node].uncertain_acceleration();
@@ -201,7 +201,7 @@ impl Solution {
         for (index, pair) in row.pairs().iter().enumerate() {
             if self.is_in_line(index) {
                 let rate = self.contacts.rate(index, pair, trials);
-                // Without the impulses found so far, which are to be replaced.
+                // Remove the earlier impulses, which are about to be replaced.
                 let taken = taken(pair.right()) - taken(pair.left());
                 let demand = rate + self.contacts.bounce[index] + taken;
                 self.together.push((index, pair.left()), demand);
@@ -211,13 +211,13 @@ impl Solution {
         true
     }
 
-    /// Whether a pair takes part whose impulse is found with mobilities: one of structures of one storey.
+    /// Whether a pair takes part and its impulse is found with mobilities, as for structures of one storey.
     fn is_in_line(&self, pair: usize) -> bool {
         let member = |joint: &Joint| joint.members[pair];
         self.contacts.closed[pair] && !self.joint.as_ref().is_some_and(member)
     }
 
-    /// Solves for the impulses of neighbouring closed pairs one of which lacks something; others keep every bit.
+    /// Solves for the impulses of neighbouring closed pairs if any of them violates the law; others keep every bit.
     fn replace(&mut self, pairs: &[Pair]) {
         self.together.solve(&self.contacts.mobilities);
         self.found.fill(0.0);

@@ -1,7 +1,7 @@
 //! Newmark's method with Newton iterations and a consistent tangent.
 //!
-//! Source: N. M. Newmark, *J. Engng Mech. Div. ASCE* 85 (1959) 67; Chopra, *Dynamics of Structures*, 5.4 and 5.7. The
-//! paper compares itself with a result of this method at Δt = 0.005 s.
+//! Source: N. M. Newmark, *J. Engng Mech. Div. ASCE* 85 (1959) 67; Chopra, *Dynamics of Structures*, 5.4 and 5.7. The paper compares its
+//! results with this method at Δt = 0.005 s.
 
 use crate::error::require;
 use crate::implicit::equation::Slopes;
@@ -38,31 +38,31 @@ impl Newmark {
     }
 }
 
-/// The methods whose steps follow Newmark's formulas, by their coefficients.
+/// The coefficients of methods whose steps follow Newmark's formulas.
 #[derive(Clone, Copy)]
 pub(crate) struct Family {
     pub(crate) beta: f64,
     pub(crate) gamma: f64,
     /// Part of the forces that the equation takes from the start of the step, ≤ 0.
     pub(crate) alpha: f64,
-    /// Whether accelerations are in equilibrium at a node, also after a jump.
+    /// Whether accelerations are in equilibrium at a node, including after a jump.
     pub(crate) in_equilibrium: bool,
 }
 
-/// A run of one of them.
+/// A run of a method of this family.
 pub(crate) struct Run<Memory> {
     family: Family,
     slopes: Slopes,
     scratch: Scratch<Memory>,
-    /// What acted a step ago: the acceleration carries it.
+    /// Loads one step before; the acceleration depends on them.
     earlier: Vec<Option<Load>>,
 }
 
-/// Integrates a row; the shared signature of all methods.
+/// Integrates a row, with the signature of all methods.
 ///
-/// Each building finds its equilibrium alone; those that then overlap do it again together. A cluster grows while it
-/// overlaps further neighbours, and nothing outside a cluster changes its bits. Impulsive laws act at the end of the
-/// step in which an overlap with approach is found, as a jump of the velocities.
+/// Each building first finds its equilibrium alone. Buildings that then overlap find it again, together. A cluster grows while it overlaps
+/// further neighbours, and nothing outside a cluster changes its bits. Impulsive laws act at the end of the step in which an approaching
+/// overlap is found, as a jump of the velocities.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Newmark,
     row: &Row<Column>,
@@ -92,7 +92,7 @@ impl Family {
         let dt = course.clock.time_step;
         let begin = |ground: Ground<'_>| Run {
             family: self,
-            // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
+            // Divided by 1+α, so that Newton's method sees the forces at the end of the step with weight 1.
             slopes: Slopes {
                 displacement: self.beta * dt * dt,
                 velocity: self.gamma * dt,
@@ -105,8 +105,9 @@ impl Family {
         march(row, excitation, course, 1, begin, recorder)
     }
 
-    /// Weights of the loads a step before, at the start and at the end of a step; m ü at the start is (1+α) times its own load
-    /// less α times the one before, at t = 0 its own.
+    /// Weights of the loads one step before, at the start and at the end of a step.
+    ///
+    /// At the start, m ü is (1+α) times the load there minus α times the load before. At t = 0 it is the load there.
     fn weights(&self, is_first: bool) -> [f64; 3] {
         let Self { gamma, alpha, .. } = self;
         let carried = if is_first { 0.0 } else { -alpha };
@@ -147,7 +148,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
 }
 
 impl<Memory: Copy> Run<Memory> {
-    /// Displacements and velocities at the end of a step without its acceleration.
+    /// Predicts displacements and velocities at the end of a step, without the acceleration there.
     fn predict<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, dt: f64, ground: Ground<'_>) {
         let Family { beta, gamma, alpha, .. } = self.family;
         let states = &self.scratch.states;
@@ -163,7 +164,7 @@ impl<Memory: Copy> Run<Memory> {
         }
     }
 
-    /// Lets accelerations jump by what damping forces do, as if the velocities a step ago had jumped as well.
+    /// Changes accelerations by the change of damping forces, as if the velocities one step before had jumped as well.
     fn change_accelerations<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>) {
         let Scratch { states, trials, .. } = &mut self.scratch;
         for (index, (trial, earlier)) in trials.iter().zip(&mut self.earlier).enumerate() {

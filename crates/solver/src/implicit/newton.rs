@@ -1,10 +1,10 @@
-//! Newton's method for the equilibrium of a cluster: one building, or neighbours that touch.
+//! Newton's method for the equilibrium of a cluster: a single building, or neighbours that touch.
 //!
-//! The unknowns are the accelerations at the end of the step. With displacement increments as unknowns the terms
-//! 4u/Δt² would cancel and leave a residual of 1e-9 at Δt = 1e-4 s; accelerations do not cancel.
+//! The unknowns are the accelerations at the end of the step. With displacement increments as unknowns, the terms 4u/Δt² would cancel and
+//! leave a residual of 1e-9 at Δt = 1e-4 s; accelerations do not cancel.
 //!
-//! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a
-//! full correction can jump out of contact and back for ever.
+//! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a full correction can
+//! jump out of contact and back for ever.
 
 use crate::implicit::equation::{Cluster, Failure, Slopes};
 use crate::implicit::equilibrium::residual;
@@ -12,12 +12,12 @@ use crate::implicit::trial::{PairTrial, Trial};
 use crate::model::ground::Ground;
 use crate::{Node, RestoringForce, Row, Work};
 
-/// Iterations after which a cluster is given up.
+/// Most iterations for a cluster. The run is given up beyond.
 pub(crate) const MAX_ITERATIONS: u32 = 50;
-/// Halvings of one correction after which a cluster is given up.
+/// Most halvings of a correction. The run is given up beyond.
 const MAX_HALVINGS: u32 = 30;
 
-/// Finds the accelerations of a cluster that are in equilibrium over the ground at the end of a step.
+/// Finds the accelerations of a cluster in equilibrium over the ground at the end of a step.
 ///
 /// Nothing outside the cluster is read or written.
 pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
@@ -30,7 +30,7 @@ pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
 ) -> Result<(), Failure> {
     let mut merit = residual(row, (trials, pairs), cluster, step, work);
     let mut iterations = 0;
-    // A motion that died out to less than 1e-150 m leaves residuals whose squares underflow: none can fall further.
+    // A motion that has decayed below 1e-150 m leaves residuals whose squares underflow: they cannot fall further.
     while merit != 0.0 && !is_balanced(trials, cluster) {
         if !merit.is_finite() {
             return Err(not_finite(trials, cluster));
@@ -45,7 +45,7 @@ pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
         let mut halvings = 0;
         loop {
             let tried = residual(row, (trials, pairs), cluster, step, work);
-            // Balanced within rounding, the merit may no longer fall. Not a number never passes.
+            // When balance holds within rounding, the merit may no longer fall. NaN never passes.
             if tried < merit || is_balanced(trials, cluster) {
                 merit = tried;
                 break;
@@ -67,7 +67,7 @@ fn is_balanced<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> bool
     cluster.nodes().all(|node| trials[node].is_balanced())
 }
 
-/// The largest residual that is left.
+/// The error with the largest remaining residual.
 fn not_converged<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster, iterations: u32) -> Failure {
     let residuals = cluster.nodes().map(|node| trials[node].relative_residual());
     Failure::NotConverged {
@@ -76,7 +76,7 @@ fn not_converged<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster, itera
     }
 }
 
-/// The first structure without a finite residual, or the one whose residual overflows when squared.
+/// The first structure with a non-finite residual, or the first with a residual that overflows when squared.
 fn not_finite<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> Failure {
     let overflows = |node: &usize| !(trials[*node].residual * trials[*node].residual).is_finite();
     let first = cluster.nodes().filter(overflows).min();
@@ -85,10 +85,10 @@ fn not_finite<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> Failu
     }
 }
 
-/// Velocity that a unit impulse gives to each structure in a step, its forces at the end of the step included \[1/kg\]:
-/// what it does to its neighbours across compliant pairs comes back to it.
+/// Velocity of each structure in a step under a unit impulse, with its forces at the end of the step \[1/kg\]. The response of neighbours
+/// across compliant pairs is included.
 pub(crate) fn mobilities<Column: RestoringForce>(nodes: &[Node<Column>], trials: &[Trial<Column::Memory>], mobilities: &mut [f64]) {
-    // The diagonal of the inverse of a tridiagonal matrix: what elimination from the left takes off, then from the right.
+    // The diagonal of the inverse of a tridiagonal matrix, by elimination from the left and then from the right.
     let mut taken = 0.0;
     for (index, (mobility, trial)) in mobilities.iter_mut().zip(trials).enumerate() {
         *mobility = taken;

@@ -13,19 +13,19 @@ use crate::pushes::Pushes;
 use crate::span::Load;
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
-/// Scratch of an implicit run: everything a step needs, allocated once.
+/// Scratch of an implicit run, allocated once.
 pub(crate) struct Scratch<Memory> {
     /// State at the start of the step, after impacts.
     pub(crate) states: Vec<State>,
     /// State at its end, before impacts.
     pub(crate) ends: Vec<State>,
     pub(crate) trials: Vec<Trial<Memory>>,
-    /// The same of the pairs.
+    /// Trials of the pairs.
     pub(crate) pairs: Vec<PairTrial>,
     pub(crate) pushes: Pushes,
     /// Which pairs overlap during the step.
     pub(crate) touching: Vec<bool>,
-    /// Nothing in a row of structures of one storey.
+    /// `None` for a row of structures of one storey.
     pub(crate) clusters: Option<Clusters>,
     pub(crate) impacts: Impacts,
 }
@@ -50,7 +50,7 @@ pub(crate) fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_
     }
 }
 
-/// Equilibrium at the end of a step: every building alone first, then the clusters that touch.
+/// Finds equilibrium at the end of a step: every building alone first, then the clusters that touch.
 pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
@@ -105,7 +105,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     Ok(())
 }
 
-/// What every cluster of a step is solved with.
+/// Inputs for the solution of every cluster of a step.
 struct Equation<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     trials: &'a mut [Trial<Column::Memory>],
@@ -163,9 +163,9 @@ impl<Column: RestoringForce> Equation<'_, Column> {
         Ok(())
     }
 
-    /// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
+    /// Marks compliant pairs that overlap and were not marked yet; true if there are any.
     ///
-    /// Those that touch first approach as they do without each other's force.
+    /// Pairs that begin to touch have the approach speed of a motion without their force.
     fn mark_overlaps(&mut self, touching: &mut [bool]) -> bool {
         let (trials, ground) = (&*self.trials, self.step.1);
         let mut grown = false;
@@ -185,7 +185,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
         grown
     }
 
-    /// Why a run ends that did not find the equilibrium of a cluster.
+    /// Error of a run that did not find the equilibrium of a cluster.
     fn error(&self, failure: Failure, cluster: &impl Cluster) -> RunError {
         let time = self.time;
         match failure {
@@ -206,13 +206,13 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     }
 }
 
-/// A floor on either side of the pairs that are marked.
+/// The floors on both sides of the marked pairs.
 pub(crate) fn marked<Column: RestoringForce>(row: &Row<Column>, marks: &[bool]) -> impl Iterator<Item = (usize, usize)> {
     let pairs = row.pairs().iter().zip(marks);
     pairs.filter_map(|(pair, marked)| marked.then_some((pair.left(), pair.right())))
 }
 
-/// Takes over the states at the end of a step.
+/// Accepts the states at the end of a step.
 pub(crate) fn arrive<Memory: Copy>(scratch: &mut Scratch<Memory>, step: &Step<'_>) -> Result<(), RunError> {
     let ends = scratch.ends.iter_mut().zip(&scratch.trials);
     for (structure, (end, trial)) in ends.enumerate() {
@@ -224,14 +224,14 @@ pub(crate) fn arrive<Memory: Copy>(scratch: &mut Scratch<Memory>, step: &Step<'_
     Ok(())
 }
 
-/// What acts on a node, as much of it as a recorder reads.
+/// The load on a node, limited to the parts that a recorder reads.
 #[inline]
 pub(crate) fn load<Column: RestoringForce>(reads_weighed: bool, row: &Row<Column>, node: usize, states: &[State], ground: f64) -> Load {
     let velocity = |index: usize| states[index].velocity;
     load_at(reads_weighed, row, node, states, ground, velocity)
 }
 
-/// The same with damping at other velocities than those of the states.
+/// The load on a node, with damping at velocities other than those of the states.
 #[inline]
 pub(crate) fn load_at<Column: RestoringForce>(
     reads_weighed: bool,
@@ -260,8 +260,8 @@ fn storeys<Column: RestoringForce>(row: &Row<Column>, node: usize, states: &[Sta
     (row.restoring_force(node, states), damping)
 }
 
-/// Accepts the end of a step and reports its spans; of each node, in the states at both ends, what the method made of
-/// which loads.
+/// Accepts the end of a step and reports its spans. For each node it takes the loads in the states at both ends and the weights of the
+/// method.
 #[inline]
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     row: &Row<Column>,

@@ -1,38 +1,37 @@
-//! What Newton's method knows of one floor while it looks for equilibrium.
+//! State of a floor and of a pair during the Newton iteration.
 
 use crate::{Response, State};
 
-/// Largest residual of equilibrium accepted, relative to the sum of the magnitudes of its terms.
+/// Largest accepted residual of equilibrium, relative to the sum of the magnitudes of its terms.
 ///
-/// Rounding of those terms leaves about 1e-15; what rounding of displacements and velocities leaves is added.
+/// Rounding of the terms leaves about 1e-15. The rounding of displacements and velocities is added.
 pub(crate) const TOLERANCE: f64 = 1e-12;
 
-/// One pair during a step.
+/// A pair during a step.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct PairTrial {
-    /// Approach speed of the present contact \[m/s\]; nothing while apart.
+    /// Approach speed of the present contact \[m/s\]; `None` while apart.
     pub(crate) approach_speed: Option<f64>,
-    /// Its force at the end of the step \[N\], ≥ 0.
+    /// Force at the end of the step \[N\], ≥ 0.
     pub(crate) force: f64,
-    /// How that changes with the acceleration at which the points close \[kg\].
+    /// Derivative of the force with respect to the closing acceleration of the points \[kg\].
     pub(crate) tangent: f64,
 }
 
-/// One floor during a step.
+/// A floor during a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trial<Memory> {
     /// Acceleration at the end of the step, the unknown \[m/s²\].
     pub(crate) acceleration: f64,
     /// Displacement and velocity at the end of the step for acceleration 0.
     pub(crate) predicted: (f64, f64),
-    /// What the start of the step adds to the equation, per unit of mass \[m/s²\]; 0 where equilibrium is asked for at
-    /// the end alone.
+    /// Contribution of the start of the step to the equation, per unit of mass \[m/s²\]; 0 if the equation is equilibrium at the end only.
     pub(crate) carried: f64,
     /// Displacement at the end of the step \[m\].
     pub(crate) displacement: f64,
     /// Velocity at the end of the step \[m/s\].
     pub(crate) velocity: f64,
-    /// The answer there of the columns below the floor.
+    /// Response of the columns below the floor at this displacement.
     pub(crate) response: Response<Memory>,
     /// Memory of the columns at the start of the step.
     pub(crate) memory: Memory,
@@ -43,11 +42,11 @@ pub(crate) struct Trial<Memory> {
     pub(crate) residual: f64,
     /// Sum of the magnitudes of the residual's terms.
     pub(crate) scale: f64,
-    /// What rounding of displacement and velocity alone can do to the residual.
+    /// Effect of the rounding of displacement and velocity on the residual.
     pub(crate) rounding: f64,
-    /// The correction under way.
+    /// The present correction.
     pub(crate) correction: f64,
-    /// ∂residual/∂acceleration of the floor itself.
+    /// ∂residual/∂acceleration of this floor.
     pub(crate) diagonal: f64,
     /// ∂residual/∂acceleration of the left neighbour.
     pub(crate) lower: f64,
@@ -60,7 +59,7 @@ pub(crate) struct Trial<Memory> {
 }
 
 impl<Memory: Copy> Trial<Memory> {
-    /// Of a floor whose columns have this memory.
+    /// A trial of a floor whose columns have this memory.
     pub(crate) fn new(memory: Memory) -> Self {
         Self {
             acceleration: 0.0,
@@ -102,7 +101,7 @@ impl<Memory> Trial<Memory> {
         }
     }
 
-    /// What equilibrium, once found, leaves open of the acceleration \[m/s²\] of a floor without storeys above or below.
+    /// Uncertainty of the acceleration \[m/s²\] after equilibrium, for a floor without storeys above or below.
     pub(crate) fn uncertain_acceleration(&self) -> f64 {
         self.allowed_residual() / self.diagonal
     }

@@ -1,11 +1,11 @@
-//! The approach speed of pairs in compliant contact: what laws with δ̇/v₀ remember of the first touch.
+//! The approach speed of pairs in compliant contact, for laws with δ̇/v₀.
 
 use crate::model::ground::Ground;
 use crate::{Pair, State};
 
-/// Approach speed of every pair of a run \[m/s\]; nothing while it stands apart.
+/// Approach speed of every pair of a run \[m/s\]; `None` while apart.
 ///
-/// Kept for every compliant law: it costs a comparison while a pair touches, and less to explain than laws of two kinds.
+/// Kept for every compliant law: the cost is a comparison while a pair touches, and two kinds of laws would need more explanation.
 pub(crate) struct Approaches(Vec<Option<f64>>);
 
 impl Approaches {
@@ -13,10 +13,10 @@ impl Approaches {
         Self(vec![None; n_pairs])
     }
 
-    /// Approach speed of a pair that overlaps: `rate` if it is the first to be seen of this contact.
+    /// Approach speed of a pair that overlaps: `rate` if this is the first overlap of the contact.
     ///
-    /// Every method first sees an overlap at the end of a motion without its force, so that this is the speed of the touch
-    /// to the first order in the time step.
+    /// Every method first finds an overlap at the end of a motion without contact force. This is the speed of the touch to first order in
+    /// the time step.
     pub(crate) fn of(&mut self, pair: usize, rate: f64) -> f64 {
         speed(&mut self.0[pair], rate)
     }
@@ -36,7 +36,7 @@ impl Approaches {
     }
 }
 
-/// The speed known, or else this rate; a pair that overlaps without having approached has 0.
+/// The known speed, or else this rate; 0 for a pair that overlaps without having approached.
 pub(crate) fn speed(known: &mut Option<f64>, rate: f64) -> f64 {
     *known.get_or_insert(rate.max(0.0))
 }

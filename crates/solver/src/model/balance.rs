@@ -21,16 +21,17 @@ pub struct Dashpot<N> {
     pub velocity: N,
 }
 
-/// What lies below a floor that stands on another one.
+/// Properties of the floor below, for a floor that stands on another floor.
 #[derive(Debug, Clone, Copy)]
 pub struct Below<N> {
-    /// Damping coefficient of the floor against the ground \[N·s/m\], besides that of its storey.
+    /// Damping coefficient of the floor against the ground \[N·s/m\], in addition to that of its storey.
     pub ground_damping: N,
     /// Velocity of the floor below \[m/s\].
     pub velocity: N,
 }
 
-/// Damping force \[N\] against the motion of a floor, of its own storey and the one above, in one scene or several side by side.
+/// Damping force \[N\] against the motion of a floor, from its storey and the storey above, for a single scene or for several scenes in
+/// lanes.
 #[inline(always)]
 pub fn damping_force<N: Number>(floor: Dashpot<N>, below: Option<Below<N>>, above: Option<Dashpot<N>>) -> N {
     let Dashpot { damping, velocity } = floor;
@@ -45,13 +46,13 @@ pub fn damping_force<N: Number>(floor: Dashpot<N>, below: Option<Below<N>>, abov
 }
 
 impl<Column: RestoringForce> Row<Column> {
-    /// Whether a node is a structure of one storey, or a wall: it stands on the ground and nothing stands on it.
+    /// Whether a node is a structure of one storey, or a wall: it stands on the ground and carries nothing.
     #[inline]
     pub fn stands_alone(&self, node: usize) -> bool {
         matches!(self.nodes()[node].support, Support::Ground) && self.above(node).is_none()
     }
 
-    /// Drift of the storey below a node \[m\]: its displacement relative to what it stands on.
+    /// Drift of the storey below a node \[m\]: its displacement relative to its support.
     #[inline]
     pub(crate) fn drift(&self, node: usize, states: &[State]) -> f64 {
         match self.nodes()[node].support.below() {
@@ -60,14 +61,14 @@ impl<Column: RestoringForce> Row<Column> {
         }
     }
 
-    /// Damping force \[N\] against the motion of a node, of its own storey and the one above, at these velocities.
+    /// Damping force \[N\] against the motion of a node, from its storey and the storey above, at these velocities.
     #[inline]
     pub(crate) fn damping_force(&self, node: usize, states: &[State]) -> f64 {
         let velocity = |index: usize| states[index].velocity;
         self.damping_at(node, velocity)
     }
 
-    /// The same at velocities \[m/s\] of any kind.
+    /// Damping force \[N\] against the motion of a node, at given velocities \[m/s\].
     #[inline]
     pub(crate) fn damping_at(&self, node: usize, velocity: impl Fn(usize) -> f64) -> f64 {
         let dashpot = |index: usize| Dashpot {
@@ -84,7 +85,7 @@ impl<Column: RestoringForce> Row<Column> {
         damping_force(dashpot(node), below, self.above(node).map(dashpot))
     }
 
-    /// Restoring force \[N\] against a displacement of a node to the right, of its own storey and the one above.
+    /// Restoring force \[N\] against a displacement of a node to the right, from its storey and the storey above.
     #[inline]
     pub(crate) fn restoring_force(&self, node: usize, states: &[State]) -> f64 {
         match self.above(node) {
@@ -93,13 +94,13 @@ impl<Column: RestoringForce> Row<Column> {
         }
     }
 
-    /// Acceleration \[m/s²\] of a node in equilibrium with the velocities and forces of these states; a wall has none.
+    /// Acceleration \[m/s²\] of a node in equilibrium with these velocities and forces; 0 for a wall.
     #[inline]
     pub(crate) fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
         self.acceleration_under(node, &self.load(node, states, ground))
     }
 
-    /// Acceleration \[m/s²\] of a node on which this acts; a wall has none.
+    /// Acceleration \[m/s²\] of a node under a load; 0 for a wall.
     #[inline]
     pub(crate) fn acceleration_under(&self, node: usize, load: &Load) -> f64 {
         let node = &self.nodes()[node];
@@ -108,21 +109,21 @@ impl<Column: RestoringForce> Row<Column> {
         node.inverse_mass * force - ground
     }
 
-    /// What acts on a node in these states, as it enters the equation of its motion.
+    /// The load on a node in these states, as it enters the equation of motion.
     #[inline]
     pub(crate) fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
         let forces = (self.restoring_force(node, states), self.damping_force(node, states));
         Load::at(&states[node], forces, ground)
     }
 
-    /// Motion of the floor below a node in states at the start and at the end of a span; nothing on the ground.
+    /// Motion of the floor below a node in states at the start and at the end of a span; `None` on the ground.
     #[inline]
     pub(crate) fn below(&self, node: usize, [start, end]: [&[State]; 2]) -> Option<[Motion; 2]> {
         let below = self.nodes()[node].support.below()?;
         Some([(&start[below]).into(), (&end[below]).into()])
     }
 
-    /// States at t = 0, in equilibrium, and what the columns then remember.
+    /// States at t = 0 in equilibrium, and the memory of the columns.
     pub(crate) fn initial(&self, ground: Ground<'_>) -> (Vec<State>, Vec<Column::Memory>) {
         let state = |node: &Node<Column>| State {
             displacement: node.initial_displacement,

@@ -3,17 +3,17 @@
 use crate::model::column::yielding;
 use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
 
-/// Bilinear columns with kinematic hardening; they remember the plastic displacement \[m\].
+/// Bilinear columns with kinematic hardening. Their memory is the plastic displacement \[m\].
 ///
-/// f = a k d + h, where h is the force of elastic-perfectly plastic columns of stiffness (1 − a) k that yield at
-/// (1 − a) `f_y`; the loop keeps the width 2 `f_y` (A. K. Chopra, *Dynamics of Structures*, 7.1).
+/// f = a k d + h. Here h is the force of elastic-perfectly plastic columns of stiffness (1 − a) k that yield at (1 − a) `f_y`. The loop
+/// keeps the width 2 `f_y` (A. K. Chopra, *Dynamics of Structures*, 7.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bilinear {
     /// Stiffness before yielding k \[N/m\], > 0.
     pub stiffness: f64,
     /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
     pub yield_force: f64,
-    /// Stiffness after yielding over that before a \[–\], 0 ≤ a < 1.
+    /// Ratio of the stiffness after yielding to that before \[–\], 0 ≤ a < 1.
     pub hardening: f64,
 }
 
@@ -23,7 +23,7 @@ impl Bilinear {
         self.hardening * self.stiffness
     }
 
-    /// Stiffness \[N/m\] and yield force \[N\] of the part that is perfectly plastic.
+    /// Stiffness \[N/m\] and yield force \[N\] of the perfectly plastic part.
     pub fn plastic(&self) -> [f64; 2] {
         let part = 1.0 - self.hardening;
         [part * self.stiffness, part * self.yield_force]
@@ -73,7 +73,7 @@ mod tests {
             hardening: 0.1,
         };
         let mut memory = 0.0;
-        // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N; back it yields after 2 u_y, at 10 mm and −800 N; at −30 mm −1200 N.
+        // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N. Back: yields after 2 u_y, at 10 mm and −800 N. At −30 mm: −1200 N.
         for (displacement, force, tangent) in [
             (0.005, 500.0, 1e5),
             (0.03, 1200.0, 1e4),
@@ -84,7 +84,7 @@ mod tests {
         ] {
             let response = column.respond(displacement, memory);
             assert!((response.force - force).abs() < 1e-9, "{displacement}: {response:?}");
-            // At 10 mm it is at the knee: either tangent is right there.
+            // 10 mm is at the knee: either tangent is right there.
             let knee = (displacement - 0.01).abs() < 1e-12;
             assert!(knee || (response.tangent - tangent).abs() < 1e-9, "{displacement}: {response:?}");
             memory = response.memory;

@@ -2,41 +2,41 @@
 
 use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness};
 
-/// Bouc–Wen columns; they remember drift and its elastic part.
+/// Bouc–Wen columns. Their memory is the drift and its elastic part.
 ///
-/// f = a k d + (1 − a) k z, dz/dd = 1 − |z k/`f_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β (R. Bouc, *Proc. 4th Conf. Nonlinear
-/// Oscillations*, Prague (1967) 315; Y. K. Wen, *J. Engng Mech. Div. ASCE* 102 (1976) 249). The loop does not depend on
-/// the rate, so that between two drifts it is integrated over the drift, as if that went straight from one to the other.
+/// f = a k d + (1 − a) k z, dz/dd = 1 − |z k/`f_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β (R. Bouc, *Proc. 4th Conf. Nonlinear Oscillations*, Prague
+/// (1967) 315; Y. K. Wen, *J. Engng Mech. Div. ASCE* 102 (1976) 249). The loop does not depend on the rate: between two drifts it is
+/// integrated over the drift, along the direct path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoucWen {
     /// Stiffness k at z = 0 \[N/m\], > 0.
     pub stiffness: f64,
-    /// Force `f_y` \[N\], > 0, which (1 − a) k z approaches with (1 − a) `f_y`; infinite for columns that never yield.
+    /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield. (1 − a) k z tends to (1 − a) `f_y`.
     pub yield_force: f64,
-    /// Stiffness after yielding over that before a \[–\], 0 ≤ a < 1.
+    /// Ratio of the stiffness after yielding to that before \[–\], 0 ≤ a < 1.
     pub hardening: f64,
-    /// How the knee bends.
+    /// Shape of the knee.
     pub smoothness: Smoothness,
 }
 
-/// What Bouc–Wen columns remember.
+/// Memory of Bouc–Wen columns.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bent {
     /// Drift \[m\].
     pub drift: f64,
-    /// Its elastic part z \[m\].
+    /// Elastic part z of the drift \[m\].
     pub elastic: f64,
 }
 
-/// Pieces of a drift of one yield displacement, for n = 1, over which the loop is integrated; n times as many for n.
+/// Pieces per yield displacement of drift over which the loop is integrated, for n = 1; n times as many for n.
 ///
-/// The error falls with the fourth power: 16 leave 2.2e-8 of the yield force (n = 1; against studies/opensees/loops.csv).
+/// The error falls with the fourth power: 16 pieces leave 2.2e-8 of the yield force (n = 1; against studies/opensees/loops.csv).
 const PIECES: f64 = 16.0;
-/// The same for the first drift, which everything after it starts from: an error of 1e-15.
+/// Pieces per yield displacement of the first drift, on which all later ones depend: an error of 1e-15.
 const FIRST_PIECES: f64 = 1024.0;
-/// A change of y, as a part of it, that is none.
+/// Relative change of y that counts as zero.
 const NOTHING: f64 = 1e-22;
-/// Drifts beyond so many yield displacements change z no more.
+/// Drifts beyond this many yield displacements no longer change z.
 const ENOUGH: f64 = 60.0;
 
 impl Smoothness {
@@ -53,11 +53,11 @@ impl Smoothness {
     /// y after a drift of s.
     fn follow(&self, mut y: f64, s: f64) -> f64 {
         let way = Way::new(s, PIECES * f64::from(self.exponent));
-        // Counted in numbers: a drift that is none makes none of y, too, and stops the run.
+        // Counted in floating-point numbers: a NaN drift also makes y NaN and stops the run.
         let mut piece = 0.0;
         while piece < way.pieces {
             let end = y + self.piece(y, (way.direction, way.h));
-            // |y|ⁿ has a kink at 0, which would cost the method its order: the piece is cut there.
+            // |y|ⁿ has a kink at 0 that would lower the order of the method: the piece is split there.
             y = if y * end < 0.0 {
                 self.piece(0.0, (way.direction, way.h - self.way_to_zero(y, way.direction)))
             } else {
@@ -68,7 +68,7 @@ impl Smoothness {
         if s.is_nan() { s } else { y }
     }
 
-    /// y after a first drift of s, to rounding: what every piece loses of a sum near 1 is kept.
+    /// y after a first drift of s, to rounding: the sum near 1 keeps the digits that each piece loses.
     fn first(&self, s: f64) -> f64 {
         let way = Way::new(s, FIRST_PIECES * f64::from(self.exponent));
         let (mut y, mut rest, mut piece) = (0.0, 0.0, 0.0);
@@ -85,7 +85,7 @@ impl Smoothness {
         if s.is_nan() { s } else { y }
     }
 
-    /// Change of y over a piece h of the way; the classical Runge–Kutta method.
+    /// Change of y over a piece of length h, by the classical Runge–Kutta method.
     fn piece(&self, y: f64, (direction, h): (f64, f64)) -> f64 {
         let first = self.slope(y, direction);
         let second = self.slope(y + 0.5 * h * first, direction);
@@ -94,7 +94,7 @@ impl Smoothness {
         h / 6.0 * (first + 2.0 * (second + third) + fourth)
     }
 
-    /// The way in s until y, less than a piece away from it, is 0: ∫ds/dy dy by Simpson's rule, which needs no root.
+    /// The distance in s to y = 0, less than a piece away: ∫ds/dy dy by Simpson's rule, which needs no root.
     fn way_to_zero(&self, y: f64, direction: f64) -> f64 {
         let (there, middle) = (self.slope(y, direction), self.slope(0.5 * y, direction));
         -y / 6.0 * (1.0 / there + 4.0 / middle + 1.0)
@@ -105,7 +105,7 @@ impl Smoothness {
 struct Way {
     direction: f64,
     pieces: f64,
-    /// Length of a piece with its sign.
+    /// Length of a piece with sign.
     h: f64,
 }
 
@@ -142,7 +142,7 @@ impl RestoringForce for BoucWen {
 }
 
 impl BoucWen {
-    /// The response at a drift, after one that `moved` last and from an elastic part; `follow` finds y from k/`f_y`.
+    /// The response at a drift, from the last change of drift and an elastic part; `follow` finds y from k/`f_y`.
     fn response(&self, (drift, moved): (f64, f64), elastic: f64, follow: impl Fn(f64) -> f64) -> Response<Bent> {
         let (elastic, bend) = if self.yield_force.is_finite() {
             let scale = self.stiffness / self.yield_force;
@@ -206,7 +206,7 @@ mod tests {
 
     #[test]
     fn issue_first_displacement_to_rounding() {
-        // The exact method started 2.2e-8 of the yield force off.
+        // The exact method started with an error of 2.2e-8 of the yield force.
         for s in [-60.0_f64, -2.0, 1e-30, 1e-9, 0.3, 1.0, 5.0, 1e9] {
             for (exponent, wanted) in [(1, s.signum() * -libm::expm1(-s.abs())), (2, libm::tanh(s))] {
                 let y = column(exponent, 0.5).loaded(0.01 * s).memory.elastic / 0.01;

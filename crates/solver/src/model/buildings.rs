@@ -1,27 +1,27 @@
-//! Which floors make a building.
+//! Buildings: the floors that belong together.
 
 use std::ops::Range;
 
 use crate::{Floor, ModelError, Node, Support};
 
-/// The buildings of a row, from left to right; a structure of one storey, or a wall, is a building of one floor.
+/// The buildings of a row, from left to right. A structure of one storey, or a wall, is a building with one floor.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Buildings {
     /// Nodes, building by building, each from the ground up.
     floors: Vec<usize>,
-    /// Where the floors of each building start among them, and where the last ones end.
+    /// Start of the floors of each building in `floors`, and the end of the last ones.
     starts: Vec<usize>,
-    /// Of every node its building.
+    /// Building of every node.
     of: Vec<usize>,
-    /// For every node the floor that stands on it.
+    /// For every node, the floor that stands on it.
     above: Vec<Option<usize>>,
 }
 
 impl Buildings {
-    /// Finds them anew, in the memory of the last ones.
+    /// Finds the buildings of other nodes, with reuse of memory.
     ///
     /// # Errors
-    /// [`ModelError`] for a floor that does not stand on an earlier one, or not alone.
+    /// [`ModelError`] if a floor does not stand on an earlier floor, or shares it with another floor.
     pub(crate) fn renew<Column>(&mut self, nodes: &[Node<Column>]) -> Result<(), ModelError> {
         find_above(nodes, &mut self.above)?;
         self.floors.clear();
@@ -65,7 +65,7 @@ impl Buildings {
         &self.floors
     }
 
-    /// Where among all floors each building lies.
+    /// Range of the floors of each building among all floors.
     pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> {
         self.starts.windows(2).map(|ends| ends[0]..ends[1])
     }
@@ -80,7 +80,7 @@ impl Buildings {
         &self.floors[self.starts[building]..self.starts[building + 1]]
     }
 
-    /// Lets every floor have a mark that a floor of its building has; true when one had it not.
+    /// Gives every floor a mark that any floor of its building has; true if a floor did not have it.
     pub(crate) fn share<Body>(&self, bodies: &mut [Body], mark: impl Fn(&mut Body) -> &mut bool) -> bool {
         let mut grown = false;
         for floors in self.each() {
@@ -98,7 +98,7 @@ impl Buildings {
         self.of[node]
     }
 
-    /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
+    /// The floor that stands on a node; `None` for the top floor of a building and for a wall.
     pub fn above(&self, node: usize) -> Option<usize> {
         self.above[node]
     }

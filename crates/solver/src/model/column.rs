@@ -12,30 +12,30 @@ pub struct Response<Memory, N = f64> {
     pub force: N,
     /// Tangent stiffness `k_t` \[N/m\].
     pub tangent: N,
-    /// What the column remembers if this displacement is accepted.
+    /// Memory of the column if this displacement is accepted.
     pub memory: Memory,
 }
 
 /// The restoring force of a structure's columns as a pure function of displacement and memory.
 ///
-/// Being pure, an explicit method commits the answer at once, and Newton's method may ask again.
+/// Because it is pure, an explicit method accepts the response at once, and Newton's method may ask again.
 pub trait RestoringForce<N: Number = f64>: Copy {
-    /// What the column remembers between steps: `()` where it remembers nothing.
+    /// Memory of the column between steps; `()` if it has none.
     type Memory: Copy + std::fmt::Debug;
 
-    /// What a column remembers that has not been displaced yet.
+    /// Memory of a column before any displacement.
     fn untouched(&self) -> Self::Memory;
 
-    /// Responds to a displacement \[m\], coming from `memory`.
+    /// Responds to a displacement \[m\], from a memory.
     fn respond(&self, displacement: N, memory: Self::Memory) -> Response<Self::Memory, N>;
 
-    /// Responds to the first displacement \[m\], that of t = 0, to rounding: no step after it would mend an error of it.
+    /// Responds to the first displacement \[m\], at t = 0, to rounding: no later step would correct its error.
     fn loaded(&self, displacement: N) -> Response<Self::Memory, N> {
         self.respond(displacement, self.untouched())
     }
 }
 
-/// Columns whose loop is known in numbers; what the exact method and the ledger ask for besides [`RestoringForce`].
+/// Columns with known loop parameters, as the exact method and the ledger need them in addition to [`RestoringForce`].
 pub trait Hysteretic: RestoringForce {
     /// The loop.
     fn hysteresis(&self) -> Hysteresis;
@@ -53,26 +53,26 @@ pub trait Hysteretic: RestoringForce {
 
 /// The loop of columns: f = a k d + (1 − a) k z under a drift d.
 ///
-/// z \[m\] is the part of the drift that is elastic: d itself until z reaches ±`f_y`/k, where it stays while the columns
-/// yield on, or approaches it smoothly.
+/// z \[m\] is the elastic part of the drift. It equals d until it reaches ±`f_y`/k, and stays there while the columns yield; with a smooth
+/// knee it approaches this value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hysteresis {
     /// Stiffness k \[N/m\], ≥ 0.
     pub stiffness: f64,
-    /// Stiffness after yielding as a part a of the stiffness \[–\], 0 ≤ a < 1.
+    /// Ratio a of the stiffness after yielding to the stiffness \[–\], 0 ≤ a < 1.
     pub hardening: f64,
-    /// Yield force `f_y` \[N\], > 0: the force at the drift `f_y`/k of a sharp knee; infinite for columns that never yield.
+    /// Yield force `f_y` \[N\], > 0: with a sharp knee, the force at the drift `f_y`/k. Infinite for columns that never yield.
     pub yield_force: f64,
-    /// How z turns into yielding.
+    /// Shape of the knee.
     pub knee: Knee,
 }
 
-/// How columns turn from elastic into yielding.
+/// How columns pass from elastic behaviour to yielding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Knee {
-    /// At one point: perfectly plastic, or bilinear.
+    /// At a point: perfectly plastic, or bilinear.
     Sharp,
-    /// Smoothly, as [`BoucWen`](crate::BoucWen) says.
+    /// Smoothly; see [`BoucWen`](crate::BoucWen).
     Smooth(Smoothness),
 }
 
@@ -102,7 +102,7 @@ impl Hysteresis {
     }
 }
 
-/// Linear elastic columns; they remember nothing.
+/// Linear elastic columns, without memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elastic<N = f64> {
     /// Stiffness k \[N/m\], ≥ 0.
@@ -131,8 +131,8 @@ impl Hysteretic for Elastic {
     }
 }
 
-/// The return map of columns that yield at one point and are perfectly plastic then: of stiffness \[N/m\] and yield force \[N\], which
-/// first yield at a drift \[m\]; `tangents` \[N/m\] are told on the elastic branch and beyond it.
+/// The return map of perfectly plastic columns with a sharp knee, from stiffness \[N/m\], yield force \[N\] and the drift of first yielding
+/// \[m\]. `tangents` \[N/m\] are those on the elastic branch and beyond.
 #[inline(always)]
 pub fn returned<N: Number>(
     (displacement, plastic_displacement): (N, N),
@@ -142,7 +142,7 @@ pub fn returned<N: Number>(
 ) -> Response<N, N> {
     let trial = stiffness * (displacement - plastic_displacement);
     let (above, below) = (trial.exceeds(yield_force), (-yield_force).exceeds(trial));
-    // A trial that is not a number stays one and stops the run.
+    // A NaN trial stays NaN and stops the run.
     let branch = |beyond: [N; 2], elastic: N| N::select(above, beyond[0], N::select(below, beyond[1], elastic));
     let plastic_displacements = [displacement - at_yield, displacement + at_yield];
     Response {
@@ -152,7 +152,7 @@ pub fn returned<N: Number>(
     }
 }
 
-/// The same of one column; it is asked for the drift at which it first yields only where it does.
+/// The return map of a single column; the drift of first yielding is computed only if the column yields.
 #[inline(always)]
 pub(crate) fn yielding(
     (displacement, plastic_displacement): (f64, f64),
@@ -187,7 +187,7 @@ mod tests {
     fn reference_hysteresis_loop() {
         let mut memory = 0.0;
         let mut force = 0.0;
-        // The incremental form of the paper's notes, beside the return map.
+        // The incremental form of the paper's notes, next to the return map.
         let mut incremental: f64 = 0.0;
         let mut last = 0.0;
         for step in 0..400_i32 {

@@ -2,7 +2,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::ModelError;
 
-/// How the viscous damping of a structure is given.
+/// Viscous damping of a structure, by ratio or Rayleigh coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Damping {
     /// Damping ratio ζ \[–\]: c = 2 ζ √(k m).
@@ -25,7 +25,7 @@ impl Damping {
         }
     }
 
-    /// Damping ratio ζ = c/(2√(k m)) \[–\] that such a structure gets.
+    /// Damping ratio ζ = c/(2√(k m)) \[–\] of a structure of mass \[kg\] and elastic stiffness \[N/m\].
     pub fn ratio(&self, mass: f64, stiffness: f64) -> f64 {
         self.coefficient(mass, stiffness) / (2.0 * (stiffness * mass).sqrt())
     }

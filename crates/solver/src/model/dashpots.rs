@@ -1,9 +1,8 @@
-//! Damping of buildings in explicit methods: the only thing that couples the unknowns of floors there.
+//! Damping of buildings in explicit methods, which is the only coupling between the unknowns of floors.
 //!
-//! A method asks for x with (a + b M⁻¹C) x = known, a and b > 0. Every floor is joined to the floor below and to the one
-//! above alone, so that the matrix of a building is tridiagonal. It is eliminated from the top floor down, and x then
-//! follows from the ground up. What is left of a diagonal element is a sum of positive terms, so that dashpots of any
-//! strength lose no digits.
+//! A method needs x with (a + b M⁻¹C) x = known, a and b > 0. Every floor is joined only to the floor below and to the floor above: the
+//! matrix of a building is tridiagonal. It is eliminated from the top floor down, and x then follows from the ground up. The remaining
+//! diagonal elements are sums of positive terms, so that dashpots of any strength lose no digits.
 
 #![expect(
     clippy::inline_always,
@@ -19,11 +18,11 @@ use crate::{RestoringForce, Row};
 /// Damping coefficients of a floor over its mass \[1/s\].
 #[derive(Debug, Clone, Copy)]
 pub struct DampingRates<N = f64> {
-    /// Of its own storey.
+    /// Rate of the floor's storey.
     pub storey: N,
-    /// Against the ground, besides that of a storey which stands there.
+    /// Rate against the ground, in addition to that of a storey on the ground.
     pub ground: N,
-    /// Of the storey above; 0 where there is none.
+    /// Rate of the storey above; 0 if there is none.
     pub above: N,
 }
 
@@ -40,30 +39,29 @@ impl DampingRates {
 }
 
 impl<N: Number> DampingRates<N> {
-    /// What velocities \[m/s\] of the floor below, of this one and of the floor above take from its acceleration
-    /// \[m/s²\]; the ground has none, and that of a floor which is not there means nothing.
+    /// Deceleration \[m/s²\] of a floor from the velocities \[m/s\] of the floor below, of this floor and of the floor above. Use 0 for the
+    /// ground; the velocity of a missing floor has no effect.
     #[inline(always)]
     pub fn deceleration(&self, [below, own, above]: [N; 3]) -> N {
         self.storey * (own - below) + self.ground * own - self.above * (above - own)
     }
 }
 
-/// Equation of a floor when the unknowns of all floors above it are eliminated.
+/// Equation of a floor after the unknowns of all floors above it are eliminated.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Eliminated {
-    /// Coefficient of its own unknown, > 0.
+    /// Coefficient of the unknown of this floor, > 0.
     pub(crate) pivot: f64,
-    /// The same without the dashpot to the floor below.
+    /// The pivot without the dashpot to the floor below.
     free: f64,
-    /// Coefficient of the unknown of the floor below, which enters with a minus sign; 0 on the ground.
+    /// Coefficient of the unknown of the floor below, subtracted; 0 on the ground.
     pub(crate) below: f64,
-    /// The same of the floor above; 0 on the top floor.
+    /// Coefficient of the unknown of the floor above, subtracted; 0 on the top floor.
     pub(crate) above: f64,
 }
 
 impl Eliminated {
-    /// For a matrix with the diagonal `unit` and damping rates that count as `weigh` says; the equation of the floor above
-    /// has been eliminated.
+    /// Equation for a matrix with the diagonal `unit` and damping rates weighted by `weigh`. The floor above is already eliminated.
     pub(crate) fn new((rates, on_ground): (&DampingRates, bool), above: Option<&Self>, unit: f64, weigh: impl Fn(f64) -> f64) -> Self {
         let (storey, upper) = (weigh(rates.storey), weigh(rates.above));
         let (fixed, below) = if on_ground {
@@ -88,18 +86,18 @@ impl Eliminated {
 #[derive(Debug)]
 pub(crate) struct Dashpots {
     floors: Vec<FloorEquation>,
-    /// What is known, for every floor, building by building; then x.
+    /// The known values, for every floor, building by building; then x.
     pub(crate) values: Vec<f64>,
 }
 
-/// A floor, and its equation for the step that its building took last.
+/// A floor, and its equation for the last step of its building.
 #[derive(Debug)]
 struct FloorEquation {
     rates: DampingRates,
     step: f64,
     equation: Eliminated,
-    /// 1/pivot, and what of the floors above and below is added after it: a division for every floor, each of which waits
-    /// for the one before, would take longer than all the rest.
+    /// 1/pivot, and the factors of the floors above and below that are added after it. A division per floor, each waiting for the one
+    /// before, would take longer than the rest.
     solve: f64,
     from_above: f64,
     from_below: f64,
@@ -121,7 +119,7 @@ impl Dashpots {
         }
     }
 
-    /// Replaces what is known by x on the floors of a building, for a step h \[s\].
+    /// Replaces the known values by x on the floors of a building, for a step h \[s\].
     pub(crate) fn solve(&mut self, building: Range<usize>, step: f64) -> &[f64] {
         let floors = &mut self.floors[building.clone()];
         let values = &mut self.values[building];
@@ -142,7 +140,7 @@ impl Dashpots {
     }
 }
 
-/// Makes the equations of a building for a step.
+/// Builds the equations of a building for a step.
 fn eliminate(floors: &mut [FloorEquation], step: f64) {
     let mut above = None;
     for (level, floor) in floors.iter_mut().enumerate().rev() {

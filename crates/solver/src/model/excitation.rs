@@ -1,23 +1,23 @@
 use crate::model::sampling::Sampling;
 use crate::{Clock, ModelError};
 
-/// Ground acceleration at equally spaced instants, linear between them, zero outside; first sample at t = 0.
+/// Ground acceleration at equally spaced instants, linear between them and zero outside; the first sample is at t = 0.
 ///
-/// Stepping methods sample it once per run; its segments are what a closed form needs.
+/// Stepping methods sample it once per run. Closed forms use its linear segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Excitation<'a> {
     time_step: f64,
     samples: &'a [f64],
 }
 
-/// A linear piece of the ground acceleration, from a given time on.
+/// A linear piece of the ground acceleration, from a given time.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Segment {
     /// Ground acceleration at that time \[m/s²\].
     pub(crate) value: f64,
     /// Its slope \[m/s³\].
     pub(crate) slope: f64,
-    /// Where the piece ends \[s\].
+    /// End of the piece \[s\].
     pub(crate) end: f64,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Excitation<'a> {
     /// Borrows ground accelerations \[m/s²\], `time_step` \[s\] apart.
     ///
     /// # Errors
-    /// [`ModelError`] when there is no sample, one is not finite, or `time_step` is not a finite number > 0.
+    /// [`ModelError`] if there is no sample, a sample is not finite, or `time_step` is not a finite number > 0.
     pub fn new(time_step: f64, samples: &'a [f64]) -> Result<Self, ModelError> {
         if samples.is_empty() {
             return Err(ModelError::NoSamples);
@@ -74,20 +74,20 @@ impl<'a> Excitation<'a> {
         self.samples
     }
 
-    /// When its samples arrive.
+    /// Arrival times of the samples.
     pub(crate) fn sampling(&self) -> Sampling {
         Sampling::new(self.time_step)
     }
 
-    /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it, where the motion arrives at some
-    /// time \[s\], ≥ 0; the ground rests before.
+    /// The linear piece that begins at or before a time ≥ 0 \[s\] and continues after it, for a motion that arrives at time `arrival` ≥ 0
+    /// \[s\]. The ground rests before.
     pub(crate) fn segment(&self, time: f64, arrival: f64) -> Segment {
         let sampling = self.sampling();
         let start = |index| sampling.instant(index, arrival);
         self.segment_of(sampling, time, start)
     }
 
-    /// The same of a clock that shows 0 at an instant \[s\], a whole number of units of the sampling, and of its time.
+    /// The linear piece at a time on a clock that shows 0 at `zero` \[s\], a whole number of units of the sampling.
     pub(crate) fn segment_on_clock(&self, zero: f64, time: f64, arrival: f64) -> Segment {
         let sampling = self.sampling();
         let start = |index| sampling.on_clock(zero, index, arrival);
@@ -119,26 +119,25 @@ impl<'a> Excitation<'a> {
         (0..=clock.n_steps).map(self.at_steps(clock.time_step))
     }
 
-    /// The same at a node, by the number of steps of this length \[s\] before it.
+    /// Ground acceleration at a node \[m/s²\], by the number of steps of this length \[s\] before it.
     #[inline]
     pub fn at_steps(&self, time_step: f64) -> impl Fn(usize) -> f64 + use<'a> {
         let (excitation, ratio) = (*self, time_step / self.time_step);
         move |step| excitation.at_position(step as f64 * ratio)
     }
 
-    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\], where the motion arrives at some
-    /// time \[s\].
+    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\], for a motion that arrives at time `arrival` \[s\].
     pub(crate) fn at(&self, time: f64, arrival: f64) -> f64 {
         self.at_position(time / self.time_step - arrival / self.time_step)
     }
 
-    /// Ground acceleration at a `position` counted in samples; nothing before the first one.
+    /// Ground acceleration at a `position` counted in samples; 0 before the first sample.
     #[inline]
     pub(crate) fn at_position(&self, position: f64) -> f64 {
         if position <= -SNAP {
             return 0.0;
         }
-        // Rounds towards zero, without a call; behind the last sample `get` says so.
+        // Rounds towards zero, without a call; `get` detects the end of the samples.
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -1,13 +1,13 @@
-//! The ground at an instant, as stepping methods see it.
+//! The ground at an instant, for stepping methods.
 
 use crate::model::travel::Travel;
 use crate::{Clock, Excitation, Motion, Pair, State};
 
-/// The ground motion of a run; decided once.
+/// The ground motion of a run, chosen once.
 pub(crate) enum Shaking<'a> {
-    /// All buildings are shaken at once: its acceleration at every node of the clock \[m/s²\].
+    /// All buildings are shaken at once: ground acceleration at every node of the clock \[m/s²\].
     Common(Vec<f64>),
-    /// It arrives at them one after the other.
+    /// The motion arrives at the buildings at different times.
     Delayed(Delayed<'a>),
 }
 
@@ -29,14 +29,14 @@ pub(crate) enum Ground<'a> {
     Common(f64),
     Delayed {
         of: &'a Delayed<'a>,
-        /// Time steps since t = 0, and the part of the next one that has passed.
+        /// Time steps since t = 0, and the elapsed part of the next step.
         step: usize,
         part: f64,
     },
 }
 
 impl<'a> Shaking<'a> {
-    /// Of a row of so many nodes; `travel` where the motion does not arrive everywhere at once.
+    /// Shaking of a row with this many nodes. `travel` is `Some` if the motion does not arrive everywhere at once.
     pub(crate) fn new(n_nodes: usize, travel: Option<Travel>, excitation: Excitation<'a>, clock: Clock) -> Self {
         match travel {
             None => Self::Common(excitation.sampled(clock).collect()),
@@ -52,7 +52,7 @@ impl<'a> Shaking<'a> {
         }
     }
 
-    /// At a node of the clock.
+    /// The ground at a node of the clock.
     #[inline]
     pub(crate) fn at(&self, step: usize) -> Ground<'_> {
         match self {
@@ -61,7 +61,7 @@ impl<'a> Shaking<'a> {
         }
     }
 
-    /// At a part of the time step that begins at a node of the clock; accelerations are linear in it.
+    /// The ground at a part of the time step after a node of the clock; accelerations are linear in the step.
     pub(crate) fn within(&self, step: usize, part: f64) -> Ground<'_> {
         match self {
             Self::Common(samples) => {
@@ -83,7 +83,7 @@ impl Ground<'_> {
         }
     }
 
-    /// Deformation of a pair \[m\] whose left neighbour is displaced by so much more than the right one \[m\].
+    /// Deformation of a pair \[m\] whose left neighbour is displaced by `ahead` more than the right neighbour \[m\].
     #[inline]
     pub(crate) fn deformation(self, pair: &Pair, ahead: f64) -> f64 {
         match self {
@@ -92,7 +92,7 @@ impl Ground<'_> {
         }
     }
 
-    /// Rate of deformation of a pair \[m/s\] whose left neighbour is so much faster than the right one \[m/s\].
+    /// Rate of deformation of a pair \[m/s\] whose left neighbour is faster than the right neighbour by `faster` \[m/s\].
     #[inline]
     pub(crate) fn rate(self, pair: &Pair, faster: f64) -> f64 {
         match self {
@@ -101,19 +101,19 @@ impl Ground<'_> {
         }
     }
 
-    /// Deformation of a pair in these states of all structures \[m\]; positive where it overlaps.
+    /// Deformation of a pair in these states of all structures \[m\]; positive if it overlaps.
     #[inline]
     pub(crate) fn deformation_of(self, pair: &Pair, states: &[State]) -> f64 {
         self.deformation(pair, pair.relation.ahead(|node| states[node].displacement))
     }
 
-    /// Its rate \[m/s\], positive while approaching.
+    /// Rate of deformation of a pair in these states \[m/s\], positive while approaching.
     #[inline]
     pub(crate) fn rate_of(self, pair: &Pair, states: &[State]) -> f64 {
         self.rate(pair, pair.relation.ahead(|node| states[node].velocity))
     }
 
-    /// How far the grounds of a pair have moved towards each other, and at which rate: 0 where they move alike.
+    /// How far the grounds of a pair have moved towards each other, and at which rate; 0 if they move alike.
     #[inline]
     pub(crate) fn opening(self, pair: &Pair) -> Motion {
         match self {
@@ -122,7 +122,7 @@ impl Ground<'_> {
         }
     }
 
-    /// Rounding of that distance, and of its rate, is that of these magnitudes.
+    /// Magnitudes of the rounding of this opening and its rate.
     #[inline]
     pub(crate) fn extent(self, pair: &Pair) -> Motion {
         match self {
@@ -131,7 +131,7 @@ impl Ground<'_> {
         }
     }
 
-    /// The ground a part of a time step earlier, of which openings alone may be asked.
+    /// The ground earlier by a part of a time step; only for openings.
     pub(crate) fn earlier(self, by: f64) -> Self {
         match self {
             Self::Common(_) => self,

@@ -1,36 +1,36 @@
-//! Which pairs meet which floors.
+//! Incidence of pairs and floors.
 
 use std::ops::Range;
 
 use crate::Pair;
 
-/// A pair at a floor that carries a point of it.
+/// A pair at a floor that carries a point of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Incident {
     pub(crate) pair: usize,
-    /// Whether the floor carries its left point, and is pushed to the left.
+    /// Whether the floor carries the left point, and is pushed to the left.
     pub(crate) on_left: bool,
-    /// Part of the pair's force that it carries \[–\].
+    /// Part of the pair's force that the floor carries \[–\].
     pub(crate) part: f64,
 }
 
 /// The pairs at every floor, and the floors of every pair.
 ///
-/// A slot is one of both: a floor that carries a point of a pair.
+/// A slot is a combination of both: a floor that carries a point of a pair.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Incidence {
-    /// Slot by slot, floor after floor.
+    /// Incidents slot by slot, floor after floor.
     incidents: Vec<Incident>,
-    /// Where the slots of each floor begin, and where the last ones end.
+    /// First slot of each floor, and the end of the last ones.
     of_floor: Vec<usize>,
-    /// The slots of the pairs: of the floors that carry the left point, then the right one, each the nearer one first.
+    /// The slots of the pairs: floors of the left point, then of the right point, each with the nearer floor first.
     slots: Vec<usize>,
-    /// Where those of each pair begin, and where the last ones end.
+    /// First slot of each pair, and the end of the last ones.
     of_pair: Vec<usize>,
 }
 
 impl Incidence {
-    /// Finds them anew, in the memory of the last ones.
+    /// Finds the incidence of other floors and pairs, with reuse of memory.
     pub(crate) fn renew(&mut self, n_floors: usize, pairs: &[Pair]) {
         let Self {
             incidents,
@@ -64,7 +64,7 @@ impl Incidence {
         of_pair.push(0);
         for (index, pair) in pairs.iter().enumerate() {
             for (on_left, (floor, part)) in parts(pair) {
-                // Filled from its start on, which is put back below.
+                // Filling moves the start of the floor, which is restored below.
                 let slot = of_floor[floor];
                 of_floor[floor] += 1;
                 incidents[slot] = Incident {
@@ -98,7 +98,7 @@ impl Incidence {
         &self.slots[self.of_pair[pair]..self.of_pair[pair + 1]]
     }
 
-    /// All, slot by slot.
+    /// All incidents, slot by slot.
     pub(crate) fn incidents(&self) -> &[Incident] {
         &self.incidents
     }

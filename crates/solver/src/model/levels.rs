@@ -1,13 +1,13 @@
-//! Where the floors of buildings stand in a row.
+//! Numbering of the floors of buildings in a row.
 
 use crate::{Floor, Node};
 
-/// One storey of a building: a floor, and the columns and the damping between it and what they stand on.
+/// A storey of a building: a floor, and the columns and damping between it and its support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Storey<Column> {
     /// Mass of the floor \[kg\], > 0.
     pub mass: f64,
-    /// Damping coefficient between the floor and what its columns stand on \[N·s/m\], ≥ 0: βk of Rayleigh damping.
+    /// Damping coefficient between the floor and the support of its columns \[N·s/m\], ≥ 0: βk of Rayleigh damping.
     pub damping: f64,
     /// Damping coefficient of the floor against the ground \[N·s/m\], ≥ 0: αm of Rayleigh damping.
     pub ground_damping: f64,
@@ -15,29 +15,29 @@ pub struct Storey<Column> {
     pub column: Column,
 }
 
-/// Nodes of the floors of buildings that stand in a row: level by level, in each from left to right.
+/// Nodes of the floors of buildings in a row: level by level, and from left to right in each level.
 ///
-/// Floors of one level that face each other so are neighbours in the row, and what holds for a row of one level holds for
-/// each. A wall is a building of as many floors as it has levels, each a wall of its own.
+/// Floors of a level that face each other are then neighbours in the row, and every level is a row of one level. A wall is a building with
+/// as many floors as it has levels; each of them is a separate wall.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Levels {
-    /// Of every building its nodes, from the ground up.
+    /// Nodes of every building, from the ground up.
     nodes: Vec<Vec<usize>>,
-    /// Of every node building and storey.
+    /// Building and storey of every node.
     places: Vec<(usize, usize)>,
-    /// Of every node its level.
+    /// Level of every node.
     heights: Vec<usize>,
 }
 
 impl Levels {
-    /// Of buildings with so many storeys, from left to right, whose floors are at equal heights.
+    /// Levels of buildings with these numbers of storeys, from left to right, with floors at equal heights.
     pub fn new(storeys: &[usize]) -> Self {
         let floors: Vec<Vec<usize>> = storeys.iter().map(|count| (0..*count).collect()).collect();
         Self::at(&floors)
     }
 
-    /// Of buildings with floors at these levels, each list rising: a hall as high as two storeys of its neighbour has one
-    /// floor, at level 1.
+    /// Levels of buildings with floors at these levels, each list in ascending order. A hall as high as two storeys of its neighbour has a
+    /// single floor, at level 1.
     pub fn at(floors: &[Vec<usize>]) -> Self {
         let mut order: Vec<_> = floors
             .iter()
@@ -74,12 +74,12 @@ impl Levels {
         self.places[node]
     }
 
-    /// Level of a node, as it was given.
+    /// Level of a node, as given.
     pub fn level(&self, node: usize) -> usize {
         self.heights[node]
     }
 
-    /// Nodes of a building and of its right neighbour at one level, from the ground up.
+    /// Nodes of a building and of its right neighbour at common levels, from the ground up.
     pub fn facing(&self, left: usize) -> impl Iterator<Item = (usize, usize)> {
         let faces = move |node: &usize| {
             let right = node + 1;
@@ -91,7 +91,7 @@ impl Levels {
 
     /// The floor of a storey, as a node at rest.
     ///
-    /// A building of one storey is the structure that it always was: all its damping is that of its storey.
+    /// In a building of one storey, all damping is that of the storey.
     pub fn floor<Column>(&self, node: usize, storey: Storey<Column>) -> Node<Column> {
         let (building, level) = self.places[node];
         let Storey {

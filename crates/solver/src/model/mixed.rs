@@ -1,18 +1,18 @@
-//! Columns of rows in which some storeys yield at one point and others smoothly.
+//! Columns of rows in which some storeys yield at a sharp knee and others smoothly.
 
 use crate::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce};
 
-/// Columns that yield at one point, or never, or smoothly; what they remember is that of either.
+/// Columns that yield at a sharp knee, smoothly, or never, with a common memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mixed {
-    /// That yield at one point, or never.
+    /// Columns that yield at a sharp knee, or never.
     Sharp(Bilinear),
-    /// That yield smoothly.
+    /// Columns that yield smoothly.
     Smooth(BoucWen),
 }
 
 impl RestoringForce for Mixed {
-    /// Of sharp columns the drift is not used, and the elastic part holds the plastic one.
+    /// For sharp columns, the drift is unused and the elastic part holds the plastic displacement.
     type Memory = Bent;
 
     fn untouched(&self) -> Bent {
@@ -35,7 +35,7 @@ impl RestoringForce for Mixed {
     }
 }
 
-/// What sharp columns answer, with what they remember where smooth ones have it.
+/// The response of sharp columns, with their memory in the form of smooth columns.
 fn sharp(drift: f64, response: Response<f64>) -> Response<Bent> {
     let Response {
         force,

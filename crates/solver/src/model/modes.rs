@@ -1,4 +1,4 @@
-//! The natural modes of a building, and what Rayleigh damping makes of them.
+//! The natural modes of a building, and Rayleigh damping from modes.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -9,21 +9,20 @@ use crate::{Damping, Hysteretic, ModelError, Row, Storey};
 /// Source: A. K. Chopra, *Dynamics of Structures*, chapters 10 to 13.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
-    /// Circular frequency ω without damping \[rad/s\], ≥ 0; 0 where nothing holds the floors.
+    /// Circular frequency ω without damping \[rad/s\], ≥ 0; 0 if nothing holds the floors.
     pub angular_frequency: f64,
-    /// Damping ratio ζ = φᵀCφ/(2 √(φᵀKφ φᵀMφ)) \[–\], ≥ 0. Exact for Rayleigh damping; other damping couples the modes,
-    /// which this leaves out.
+    /// Damping ratio ζ = φᵀCφ/(2 √(φᵀKφ φᵀMφ)) \[–\], ≥ 0. Exact for Rayleigh damping; for other damping the coupling of the modes is
+    /// neglected.
     pub damping_ratio: f64,
-    /// Displacements φ of the floors from the ground up \[–\]: the largest is 1, that of the roof positive.
+    /// Displacements φ of the floors from the ground up \[–\], scaled so that the largest is 1 and that of the roof positive.
     pub shape: Vec<f64>,
     /// Modal mass φᵀMφ \[kg\], > 0.
     pub modal_mass: f64,
-    /// Participation factor Γ = Σ m φ / φᵀMφ \[–\], by which the ground shakes the mode; of either sign. Γφ summed over the
-    /// modes is 1 at every floor.
+    /// Participation factor Γ = Σ m φ / φᵀMφ \[–\] of the ground motion, of either sign. The sum of Γφ over the modes is 1 at every floor.
     pub participation: f64,
 }
 
-/// A linear oscillation that a step has to follow: of a structure, or of a pair while it touches.
+/// A linear oscillation that a step must resolve: that of a structure, or of a pair while it touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oscillation {
     /// Circular frequency ω without damping \[rad/s\], > 0.
@@ -33,17 +32,17 @@ pub struct Oscillation {
 }
 
 impl Mode {
-    /// Natural period T = 2π/ω \[s\]; infinite where nothing holds the floors.
+    /// Natural period T = 2π/ω \[s\]; infinite if nothing holds the floors.
     pub fn period(&self) -> f64 {
         2.0 * std::f64::consts::PI / self.angular_frequency
     }
 
-    /// Effective modal mass Γ² φᵀMφ \[kg\], ≥ 0: those of all modes make the mass of the building.
+    /// Effective modal mass Γ² φᵀMφ \[kg\], ≥ 0. The sum over all modes is the mass of the building.
     pub fn effective_mass(&self) -> f64 {
         self.participation * self.participation * self.modal_mass
     }
 
-    /// The oscillation that a step has to follow.
+    /// The oscillation that a step must resolve.
     pub fn oscillation(&self) -> Oscillation {
         Oscillation {
             angular_frequency: self.angular_frequency,
@@ -52,22 +51,22 @@ impl Mode {
     }
 }
 
-/// Iterations per floor after which the search for modes would be given up; it needs about two.
+/// Most iterations per floor in the search for modes, which needs about two.
 const ITERATIONS_PER_FLOOR: usize = 1000;
 
-/// Natural modes of a building whose storeys are given from the ground up, the slowest first.
+/// Natural modes of a building from its storeys, given from the ground up; the slowest mode first.
 ///
-/// Shapes φ = M^(−1/2) y are those of nalgebra's eigenvectors y of M^(−1/2) K M^(−1/2); its symmetric QR iteration takes
-/// no more than + − × ÷ √, so that every machine finds the same bits. Their frequencies are Rayleigh's quotients
-/// Σ k (Δφ)²/Σ m φ² over drifts: errors of a shape enter squared, and the slowest mode of a building whose upper storeys
-/// are a million million times stiffer than its first keeps all its digits, which the eigenvalue itself does not.
+/// Shapes are φ = M^(−1/2) y with the eigenvectors y of M^(−1/2) K M^(−1/2) from nalgebra. Its symmetric QR iteration uses only + − × ÷ √,
+/// so that every machine finds the same bits. Frequencies are Rayleigh quotients Σ k (Δφ)²/Σ m φ² over drifts. Errors of a shape enter them
+/// squared. The slowest mode of a building whose upper storeys are 1e12 times stiffer than its first keeps all its digits, unlike the
+/// eigenvalue.
 ///
 /// # Errors
-/// [`ModelError::OutOfRange`] for a mass that is not positive, a stiffness or damping that is negative, and what is not
-/// finite, or too large beside a mass.
+/// [`ModelError::OutOfRange`] if a mass is not positive, a stiffness or damping is negative, or a value is not finite or too large compared
+/// with a mass.
 ///
 /// # Panics
-/// If the QR iteration does not end, which it does for every finite symmetric matrix.
+/// Panics if the QR iteration does not end. It ends for every finite symmetric matrix.
 pub fn modes<Column: Hysteretic>(storeys: &[Storey<Column>]) -> Result<Vec<Mode>, ModelError> {
     for (index, storey) in storeys.iter().enumerate() {
         check(index, storey)?;
@@ -116,7 +115,7 @@ fn scaled_stiffness<Column: Hysteretic>(storeys: &[Storey<Column>]) -> DMatrix<f
     })
 }
 
-/// The shape with 1 as its largest magnitude, and a positive roof, or highest floor that moves.
+/// The shape scaled to a largest magnitude of 1, with a positive roof, or a positive highest floor that moves.
 fn normal(shape: Vec<f64>) -> Vec<f64> {
     let largest = shape.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
     let highest = shape.iter().rev().find(|part| **part != 0.0);
@@ -124,7 +123,7 @@ fn normal(shape: Vec<f64>) -> Vec<f64> {
     shape.into_iter().map(|part| part / scale).collect()
 }
 
-/// What belongs to a shape.
+/// The mode with a given shape.
 fn mode<Column: Hysteretic>(storeys: &[Storey<Column>], shape: Vec<f64>) -> Mode {
     let (mut modal_mass, mut excited) = (0.0, 0.0);
     let (mut stiffness, mut damping) = (0.0, 0.0);
@@ -139,7 +138,7 @@ fn mode<Column: Hysteretic>(storeys: &[Storey<Column>], shape: Vec<f64>) -> Mode
     }
     Mode {
         angular_frequency: (stiffness / modal_mass).sqrt(),
-        // Nothing to damp where a floor is free: 0/0.
+        // A free floor has no damping: 0/0.
         damping_ratio: if damping > 0.0 {
             damping / (2.0 * (stiffness * modal_mass).sqrt())
         } else {
@@ -175,7 +174,7 @@ impl Damping {
     /// Rayleigh damping c = αm + βk that gives two `modes` of a building, the slower one first, these damping `ratios` ζ.
     ///
     /// # Errors
-    /// [`ModelError`] unless the first mode is slower than the second, and both have a frequency.
+    /// [`ModelError`] unless the first mode is slower than the second and both have a frequency > 0.
     pub fn rayleigh_from_modes(modes: [&Mode; 2], ratios: [f64; 2]) -> Result<Self, ModelError> {
         let frequency = |mode: &Mode| mode.angular_frequency / (2.0 * std::f64::consts::PI);
         Self::rayleigh_from_ratios(modes.map(frequency), ratios)
@@ -186,7 +185,7 @@ impl<Column: Hysteretic> Row<Column> {
     /// Natural modes of the building of a node, the slowest first.
     ///
     /// # Errors
-    /// [`ModelError`] for a wall, and as [`modes`] has them.
+    /// [`ModelError`] for a wall, and for the reasons listed at [`modes`].
     pub fn modes(&self, node: usize) -> Result<Vec<Mode>, ModelError> {
         let storey = |floor: &usize| {
             let node = &self.nodes()[*floor];

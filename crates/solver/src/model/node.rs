@@ -3,19 +3,19 @@
 use crate::model::support::{Floor, Support};
 use crate::{RestoringForce, State};
 
-/// One floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
+/// A floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
 ///
-/// Displacements and velocities are relative to the ground; columns and their damping see the drift, that is the
-/// displacement relative to what they stand on.
+/// Displacements and velocities are relative to the ground. Columns and their damping respond to the drift, which is the displacement
+/// relative to their support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node<Column> {
-    /// Inverse mass \[1/kg\], ≥ 0; 0 for a fixed wall, which stays where it is.
+    /// Inverse mass \[1/kg\], ≥ 0; 0 for a fixed wall, which never moves.
     pub inverse_mass: f64,
     /// Damping coefficient c of the storey below the floor \[N·s/m\], ≥ 0.
     pub damping: f64,
     /// The columns of that storey.
     pub column: Column,
-    /// What the columns stand on.
+    /// Support of the columns.
     pub support: Support,
     /// Displacement at t = 0 \[m\].
     pub initial_displacement: f64,
@@ -36,7 +36,7 @@ impl<Column> Node<Column> {
         }
     }
 
-    /// The same on another floor of the building.
+    /// The structure on another floor of the building.
     #[must_use]
     pub fn on_floor(self, floor: Floor) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl<Column> Node<Column> {
         }
     }
 
-    /// A fixed wall; its column is asked at displacement 0 only and moves nothing.
+    /// A fixed wall. Its column is evaluated only at displacement 0 and moves nothing.
     pub fn wall(column: Column) -> Self {
         Self {
             inverse_mass: 0.0,
@@ -71,7 +71,7 @@ impl<Column> Node<Column> {
 }
 
 impl<Column: RestoringForce> Node<Column> {
-    /// Acceleration \[m/s²\] of a structure of one storey in equilibrium; a wall has none.
+    /// Acceleration \[m/s²\] of a structure of one storey in equilibrium; 0 for a wall.
     pub(crate) fn acceleration(&self, state: &State, ground: f64) -> f64 {
         let ground = if self.is_wall() { 0.0 } else { ground };
         let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;

@@ -1,31 +1,32 @@
-//! A symmetric positive definite matrix that is zero but near its diagonal, and its factors L D Lᵀ.
+//! A symmetric positive definite matrix with nonzero elements only near its diagonal, and its factors L D Lᵀ.
 //!
-//! Source: K.-J. Bathe, *Finite Element Procedures*, 8.2: of every row the elements from the diagonal to the last column
-//! that it, or a row above, is joined to are kept; elimination fills no other, and needs no pivoting. Along a line of
-//! neighbours it is the tridiagonal elimination.
+//! Source: K.-J. Bathe, *Finite Element Procedures*, 8.2. Each row stores the elements from the diagonal to the last column that it, or a
+//! row above, is joined to. Elimination fills no other element and needs no pivoting. Along a line of neighbours it is the tridiagonal
+//! elimination.
 //!
-//! Each row is taken off the rows below it, and not those above off each row: there every division waits for the one before.
+//! Each row is subtracted from the rows below it. The other order, in which the rows above are subtracted from each row, makes every
+//! division wait for the one before.
 
-/// Half of a matrix, in place of which its factors come.
+/// Half of a matrix, later replaced by its factors.
 #[derive(Default)]
 pub(crate) struct Profile {
     rows: Vec<Kept>,
-    /// Row by row; then D on the diagonal and Lᵀ beside it.
+    /// Elements row by row; then D on the diagonal and Lᵀ beside it.
     elements: Vec<f64>,
-    /// A right-hand side, then the solution.
+    /// The right-hand side, then the solution.
     pub(crate) vector: Vec<f64>,
 }
 
-/// What is kept of a row.
+/// The stored part of a row.
 struct Kept {
-    /// Where its elements start: that on the diagonal.
+    /// Index of its first element, on the diagonal.
     start: usize,
-    /// The column before which they end.
+    /// The column after its last element.
     end: usize,
 }
 
 impl Profile {
-    /// Room for so many rows and elements; it grows where a row of buildings needs more.
+    /// Room for this many rows and elements. It grows if a row of buildings needs more.
     pub(crate) fn with_capacity(n: usize, n_elements: usize) -> Self {
         Self {
             rows: Vec::with_capacity(n),
@@ -34,7 +35,7 @@ impl Profile {
         }
     }
 
-    /// Begins a matrix of n rows with nothing off the diagonal.
+    /// Begins a matrix of n rows without off-diagonal elements.
     pub(crate) fn begin(&mut self, n: usize) {
         self.rows.clear();
         self.rows.extend((1..=n).map(|end| Kept { start: 0, end }));
@@ -49,7 +50,7 @@ impl Profile {
         row.end = row.end.max(one.max(other) + 1);
     }
 
-    /// Lays out the rows joined so far; their elements are to be [cleared](Self::clear).
+    /// Lays out the joined rows. Their elements must then be [cleared](Self::clear).
     pub(crate) fn lay_out(&mut self) {
         let (mut start, mut end) = (0, 0);
         for (index, row) in self.rows.iter_mut().enumerate() {
@@ -65,7 +66,7 @@ impl Profile {
         self.elements.fill(0.0);
     }
 
-    /// Adds to the element that joins two rows, or to that of a row on the diagonal.
+    /// Adds to the element that joins two rows, or to a diagonal element.
     #[inline]
     pub(crate) fn add(&mut self, one: usize, other: usize, value: f64) {
         let (row, column) = (one.min(other), one.max(other));
@@ -84,7 +85,7 @@ impl Profile {
             for (place, (next, unknown)) in next.enumerate() {
                 let factor = own[place] / *pivot;
                 *unknown -= factor * known[index];
-                // From the end on: forwards these few elements would be taken in twos, others than those just stored.
+                // Backwards: forwards, these few elements would be loaded in pairs that differ from those just stored.
                 for column in (place..own.len()).rev() {
                     below[column - place] -= factor * own[column];
                 }
@@ -95,10 +96,10 @@ impl Profile {
         self.substitute();
     }
 
-    /// Replaces the right-hand side b by D^(−½) L⁻¹ b with the factors.
+    /// Replaces the right-hand side b by D^(−½) L⁻¹ b, after the factorisation.
     ///
-    /// The product of two such vectors is that of one right-hand side with the solution for the other. Of a matrix that is not
-    /// positive definite they are not numbers.
+    /// The product of two such vectors equals the product of the first right-hand side with the solution for the second. For a matrix that
+    /// is not positive definite they are NaN.
     pub(crate) fn halve(&mut self) {
         for (index, row) in self.rows.iter().enumerate() {
             let elements = &self.elements[row.start..row.start + row.end - index];
@@ -110,7 +111,7 @@ impl Profile {
         }
     }
 
-    /// Finds the unknowns from the last one on.
+    /// Finds the unknowns, from the last one to the first.
     fn substitute(&mut self) {
         for (index, row) in self.rows.iter().enumerate().rev() {
             let elements = &self.elements[row.start..row.start + row.end - index];
@@ -157,7 +158,7 @@ mod tests {
         for (found, wanted) in profile.vector.iter().zip(&wanted) {
             assert!((found - wanted).abs() < 1e-13, "{found} {wanted}");
         }
-        // Half of the way gives the products of the inverse.
+        // The half-way vectors give the products of the inverse.
         let halves = [right.as_slice(), wanted.as_slice()].map(|vector| {
             profile.vector.copy_from_slice(vector);
             profile.halve();

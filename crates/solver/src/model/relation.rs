@@ -1,10 +1,10 @@
-//! Which points of a row can meet, and what happens where they do.
+//! Points of a row that can meet, and the law of their contact.
 
 use pounding_contact::ContactLaw;
 
 use crate::{Node, PointFault};
 
-/// A point of a building that moves with one of its floors, or between two of them.
+/// A point of a building on a floor, or between two floors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Point {
     /// On a floor, or on a wall.
@@ -13,10 +13,10 @@ pub enum Point {
     Share(Share),
 }
 
-/// A point on the columns between two floors; [`Point::between`] makes one.
+/// A point on the columns between two floors; [`Point::between`] makes it.
 ///
-/// Its displacement is that of the base plus the part `lean` of the difference to the other floor. Floors that move alike so give
-/// exactly what they share.
+/// Its displacement is that of the base plus `lean` times the difference to the other floor. If both floors move alike, the point moves
+/// exactly with them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
     /// The nearer floor; `None` is the ground.
@@ -34,37 +34,37 @@ pub struct Relation {
     pub left: Point,
     /// The point on the right.
     pub right: Point,
-    /// How far they stand apart at rest \[m\].
+    /// Distance at rest \[m\].
     pub offset: f64,
 }
 
 /// Two points that can touch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// The points; they stand apart by the gap at rest g \[m\], ≥ 0.
+    /// The points; their distance at rest is the gap g \[m\], ≥ 0.
     pub relation: Relation,
-    /// What happens while they touch.
+    /// The law of their contact.
     pub law: ContactLaw,
 }
 
 impl Pair {
-    /// Two points, the left one first, which nothing checks, with a gap g \[m\], ≥ 0.
+    /// A pair of two points with a gap g \[m\], ≥ 0. The left point comes first; this is not checked.
     pub fn new(left: Point, right: Point, gap: f64, law: ContactLaw) -> Self {
         let relation = Relation { left, right, offset: gap };
         Self { relation, law }
     }
 
-    /// Two floors, or a floor and a wall, by their nodes, the left one first, with a gap g \[m\], ≥ 0.
+    /// A pair of two floors, or of a floor and a wall, by their nodes, with a gap g \[m\], ≥ 0. The left one comes first.
     pub fn of_floors(left: usize, right: usize, gap: f64, law: ContactLaw) -> Self {
         Self::new(left.into(), right.into(), gap, law)
     }
 
-    /// The floor on the left: of a point on columns the nearer one.
+    /// The floor on the left; for a point on columns, the nearer floor.
     pub fn left(&self) -> usize {
         self.relation.left.floor()
     }
 
-    /// The floor on the right.
+    /// The floor on the right; for a point on columns, the nearer floor.
     pub fn right(&self) -> usize {
         self.relation.right.floor()
     }
@@ -82,10 +82,10 @@ impl From<usize> for Point {
 }
 
 impl Point {
-    /// The point between two floors of a building, by their nodes, that has a part of the upper one's displacement \[–\], 0 to 1, and
-    /// the rest of the lower one's; `None` as the lower one is the ground.
+    /// The point between two floors of a building, by their nodes. It has the part `upper_part` \[–\], 0 to 1, of the upper floor's
+    /// displacement and the rest of the lower floor's. `lower` is `None` for the ground.
     ///
-    /// Returns `None` if the part is no number from 0 to 1, or if the point is on the ground.
+    /// Returns `None` if the part is not a number from 0 to 1, or if the point is on the ground.
     pub fn between(lower: Option<usize>, upper: usize, upper_part: f64) -> Option<Self> {
         if !(0.0..=1.0).contains(&upper_part) {
             return None;
@@ -104,7 +104,7 @@ impl Point {
         Some(Self::Share(Share { base, other, lean }))
     }
 
-    /// Whether it is a point of a row with these nodes.
+    /// Checks that this is a point of a row with these nodes.
     pub(crate) fn check<Column>(self, nodes: &[Node<Column>]) -> Result<(), PointFault> {
         let known = |floor: usize| {
             let n_nodes = nodes.len();
@@ -118,7 +118,7 @@ impl Point {
         for floor in base.into_iter().chain(other) {
             known(floor)?;
         }
-        // The ground is below all floors, and a floor comes before those that stand on it.
+        // The ground is below all floors, and a floor comes before the floors above it.
         let (lower, upper) = (base.min(other), base.max(other));
         let upper = upper.ok_or(PointFault::NoFloor)?;
         let node = known(upper)?;
@@ -131,16 +131,16 @@ impl Point {
         Ok(())
     }
 
-    /// A floor that it moves with, wholly or most of all floors.
+    /// The floor with which the point moves, wholly or most.
     pub fn floor(self) -> usize {
         match self {
             Self::Floor(floor) => floor,
-            // A share of the ground alone is no point of a row.
+            // A point between the ground and the ground is refused by every row.
             Self::Share(Share { base, other, .. }) => base.or(other).unwrap_or(usize::MAX),
         }
     }
 
-    /// What a point has of a quantity that floors have: displacement, velocity, acceleration.
+    /// The value at the point of a quantity of floors, such as displacement, velocity or acceleration.
     #[inline]
     pub fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
         match self {
@@ -152,7 +152,7 @@ impl Point {
         }
     }
 
-    /// The floors that carry it, the nearer one first, and their parts of a force on it.
+    /// The floors that carry the point, the nearer one first, and their parts of a force on it.
     #[inline]
     pub fn parts(self) -> impl Iterator<Item = (usize, f64)> + Clone {
         let parts = match self {
@@ -162,7 +162,7 @@ impl Point {
         parts.into_iter().flatten()
     }
 
-    /// Gives floors what they carry of a force on the point \[N\], or of an impulse \[N·s\].
+    /// Distributes a force \[N\] or an impulse \[N·s\] on the point to its floors.
     #[inline]
     pub fn spread(self, force: f64, mut give: impl FnMut(usize, f64)) {
         match self {
@@ -179,7 +179,7 @@ impl Point {
         }
     }
 
-    /// Velocity of the point that a unit impulse on it causes \[1/kg\].
+    /// Velocity of the point under a unit impulse on it \[1/kg\].
     #[inline]
     pub fn mobility(self, inverse_mass: impl Fn(usize) -> f64) -> f64 {
         match self {
@@ -190,13 +190,13 @@ impl Point {
 }
 
 impl Relation {
-    /// How far the left point is ahead of the right one, in a quantity of floors.
+    /// Left point minus right point, in a quantity of floors.
     #[inline]
     pub fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
         self.left.of(&quantity) - self.right.of(&quantity)
     }
 
-    /// Gives floors what they get of a force that pushes both points apart \[N\], or of an impulse \[N·s\]: positive to the right.
+    /// Distributes to the floors a force \[N\] or an impulse \[N·s\] that pushes both points apart; positive to the right.
     #[inline]
     pub fn spread(&self, force: f64, mut give: impl FnMut(usize, f64)) {
         self.left.spread(force, |floor, force| give(floor, -force));
@@ -209,13 +209,13 @@ impl Relation {
         [self.left, self.right]
     }
 
-    /// Whether both move with floors.
+    /// Whether both points are on floors.
     pub fn is_level(&self) -> bool {
         let mut points = self.points().into_iter();
         points.all(|point| matches!(point, Point::Floor(_)))
     }
 
-    /// Its row of the matrix G: what a force of 1 N between both points does to the floors, the left ones pushed to the left.
+    /// Its row of the matrix G: the effect on the floors of 1 N between both points. Floors on the left are pushed to the left.
     #[inline]
     pub fn pushes(&self) -> impl Iterator<Item = (usize, f64)> {
         let left = self.left.parts().map(|(floor, part)| (floor, -part));

@@ -4,23 +4,23 @@ use crate::model::incidence::Incidence;
 use crate::{Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, State, Travel};
 use pounding_contact::reduced_mass;
 
-/// The model: floors, level by level and in each from left to right, and the pairs of points that can touch.
+/// The model: floors, level by level and from left to right in each level, and the pairs of points that can touch.
 ///
-/// A row of structures of one storey is one level. Structures that cannot touch share no pair, and nothing of one then
-/// enters the arithmetic of the other.
+/// A row of structures of one storey is a single level. Structures that cannot touch share no pair, and then do not enter each other's
+/// arithmetic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<Column> {
     nodes: Vec<Node<Column>>,
     buildings: Buildings,
     pairs: Vec<Pair>,
-    /// Which of them meet which nodes.
+    /// Incidence of pairs and nodes.
     incidence: Incidence,
-    /// When the ground motion arrives at every node \[s\]; nothing where it does so everywhere at t = 0.
+    /// Arrival of the ground motion at every node \[s\]; `None` if it arrives everywhere at t = 0.
     arrivals: Option<Vec<f64>>,
 }
 
 impl<Column: RestoringForce> Row<Column> {
-    /// How an excitation shakes it on a clock.
+    /// The shaking of the row by an excitation on a clock.
     pub(crate) fn shaken<'a>(&self, excitation: Excitation<'a>, clock: Clock) -> Shaking<'a> {
         Shaking::new(self.nodes.len(), self.travel(excitation), excitation, clock)
     }
@@ -28,9 +28,14 @@ impl<Column: RestoringForce> Row<Column> {
     /// Checks and keeps the nodes and pairs.
     ///
     /// # Errors
-    /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
-    /// of its own, a point that is none of the row, a pair whose points are of one building or of walls alone, a negative
-    /// gap, a contact parameter out of range, or points that overlap at t = 0. Which point is the left one is not checked.
+    /// [`ModelError`] if any of these holds:
+    ///
+    /// - a mass, a damping, an initial state or a contact parameter is out of range, or a gap is negative;
+    /// - a floor does not stand on an earlier floor, or shares it with another floor;
+    /// - a pair has a point that is not in the row, or both its points are of one building or of walls;
+    /// - points overlap at t = 0.
+    ///
+    /// The order of the left and the right point is not checked.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         let unchecked = Self {
             nodes,
@@ -42,8 +47,7 @@ impl<Column: RestoringForce> Row<Column> {
         unchecked.checked()
     }
 
-    /// Another row in the memory of this one, for many of them: with these nodes and pairs, and a ground motion that arrives
-    /// everywhere at t = 0.
+    /// Another row in the memory of this row, with these nodes and pairs and a ground motion that arrives everywhere at t = 0.
     ///
     /// # Errors
     /// Those of [`Self::new`].
@@ -79,9 +83,9 @@ impl<Column: RestoringForce> Row<Column> {
         Ok(self)
     }
 
-    /// Both points of a pair are of the row, and of two buildings, or of a building and a wall.
+    /// Checks that both points of a pair are in the row, and belong to two buildings, or to a building and a wall.
     ///
-    /// Nodes do not tell who stands on the left: the lowest floor of a building may be on any level.
+    /// Nodes do not tell which building is on the left: the lowest floor of a building may be on any level.
     fn check_points(&self, index: usize, pair: &Pair) -> Result<(), ModelError> {
         let points = pair.relation.points();
         for (side, point) in ["left", "right"].into_iter().zip(points) {
@@ -105,25 +109,25 @@ impl<Column: RestoringForce> Row<Column> {
         })
     }
 
-    /// Whether the pairs are a chain: each joins a node with the next one, both as floors, and they stand in the order of their nodes.
+    /// Whether the pairs are a chain: each joins a node with the next node, both as floors, in the order of the nodes.
     pub fn is_chain(&self) -> bool {
         let follows = |pair: &Pair| pair.relation.is_level() && pair.right() == pair.left() + 1;
         let rises = |pairs: &[Pair]| pairs[0].left() < pairs[1].left();
         self.pairs.iter().all(follows) && self.pairs.windows(2).all(rises)
     }
 
-    /// The same row, at whose nodes the ground motion arrives one after the other: after these times \[s\], ≥ 0, one for
-    /// each node, which all floors of a building share.
+    /// The row with a ground motion that arrives at its nodes after these times \[s\], ≥ 0. There is a time for each node; all floors of a
+    /// building share it.
     ///
-    /// A wave of apparent velocity v reaches a base that is a distance x further along its way after x/v. Every building,
-    /// and every wall, then stands on a ground of its own, which moves as the excitation says, that much later, and rests
-    /// before. Displacements, velocities and accelerations stay relative to it, so that nothing of a building alone changes
-    /// but its time. What changes is the deformation of a pair, δ = (u + `u_g`)\_left − (u + `u_g`)\_right − g, with `u_g` the exact
-    /// double integral of the record ([`Travel`]). Where all arrive at once and at t = 0, this is the row as it was.
+    /// A wave of apparent velocity v reaches a base at distance x after x/v. Every building, and every wall, then stands on a separate
+    /// ground, which rests until the arrival and then follows the excitation. Displacements, velocities and accelerations remain relative
+    /// to this ground, so that the motion of a building alone is only shifted in time. The deformation of a pair changes: δ = (u +
+    /// `u_g`)\_left − (u + `u_g`)\_right − g, with `u_g` the exact double integral of the record ([`Travel`]). If all times are 0, the row
+    /// is unchanged.
     ///
     /// # Errors
-    /// [`ModelError`] for another number of times than nodes, a time that is not a finite number ≥ 0, and a floor whose
-    /// time is not that of the floor below.
+    /// [`ModelError`] if there is not a time for each node, a time is not a finite number ≥ 0, or a floor has another time than the floor
+    /// below.
     pub fn delayed(self, arrivals: Vec<f64>) -> Result<Self, ModelError> {
         if arrivals.len() != self.nodes.len() {
             return Err(ModelError::Arrivals {
@@ -157,22 +161,22 @@ impl<Column: RestoringForce> Row<Column> {
         &self.nodes
     }
 
-    /// The pairs that can touch, in the order in which they were given.
+    /// The pairs that can touch, in their given order.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }
 
-    /// Which pairs meet which nodes.
+    /// Incidence of pairs and nodes.
     pub(crate) fn incidence(&self) -> &Incidence {
         &self.incidence
     }
 
-    /// Which floors make a building.
+    /// The buildings that the floors form.
     pub fn buildings(&self) -> &Buildings {
         &self.buildings
     }
 
-    /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
+    /// The floor that stands on a node; `None` for the top floor of a building and for a wall.
     pub fn above(&self, node: usize) -> Option<usize> {
         self.buildings.above(node)
     }
@@ -192,13 +196,13 @@ impl<Column: RestoringForce> Row<Column> {
 }
 
 impl<Column> Row<Column> {
-    /// How an excitation travels along the row; nothing where it arrives at all nodes at t = 0.
+    /// How an excitation travels along the row; `None` if it arrives at all nodes at t = 0.
     pub fn travel(&self, excitation: Excitation<'_>) -> Option<Travel> {
         let arrivals = self.arrivals.as_ref()?;
         Some(Travel::new(excitation, arrivals.clone()))
     }
 
-    /// When the ground motion arrives at a node \[s\].
+    /// Arrival of the ground motion at a node \[s\].
     pub fn arrival(&self, node: usize) -> f64 {
         self.arrivals.as_ref().map_or(0.0, |arrivals| arrivals[node])
     }

@@ -1,27 +1,27 @@
-//! When the samples of a ground motion arrive.
+//! Arrival times of the samples of a ground motion.
 
 use crate::sum::{Sum, split};
 
-/// The least unit \[s\]: no run has too many of it to count.
+/// The least unit \[s\]: every run has few enough units to count.
 const LEAST: f64 = 1.0 / 1_048_576.0;
 
-/// The time between two samples, and instants told on clocks that show 0 at whole multiples of a unit.
+/// The time between two samples, for clocks that show 0 at whole multiples of a unit.
 ///
-/// Told since t = 0, a sample is late by up to 1e-15 s after 10 s. Floors that rest against each other under grounds that move at
-/// different times press by differences of ground accelerations, of which that is 1e-12.
+/// As a time since t = 0, the arrival of a sample has an error of up to 1e-15 s after 10 s. Floors that rest against each other, on grounds
+/// that move at different times, press by differences of ground accelerations. The error is 1e-12 of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sampling {
     /// Time between two samples \[s\].
     pub(crate) step: f64,
-    /// The same as two numbers of few digits: whole multiples of the first one have no rounding.
+    /// The time between two samples as the sum of two numbers of few digits: whole multiples of the first have no rounding.
     coarse: f64,
     fine: f64,
-    /// A power of two \[s\], at most the time between two samples but for the shortest of them.
+    /// Unit: a power of two \[s\], at most the time between two samples except for the shortest ones.
     unit: f64,
 }
 
 impl Sampling {
-    /// Of samples this far apart \[s\].
+    /// Sampling with this time between samples \[s\].
     pub(crate) fn new(step: f64) -> Self {
         let [coarse, fine] = split(step);
         // Its power of two: the number without its fraction.
@@ -34,42 +34,42 @@ impl Sampling {
         }
     }
 
-    /// When a sample arrives where the motion arrives at some time, on a clock that shows 0 at `zero`, a whole number of units \[s\].
+    /// Arrival of a sample, for a motion that arrives at time `arrival`, on a clock that shows 0 at `zero`, a whole number of units \[s\].
     ///
-    /// Within four units it is one number whatever `zero` is: a whole multiple of a part of the unit that such a clock can tell.
+    /// Within four units the result does not depend on `zero`: it is a whole multiple of a part of the unit that the clock resolves.
     pub(crate) fn on_clock(&self, zero: f64, index: usize, arrival: f64) -> f64 {
         let [whole, rest] = self.terms(zero, index, arrival);
         whole + rest
     }
 
-    /// The same as a sum of two numbers \[s\].
+    /// The arrival of a sample as a sum of two numbers \[s\].
     fn terms(&self, zero: f64, index: usize, arrival: f64) -> [f64; 2] {
         let index = index as f64;
-        // Of the terms only this one is rounded: to a part of the unit, whatever the clock shows.
+        // This is the only rounded term. It is rounded to a part of the unit that does not depend on the clock.
         let grid = 3.0 * self.unit;
         let rest = ((arrival + index * self.fine) + grid) - grid;
         [index * self.coarse - zero, rest]
     }
 
-    /// Time from that instant to a time of that clock, however long \[s\].
+    /// Time from the arrival of a sample to a time on this clock, of any length \[s\].
     pub(crate) fn since(&self, [zero, time]: [f64; 2], index: usize, arrival: f64) -> Sum {
         let [whole, rest] = self.terms(zero, index, arrival);
         Sum::of(time).plus(-rest).plus(-whole)
     }
 
-    /// The same instant since t = 0, rounded once \[s\].
+    /// The arrival of a sample since t = 0, rounded once \[s\].
     pub(crate) fn instant(&self, index: usize, arrival: f64) -> f64 {
         let [zero, _] = self.split(index as f64 * self.step + arrival);
         zero + self.on_clock(zero, index, arrival)
     }
 
-    /// An instant as a whole number of units and a rest \[s\]: a clock, and what it shows.
+    /// An instant as a whole number of units and a rest \[s\]: the zero of a clock, and its reading.
     pub(crate) fn split(&self, instant: f64) -> [f64; 2] {
         let zero = (instant / self.unit).floor() * self.unit;
         [zero, instant - zero]
     }
 
-    /// The last sample that has arrived at a time, of which none comes after the one numbered `most`; nothing before the first.
+    /// The last sample up to number `most` that has arrived at a time; `None` before the first sample.
     pub(crate) fn last(&self, time: f64, most: usize, arrives: impl Fn(usize) -> f64) -> Option<usize> {
         if time < arrives(0) {
             return None;
@@ -79,7 +79,7 @@ impl Sampling {
             clippy::cast_sign_loss,
             reason = "time >= the first arrival; beyond the last sample nothing follows"
         )]
-        // Not beyond the last sample: a count that no number of samples reaches could not be raised.
+        // Limited to the last sample: a larger index might exceed every number of samples and could not be incremented.
         let mut index = (((time - arrives(0)) / self.step) as usize).min(most);
         while index < most && arrives(index + 1) <= time {
             index += 1;

@@ -1,27 +1,27 @@
-//! What the columns of a floor stand on.
+//! Support of the columns of a floor.
 
-/// What the columns of a floor stand on.
+/// Support of the columns of a floor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Support {
-    /// The ground, as those of a structure of one storey do; all damping of the floor is that of its storey.
+    /// The ground, as for a structure of one storey. All damping of the floor is then that of its storey.
     #[default]
     Ground,
     /// Another floor of the same building.
     Floor(Floor),
 }
 
-/// A floor that carries another one.
+/// A floor as the support of another floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Floor {
-    /// Its node index, less than that of the floor it carries.
+    /// Node index of the supporting floor, less than that of the floor above.
     pub below: usize,
-    /// Damping coefficient of the carried floor against the ground \[N·s/m\], ≥ 0, besides that of its storey: the part of
-    /// Rayleigh damping that is proportional to mass.
+    /// Damping coefficient of the floor above against the ground \[N·s/m\], ≥ 0, in addition to that of its storey: the part of Rayleigh
+    /// damping that is proportional to mass.
     pub ground_damping: f64,
 }
 
 impl Support {
-    /// The floor below; nothing on the ground.
+    /// The floor below; `None` on the ground.
     #[inline]
     pub fn below(&self) -> Option<usize> {
         match self {
@@ -30,7 +30,7 @@ impl Support {
         }
     }
 
-    /// Damping coefficient against the ground \[N·s/m\] besides that of the storey: none on the ground.
+    /// Damping coefficient against the ground \[N·s/m\] in addition to that of the storey; 0 on the ground.
     pub fn ground_damping(&self) -> f64 {
         match self {
             Self::Ground => 0.0,

@@ -1,15 +1,14 @@
-//! A ground motion that arrives at the buildings of a row one after the other: how their grounds move apart.
+//! Ground motion that arrives at the buildings of a row at different times, and the relative motion of their grounds.
 
 use crate::model::sampling::Sampling;
 use crate::sum::Sum;
 use crate::{Excitation, Motion};
 
-/// The ground motion under every node of a row to which it travels.
+/// The ground motion under every node of a row along which it travels.
 ///
-/// The ground under node i moves as the record says, `arrival`ᵢ later, and rests before: `a_g`(t − τᵢ). Its velocity and
-/// displacement are the exact integrals of the record, which is linear between samples: parabolas and cubics. After the
-/// record the ground keeps its last velocity, so that bases of a record which does not end at rest stay apart by that
-/// velocity times the difference of their arrivals.
+/// The ground under node i rests until `arrival`ᵢ and then follows the record: `a_g`(t − τᵢ). Its velocity and displacement are the exact
+/// integrals of the record, which is linear between samples: parabolas and cubics. After the record the ground keeps its last velocity. If
+/// the record does not end at rest, two bases then stay apart by this velocity times the difference of their arrivals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Travel {
     sampling: Sampling,
@@ -18,7 +17,7 @@ pub struct Travel {
     arrivals: Vec<f64>,
 }
 
-/// The ground at a sample of the record: it moves by metres, and two of them by far less than that against each other.
+/// The ground at a sample of the record. A ground may move by metres, while two grounds move far less relative to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sample {
     acceleration: f64,
@@ -33,7 +32,7 @@ struct Cubic {
     velocity: Sum,
     /// Half of the acceleration.
     bend: f64,
-    /// A sixth of its slope.
+    /// A sixth of the slope of the acceleration.
     sixth: f64,
 }
 
@@ -46,17 +45,17 @@ impl Cubic {
     }
 }
 
-/// Where two grounds were farthest from where they began to each other.
+/// The largest relative displacement of two grounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Opening {
-    /// Displacement of the left ground less that of the right one \[m\]: positive where they came closer.
+    /// Displacement of the left ground minus that of the right ground \[m\]; positive if they came closer.
     pub distance: f64,
-    /// Its first instant \[s\].
+    /// First instant of the largest value \[s\].
     pub time: f64,
 }
 
 impl Travel {
-    /// Of an excitation that arrives at the nodes after these times \[s\].
+    /// Travel of an excitation that arrives at the nodes after these times \[s\].
     pub(crate) fn new(excitation: Excitation<'_>, arrivals: Vec<f64>) -> Self {
         let h = excitation.time_step();
         let samples = excitation.samples();
@@ -85,7 +84,7 @@ impl Travel {
         self.arrivals[node]
     }
 
-    /// The first instant \[s\] after another at which a sample arrives at a node; infinite after the last one.
+    /// The next arrival of a sample at a node after an instant \[s\]; infinite after the last sample.
     pub(crate) fn next_arrival(&self, node: usize, after: f64) -> f64 {
         let arrives = |index: usize| self.sampling.instant(index, self.arrivals[node]);
         let most = self.samples.len() - 1;
@@ -101,12 +100,12 @@ impl Travel {
         self.under(node, self.sampling.split(time)).motion()
     }
 
-    /// How far the ground of a left node has moved towards that of a right one, and at which rate, at an instant \[s\].
+    /// Opening: how far the ground of a left node has moved towards that of a right node, and at which rate, at an instant \[s\].
     pub fn opening(&self, nodes: [usize; 2], time: f64) -> Motion {
         self.opening_at(nodes, self.sampling.split(time))
     }
 
-    /// The same at an instant that is the sum of two numbers \[s\], not rounded.
+    /// The opening at an instant that is the unrounded sum of two numbers \[s\].
     pub(crate) fn opening_at(&self, nodes: [usize; 2], instant: [f64; 2]) -> Motion {
         let [left, right] = nodes.map(|node| self.under(node, instant));
         Motion {
@@ -115,11 +114,10 @@ impl Travel {
         }
     }
 
-    /// Where the ground of two nodes was farthest from where it began to each other, from t = 0 to an instant \[s\]; both
-    /// ways count.
+    /// The largest relative displacement of the grounds of two nodes from t = 0 to an instant \[s\], in either direction.
     ///
-    /// Exact: the opening is a cubic between the instants at which samples arrive, and its largest magnitude lies at one of
-    /// them or where its rate is zero in between.
+    /// Exact: the opening is a cubic between the arrivals of samples. Its largest magnitude is at an arrival, or between two of them at a
+    /// zero of its rate.
     pub fn largest_opening(&self, nodes: [usize; 2], until: f64) -> Opening {
         let mut largest = Opening { distance: 0.0, time: 0.0 };
         let mut take = |time: f64, distance: f64| {
@@ -137,7 +135,7 @@ impl Travel {
         instants.retain(|time| *time <= until);
         instants.sort_by(f64::total_cmp);
         for ends in instants.windows(2) {
-            // About the middle, where no rounding asks for another piece of the motion.
+            // About the middle, where rounding cannot select another piece of the motion.
             let half = 0.5 * (ends[1] - ends[0]);
             let middle = ends[0] + half;
             let instant = self.sampling.split(middle);
@@ -146,7 +144,7 @@ impl Travel {
             let (b, c) = (half_bend, 3.0 * sixth);
             let sum = -(b + (b * b - rate * c).sqrt().copysign(b));
             for s in [sum / c, rate / sum] {
-                // Not a number where there is no zero.
+                // NaN if there is no zero.
                 if s.abs() < half {
                     take(middle + s, self.opening(nodes, middle + s).displacement);
                 }
@@ -156,7 +154,7 @@ impl Travel {
         largest
     }
 
-    /// Displacement and velocity at a position in the record counted in samples; at rest before the first one.
+    /// Displacement and velocity at a position in the record counted in samples; at rest before the first sample.
     pub(crate) fn at(&self, position: f64) -> Motion {
         let Some((index, part)) = self.place(position) else {
             return Motion::default();
@@ -165,7 +163,7 @@ impl Travel {
         self.cubic(index, after).motion()
     }
 
-    /// The last sample at or before a position, and how far behind it that is; nothing before the first one.
+    /// The last sample at or before a position, and the distance from it; `None` before the first sample.
     fn place(&self, position: f64) -> Option<(usize, f64)> {
         if position < 0.0 {
             return None;
@@ -183,7 +181,7 @@ impl Travel {
     fn cubic(&self, index: usize, after: Sum) -> Cubic {
         let sample = &self.samples[index];
         let Some(next) = self.samples.get(index + 1) else {
-            // Nothing accelerates it any more. It goes on for metres while two grounds stay as far apart as they are.
+            // No further acceleration: the ground may go on for metres while the distance of two grounds stays the same.
             return Cubic {
                 displacement: sample.displacement.plus_product(sample.velocity, after),
                 velocity: sample.velocity,
@@ -203,7 +201,7 @@ impl Travel {
         }
     }
 
-    /// The ground under a node from an instant on, the sum of two numbers \[s\], until the next sample arrives there.
+    /// The ground under a node from an instant, the sum of two numbers \[s\], until the next sample arrives there.
     fn under(&self, node: usize, instant: [f64; 2]) -> Cubic {
         let arrival = self.arrivals[node];
         let [zero, time] = instant;
@@ -222,7 +220,7 @@ impl Travel {
         [displacement, velocity, ground.bend, ground.sixth]
     }
 
-    /// The same of the ground of a left node less that of a right one.
+    /// Coefficients of the difference of the ground displacements under a left and a right node, as a cubic in the time since an instant.
     pub(crate) fn cubic_opening(&self, nodes: [usize; 2], instant: [f64; 2]) -> [f64; 4] {
         let [left, right] = nodes.map(|node| self.under(node, instant));
         [

@@ -12,34 +12,35 @@ use piece::Piece;
 /// How far two neighbours came towards each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closing {
-    /// Largest displacement of the left neighbour less that of the right one \[m\]; a gap of this width just closes.
+    /// Largest displacement of the left neighbour minus that of the right neighbour \[m\]; a gap of this width just closes.
     pub distance: f64,
     /// Its first instant \[s\].
     pub time: f64,
 }
 
-/// Records of every two neighbours how far they came towards each other, between nodes and samples too.
+/// Records how far every two neighbours came towards each other, including the motion between nodes and samples.
 ///
-/// The motion of a stepping method is the cubic of its spans, and the largest closing that of these cubics. A series is taken
-/// as cubics between looks, as many as it takes for 1e-12 of its terms: they leave out h⁴/384 times the fourth derivative. What
-/// waits for a neighbour to come as far is kept, and nothing else: a record's step of it in the exact method, a time step in others.
-/// Where grounds move apart, how far they do is part of the closing; they are cubics between their samples. Elsewhere a series is looked at only
-/// where the cubic through its ends, and what that leaves out at most, could close the gap further than it is known to.
+/// The motion of a stepping method is the cubic of its spans; the largest closing is that of these cubics. A series is replaced by cubics
+/// between looks, as many as leave out at most 1e-12 of its terms. A cubic over a duration h leaves out h⁴/384 times the fourth derivative.
+/// A series is looked at only if the cubic through its ends, with this error, could close the gap further than already known.
+///
+/// Memory: the motion of a neighbour is kept only until the other neighbour has come as far. This is a sample interval in the exact method,
+/// and a time step in others. If grounds move apart, their motion is part of the closing; it is a cubic between samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closings {
     look: f64,
     walls: Vec<bool>,
-    /// How the ground motion travels; nothing where all are shaken at once.
+    /// How the ground motion travels; `None` if all are shaken at once.
     travel: Option<Travel>,
-    /// Between each structure and its right neighbour.
+    /// The gap between each structure and its right neighbour.
     gaps: Vec<Gap>,
-    /// The same under the mirror of the shaking; empty unless asked for.
+    /// The gaps under the mirrored shaking; empty unless requested.
     reversed: Vec<Gap>,
 }
 
 impl Closings {
-    /// For a row of these structures, of which some are walls; `look` is the longest interval \[s\], > 0, between two looks at a series of
-    /// more than forty terms or in fractional powers of time.
+    /// A recorder for a row of these structures; `walls` marks the walls. `look` is the longest interval \[s\], > 0, between two looks at a
+    /// series of more than forty terms or in fractional powers of time.
     pub fn new(walls: Vec<bool>, look: f64) -> Self {
         let gaps = vec![Gap::default(); walls.len().saturating_sub(1)];
         Self {
@@ -51,34 +52,34 @@ impl Closings {
         }
     }
 
-    /// The same also under the mirror of the shaking, of a row whose motions are mirrored by it: one in which nothing touches, whose
-    /// columns know no direction, and which begins at rest.
+    /// Also records the closings under the mirrored shaking. The row must mirror its motion under mirrored shaking: nothing touches,
+    /// columns have no preferred direction, and the run begins at rest.
     #[must_use]
     pub fn both_ways(self) -> Self {
         let reversed = self.gaps.iter().map(|_| Gap::reversed()).collect();
         Self { reversed, ..self }
     }
 
-    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    /// Records on ground along which the excitation [travels](crate::Row::travel).
     ///
-    /// A stepping method then has to take steps that are short beside the time between two samples: in a step the ground
-    /// is a cubic, too. A wall moves with its own ground.
+    /// The steps of a stepping method must be short compared with the time between two samples: the ground counts as a cubic in a step,
+    /// too. A wall moves with the ground under it.
     #[must_use]
     pub fn travelled(self, travel: Option<Travel>) -> Self {
         Self { travel, ..self }
     }
 
-    /// Of a structure and its right neighbour; nothing between two walls.
+    /// Closing of a structure and its right neighbour; `None` between two walls.
     pub fn of(&self, left: usize) -> Option<Closing> {
         self.gaps[left].largest
     }
 
-    /// The same under the mirror of the shaking; nothing unless [asked for](Self::both_ways).
+    /// Closing under the mirrored shaking; `None` unless [requested](Self::both_ways).
     pub fn of_reversed(&self, left: usize) -> Option<Closing> {
         self.reversed.get(left)?.largest
     }
 
-    /// A piece of the motion of a structure, for the gaps on both sides.
+    /// Adds a piece of the motion of a structure to the gaps on both sides.
     fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: &Piece) {
         let left = structure.checked_sub(1);
         let right = (structure < self.gaps.len()).then_some(structure + 1);
@@ -98,7 +99,7 @@ impl Closings {
         }
     }
 
-    /// The next instant at which the ground below a wall beside this structure is another cubic.
+    /// The next instant at which the ground under a neighbouring wall follows another cubic.
     fn ground_of_walls_bends(&self, structure: usize, travel: Option<&Travel>, after: f64) -> f64 {
         let Some(travel) = travel else {
             return f64::INFINITY;
@@ -110,11 +111,11 @@ impl Closings {
         arrivals.fold(f64::INFINITY, f64::min)
     }
 
-    /// Into how many cubics a span is cut.
+    /// Number of cubics into which a span is split.
     fn looks(&self, span: &Span<'_>, travels: bool) -> u32 {
         match span.path {
             Path::Cubic(_) => 1,
-            // The ground below it is a cubic: nothing is left out of that.
+            // The ground under the structure is a cubic, which leaves out nothing.
             Path::Series(series) if travels && series.power == Power::One => piece::looks(series.displacement, span.duration()),
             #[expect(
                 clippy::cast_possible_truncation,
@@ -183,7 +184,7 @@ mod tests {
     use crate::Weighed;
     use crate::span::{Power, Series};
 
-    /// A cubic path between two instants, as a step of a stepping method.
+    /// A cubic path between two instants, like a step of a stepping method.
     fn step(structure: usize, times: [f64; 2], path: fn(f64) -> (f64, f64)) -> Span<'static> {
         let [start, end] = times.map(|time| {
             let (displacement, velocity) = path(time);
@@ -207,7 +208,7 @@ mod tests {
         }
     }
 
-    /// t³ − 3t² + 2t has its maximum 2√3/9 at 1 − 1/√3; what goes the other way adds 0.5 t.
+    /// t³ − 3t² + 2t has its maximum 2√3/9 at 1 − 1/√3; the opposite motion adds 0.5 t.
     fn left(t: f64) -> (f64, f64) {
         (t * (2.0 + t * (t - 3.0)), 2.0 + t * (3.0 * t - 6.0))
     }
@@ -219,7 +220,7 @@ mod tests {
     #[test]
     fn reference_the_largest_closing_of_two_cubics_whose_ends_differ() {
         let mut closings = Closings::new(vec![false, false], 1.0);
-        // The left neighbour is ahead of the right one, then behind it.
+        // The left neighbour is ahead of the right neighbour, then behind it.
         closings.span(&step(0, [0.0, 1.25], left));
         assert_eq!(closings.of(0), None, "nothing is known of the right one");
         for times in [[0.0, 0.5], [0.5, 0.75], [0.75, 1.5]] {
@@ -235,7 +236,7 @@ mod tests {
         assert!(closings.gaps[0].ahead.iter().all(VecDeque::is_empty));
     }
 
-    /// Taylor series of sin ωt from an instant on, and of its rate.
+    /// Taylor series of sin ωt and its rate about an instant.
     fn sine(omega: f64, from: f64) -> [[f64; 20]; 2] {
         let (sine, cosine) = (libm::sin(omega * from), libm::cos(omega * from));
         let mut terms = [[0.0; 20]; 2];
@@ -249,8 +250,8 @@ mod tests {
         terms
     }
 
-    /// sin t ahead of sin 1.3 t, each in pieces of its own, in front of each other and of a wall: what is left at once is never
-    /// the largest, and the rest is as close as rounding.
+    /// sin t ahead of sin 1.3 t, in different pieces, next to each other and to a wall. A skipped piece never has the largest value, and
+    /// the result is exact to rounding.
     #[test]
     fn reference_series_are_looked_at_where_they_matter() {
         let mut closings = Closings::new(vec![true, false, false], 0.01);
@@ -291,7 +292,7 @@ mod tests {
         let looked = (0..1_200_000).map(|look| ahead(1e-5 * f64::from(look)));
         let wanted = looked.fold(0.0, f64::max);
         let found = closings.of(1).expect("both moved");
-        // Which is up to 1e-10 less than the top between its looks; cubics leave out 1e-12 of the terms of both.
+        // The error is up to 1e-10 below the maximum between looks; cubics leave out 1e-12 of the terms of both.
         let above = found.distance - wanted;
         assert!((-5e-12..1e-10).contains(&above), "{found:?} {wanted}");
         let there = ahead(found.time);
@@ -302,9 +303,9 @@ mod tests {
         assert!((libm::sin(wall.time) + 1.0).abs() < 1e-12, "{wall:?}");
     }
 
-    /// Required gaps over ground that travels were too small by up to 1e-7: a motion was looked at 200 times in a period, and the ground
-    /// of a wall taken for a cubic across its samples. A structure that moves as sin 5t over ground that a sawtooth shakes closes a wall
-    /// as far as half a million looks say.
+    /// Required gaps over travelling ground were too small by up to 1e-7. A motion was looked at 200 times per period, and the ground of a
+    /// wall was taken for a cubic across its samples. A structure that moves as sin 5t over ground under a sawtooth must close the gap to a
+    /// wall as far as half a million looks show.
     #[test]
     fn issue_ground_that_travels_is_known_as_well_as_other_ground() {
         let samples: Vec<f64> = (0..61).map(|index| f64::from(index % 7) - 3.0).collect();
@@ -343,7 +344,7 @@ mod tests {
         let looked = (0..500_000).map(|look| ahead(6e-6 * f64::from(look)));
         let wanted = looked.fold(0.0, f64::max);
         let found = closings.of(0).expect("it moved");
-        // Which is up to 2e-10 less than the top between its looks.
+        // The looks are up to 2e-10 below the maximum between them.
         assert!((-1e-12..2e-10).contains(&(found.distance - wanted)), "{found:?} {wanted}");
         let there = ahead(found.time);
         assert!((there - found.distance).abs() < 1e-12, "{found:?} {there}");
@@ -366,7 +367,7 @@ mod tests {
             beside_rest.span(&step(moving, times, left));
             beside_rest.span(&step(1 - moving, times, rest));
             assert_eq!(beside_wall.of(0), beside_rest.of(0), "{mirror}");
-            // The least of t³ − 3t² + 2t is that far below 0 at 1 + 1/√3.
+            // The minimum of t³ − 3t² + 2t is this far below 0, at 1 + 1/√3.
             let wanted = 2.0 * 3.0_f64.sqrt() / 9.0;
             let found = beside_wall.of(0).expect("it moved").distance;
             assert!((found - wanted).abs() < 1e-15, "{found} {wanted}");
@@ -374,7 +375,7 @@ mod tests {
         assert_eq!(Closings::new(vec![true, true], 1.0).of(0), None);
     }
 
-    /// The mirror of a shaking closes a gap as far as the shaking opens it, to the last bit.
+    /// Mirrored shaking closes a gap exactly as far as the original shaking opens it.
     #[test]
     fn limit_both_ways_are_those_of_either() {
         let all = |sign: f64, closings: Closings| {
@@ -400,7 +401,7 @@ mod tests {
         }
     }
 
-    /// Apart from the start on, and further.
+    /// Neighbours that are apart at the start and move further apart.
     #[test]
     fn extreme_neighbours_that_never_come_near() {
         let mut closings = Closings::new(vec![false, false], 1.0);

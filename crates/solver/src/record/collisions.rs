@@ -1,32 +1,31 @@
 use crate::sum::Sum;
 use crate::{Impact, Pair, Path, Point, Push, Recorder, Span, Touch, Travel};
 
-/// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it.
+/// A contact of a pair, from touch to parting. For an impulsive law: an impact with the rest that follows it.
 ///
-/// A law that is clamped may let go and push again before the pair has parted: that is still the same collision. An impact
-/// after which the neighbours stay together counts once: its impulse is that of the impact and of the rest, its end their
-/// parting. Bounces are collisions of their own, the last one with the rest after it; so is an impact that neighbours at rest
-/// pass on.
+/// A clamped law may release a pair and push again before it has parted; this is still the same collision. An impact after which the
+/// neighbours stay together counts once: its impulse includes that of the rest, and its end is their parting. Bounces are separate
+/// collisions; the last bounce includes the rest after it. An impact that neighbours at rest pass on is also separate.
 ///
-/// A stepping method knows no rest, but an impact in every step of it: with e = 0 impacts at the ends of steps that follow one
-/// another are one collision. With e > 0 each of them is a bounce, and one meeting may take several.
+/// A stepping method has no rest, but an impact in every step of it. With e = 0, impacts at the ends of successive steps are a single
+/// collision. With e > 0 each of them is a bounce, and a meeting may consist of several.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Index of the pair in its row.
     pub pair: usize,
     /// First instant with a pounding force, or the instant of the impact \[s\].
     pub start: f64,
-    /// What rounding leaves open of the start \[s\], as in [`Touch::uncertainty`](Touch#structfield.uncertainty); nothing
-    /// where no gap closed at the start, and for a stepping method, which knows it to a step.
+    /// Uncertainty of the start by rounding \[s\], as in [`Touch::uncertainty`](Touch#structfield.uncertainty). `None` if no gap closed at
+    /// the start, and for a stepping method, which finds the start to a step.
     pub uncertainty: Option<f64>,
-    /// Rate of deformation at the start v₀ \[m/s\], ≥ 0; nothing where a compliant pair did not approach, and for a stepping
-    /// method, which does not know it.
+    /// Rate of deformation at the start v₀ \[m/s\], ≥ 0; `None` if a compliant pair did not approach, and for a stepping method, which does
+    /// not find it.
     pub approach_speed: Option<f64>,
     /// Last instant with a pounding force, or that of the last impact \[s\].
     pub end: f64,
-    /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit, with rest or without.
+    /// Peak pounding force \[N\]; `None` for an impulsive impact, whose force is unbounded, with or without rest.
     pub peak_force: Option<f64>,
-    /// Its first instant \[s\], to a step of a stepping method; nothing for an impulsive impact.
+    /// First instant of the peak force \[s\], to a step for a stepping method; `None` for an impulsive impact.
     pub peak_force_time: Option<f64>,
     /// Impulse ∫F dt \[N·s\].
     pub impulse: f64,
@@ -35,33 +34,34 @@ pub struct Collision {
 /// Records the collisions of every pair, in the order in which they begin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collisions {
-    /// For each node, when and where its last two spans ended, the last one first: of two neighbours either may be told first.
+    /// For each node, end and displacement of its last two spans, the last span first. The spans of two neighbours may arrive in either
+    /// order.
     seen: Vec<[(f64, f64); 2]>,
     pairs: Vec<Pair>,
-    /// How the ground motion travels; nothing where all are shaken at once.
+    /// How the ground motion travels; `None` if all are shaken at once.
     travel: Option<Travel>,
-    /// For each pair, its collision that goes on, or the impact that rest may follow.
+    /// For each pair, its present collision, or the impact that a rest may follow.
     open: Vec<Option<Open>>,
-    /// Whether the run is that of a stepping method.
+    /// Whether the run is by a stepping method.
     steps: bool,
     /// The last touch of every pair.
     touches: Vec<Option<Touch>>,
-    /// Whether there is any.
+    /// Whether there was any touch.
     is_touched: bool,
     found: Vec<Collision>,
 }
 
-/// A collision that goes on.
+/// A collision in progress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Open {
-    /// Its index among those found.
+    /// Its index among the found collisions.
     index: usize,
-    /// Its impulse so far, with what rounding left of the pieces of the exact method; lanes of stepping methods have no room for that.
+    /// Its impulse so far. The rounding of the pieces of the exact method is kept as well; lanes of stepping methods do not need it.
     impulse: Sum,
 }
 
 impl Collisions {
-    /// For a row of `n_structures`, that is nodes, walls included, with these pairs, of any level.
+    /// A recorder for a row of `n_structures` nodes, walls included, with these pairs of any level.
     pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
         Self {
             seen: vec![[(0.0, 0.0); 2]; n_structures],
@@ -75,7 +75,7 @@ impl Collisions {
         }
     }
 
-    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    /// Records on ground along which the excitation [travels](crate::Row::travel).
     #[must_use]
     pub fn travelled(self, travel: Option<Travel>) -> Self {
         Self { travel, ..self }
@@ -86,9 +86,9 @@ impl Collisions {
         &self.found
     }
 
-    /// Whether the left neighbour of a pair overlaps the right one as its span begins.
+    /// Whether the neighbours of a pair overlap at the start of the span.
     ///
-    /// Where both have not been seen at that instant they are apart: what touches is followed at common instants.
+    /// If either was not seen at that instant, they are apart: touching neighbours are followed at common instants.
     fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
         let relation = &self.pairs[pair].relation;
         let start = span.start_time;
@@ -114,7 +114,7 @@ impl Collisions {
         ahead - relation.offset > 0.0
     }
 
-    /// What a pair does over a span of the floor on its left.
+    /// Adds the action of a pair over a span of the floor on its left.
     fn push(&mut self, span: &Span<'_>, push: &Push<'_>) {
         let pair = push.pair;
         let [start, end] = push.forces;
@@ -122,11 +122,11 @@ impl Collisions {
         let begins = start == 0.0 && end > 0.0;
         let ends = |open: Open| {
             if !self.pairs[pair].law.is_compliant() {
-                // Rest follows an impact at once; a step knows at its end.
+                // In the exact method a rest follows an impact at once. In a stepping method the step after the impact shows it at its end.
                 let end = self.found[open.index].end;
                 return nothing && !(self.steps && span.start_time <= end);
             }
-            // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
+            // A clamped force releases neighbours that still overlap. Others have parted, and may touch again at once.
             (nothing || begins) && !self.overlaps(pair, span)
         };
         if self.open[pair].is_some_and(ends) {
@@ -150,13 +150,13 @@ impl Collisions {
         if end > 0.0 || !matches!(span.path, Path::Cubic(_)) {
             collision.end = span.end_time;
         }
-        // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
+        // Some methods push only between the ends, others push once more after parting: only the mean force is known.
         let known = if start == 0.0 && end == 0.0 && span.duration() > 0.0 {
             push.impulse / span.duration()
         } else {
             end
         };
-        // A floor that is hit presses a damped neighbour harder at once: the force jumps between two spans.
+        // A floor that is hit presses a damped neighbour harder at once, so that the force jumps between two spans.
         for (force, time) in [(start, span.start_time), (known, span.end_time)] {
             if collision.peak_force.is_some_and(|peak| force > peak) {
                 (collision.peak_force, collision.peak_force_time) = (Some(force), Some(time));
@@ -167,7 +167,7 @@ impl Collisions {
     /// A pair begins to press with this force in a span.
     fn begin(&mut self, pair: usize, span: &Span<'_>, force: f64) -> Open {
         let first = match span.path {
-            // A step knows its nodes only.
+            // A step has only its nodes.
             Path::Cubic(_) if force == 0.0 => span.end_time,
             Path::Cubic(_) | Path::Series(_) | Path::Flight(_) => span.start_time,
         };
@@ -189,9 +189,9 @@ impl Collisions {
         }
     }
 
-    /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
+    /// Uncertainty of a start at this instant: a touch may cause an impact of the next pair.
     fn uncertainty(&self, start: f64) -> Option<f64> {
-        // Steps tell of no touch, and a long row has many collisions at a time.
+        // Steps report no touches, and a long row has many collisions at a time.
         if !self.is_touched {
             return None;
         }
@@ -221,7 +221,7 @@ impl Recorder for Collisions {
 
     fn impact(&mut self, impact: &Impact) {
         let pair = impact.pair;
-        // Of the steps of a rest each has an impact.
+        // Each step of a rest has an impact.
         let rests = self.steps && is_plastic(&self.pairs[pair]);
         if let Some(open) = self.open[pair].as_mut().filter(|_| rests) {
             let collision = &mut self.found[open.index];
@@ -247,7 +247,7 @@ impl Recorder for Collisions {
     }
 
     fn touch(&mut self, touch: &Touch) {
-        // What was open ended in rounding of the displacements.
+        // The open collision ended within the rounding of the displacements.
         self.open[touch.pair] = None;
         self.touches[touch.pair] = Some(*touch);
         self.is_touched = true;
@@ -261,7 +261,7 @@ pub fn is_plastic(pair: &Pair) -> bool {
 }
 
 impl Touch {
-    /// Whether it happens at this very instant.
+    /// Whether the touch is at exactly this instant.
     fn begins(&self, start: f64) -> bool {
         self.time.total_cmp(&start).is_eq()
     }

@@ -6,27 +6,27 @@ use crate::{Excitation, Impact, Path, Recorder, Series, Span, Travel};
 
 /// Part of a span after which its acceleration has begun to rise or fall.
 const BEGUN: f64 = 1e-6;
-/// What rounding may leave of a value between two samples, over the larger of them.
+/// Rounding factor of a value between two samples, relative to the larger of them.
 const ROUNDED: f64 = 1.0 + 1e-12;
 
-/// Records the peak absolute acceleration of every floor, ü + `a_g` \[m/s²\]: what stands on the floor feels it.
+/// Records the peak absolute acceleration of every floor, ü + `a_g` \[m/s²\], which acts on contents of the floor.
 ///
-/// Spans know the motion relative to the ground, so that the ground's own is given. An impulsive impact accelerates
-/// without bound and is left out: its measure is the jump of velocity. Under compliant contact the peak is as real as the
-/// law's force. Both ends of a span count, since accelerations jump where forces begin, and the largest value in between
-/// where the motion is known there.
+/// Spans contain the motion relative to the ground, so that the ground acceleration is given separately. An impulsive impact has unbounded
+/// acceleration and is excluded; its measure is the jump of velocity. Under compliant contact the peak is as realistic as the law's force.
+/// Both ends of a span count, because accelerations jump where forces begin, and so does the largest value in between if the motion is
+/// known there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorAccelerations<'a> {
     excitation: Excitation<'a>,
-    /// What no ground acceleration exceeds \[m/s²\]: most states cannot be a peak, and need no ground to be known.
+    /// Bound of the ground acceleration \[m/s²\]. It rules out most states without an evaluation of the ground.
     most: f64,
-    /// When it arrives at every node \[s\].
+    /// Arrival of the ground motion at every node \[s\].
     arrivals: Vec<f64>,
     peaks: Vec<Peak>,
 }
 
 impl<'a> FloorAccelerations<'a> {
-    /// For a row of `n_nodes`, walls included, on ground that moves as the `excitation` says.
+    /// A recorder for a row of `n_nodes`, walls included, on ground that follows the `excitation`.
     pub fn new(n_nodes: usize, excitation: Excitation<'a>) -> Self {
         let magnitudes = excitation.samples().iter().map(|sample| sample.abs());
         Self {
@@ -37,7 +37,7 @@ impl<'a> FloorAccelerations<'a> {
         }
     }
 
-    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    /// Records on ground along which the excitation [travels](crate::Row::travel).
     #[must_use]
     pub fn travelled(self, travel: Option<&Travel>) -> Self {
         let arrival = |node: usize| travel.map_or(0.0, |travel| travel.arrival(node));
@@ -47,12 +47,12 @@ impl<'a> FloorAccelerations<'a> {
         }
     }
 
-    /// Peak of one floor, by its node; that of a wall is the ground's.
+    /// Peak of a floor, by its node; for a wall, that of the ground.
     pub fn of(&self, node: usize) -> Peak {
         self.peaks[node]
     }
 
-    /// Peaks of all floors, by their nodes; they outlive the ground motion.
+    /// Peaks of all floors, by their nodes, without a borrow of the ground motion.
     pub fn into_peaks(self) -> Vec<Peak> {
         self.peaks
     }
@@ -73,7 +73,7 @@ impl Recorder for FloorAccelerations<'_> {
                 }
             }
             Path::Flight(_) => self.span(&span.expanded(&mut Expansion::default())),
-            // Such a span lies between two samples.
+            // Such a span is between two samples.
             Path::Series(series) => {
                 let segment = self.excitation.segment(from, arrival);
                 let ground = |time: f64| segment.value + segment.slope * (time - from);
@@ -98,8 +98,7 @@ impl Recorder for FloorAccelerations<'_> {
     fn impact(&mut self, _: &Impact) {}
 }
 
-/// Coefficients of the rate over x at which the absolute acceleration changes, on ground whose acceleration changes at `slope`
-/// \[m/s³\], and their number.
+/// Coefficients in x of the rate of the absolute acceleration, on ground whose acceleration changes at `slope` \[m/s³\], and their number.
 fn jerk(series: &Series<'_>, slope: f64) -> ([f64; CAPACITY], usize) {
     let mut rates = [0.0; CAPACITY];
     let own = series.acceleration.iter().enumerate().skip(1);
@@ -152,7 +151,7 @@ mod tests {
 
     #[test]
     fn reference_the_largest_value_inside_a_span() {
-        // ü = 3τ − 4τ² on ground at 0.5 + τ: 0.5 + 4τ − 4τ² is largest at 0.5 with 1.5; in x with τ = x⁴ it is the same.
+        // ü = 3τ − 4τ² on ground at 0.5 + τ: 0.5 + 4τ − 4τ² has its maximum 1.5 at 0.5. In x with τ = x⁴ the result must be equal.
         let excitation = Excitation::new(1.0, &GROUND).unwrap();
         let plain: &[f64] = &[0.0, 3.0, -4.0];
         let mut rooted = [0.0; 9];

@@ -1,16 +1,16 @@
 use crate::{Impact, Recorder, Span, State};
 
-/// States of one floor at equal intervals from t = 0 on.
+/// States of a floor at equal intervals from t = 0.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History {
-    /// The states; number i is at i · interval.
+    /// The states; state i is at i · interval.
     pub states: Vec<State>,
 }
 
-/// Records the history of every floor at equal intervals, whatever the steps of the method were.
+/// Records the history of every floor at equal intervals, independent of the steps of the method.
 ///
-/// With the interval equal to the time step the histories are the nodes of the method, bit for bit. Where velocities
-/// jump at a recorded instant, the state before the jump is kept.
+/// If the interval equals the time step, the histories are the nodes of the method, bit for bit. If velocities jump at a recorded instant,
+/// the state before the jump is kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Histories {
     interval: f64,
@@ -21,7 +21,7 @@ pub struct Histories {
 const SNAP: f64 = 1e-9;
 
 impl Histories {
-    /// For a row of `n_structures`, that is nodes, walls included, a state every `interval` \[s\], up to `duration` \[s\].
+    /// A recorder for a row of `n_structures` nodes, walls included: a state every `interval` \[s\], up to `duration` \[s\].
     pub fn new(n_structures: usize, interval: f64, duration: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a capacity, not a result")]
         let capacity = (duration / interval) as usize + 2;
@@ -38,9 +38,9 @@ impl Histories {
         self.interval
     }
 
-    /// History of one floor, by its node.
+    /// History of a floor, by its node.
     ///
-    /// Histories of a building know the same instants: the drift of a storey is the difference of two displacements.
+    /// All floors of a building have common instants: the drift of a storey is the difference of two displacements.
     pub fn of(&self, structure: usize) -> &History {
         &self.structures[structure]
     }

@@ -1,19 +1,19 @@
 use crate::{Impact, Motion, Recorder, Span};
 
-/// Records how every floor moves at the end of the run, relative to the ground.
+/// Records the motion of every floor at the end of the run, relative to the ground.
 ///
-/// Of a run that lasts until the free vibration has died away its displacement is the residual one; of a shorter one the vibration is
-/// still in it.
+/// If the run lasts until the free vibration has decayed, the displacement is the residual displacement. In a shorter run it contains the
+/// vibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LastStates(Vec<Motion>);
 
 impl LastStates {
-    /// For a row of `n_nodes`, walls included.
+    /// A recorder for a row of `n_nodes`, walls included.
     pub fn new(n_nodes: usize) -> Self {
         Self(vec![Motion::default(); n_nodes])
     }
 
-    /// Displacement \[m\] and velocity \[m/s\] of one floor at the end, by its node; 0 of a wall.
+    /// Displacement \[m\] and velocity \[m/s\] of a floor at the end, by its node; 0 for a wall.
     pub fn of(&self, node: usize) -> Motion {
         self.0[node]
     }

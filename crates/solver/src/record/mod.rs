@@ -1,4 +1,4 @@
-//! Recorders: each keeps one kind of result and sees only spans and impacts.
+//! Recorders: each keeps a single kind of result and sees only spans and impacts.
 
 pub(crate) mod closings;
 mod collisions;

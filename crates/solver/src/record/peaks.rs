@@ -3,12 +3,12 @@ use crate::span::Expansion;
 use crate::turning::{reach, sign_changes};
 use crate::{Impact, Path, Recorder, Series, Span, State};
 
-/// Value of largest magnitude and when it occurred.
+/// The value of largest magnitude, and its instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Peak {
     /// The value, with its sign.
     pub value: f64,
-    /// Its first instant \[s\].
+    /// First instant of the value \[s\].
     pub time: f64,
 }
 
@@ -20,17 +20,16 @@ impl Peak {
     }
 }
 
-/// Peaks of one floor and its storey.
+/// Peaks of a floor and its storey.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StructurePeaks {
     /// Displacement \[m\].
     pub displacement: Peak,
-    /// Drift of the storey below the floor \[m\]; nothing where that stands on the ground, and its drift is the
-    /// displacement.
+    /// Drift of the storey below the floor \[m\]; `None` if the storey stands on the ground, so that its drift is the displacement.
     pub storey_drift: Option<Peak>,
     /// Restoring force (shear force of the storey) \[N\].
     pub restoring_force: Peak,
-    /// Net pounding force \[N\]; stays 0 where contact is impulsive.
+    /// Net pounding force \[N\]; 0 for impulsive contact.
     pub pounding_force: Peak,
 }
 
@@ -46,7 +45,7 @@ impl StructurePeaks {
         self.pounding_force.take(state.pounding_force(), time);
     }
 
-    /// Takes the drifts of a storey on another floor.
+    /// Updates the peaks with the drifts of a storey on another floor.
     fn take_drifts(&mut self, span: &Span<'_>) {
         let [start, end] = span.drifts().map(|drift| drift.displacement);
         let peak = self.storey_drift.get_or_insert_default();
@@ -54,7 +53,7 @@ impl StructurePeaks {
         peak.take(end, span.end_time);
     }
 
-    /// Takes what a motion known between its ends has inside them: where the floor turns, and where the storey does.
+    /// Updates the peaks inside a span whose motion is known: at turns of the floor and of the storey.
     fn take_inside(&mut self, span: &Span<'_>, series: &Series<'_>) {
         let range = [series.x(span.start_time), span.x(*series, span.end_time)];
         if !self.could_rise(series, range[1]) {
@@ -72,7 +71,7 @@ impl StructurePeaks {
         }
     }
 
-    /// Whether a motion could go beyond these peaks up to x.
+    /// Whether a motion could exceed these peaks up to x.
     fn could_rise(&self, series: &Series<'_>, x: f64) -> bool {
         let displacement = |n: usize| *series.displacement.get(n).unwrap_or(&0.0);
         let drift = |n: usize| {
@@ -89,7 +88,7 @@ impl StructurePeaks {
             || beyond(force, tangent.abs() * changes + bent, self.restoring_force)
     }
 
-    /// Takes the state at x of a turn, of the floor or of the storey, if it lies beyond both ends.
+    /// Updates the peaks at x, a turn of the floor or of the storey, if its value is beyond both ends.
     fn take_turn(&mut self, span: &Span<'_>, series: &Series<'_>, x: f64) {
         let state = series.at(x);
         let (drift, time) = (series.drift((&state).into(), x), series.time(x));
@@ -108,28 +107,28 @@ impl StructurePeaks {
     }
 }
 
-/// What a turn inside a span must lie beyond both ends, relative to them: a turn that is an end is not one inside.
+/// Relative distance by which a turn inside a span must be beyond both ends. A turn at an end is not inside.
 const BEYOND: f64 = 1e-12;
 
 fn beyond(value: f64, ends: [f64; 2]) -> bool {
     value.abs() > (1.0 + BEYOND) * ends[0].abs().max(ends[1].abs())
 }
 
-/// Records the peaks of every floor at the ends of spans, and where a motion known between them turns inside.
+/// Records the peaks of every floor at the ends of spans, and at turns inside spans whose motion is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Peaks {
     structures: Vec<StructurePeaks>,
 }
 
 impl Peaks {
-    /// For a row of `n_structures`, that is nodes, walls included.
+    /// A recorder for a row of `n_structures` nodes, walls included.
     pub fn new(n_structures: usize) -> Self {
         Self {
             structures: vec![StructurePeaks::default(); n_structures],
         }
     }
 
-    /// Peaks of one floor, by its node.
+    /// Peaks of a floor, by its node.
     pub fn of(&self, structure: usize) -> &StructurePeaks {
         &self.structures[structure]
     }
@@ -142,13 +141,13 @@ impl Recorder for Peaks {
         if span.start_time == 0.0 {
             peaks.take(&span.start, 0.0);
         } else {
-            // A pounding force jumps where a floor that presses a damped neighbour is hit; no other number does.
+            // A pounding force jumps if another neighbour hits a floor that presses a damped neighbour. No other quantity jumps.
             let force = span.start.pounding_force();
             peaks.pounding_force.take(force, span.start_time);
         }
         match &span.path {
             Path::Series(series) => peaks.take_inside(span, series),
-            // It turns once at most.
+            // A flight turns at most once.
             Path::Flight(_) if span.start.velocity * span.end.velocity < 0.0 => {
                 let mut room = Expansion::default();
                 if let Path::Series(series) = &span.expanded(&mut room).path {
@@ -172,8 +171,8 @@ mod tests {
     use crate::Motion;
     use crate::span::Power;
 
-    /// A floor at t² − t on one that moves evenly at −0.5 m/s, for 2 s from `start` on: the floor turns at 0.5 s with
-    /// −0.25 m, the storey at 0.25 s with −0.0625 m.
+    /// A floor at t² − t above a floor at −0.5 m/s, for 2 s from `start`. The floor turns at 0.5 s with −0.25 m, the storey at 0.25 s with
+    /// −0.0625 m.
     fn span(path: Path<'_>) -> Span<'_> {
         let motion = |displacement, velocity| Motion { displacement, velocity };
         let state = |displacement, velocity, restoring_force| State {

@@ -4,20 +4,20 @@ use crate::{Relation, Span, State};
 /// Velocities of a pair \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocities {
-    /// Of the left neighbour.
+    /// Velocity of the left neighbour.
     pub left: f64,
-    /// Of the right neighbour.
+    /// Velocity of the right neighbour.
     pub right: f64,
 }
 
-/// A floor that an impact strikes.
+/// A floor hit by an impact.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Struck {
-    /// Its node.
+    /// Node of the floor.
     pub floor: usize,
-    /// Part of the impulse that it gets \[–\]: negative on the left of the pair, which is pushed to the left.
+    /// Part of the impulse on the floor \[–\]: negative on the left of the pair, which is pushed to the left.
     pub part: f64,
-    /// Velocities before and after everything that happens at this instant \[m/s\].
+    /// Velocities before and after everything at this instant \[m/s\].
     pub velocities: [f64; 2],
 }
 
@@ -26,27 +26,28 @@ pub struct Struck {
 pub struct Impact {
     /// Index of the pair in its row.
     pub pair: usize,
-    /// Index of the left structure; of a point between two floors the nearer one.
+    /// Index of the left structure; for a point between two floors, the nearer floor.
     pub left: usize,
-    /// Index of the right structure.
+    /// Index of the right structure; for a point between two floors, the nearer floor.
     pub right: usize,
-    /// The floors that carry both points, two at least.
+    /// The floors that carry both points, at least two.
     pub floors: [Option<Struck>; 4],
     /// Instant \[s\].
     pub time: f64,
     /// Impulse P \[N·s\], ≥ 0; the left structure gets −P, the right one +P.
     pub impulse: f64,
-    /// Velocities of both points before everything that happens at this instant.
+    /// Velocities of both points before everything at this instant.
     pub before: Velocities,
-    /// Velocities of both points after everything that happens at this instant.
+    /// Velocities of both points after everything at this instant.
     pub after: Velocities,
-    /// Rate at which the grounds of both move towards each other \[m/s\]: with the difference of the velocities, which are
-    /// relative to them, it is the rate of deformation. 0 where the ground motion arrives at both at once.
+    /// Rate at which the two grounds move towards each other \[m/s\]. The rate of deformation is this rate plus the difference of the
+    /// velocities, which are relative to the grounds. 0 if the ground motion arrives at both at once.
     pub opening_rate: f64,
 }
 
 impl Impact {
-    /// Of two points, from the velocities of floors before and after; pair, instant, impulse and rate of the grounds are open.
+    /// An impact of two points, from the velocities of floors before and after. Pair, instant, impulse and rate of the grounds are still to
+    /// be set.
     pub(crate) fn of(relation: &Relation, before: impl Fn(usize) -> f64, after: impl Fn(usize) -> f64) -> Self {
         let mut floors = [None; 4];
         for (place, (floor, part)) in floors.iter_mut().zip(relation.pushes()) {
@@ -76,7 +77,7 @@ impl Impact {
         }
     }
 
-    /// The floors that it strikes.
+    /// The floors hit by the impact.
     pub fn struck(&self) -> impl Iterator<Item = Struck> + Clone {
         self.floors.into_iter().flatten()
     }
@@ -87,7 +88,7 @@ impl Impact {
     }
 }
 
-/// A gap that closes, of a method that finds the instant; stepping methods report none.
+/// The closing of a gap, from a method that finds the instant; stepping methods report none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// Index of the pair in its row.
@@ -96,12 +97,11 @@ pub struct Touch {
     pub time: f64,
     /// Rate of deformation at which the pair approaches v₀ \[m/s\], ≥ 0.
     pub approach_speed: f64,
-    /// Half the width of the interval in which rounding leaves the instant \[s\], ≥ 0; infinite where a pair that moves
-    /// alike touches.
+    /// Half the width of the interval of the instant due to rounding \[s\], ≥ 0; infinite for a touch of a pair that moves alike.
     ///
-    /// With s = 8ε (|u| of both structures + gap, each the largest so far), approach rate v ≥ 0, relative acceleration a
-    /// and ε = 2⁻⁵²: min(2s / (v + √max(v² − 2|a|s, 0)), √(2s/|a|)) + εt. That is s/v for a transversal touch and
-    /// √(2s/|a|) for a grazing one. Not in it: what the same rounding did earlier in the run.
+    /// Let s = 8ε (|u| of both structures + gap, each the largest so far), v ≥ 0 the approach rate, a the relative acceleration and ε =
+    /// 2⁻⁵². The value is min(2s / (v + √max(v² − 2|a|s, 0)), √(2s/|a|)) + εt. This is s/v for a transversal touch and √(2s/|a|) for a
+    /// grazing touch. Earlier effects of rounding in the run are not included.
     pub uncertainty: f64,
 }
 
@@ -111,37 +111,37 @@ impl Touch {
         let (rate, bend) = (rate.max(0.0), 2.0 * acceleration.abs() * deformation);
         let transversal = 2.0 * deformation / (rate + (rate * rate - bend).max(0.0).sqrt());
         let grazing = (2.0 * deformation / acceleration.abs()).sqrt();
-        // Structures that are at zero, and have no gap, are known to be.
+        // Structures at zero without a gap are at zero exactly.
         let reach = if deformation > 0.0 { transversal.min(grazing) } else { 0.0 };
         reach + f64::EPSILON * time
     }
 }
 
-/// What a run reports to: borrowed spans and impacts in the order of time.
+/// Receiver of the results of a run: borrowed spans and impacts in the order of time.
 ///
-/// `()` records nothing and costs nothing; a tuple records what its members do.
+/// `()` records nothing and costs nothing. A tuple passes everything to its members.
 pub trait Recorder {
-    /// Whether the recorder reads the impulses of [`Weighed`](crate::Weighed); where none does, they are left at zero
-    /// and cost nothing. It is asked anew for every span, and always answers the same.
+    /// Whether the recorder reads the impulses of [`Weighed`](crate::Weighed). If no recorder reads them, they are 0 and cost nothing.
+    /// Called for every span; the answer must not change.
     fn reads_weighed(&self) -> bool {
         false
     }
 
-    /// Sees the motion of one structure over one span.
+    /// Receives the motion of a structure over a span.
     fn span(&mut self, span: &Span<'_>);
 
-    /// Sees one impact; the spans that end at its instant came before.
+    /// Receives an impact; the spans that end at its instant came before.
     fn impact(&mut self, impact: &Impact);
 
-    /// Sees one touch, before what follows from it: an impact at this instant, or spans with a pounding force from it on.
+    /// Receives a touch, before its consequences: an impact at this instant, or spans with a pounding force that start here.
     fn touch(&mut self, _: &Touch) {}
 }
 
 impl Span<'_> {
-    /// A step of a stepping method for a recorder that reads the impulses of forces, or does not.
+    /// Makes the path of a step, with impulses only if a recorder reads them.
     ///
-    /// The method made of the loads in the step their sum with these weights, times `scale` \[s\]; the trapezoidal
-    /// rule is Δt/2 times 1 and 1 of the loads at both ends.
+    /// The impulse is the sum of the loads of the step with these weights, times `scale` \[s\]. In the trapezoidal rule, `scale` is Δt/2
+    /// and the weights of the loads at both ends are 1 and 1.
     #[inline]
     pub(crate) fn step<const N: usize>(
         reads_weighed: bool,
@@ -204,7 +204,7 @@ impl<R: Recorder> Recorder for &mut R {
     }
 }
 
-/// Records where there is a recorder: one type of run serves those that ask for it and those that do not.
+/// Records only if there is a recorder: runs with and without the recorder then have a common type.
 impl<R: Recorder> Recorder for Option<R> {
     #[inline]
     fn reads_weighed(&self) -> bool {

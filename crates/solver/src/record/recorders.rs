@@ -1,4 +1,4 @@
-//! What runs are asked for, in one recorder.
+//! All results that runs can be asked for, in a single recorder.
 
 use crate::{
     Closings, Collisions, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks, Recorder, Span, Touch,
@@ -7,8 +7,8 @@ use crate::{
 
 /// The recorders of a run of an [`AnyRow`](crate::AnyRow).
 ///
-/// They are of one type, so that all methods are compiled once. Any other recorder, or a tuple of some, compiles those that it is
-/// given to anew ([`Integrator::run`](crate::Integrator::run)).
+/// They have a single type, so that all methods are compiled once. Any other recorder, or a tuple of recorders, compiles its methods again
+/// ([`Integrator::run`](crate::Integrator::run)).
 #[derive(Debug)]
 pub struct Recorders<'l, 'a> {
     /// Peaks of every structure.
@@ -17,20 +17,20 @@ pub struct Recorders<'l, 'a> {
     pub collisions: Collisions,
     /// Transferred momentum of every structure.
     pub momentum: TransferredMomentum,
-    /// Peak absolute accelerations of every floor, where asked for.
+    /// Peak absolute accelerations of every floor, if requested.
     pub accelerations: Option<FloorAccelerations<'a>>,
-    /// Where every floor is at the end, where asked for.
+    /// State of every floor at the end, if requested.
     pub last: Option<LastStates>,
-    /// How far neighbours came towards each other, where asked for.
+    /// Largest closing of neighbours, if requested.
     pub closings: Option<Closings>,
-    /// Histories of every structure, where asked for.
+    /// Histories of every structure, if requested.
     pub histories: Option<Histories>,
-    /// Energy and impulses, where asked for.
+    /// Energy and impulses, if requested.
     pub ledger: Option<&'l mut Ledger<'a>>,
 }
 
 impl Recorders<'_, '_> {
-    /// Those of what is printed of a structure or a pair, for a row of `n_nodes`, walls included, with these pairs.
+    /// The recorders of the standard output, for a row of `n_nodes`, walls included, with these pairs.
     pub fn usual(n_nodes: usize, pairs: &[Pair]) -> Self {
         Self {
             peaks: Peaks::new(n_nodes),

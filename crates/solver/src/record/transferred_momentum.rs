@@ -3,13 +3,13 @@ use crate::{Impact, Path, Recorder, Span};
 
 /// Records the transferred momentum of every floor: H = ∫ |net pounding force| dt \[N·s\].
 ///
-/// It is a number of a floor: neighbours at different levels of a building push at different floors, and what they do to
-/// one is not undone at another. A structure of one storey is a floor.
+/// The value belongs to a floor: neighbours at different levels of a building push at different floors, and their effects do not cancel. A
+/// structure of one storey is a single floor.
 ///
-/// Forces from both sides at one instant cancel before the magnitude is taken, so a structure hit from left and right
-/// at once gets little. Impulses over a span are the method's own; impacts of one instant are summed first, and with what
-/// forces did in the step that ends there: a structure that rests between an impulsive and a compliant neighbour gets an
-/// impact in every step, whose limit is a force.
+/// Forces from both sides at an instant cancel before the magnitude is taken: a structure hit from left and right at once gets little.
+/// Impulses over a span are those of the method. Impacts at an instant are summed first, together with the impulses of forces in the step
+/// that ends there. A structure that rests between an impulsive and a compliant neighbour has an impact in every step, and the limit of
+/// these impacts is a force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TransferredMomentum {
     structures: Vec<Transferred>,
@@ -17,22 +17,22 @@ pub struct TransferredMomentum {
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Transferred {
-    /// With what its rounding left of the pieces of the exact method; lanes of stepping methods have no room for that.
+    /// Momentum of past instants. The rounding of the pieces of the exact method is kept as well; lanes of stepping methods do not need it.
     closed: Sum,
-    /// Net impulse of the instant `open_time`; its magnitude counts once the instant has passed.
+    /// Net impulse at the instant `open_time`; its magnitude is added once the instant has passed.
     open: f64,
     open_time: f64,
 }
 
 impl TransferredMomentum {
-    /// For a row of `n_structures`, that is nodes, walls included.
+    /// A recorder for a row of `n_structures` nodes, walls included.
     pub fn new(n_structures: usize) -> Self {
         Self {
             structures: vec![Transferred::default(); n_structures],
         }
     }
 
-    /// Transferred momentum of one floor, by its node \[N·s\].
+    /// Transferred momentum of a floor, by its node \[N·s\].
     pub fn of(&self, structure: usize) -> f64 {
         let sum = self.structures[structure];
         sum.closed.rounded() + sum.open.abs()
@@ -54,14 +54,14 @@ impl Recorder for TransferredMomentum {
     fn span(&mut self, span: &Span<'_>) {
         let impulse = span.impulse_from_left + span.impulse_from_right;
         match span.path {
-            // All that is known of a step in which the net force changes its sign are its ends.
+            // If the net force changes sign in a step, only its values at the ends are known.
             Path::Cubic(_) if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
                 self.add(span.structure, 0.0, span.end_time);
                 self.structures[span.structure].closed.value += 0.5 * span.duration() * ends;
             }
             Path::Cubic(_) => self.add(span.structure, impulse, span.end_time),
-            // A series ends where the net force changes its sign.
+            // A series ends where the net force changes sign.
             Path::Series(_) | Path::Flight(_) => {
                 let closed = &mut self.structures[span.structure].closed;
                 *closed = closed.plus(impulse.abs());

@@ -1,36 +1,36 @@
-//! Free flight of a structure on one line of its columns, between two samples of the ground motion: known by its start.
+//! Free flight of a structure on a single line of its columns, between two samples of the ground motion.
 
 use super::{Path, Power, Series, Span, value};
 
 /// Most coefficients of an expansion.
 const MOST: usize = 24;
 
-/// The motion m ü + c u̇ + f = −m `a_g` from a start on, f a line over u and `a_g` one over time.
+/// The motion m ü + c u̇ + f = −m `a_g` from a start, with f linear in u and `a_g` linear in time.
 ///
-/// Its power series are expanded only for those who ask what is between the ends.
+/// Its power series are expanded only if the motion between the ends is needed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// Instant of the start \[s\].
     pub origin: f64,
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] at the start.
     pub displacement: f64,
-    /// Velocity \[m/s\] likewise.
+    /// Velocity at the start \[m/s\].
     pub velocity: f64,
-    /// Restoring force \[N\] likewise.
+    /// Restoring force at the start \[N\].
     pub restoring_force: f64,
-    /// k \[N/m\], c \[N·s/m\] and 1/m \[1/kg\].
+    /// Stiffness k \[N/m\].
     pub stiffness: f64,
-    /// Damping coefficient \[N·s/m\].
+    /// Damping coefficient c \[N·s/m\].
     pub damping: f64,
     /// 1/m \[1/kg\].
     pub inverse_mass: f64,
     /// Ground acceleration at the start \[m/s²\] and its slope \[m/s³\].
     pub ground: [f64; 2],
-    /// Coefficients that reach rounding.
+    /// Number of coefficients down to rounding.
     pub len: usize,
 }
 
-/// Room for the power series of a [`Flight`].
+/// Storage for the power series of a [`Flight`].
 #[derive(Debug, Clone, Default)]
 pub struct Expansion {
     displacement: [f64; MOST],
@@ -56,7 +56,7 @@ impl Expansion {
 }
 
 impl Flight {
-    /// Expands the motion: the same operations as those of a structure alone in the exact method.
+    /// Expands the motion with the same operations as the exact method for a structure alone.
     pub fn expand(&self, room: &mut Expansion) {
         let (mut u, mut v) = (self.displacement, self.velocity);
         let mut force = self.restoring_force;
@@ -78,7 +78,7 @@ impl Flight {
         ends.map(|series| value(series, time))
     }
 
-    /// Acceleration over the ground at this velocity and restoring force, under this ground acceleration.
+    /// Acceleration relative to the ground, from velocity, restoring force and ground acceleration.
     #[inline]
     pub fn acceleration(&self, velocity: f64, force: f64, ground: f64) -> f64 {
         self.inverse_mass * (0.0 - (self.damping * velocity + force)) - ground
@@ -103,7 +103,7 @@ impl Flight {
 }
 
 impl<'a> Span<'a> {
-    /// The span with the series of its free flight expanded; any other as it is.
+    /// The span with the series of its free flight expanded; other spans are unchanged.
     #[inline]
     #[must_use]
     pub fn expanded(&self, room: &'a mut Expansion) -> Self {

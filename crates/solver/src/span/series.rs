@@ -1,35 +1,33 @@
-//! A motion that is known between the ends of its span: power series of the exact method.
+//! Power series of the exact method: a motion that is known between the ends of its span.
 
 use super::{Motion, State};
 use crate::quadrature::{self, Rule, Sides};
 
 /// A motion as power series in x, with t = origin + x^power.
 ///
-/// The power is one but just after the first touch of a compliant pair, where forces are series in the fourth root of
-/// time.
+/// The power is 1, except just after the first touch of a compliant pair, where forces are series in the fourth root of time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series<'a> {
     pub(crate) origin: f64,
     pub(crate) power: Power,
-    /// x at the end of the span: instants tell a span that is shorter than they are fine by far too much, or by nothing. Infinite
-    /// where they tell enough.
+    /// x at the end of a span shorter than the resolution of time, whose duration instants cannot give; infinite for longer spans.
     pub(crate) end: f64,
     pub(crate) displacement: &'a [f64],
     pub(crate) velocity: &'a [f64],
     pub(crate) acceleration: &'a [f64],
-    /// Displacement and velocity of the floor below; nothing for a floor that stands on the ground.
+    /// Displacement and velocity of the floor below; `None` for a floor on the ground.
     pub(crate) below: Option<[&'a [f64]; 2]>,
-    /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
+    /// Restoring force at the first coefficient of the displacement \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
-    /// Of columns that yield smoothly the part of the force that is no line over the drift, (1 − a) k z \[N\], whose start is
-    /// in `restoring_force` too; empty for all others.
+    /// For columns that yield smoothly, the part of the force that is not linear in the drift, (1 − a) k z \[N\]. `restoring_force`
+    /// contains its start, too. Empty for all other columns.
     pub(crate) bent: &'a [f64],
-    /// Magnitude of the pounding force from either side \[N\].
+    /// Magnitude of the pounding force from the left \[N\].
     pub(crate) force_from_left: &'a [f64],
     pub(crate) force_from_right: &'a [f64],
 }
 
-/// The power p of t = origin + x^p.
+/// The power p in t = origin + x^p.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Power {
     One,
@@ -77,13 +75,13 @@ pub fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, sum)
 }
 
-/// What a polynomial has risen since x = 0.
+/// Increase of a polynomial since x = 0.
 #[inline]
 pub(crate) fn rise(coefficients: &[f64], x: f64) -> f64 {
     x * value(coefficients.get(1..).unwrap_or_default(), x)
 }
 
-/// [Values](value) at the nodes of a rule side by side: each has the bits of its own, and none waits for another.
+/// [Values](value) at all nodes of a rule together. Each has the bits of a separate evaluation, and none waits for another.
 #[inline]
 fn values<const HALF: usize>(coefficients: &[f64], nodes: &Sides<HALF>) -> Sides<HALF> {
     let mut sums = [[0.0; HALF]; 2];
@@ -96,7 +94,7 @@ fn values<const HALF: usize>(coefficients: &[f64], nodes: &Sides<HALF>) -> Sides
     sums
 }
 
-/// [Rises](rise) side by side.
+/// [Rises](rise) at all nodes of a rule together.
 #[inline]
 fn rises<const HALF: usize>(coefficients: &[f64], nodes: &Sides<HALF>) -> Sides<HALF> {
     let mut rises = values(coefficients.get(1..).unwrap_or_default(), nodes);
@@ -118,7 +116,7 @@ impl Series<'_> {
         self.origin + self.power.time(x)
     }
 
-    /// Drift of the storey below the floor, whose own motion at x this is.
+    /// Drift of the storey below a floor with this motion at x.
     #[inline]
     pub(crate) fn drift(&self, floor: Motion, x: f64) -> Motion {
         match self.below {
@@ -130,7 +128,7 @@ impl Series<'_> {
         }
     }
 
-    /// Integrals over time of N functions of instant, state and drift of the storey below, between two x.
+    /// Integrals over time of N functions of instant, state and drift of the storey below, between two values of x.
     #[inline]
     pub(super) fn integrate<const N: usize, const HALF: usize>(
         &self,
@@ -150,7 +148,7 @@ impl Series<'_> {
         })
     }
 
-    /// [States](Self::at) at the nodes of a rule, each with the [drift](Self::drift) of the storey below, by side and number.
+    /// [States](Self::at) and [drifts](Self::drift) of the storey below at the nodes of a rule, by side and number.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "an integrand that asks for no acceleration does not pay for it")]
     fn states<const HALF: usize>(&self, nodes: Sides<HALF>) -> impl Fn(usize, usize) -> (State, Motion) {

@@ -11,7 +11,7 @@ use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
 struct Counting;
 
 thread_local! {
-    /// Allocations of this thread: other tests run beside this one.
+    /// Allocations of this thread; other tests run in other threads.
     pub(crate) static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn allocations() -> usize {
 fn limit_a_step_allocates_nothing() {
     let samples = ground();
     let [impulsive, compliant] = [STEREOMECHANICAL, VISCOELASTIC].map(|law| pairs(3, 0.02, law));
-    // Two contacts on one side of a floor are no chain.
+    // Two contacts on one side of a floor form no chain.
     let twice = [&impulsive[..], &impulsive[..]].concat();
     for pairs in [impulsive, compliant, twice] {
         let nodes = vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)];

@@ -1,4 +1,4 @@
-//! Small results of others, and the closed forms behind them.
+//! Small results of other programs and books, and the closed forms behind them.
 
 use std::f64::consts::PI;
 
@@ -7,16 +7,16 @@ use pounding_solver::{Damping, Elastic, Exact, Excitation, Histories, Integrator
 
 use crate::common::{CENTRAL, LOCATED, clock, pairs};
 
-/// suanPan's example of a mass against a wall: m = 1, one length away, a constant acceleration of 2 towards the wall, e = 1. It meets
-/// the wall at t = 1 with a velocity of 2, and at t = 1.5 has come back by 3/4 with a velocity of 1. suanPan's own test, with steps of
-/// 0.01, has −0.24090 and 0.97841.
+/// suanPan's example of a mass against a wall: m = 1, distance 1, a constant acceleration of 2 towards the wall, e = 1. The mass meets the
+/// wall at t = 1 with velocity 2. At t = 1.5 it has come back by 3/4 and has velocity 1. suanPan's own test, with steps of 0.01, gives
+/// −0.24090 and 0.97841.
 #[test]
 fn reference_a_mass_against_a_wall_of_suanpan() {
     let free = Elastic { stiffness: 0.0 };
     let nodes = vec![Node::wall(free), Node::structure(1.0, 0.0, free)];
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 1.0 });
     let row = Row::new(nodes, pairs(2, 1.0, law)).expect("the row is valid");
-    // A frame that accelerates by 2 away from the wall: the mass is drawn towards it.
+    // The frame accelerates by 2 away from the wall, so that the mass is drawn towards it.
     let samples = [2.0, 2.0];
     let end = |method: Integrator| {
         let excitation = Excitation::new(1.5, &samples).expect("the motion is valid");
@@ -29,7 +29,7 @@ fn reference_a_mass_against_a_wall_of_suanpan() {
     for (method, allowed) in [
         (Integrator::Exact(Exact::default()), 1e-15),
         (LOCATED, 1e-13),
-        // An impact is known to a step: 0.01 s at twice the velocity of 2.
+        // An impact is found to a step: 0.01 s at twice the velocity of 2.
         (CENTRAL, 0.04),
     ] {
         let found = end(method);
@@ -47,13 +47,13 @@ fn storey(mass: f64, stiffness: f64) -> Storey<Elastic> {
     }
 }
 
-/// The determinant of K − ω²M of three storeys over k³, which is 0 at their frequencies.
+/// The determinant of K − ω²M of three storeys over k³; it is 0 at their frequencies.
 fn residual([m1, m2, m3]: [f64; 3], k: f64, squared: f64) -> f64 {
     let (d1, d2, d3) = (2.0 * k - m1 * squared, 2.0 * k - m2 * squared, k - m3 * squared);
     (d1 * (d2 * d3 - k * k) - k * k * d3) / (k * k * k)
 }
 
-/// A frame whose frequencies were measured, and published as 17.8939, 49.7476 and 71.1199 rad/s.
+/// A frame with published measured frequencies of 17.8939, 49.7476 and 71.1199 rad/s.
 #[test]
 fn reference_a_measured_frame_of_three_storeys() {
     let (masses, stiffness) = ([1.8965, 1.8965, 1.7338], 2923.7);
@@ -67,8 +67,8 @@ fn reference_a_measured_frame_of_three_storeys() {
     }
 }
 
-/// A. K. Chopra, *Dynamics of Structures*, section on base isolation: a structure of 0.4 s and 2 % on a slab of two thirds of its mass,
-/// which isolators alone would hold at 2 s and 10 %. Periods with both: 2.0242 s and 0.24995 s.
+/// A. K. Chopra, *Dynamics of Structures*, section on base isolation: a structure of 0.4 s and 2 % on a slab of two thirds of its mass. The
+/// isolators alone would give 2 s and 10 %. Periods with both: 2.0242 s and 0.24995 s.
 #[test]
 fn reference_a_base_isolated_building_of_chopra() {
     let mass = 1000.0;

@@ -1,4 +1,4 @@
-//! What spans and impacts promise: continuity, equilibrium at both ends, jumps that are the reported impulses.
+//! Properties of spans and impacts: continuity, equilibrium at both ends, jumps equal to the reported impulses.
 
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
@@ -48,7 +48,7 @@ impl Audit<'_> {
         (mass * state.acceleration, others)
     }
 
-    /// Equilibrium at both ends of a span; in the HHT method (α < 0) its weighted equation.
+    /// Equilibrium at both ends of a span; for the HHT method (α < 0), its weighted equation.
     fn equilibrium(&mut self, span: &Span<'_>) {
         if self.row.nodes()[span.structure].is_wall() {
             return;
@@ -116,7 +116,7 @@ impl Recorder for Audit<'_> {
     }
 }
 
-/// Rows of three with each law, both laws, and a wall on either side.
+/// Rows of three structures with each law, with both laws, and with a wall on either side.
 fn rows() -> Vec<Row<Bilinear>> {
     let wall = || {
         Node::wall(Bilinear {
@@ -168,7 +168,7 @@ fn limit_spans_and_impacts_keep_their_promises() {
             assert!(work.touching_steps > 0, "{name}: the row must collide");
             assert!(audit.n_impacts > 0 || !impulsive, "{name}: impacts are reported");
             assert!(audit.jump < 1e-11, "{name}: jump {:e}", audit.jump);
-            // A viscoelastic force is that of the rate before a jump of its neighbour: mixed rows are left out.
+            // A viscoelastic force belongs to the rate before a jump of its neighbour: mixed rows are excluded.
             let mixed = !impulsive && audit.n_impacts > 0;
             assert!(mixed || audit.residual < 1e-11, "{name}: residual {:e}", audit.residual);
         }
@@ -177,7 +177,7 @@ fn limit_spans_and_impacts_keep_their_promises() {
 
 #[test]
 fn limit_no_overlap_is_without_a_force() {
-    // Pushing the first into the second closes the second gap within the same step: the cluster must grow.
+    // When the first structure is pushed into the second, the second gap closes in the same step: the cluster must grow.
     let free = |mass: f64, velocity: f64| Node {
         initial_velocity: velocity,
         ..Node::structure(

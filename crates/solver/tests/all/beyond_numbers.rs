@@ -1,4 +1,4 @@
-//! Numbers so large or small that series and counts overflow: found by fuzzing, and ended with an error.
+//! Values so large or small that series and counts overflow, found by fuzzing. Such runs end with an error.
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Clock, Exact, Excitation, Integrator, Peaks, Row, RunError, SimultaneousImpacts, Work};
@@ -11,7 +11,7 @@ const EXACT: Integrator = Integrator::Exact(Exact {
     simultaneous_impacts: SimultaneousImpacts::Together,
 });
 
-/// Weak and stiff structure 1 cm apart, the weak one with a velocity \[m/s\].
+/// A weak and a stiff structure 1 cm apart; the weak one starts with a velocity \[m/s\].
 fn run(law: ContactLaw, velocity: f64) -> Result<Work, RunError> {
     let mut nodes = vec![yielding(WEAK), yielding(STIFF)];
     nodes[0].initial_velocity = velocity;
@@ -36,7 +36,7 @@ fn issue_contact_too_stiff_for_numbers_ends_with_an_error() {
     }
 }
 
-/// The same at a touch so fast that the force overflows.
+/// At a very fast touch the contact force overflowed.
 #[test]
 fn issue_a_touch_too_fast_for_numbers_ends_with_an_error() {
     for velocity in [5.21e154, 1e200, 1e300] {
@@ -58,7 +58,7 @@ fn issue_a_record_of_almost_no_duration_is_over() {
                 let peak = seen.of(0).displacement.value;
                 assert!(peak.abs() < 1e-12, "{time_step:e}: {peak}");
             }
-            // Its slope is beyond all numbers.
+            // Its slope is not finite.
             Err(error) => {
                 assert!(matches!(error, RunError::OutOfNumbers { .. }), "{error}");
                 assert!(time_step < 1e-100, "{time_step:e}: {error}");
@@ -67,7 +67,7 @@ fn issue_a_record_of_almost_no_duration_is_over() {
     }
 }
 
-/// A count of sub-steps in the billions made a run of a few steps one of hours.
+/// Billions of sub-steps made a run of few steps last for hours.
 #[test]
 fn issue_substeps_have_a_limit() {
     let row = Row::new(vec![elastic(WEAK)], Vec::new()).expect("a good row");

@@ -1,4 +1,4 @@
-//! What a run may cost: it ends within its budget, with the same bits as without one, or says which number to change.
+//! Budgets of runs: a run ends within its budget with unchanged bits, or names the setting to change.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -11,14 +11,14 @@ const EXACT: Integrator = Integrator::Exact(Exact {
     tolerance: 1e-16,
     simultaneous_impacts: pounding_solver::SimultaneousImpacts::Together,
 });
-/// Stopped before it begins.
+/// A stop flag that is set before the run begins.
 static STOPPED: AtomicBool = AtomicBool::new(true);
 const STOP: Budget = Budget {
     pieces: Budget::PIECES,
     seconds: None,
     stop: Some(&STOPPED),
 };
-/// More steps than there are between two looks at the budget.
+/// More steps than between two checks of the budget.
 const LONG: Clock = Clock {
     time_step: 1e-4,
     n_steps: 40_000,
@@ -65,7 +65,7 @@ fn issue_whoever_stops_ends_a_run_of_every_method() {
     }
 }
 
-/// Asks for the end of a run as soon as it is told of anything, and counts what it is told after that.
+/// Stops the run at the first report, and counts the reports after that.
 #[derive(Default)]
 struct Impatient {
     told: usize,
@@ -85,8 +85,8 @@ impl Recorder for Impatient {
     }
 }
 
-/// Between two instants nobody looked at the budget: of a long row all pieces were made, and all neighbours looked at, before a run of
-/// 2 s ended after minutes.
+/// The budget was not checked between two instants. In a long row all pieces were made, and all neighbours examined, before a run of 2 s
+/// ended after minutes.
 #[test]
 fn issue_a_long_row_ends_between_two_pieces() {
     let n = 500;
@@ -105,13 +105,13 @@ fn issue_a_long_row_ends_between_two_pieces() {
         let mut impatient = Impatient::default();
         let ended = EXACT.run(&row, excitation, LONG.within(tired), &mut impatient);
         assert!(matches!(ended, Err(RunError::Stopped { .. })), "{ended:?}");
-        // A body that rests against others is one piece.
+        // A body whose floors rest against each other is a single piece.
         let most = if gap > 0.0 { 2 } else { n };
         assert!(impatient.told <= most, "{gap}: {} pieces", impatient.told);
     }
 }
 
-/// Nothing of a row is run by which its budget is over before.
+/// A run whose budget is spent before it begins makes no piece.
 #[test]
 fn extreme_a_run_without_time_makes_no_piece() {
     let row = two(VISCOELASTIC);
@@ -136,7 +136,7 @@ fn issue_a_contact_damped_without_measure_is_refused_before_it_runs() {
         let refused = matches!(ended, Err(RunError::TooDamped { left: 0, right: 1, .. }));
         assert!(refused, "{ratio:e}: {ended:?}");
     }
-    // One that needs few pieces runs, one that needs more than it may have ends.
+    // A run that needs few pieces succeeds; a run that needs more than allowed ends.
     for (ratio, allowed, ends) in [(1e2, 1e7, true), (1e4, 1e7, true), (1e4, 5e3, false)] {
         let ended = run(EXACT, &two(kelvin_voigt(ratio)), (clock, pieces(allowed)));
         let over = matches!(ended, Err(RunError::TooManyPieces { .. } | RunError::TooDamped { .. }));
@@ -144,7 +144,7 @@ fn issue_a_contact_damped_without_measure_is_refused_before_it_runs() {
     }
 }
 
-/// A budget changes no run that ends within it; one that does not ends where it is spent.
+/// A budget changes no run that ends within it; any other run ends where the budget is spent.
 #[test]
 fn limit_a_budget_changes_no_bit() {
     let samples = ground();
@@ -170,7 +170,7 @@ fn limit_a_budget_changes_no_bit() {
     assert!(ended, "{needed} pieces: {spent:?}");
 }
 
-/// A row of 100 000 was taken up.
+/// A row of 100 000 structures was accepted.
 #[test]
 fn issue_a_row_without_measure_is_refused_before_it_runs() {
     let row = |n: usize| Row::new(vec![elastic(WEAK); n], pairs(n, 0.1, VISCOELASTIC)).expect("a row");
@@ -181,7 +181,7 @@ fn issue_a_row_without_measure_is_refused_before_it_runs() {
     assert!(ended.is_ok(), "{ended:?}");
 }
 
-/// Two hundred that press against each other took over 240 s.
+/// Two hundred structures that press against each other took over 240 s.
 #[test]
 fn issue_long_rows_at_rest_against_each_other_took_the_cube_of_their_number() {
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
@@ -193,7 +193,7 @@ fn issue_long_rows_at_rest_against_each_other_took_the_cube_of_their_number() {
     let nodes = (0..n).map(structure).collect();
     let row = Row::new(nodes, pairs(n, 0.0, law)).expect("a row");
     let ended = run(EXACT, &row, (clock(0.01, 2.0), pieces(1e6)));
-    // Within its budget it ends as any other does.
+    // Within its budget it ends like any other run.
     let fair = matches!(ended, Ok(_) | Err(RunError::TooManyPieces { .. } | RunError::NoProgress { .. }));
     assert!(fair, "{ended:?}");
 }

@@ -1,4 +1,4 @@
-//! Worked examples of A. K. Chopra, *Dynamics of Structures*, and closed forms of one structure.
+//! Worked examples of A. K. Chopra, *Dynamics of Structures*, and closed forms for a single structure.
 
 use pounding_solver::{Elastic, Excitation, Histories, Integrator, Node, Row};
 
@@ -39,7 +39,7 @@ fn assert_close(found: &[f64], printed: &[f64], allowed: f64) {
     }
 }
 
-/// Half a unit of the fourth decimal, and as much again for the rounded steps of the book.
+/// Half a unit of the fourth decimal, twice, because the book rounds its steps, too.
 const PRINTED: f64 = 1.5e-4;
 
 #[test]

@@ -1,4 +1,4 @@
-//! One collision lasts from touch to parting, also where a clamped force lets go in between.
+//! A collision lasts from touch to parting, even if a clamped force releases the pair in between.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, KelvinVoigt, LawName};
 use pounding_solver::{Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Ledger, Node, Recorder, Row, Span};
@@ -50,7 +50,7 @@ fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
     [collisions.all().len(), pushes.n, n_overlaps]
 }
 
-/// Every time a clamped law let go and gripped again, a new collision was counted.
+/// Each time a clamped law released and pushed again, a new collision was counted.
 #[test]
 fn issue_a_force_that_lets_go_before_the_parting_is_no_new_collision() {
     let [exact, pushes, overlaps] = counts(Integrator::Exact(Exact::default()), 1e-4);
@@ -62,15 +62,15 @@ fn issue_a_force_that_lets_go_before_the_parting_is_no_new_collision() {
     }
 }
 
-/// Neighbours that the dashpot lets go of, that the ground then holds together, and that the spring drives apart after
-/// all: what it gives back then was taken before, and the verdict spoke of a collision that gives without taking.
+/// The dashpot releases neighbours, the ground then holds them together, and the spring finally drives them apart. The law gives back
+/// energy that it took before. The verdict reported a collision that gave energy without having taken any.
 #[test]
 fn issue_energy_given_back_after_a_clamp_was_taken_before() {
     let law = ContactLaw::KelvinVoigt(KelvinVoigt {
         impact_stiffness: 9.35e7,
         impact_damping_ratio: 0.9,
     });
-    // Against a wall; when the dashpot has let go, the ground holds the structure for 20 ms.
+    // Against a wall: after the dashpot has released the structure, the ground holds it for 20 ms.
     let nodes = vec![
         Node {
             initial_velocity: 1.0,

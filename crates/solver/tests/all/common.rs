@@ -1,4 +1,4 @@
-//! What the tests of the solver share: structures of the paper, a synthetic ground motion, shorthands.
+//! Shared items of the solver's tests: structures of the paper, a synthetic ground motion, shorthands.
 use crate::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
@@ -45,7 +45,7 @@ pub(crate) const METHODS: [(&str, Integrator); 9] = [
     ("RK4", RK4),
 ];
 
-/// Methods of order one where nothing touches.
+/// Methods of order one in free motion.
 pub(crate) const FIRST_ORDER: [(&str, Integrator); 2] = [("Moreau-Jean 3/4", moreau_jean(0.75)), ("Moreau-Jean 1", moreau_jean(1.0))];
 
 pub(crate) const fn moreau_jean(theta: f64) -> Integrator {
@@ -65,7 +65,7 @@ pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<
     Node::structure(mass, 0.5712 * mass + 0.001_447 * stiffness, column)
 }
 
-/// Pairs between all neighbours, with one gap and one law.
+/// Pairs between all neighbours, with a common gap and law.
 pub(crate) fn pairs(n: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
     (1..n).map(|right| Pair::of_floors(right - 1, right, gap, law)).collect()
 }
@@ -119,7 +119,7 @@ pub(crate) fn free(mass: f64, velocity: f64) -> Node<Elastic> {
     }
 }
 
-/// A structure by its period, damping ratio, displacement and velocity at the start.
+/// A structure from its period, damping ratio, and displacement and velocity at the start.
 pub(crate) fn moving(mass: f64, [period, ratio]: [f64; 2], [displacement, velocity]: [f64; 2]) -> Node<Elastic> {
     let omega = 2.0 * std::f64::consts::PI / period;
     let column = Elastic {
@@ -132,7 +132,7 @@ pub(crate) fn moving(mass: f64, [period, ratio]: [f64; 2], [displacement, veloci
     }
 }
 
-/// A building of these floors from the ground up, (mass, stiffness of the storey below, damping of it), from a node on.
+/// A building, starting at a node, with these floors from the ground up: (mass, stiffness of the storey below, its damping).
 pub(crate) fn building(first: usize, floors: &[(f64, f64, f64)]) -> Vec<Node<Elastic>> {
     let node = |(index, (mass, stiffness, damping)): (usize, &(f64, f64, f64))| {
         let column = Elastic { stiffness: *stiffness };
@@ -159,8 +159,8 @@ pub(crate) fn meeting(left: impl Into<Point>, right: impl Into<Point>, offset: f
     Pair { relation, law }
 }
 
-/// Two buildings of three storeys whose floors lie at other heights: nodes 0, 1, 2 and 3, 4, 5. A slab meets columns, and so does
-/// one of the other building; two floors carry points of several pairs.
+/// Two buildings of three storeys with floors at different heights: nodes 0, 1, 2 and 3, 4, 5. A slab of each meets columns of the other;
+/// two floors carry points of several pairs.
 pub(crate) fn floors_and_columns(law: ContactLaw) -> Row<Elastic> {
     let left = [(9e4, 4e7, 2e5), (8e4, 3e7, 1.5e5), (6e4, 2e7, 1e5)];
     let right = [(3e5, 6e8, 9e5), (2e5, 5e8, 8e5), (2e5, 4e8, 6e5)];

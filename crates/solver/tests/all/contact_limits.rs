@@ -1,4 +1,4 @@
-//! Limits of stability of a pair that stays in touch, against the methods themselves.
+//! Stability limits of a pair that stays in touch, compared with the methods themselves.
 
 use pounding_contact::{ContactLaw, KelvinVoigt};
 use pounding_solver::{Clock, Elastic, Excitation, Histories, Integrator, Node, Oscillation, Pair, Row};
@@ -11,10 +11,10 @@ const STIFFNESS: f64 = 9.35e7;
 /// Ground acceleration that presses the structure against the wall \[m/s²\].
 const PUSH: f64 = -1.0;
 
-/// Largest distance from the deformation at rest over the last hundred steps, in parts of it \[–\].
+/// Largest distance from the deformation at rest over the last hundred steps, relative to it \[–\].
 fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
     const N_STEPS: usize = 20_000;
-    // Columns that hardly hold it: what remains is mass, spring and dashpot of the contact.
+    // The columns are very weak: the motion depends on mass, spring and dashpot of the contact.
     let structure = Node::structure(MASS, 0.0, Elastic { stiffness: 1.0 });
     let pair = Pair::of_floors(
         0,
@@ -26,7 +26,7 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
         }),
     );
     let row = Row::new(vec![structure, Node::wall(Elastic { stiffness: 1.0 })], vec![pair]).expect("a good row");
-    // Pressed slowly: a swing back would reach the clamp, where nothing is linear.
+    // Pressed slowly: a swing back would reach the clamp, where the motion is nonlinear.
     let ramp = |step: usize| PUSH * (2.0 * step as f64 / N_STEPS as f64).min(1.0);
     let samples: Vec<_> = (0..N_STEPS + 2).map(ramp).collect();
     let excitation = Excitation::new(time_step, &samples).expect("good samples");

@@ -1,4 +1,4 @@
-//! Every law of the literature under every method, against what the law delivers to a free pair.
+//! Every law of the literature under every method, compared with its response for a free pair.
 
 use crate::common::{METHODS, RK4, STIFF, WEAK, clock, elastic, ground, pairs};
 use crate::watch::Watch;
@@ -76,7 +76,7 @@ fn reference_the_exact_method_delivers_every_law() {
             panic!("{law:?}: {} collisions", found.collisions.all().len());
         };
         close(collision.peak_force.unwrap(), known.peak_force, "peak force");
-        // A free pair that loses nothing is pressed hardest half way.
+        // A free pair without loss has its largest force half way.
         if e >= 1.0 {
             let half = 0.5 * (collision.end - collision.start);
             let peak = collision.peak_force_time.unwrap() - collision.start;
@@ -95,7 +95,7 @@ fn order_every_method_tends_to_what_a_law_delivers() {
                 (found.restitution - e).abs().max(impulse.abs())
             };
             for time_step in [2e-5, 5e-6] {
-                // Of order one, with random parts: the first overlap is seen up to a step late.
+                // Order one, with random parts: the first overlap is found up to a step late.
                 let n_steps = FreeImpact::of(&law, &PAIR).unwrap().duration / time_step;
                 let error = error(time_step);
                 assert!(error < 5.0 / n_steps, "{name}, {law:?}: {error} in {n_steps} steps");
@@ -104,7 +104,7 @@ fn order_every_method_tends_to_what_a_law_delivers() {
     }
 }
 
-/// Velocities of a free pair when the run ends.
+/// Velocities of a free pair at the end of the run.
 struct LastVelocities([f64; 2]);
 
 impl Recorder for LastVelocities {

@@ -1,4 +1,4 @@
-//! The exact method against answers known in closed form, and against itself.
+//! The exact method compared with closed forms, and with itself.
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -53,7 +53,7 @@ fn close(found: f64, wanted: f64, tolerance: f64) {
 
 #[test]
 fn published_bouncing_ball_past_its_accumulation_point() {
-    // Falls from 1 m with g = 9.81 m/s² onto a wall, e = 0.8; the bounces are over at t₁(1 + e)/(1 − e).
+    // A fall from 1 m with g = 9.81 m/s² onto a wall, e = 0.8; the bounces end at t₁(1 + e)/(1 − e).
     let (height, gravity, restitution) = (1.0, 9.81, 0.8);
     let ball = Node {
         initial_displacement: height,
@@ -66,7 +66,7 @@ fn published_bouncing_ball_past_its_accumulation_point() {
     let over = first * (1.0 + restitution) / (1.0 - restitution);
     let bounces = outcome.collisions.all();
     close(bounces[0].start, first, 1e-15);
-    // Every bounce lasts e times as long as the one before.
+    // Every bounce lasts e times as long as the previous one.
     for k in 1..60 {
         let passed = libm::pow(restitution, f64::from(k));
         let at = first * (1.0 + 2.0 * restitution * (1.0 - passed) / (1.0 - restitution));
@@ -87,7 +87,7 @@ fn published_bouncing_ball_past_its_accumulation_point() {
 
 #[test]
 fn extreme_neighbours_that_press_and_bounce_for_ever_end_the_run() {
-    // Thrown upwards with 1e-8 m/s in 10 m/s²: with e = 1 it is back every 2e-9 s, 5e9 times in 10 s.
+    // Thrown upwards with 1e-8 m/s in 10 m/s²: with e = 1 the mass returns every 2e-9 s, 5e9 times in 10 s.
     let throw = |restitution: f64| {
         let ball = Node {
             initial_velocity: 1e-8,
@@ -108,7 +108,7 @@ fn extreme_neighbours_that_press_and_bounce_for_ever_end_the_run() {
     };
     assert_eq!((left, right, impacts), (0, 1, 100_001));
     close(time, 100_001.0 * 2e-9, 1e-10);
-    // What the message advises comes to rest.
+    // The e that the message advises comes to rest.
     let (outcome, impacts) = throw(0.999);
     assert!(outcome.is_ok() && impacts < 20_000, "{impacts} impacts, {outcome:?}");
 }
@@ -200,7 +200,7 @@ fn reference_free_viscoelastic_impact() {
 
 #[test]
 fn reference_free_vibration_of_every_damping() {
-    // u'' + 2ζω u' + ω² u = 0 from u₀, v₀ in closed form, through critical damping; and c = k = 0.
+    // u'' + 2ζω u' + ω² u = 0 from u₀, v₀ in closed form, through critical damping; also c = k = 0.
     let (omega, u0, v0): (f64, f64, f64) = (7.0, 0.02, -0.1);
     for zeta in [0.0, 0.05, 0.999_999, 1.0, 1.000_001, 3.0] {
         let node = Node {

@@ -1,4 +1,4 @@
-//! Laws of mechanics that the exact method keeps on random rows.
+//! Laws of mechanics for the exact method on random rows.
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -15,8 +15,8 @@ const CLOCK: Clock = Clock {
     n_steps: 60,
 };
 
-/// Runs a case; nothing where e is so near to 1 that a pair bounces without end, or a damper that grows with 1/v₀ so
-/// strong that a contact cannot be followed (some two rows in a thousand), which the method says.
+/// Runs a case. Returns `None` if the method refuses it, about two rows in a thousand. Then e is so close to 1 that a pair bounces without
+/// end, or a damper with 1/v₀ is too strong to follow the contact.
 fn run(case: &Case, units: Units) -> Option<Outcome> {
     let row = case.row(units);
     let n = row.nodes().len();
@@ -55,7 +55,7 @@ fn run(case: &Case, units: Units) -> Option<Outcome> {
 struct Outcome {
     momentum: Vec<f64>,
     histories: Histories,
-    /// A state every 32nd part of a sample of the record.
+    /// A state at every 32nd part of a sample interval.
     dense: Histories,
     first_touch: Option<f64>,
     balances: [f64; 3],
@@ -63,9 +63,9 @@ struct Outcome {
     overlap: f64,
 }
 
-/// The largest overlap of an impulsive pair relative to displacements and gap, at the ends of spans of both sides.
+/// The largest overlap of an impulsive pair relative to displacements and gap, at common ends of spans of both sides.
 struct Overlap {
-    /// Gap of the pair on the right of each structure; infinite where there is none, or a compliant one.
+    /// Gap on the right of each structure; infinite without a pair, and for a compliant pair.
     gaps: Vec<f64>,
     /// Last instant and displacement of every structure.
     ends: Vec<(f64, f64)>,
@@ -116,8 +116,8 @@ impl Recorder for Overlap {
     fn impact(&mut self, _: &Impact) {}
 }
 
-/// Largest overlap of impulsive pairs at the instants of histories, relative to displacements and gap: a touch that was
-/// missed between two events would show.
+/// Largest overlap of impulsive pairs at the instants of histories, relative to displacements and gap. It would show a touch that was
+/// missed between two events.
 fn overlap_between_events(case: &Case, dense: &Histories) -> f64 {
     let mut largest: f64 = 0.0;
     for (left, (gap, law)) in case.contacts.iter().enumerate() {
@@ -133,7 +133,7 @@ fn overlap_between_events(case: &Case, dense: &Histories) -> f64 {
     largest
 }
 
-/// Largest difference of two histories relative to the largest displacement, with a factor on the second.
+/// Largest difference of two histories relative to the largest displacement; the second history is multiplied by a factor.
 fn distance(a: &Histories, b: &Histories, (left, right): (usize, usize), factor: f64) -> f64 {
     let (a, b) = (&a.of(left).states, &b.of(right).states);
     let largest = a.iter().fold(0.0, |m: f64, state| m.max(state.displacement.abs()));
@@ -141,7 +141,7 @@ fn distance(a: &Histories, b: &Histories, (left, right): (usize, usize), factor:
     differences.fold(0.0, f64::max) / largest.max(1e-12)
 }
 
-/// The outcome of a run; a case without one is not counted.
+/// The outcome of a run; skips a case without outcome.
 macro_rules! ended {
     ($run:expr) => {
         match $run {
@@ -184,14 +184,14 @@ proptest! {
         }
         let (one, other) = (ended!(run(&case, SI)), ended!(run(&mirrored, SI)));
         let n = case.structures.len();
-        // Chaos amplifies the rounding of sums over three and more structures; rows of two are the same to the bit.
+        // Chaos amplifies the rounding of sums over three and more structures; rows of two are equal to the bit.
         if n <= 2 {
             for index in 0..n {
                 prop_assert!(distance(&one.histories, &other.histories, (index, n - 1 - index), -1.0) == 0.0);
                 prop_assert!(one.momentum[index].to_bits() == other.momentum[n - 1 - index].to_bits());
             }
         }
-        // Until the first touch nothing has been amplified.
+        // Before the first touch nothing is amplified.
         match (one.first_touch, other.first_touch) {
             (None, None) => {}
             (Some(one), Some(other)) => prop_assert!((one - other).abs() <= 1e-12, "{one} {other}"),
@@ -201,7 +201,7 @@ proptest! {
 
     #[test]
     fn limit_units_of_length_and_mass_scale(case in cases(stereomechanical)) {
-        // By powers of two: nothing is rounded, and every bit scales.
+        // Powers of two: nothing is rounded, and every bit scales.
         let units = Units { length: 8.0, mass: 0.25, time: 1.0 };
         let (one, other) = (ended!(run(&case, SI)), ended!(run(&case, units)));
         for index in 0..case.structures.len() {
@@ -213,7 +213,7 @@ proptest! {
 
     #[test]
     fn limit_the_unit_of_time_scales(mut case in cases(stereomechanical)) {
-        // The shortest remainder of bounces is 1e-12 s in any unit; rows of two do not amplify that into another motion.
+        // The shortest remainder of bounces is 1e-12 s in any unit; rows of two do not amplify this difference.
         case.structures.truncate(2);
         case.velocities.truncate(2);
         case.contacts.truncate(1);
@@ -231,7 +231,7 @@ proptest! {
     }
 }
 
-/// Two rows that share no pair, run as one, keep every bit; so do structures alone.
+/// Two rows without a common pair, run as a single row, keep every bit; so do structures alone.
 fn superpose(case: &Case, other: &Case) -> Result<(), TestCaseError> {
     let gap = 1e3;
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });
@@ -255,7 +255,7 @@ fn superpose(case: &Case, other: &Case) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// How long a piece lasts was rounded as the clock showed it, which others set back.
+/// The duration of a piece was rounded to the clock, which other structures set back.
 #[test]
 fn issue_a_piece_lasts_as_long_whatever_others_do() {
     let far = Case {

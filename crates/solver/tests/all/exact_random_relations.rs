@@ -9,15 +9,15 @@ use crate::random_rows::{any_law, config, stereomechanical};
 use crate::storeys_exact::exact;
 use crate::watch::Watch;
 
-/// A point: building, floor, and the part that the floor has of it; the one below has the rest.
+/// A point: building, floor, and the part of this floor in its displacement; the rest belongs to the floor below.
 type Place = (prop::sample::Index, prop::sample::Index, f64);
 /// Two points, gap and law.
 type Meeting = ([Place; 2], f64, ContactLaw);
 
-/// Buildings, and pairs of points of two of them.
+/// Buildings, and pairs of points on two of them.
 #[derive(Debug, Clone)]
 struct Case {
-    /// Of every floor mass \[kg\], period of its storey alone \[s\], yield displacement \[m\].
+    /// Mass \[kg\], period of the storey alone \[s\] and yield displacement \[m\] of every floor.
     buildings: Vec<Vec<[f64; 3]>>,
     has_wall: bool,
     pairs: Vec<Meeting>,
@@ -67,7 +67,7 @@ impl Case {
             let (b, other, others) = right;
             let a = a.index(n);
             let b = (a + 1 + b.index(n - 1)) % n;
-            // From left to right: what stands on both sides of another would hold it from the start.
+            // From left to right: a building on both sides of another would hold it from the start.
             let (a, b) = (a.min(b), a.max(b));
             meeting(point(a, floor, *part), point(b, other, *others), *gap, *law)
         };
@@ -110,10 +110,10 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
     let done = exact(1e-16).watch(&row, excitation, clock(0.01, 0.8), &mut ledger);
     match done {
         Ok(_) => {}
-        // With e near 1 neighbours that press bounce for ever, and grounds that move apart may leave no room.
+        // With e near 1, neighbours that press bounce for ever, and grounds that move apart may leave no room.
         Err(RunError::BouncesWithoutEnd { restitution, .. }) if restitution > 0.9 => return Ok(()),
         Err(RunError::ClosedIn { .. }) if case.delay > 0.0 => return Ok(()),
-        // Compliant pairs without a gap, pressed together from the start: as in chains of floors.
+        // Compliant pairs without a gap, pressed together from the start, as in chains of floors.
         Err(RunError::NoSeries { .. } | RunError::OutOfNumbers { .. })
             if case.pairs.iter().any(|(_, gap, law)| *gap == 0.0 && law.is_compliant()) =>
         {
@@ -121,7 +121,7 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
         }
         Err(error) => return Err(TestCaseError::fail(format!("{error:?}"))),
     }
-    // Grounds that move apart have the rounding of their own displacements.
+    // If grounds move apart, the result has the rounding of their displacements.
     let allowed = if case.delay > 0.0 { 1e-10 } else { 1e-11 };
     for found in [ledger.identity(), ledger.momentum(), ledger.residual()] {
         prop_assert!(found < allowed, "{found:e}");

@@ -1,4 +1,4 @@
-//! The exact method on rows whose pairs are no chain: several at a floor, and points between two floors.
+//! The exact method on rows whose pairs are no chain: several pairs at a floor, and points between two floors.
 
 use pounding_contact::{ContactLaw, HertzDamp, KelvinVoigt, LinearSpring, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -25,7 +25,7 @@ const DAMPED: ContactLaw = ContactLaw::HertzDamp(HertzDamp {
 });
 const LAWS: [ContactLaw; 5] = [JUMPS, SPRING, VISCOUS, HERTZ, DAMPED];
 
-/// What a run reports of contact.
+/// Reports of a run about contact.
 #[derive(Default)]
 struct Seen {
     impacts: Vec<Impact>,
@@ -197,12 +197,12 @@ fn limit_relations_in_another_order() {
     }
 }
 
-/// Where a floor of two buildings of three storeys stands in the mirrored row.
+/// Node in the mirrored row of a floor of two buildings of three storeys.
 fn opposite(node: usize) -> usize {
     (node + 3) % 6
 }
 
-/// The row from behind: the right building is the left one.
+/// The mirrored row: left and right building are swapped.
 fn mirror(row: &Row<Elastic>) -> Row<Elastic> {
     let turned = |node: usize| {
         let mut floor = row.nodes()[opposite(node)];
@@ -272,7 +272,7 @@ fn limit_a_relation_that_never_touches_changes_nothing() {
     for law in LAWS {
         let row = floors_and_columns(law);
         let mut pairs = vec![meeting(0, 3, 0.002, law), meeting(1, 4, 0.004, law), meeting(2, 5, 0.006, law)];
-        // In the order of a chain: nodes that follow each other.
+        // In the order of a chain: successive nodes.
         let order = [0, 3, 1, 4, 2, 5];
         let chain: Vec<_> = interleaved(&row);
         for pair in &mut pairs {
@@ -290,7 +290,7 @@ fn limit_a_relation_that_never_touches_changes_nothing() {
     }
 }
 
-/// The floors of both buildings by turns.
+/// The floors of both buildings in turn.
 fn interleaved(row: &Row<Elastic>) -> Vec<Node<Elastic>> {
     let order = [0, 3, 1, 4, 2, 5];
     let node = |(place, node): (usize, &usize)| {
@@ -344,7 +344,7 @@ fn order_steps_converge_to_relations() {
 
 #[test]
 fn limit_slabs_that_rest_against_columns() {
-    // Without restitution every meeting ends in rest.
+    // Without restitution every contact ends in rest.
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
     let samples: Vec<_> = ground().iter().map(|sample| 3.0 * sample).collect();
     let row = floors_and_columns(law);
@@ -355,7 +355,7 @@ fn limit_slabs_that_rest_against_columns() {
     ledger.verdict().unwrap();
 }
 
-/// A slab and a building that are let go 1 cm to the left, touching: c₀ = 4 − 0.65 · 5 m/s², W = 1/m + (0.65² + 0.35²)/M.
+/// A slab and a building, released 1 cm to the left, touching: c₀ = 4 − 0.65 · 5 m/s², W = 1/m + (0.65² + 0.35²)/M.
 #[test]
 fn reference_a_slab_at_rest_against_a_column() {
     let aside = |node: Node<Elastic>| Node {
@@ -370,7 +370,7 @@ fn reference_a_slab_at_rest_against_a_column() {
     let pair = meeting(0, between(Some(1), 2, 0.35), 0.0, law);
     let wanted = 0.75 / (1.0 / 1e5 + (0.65 * 0.65 + 0.35 * 0.35) / 2e5);
     for count in [1, 2, 3] {
-        // Several pairs of the same points share what one would carry.
+        // Several pairs with the same points share the force of a single pair.
         let row = Row::new(nodes.clone(), vec![pair; count]).unwrap();
         let seen = watch(&row, 0.002);
         let mut starts = 0;
@@ -378,13 +378,13 @@ fn reference_a_slab_at_rest_against_a_column() {
             near(*force, wanted / count as f64);
             starts += 1;
         }
-        // The slab and both floors carry each.
+        // The slab and both floors carry each pair.
         assert_eq!(starts, 3 * count);
         assert!(seen.impacts.is_empty(), "{:?}", seen.impacts);
     }
 }
 
-/// All of them were refused as pairs of nodes that may meet, one with a node of twenty digits.
+/// All were refused as pairs of nodes that cannot meet, one of them with a node of twenty digits.
 #[test]
 fn issue_points_are_refused_by_what_is_wrong_with_them() {
     let row = floors_and_columns(JUMPS);

@@ -1,4 +1,4 @@
-//! The exact method flies from sample to sample where it can; the general method must come to the same.
+//! The exact method flies from sample to sample if possible; the general method must give an equal result.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
@@ -17,9 +17,9 @@ const EXACT: Integrator = Integrator::Exact(Exact {
 });
 /// Samples every 0.01 s.
 const STEP: f64 = 0.01;
-/// What is asked between the samples \[s\].
+/// Interval between states of the histories \[s\].
 const LOOK: f64 = 0.0037;
-/// A delay \[s\] of a hundred looks, and of 37 samples.
+/// A delay \[s\] of a hundred intervals, and of 37 samples.
 const LATER: f64 = 0.37;
 
 #[derive(Debug, Clone)]
@@ -60,17 +60,17 @@ fn node([period, ratio, yields]: [f64; 3]) -> Node<Bilinear> {
     Node::structure(mass, 2.0 * ratio * omega * mass, column)
 }
 
-/// What stands apart from the row.
+/// A structure apart from the row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Apart {
     Nothing,
     /// A structure whose period the samples do not resolve, so that the row does not fly as a whole.
     Stiff,
-    /// Nothing, and the ground motion arrives later: nothing flies.
+    /// No structure, but a later arrival of the ground motion: nothing flies.
     Late,
 }
 
-/// Numbers of the row, and the pieces that they took.
+/// Results of the row, and their number of pieces.
 fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
     let others: &[[f64; 3]] = match apart {
         Apart::Nothing | Apart::Late => &[],
@@ -113,7 +113,7 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
 
 proptest! {
     #![proptest_config(config(64))]
-    /// Whether a row flies as a whole or one by one is not seen in any bit.
+    /// A row that flies as a whole has the same bits as its structures alone.
     #[test]
     fn limit_a_row_flies_as_its_structures_do(case in cases()) {
         let [whole, single] = [Apart::Nothing, Apart::Stiff].map(|apart| run(&case, apart).0);
@@ -133,7 +133,7 @@ proptest! {
     }
 }
 
-/// A structure that only flies needs a piece for a sample, wherever it turns, and its peak lies where it does.
+/// A structure that only flies needs a piece per sample, wherever it turns, and its peak is at the turn.
 #[test]
 fn limit_a_free_structure_takes_a_piece_for_a_sample() {
     let case = Case {
@@ -153,7 +153,7 @@ fn limit_a_free_structure_takes_a_piece_for_a_sample() {
     assert_eq!((work.segments, work.events), (199, 199), "{work:?}");
 }
 
-/// A structure that turns between two samples reaches farther than at either, and is not let fly through a wall.
+/// A structure that turns between two samples reaches farther than at either sample, and must not fly through a wall.
 #[test]
 fn extreme_a_touch_between_two_samples_is_not_flown_over() {
     let ground: Vec<f64> = (0..40).map(|n| if n < 3 { -2.0 } else { 0.0 }).collect();
@@ -184,10 +184,10 @@ fn extreme_a_touch_between_two_samples_is_not_flown_over() {
     assert!(!collisions.all().is_empty());
 }
 
-/// What rounding leaves open of a touch is measured by the largest displacements, also by those of flights.
+/// The uncertainty of a touch follows from the largest displacements, including those of flights.
 #[test]
 fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
-    // Strong shaking that dies away before the gap closes: the structures were far out in flight, and touch near rest.
+    // Strong shaking decays before the gap closes: the structures move far in flight, and touch near rest.
     let shaking = |n: i32| {
         if n < 160 { 3.0 * libm::sin(0.08 * f64::from(n)) } else { 0.0 }
     };
@@ -210,13 +210,13 @@ fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
     let (flown, general) = (uncertainty(0.0), uncertainty(LATER));
     assert!(!flown.is_empty() && flown.len() == general.len());
     for (flown, general) in flown.iter().zip(&general) {
-        // The general method looks at both sides at one instant, a flight at the largest of each; later, time is rounded more.
+        // The general method evaluates both sides at an instant, a flight the largest displacement of each. Later times have more rounding.
         let ratio = flown / (general - LATER * f64::EPSILON);
         assert!((0.999..1.5).contains(&ratio), "{flown:e} {general:e}");
     }
 }
 
-/// The books of a flight close to rounding: works are integrals over its series, which only they expand.
+/// The balances of a flight close to rounding: works are integrals over its series, which is expanded only for them.
 #[test]
 fn reference_the_ledger_of_a_flight() {
     let ground: Vec<f64> = (0..400).map(|n| 3.0 * libm::sin(0.13 * f64::from(n))).collect();

@@ -1,10 +1,10 @@
-//! Brutal random rows that the exact method once got wrong.
+//! Extreme random rows that the exact method once computed wrongly.
 
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, HertzDamp, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{Bilinear, Clock, Exact, Excitation, Integrator, Ledger, Node, Pair, Row};
 
-/// Marsaglia's 64-bit xorshift: rows are named by their seed.
+/// Marsaglia's 64-bit xorshift. Rows are identified by their seed.
 struct Random(u64);
 
 impl Random {
@@ -16,7 +16,7 @@ impl Random {
         random
     }
 
-    /// 0 ..= 1.
+    /// A number in 0 ..= 1.
     fn unit(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -38,7 +38,7 @@ impl Random {
         self.below(n) == 0
     }
 
-    /// 0 .. n.
+    /// A number in 0 .. n.
     fn below(&mut self, n: u32) -> u32 {
         let place = self.unit() * f64::from(n);
         (0..n).rfind(|k| f64::from(*k) <= place).unwrap_or(0)
@@ -94,7 +94,7 @@ impl Random {
         Pair::of_floors(left, right, gap, law)
     }
 
-    /// A row of 1 to 6 and a record with samples every 0.02 s.
+    /// A row of 1 to 6 structures and a record with samples every 0.02 s.
     fn case(&mut self) -> (Row<Bilinear>, Vec<f64>) {
         let n = 1 + self.below(6) as usize;
         let yields = self.once_in(2);
@@ -139,13 +139,13 @@ fn check(seed: u64) {
 
 #[test]
 fn issue_a_series_was_used_far_outside_its_reach() {
-    // A pair whose one side had just begun to touch something compliant was hit by an impulse from nothing.
+    // A pair with one side that had just begun to touch a compliant neighbour got an impulse from nothing.
     [200_508, 100_663].into_iter().for_each(check);
 }
 
 #[test]
 fn issue_structures_at_a_standstill_yielded_by_rounding() {
-    // Columns gave energy in yielding, since rounding of an acceleration that is zero kept them on the yielding branch.
+    // Columns gave energy in yielding: the rounding of a zero acceleration kept them on the yielding branch.
     [100_965, 101_125, 300_635, 300_724, 326, 734, 908, 1_338]
         .into_iter()
         .for_each(check);
@@ -158,12 +158,12 @@ fn issue_neighbours_that_move_alike_touched_and_parted_for_ever() {
 
 #[test]
 fn issue_rounding_of_a_force_near_zero_is_that_of_its_amplitude() {
-    // Neighbours whose forces vanish together met without an end.
+    // Neighbours whose forces vanish together touched without end.
     [1_391, 21_209, 20_195, 20_205, 20_633, 21_370].into_iter().for_each(check);
 }
 
-/// A light structure between two others parts from one at the instant at which the other lets go of it: a deformation of −3e-22 m was raised to
-/// the power 3/2, and the run ended "beyond the range of numbers".
+/// A light structure between two others parts from one of them at the instant at which the other releases it. A deformation of −3e-22 m was
+/// raised to the power 3/2, and the run ended "beyond the range of numbers".
 #[test]
 fn issue_a_parting_at_another_event_was_gone_past() {
     let node = |mass: f64, period: f64, ratio: f64| {

@@ -1,4 +1,4 @@
-//! Impacts of several pairs at once, and where in a step an impact lies.
+//! Impacts of several pairs at once, and the instant of an impact in a step.
 
 use crate::common::{LOCATED, METHODS, STEREOMECHANICAL, VERLET, clock, free, histories, pairs};
 use crate::watch::Watch;
@@ -10,7 +10,7 @@ fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-/// Free masses (mass, velocity), side by side with a gap.
+/// Free masses (mass, velocity) in a row with a gap.
 fn side_by_side(masses: &[(f64, f64)], gap: f64, restitutions: &[f64]) -> Row<Elastic> {
     let nodes = masses.iter().map(|(mass, velocity)| free(*mass, *velocity));
     let mut pairs = pairs(masses.len(), gap, STEREOMECHANICAL);
@@ -33,7 +33,7 @@ fn velocities(row: &Row<Elastic>, method: Integrator, (dt, duration): (f64, f64)
 
 #[test]
 fn reference_a_mass_hit_from_both_sides_is_turned_round() {
-    // Both relative velocities are turned round, and the light mass stays where it is.
+    // Both relative velocities are reversed, and the light mass keeps its position.
     for (name, method) in METHODS {
         for restitution in [0.0, 0.65, 1.0] {
             let row = side_by_side(&[(1e6, 0.5), (1e5, 0.0), (1e6, -0.5)], 0.01, &[restitution; 2]);
@@ -51,8 +51,8 @@ fn reference_a_mass_hit_from_both_sides_is_turned_round() {
 
 #[test]
 fn reference_three_equal_masses_in_contact() {
-    // The first arrives, the others touch already: the simultaneous rule gives (−1/3, 2/3, 2/3), one pair after the
-    // other would give (0, 0, 1).
+    // The first mass arrives, the others touch already: the simultaneous rule gives (−1/3, 2/3, 2/3); pairs in sequence would give (0, 0,
+    // 1).
     for (name, method) in METHODS {
         let mut row = vec![(1.0, 1.0), (1.0, 0.0), (1.0, 0.0)];
         let gaps = side_by_side(&row, 0.0, &[1.0; 2]);
@@ -92,7 +92,7 @@ fn reference_a_located_impact_of_free_masses_is_exact() {
 
 #[test]
 fn reference_a_located_impact_finds_a_touch_between_two_nodes() {
-    // Thrown against a wall and pulled back, 2.5 cm after 0.05 s and home again after 0.1 s: both nodes are outside.
+    // Thrown against a wall and pulled back: 2.5 cm after 0.05 s, back home after 0.1 s. Both nodes are outside.
     let node = Node {
         initial_velocity: 1.0,
         ..Node::structure(1.0, 0.0, Elastic { stiffness: 0.0 })
@@ -109,8 +109,8 @@ fn reference_a_located_impact_finds_a_touch_between_two_nodes() {
 
 #[test]
 fn extreme_a_ball_that_comes_to_rest_ends_the_run() {
-    // Pressed against a wall at 10 m/s² it bounces ever faster, then sinks in by half of 10 m/s² Δt² a step: steps stay
-    // bounded, and what it sinks in is of order one.
+    // Pressed against a wall at 10 m/s², the mass bounces ever faster, then sinks in by half of 10 m/s² Δt² per step. The number of steps
+    // stays bounded, and the depth is of order one.
     let node = Node::structure(1.0, 0.1, Elastic { stiffness: 1.0 });
     let wall = Node::wall(Elastic { stiffness: 1.0 });
     for restitution in [0.0, 0.5, 1.0] {
@@ -132,7 +132,7 @@ proptest! {
         restitutions in prop::array::uniform6(0.0..=1.0_f64),
         method in 0..METHODS.len(),
     ) {
-        // All gaps closed: every pair that approaches is hit at once.
+        // All gaps are closed: every approaching pair is hit at once.
         let row = side_by_side(&masses, 0.0, &restitutions);
         let (name, method) = METHODS[method];
         let found = velocities(&row, method, (1e-3, 2e-3));

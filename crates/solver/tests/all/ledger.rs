@@ -1,4 +1,4 @@
-//! The ledger: every method balances its own energy and momentum, and what is wrong is found.
+//! The ledger: every method balances its energy and momentum, and errors are found.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Bilinear, Hht, Hysteretic, Integrator, LedgerError, Newmark, Node, Row};
@@ -11,7 +11,7 @@ use crate::common::{
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
 
-/// The methods with settings that weigh the ends of a step unevenly.
+/// The methods, with settings that weigh the ends of a step unequally.
 fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
     let damped = Newmark { beta: 0.3025, gamma: 0.6 };
     METHODS.into_iter().chain([
@@ -21,7 +21,7 @@ fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
     ])
 }
 
-/// Rows of one to three structures, in motion from the start, and one beside a wall.
+/// Rows of one to three structures that move from the start, and a structure next to a wall.
 pub(crate) fn rows<Column: Hysteretic>(structure: impl Fn((f64, f64, f64)) -> Node<Column>, law: ContactLaw) -> Vec<Row<Column>> {
     let moving = |properties, velocity| Node {
         initial_velocity: velocity,
@@ -102,8 +102,8 @@ fn limit_nothing_that_moves_is_nothing_to_book() {
 
 #[test]
 fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
-    // The middle mass sub-steps with its left neighbour and is driven into the right one, which does not: at the node
-    // where they meet, the same force acted for half a sub-step on one and for half a step on the other.
+    // The middle mass sub-steps with its left neighbour and hits the right mass, which does not sub-step. At the node of their touch, the
+    // force acted for half a sub-step on one and for half a step on the other.
     let mut between = pairs(3, 1e-3, VISCOELASTIC);
     between[1].relation.offset = 1e-6;
     let row = Row::new(vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)], between).unwrap();
@@ -115,7 +115,7 @@ fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
 
 #[test]
 fn extreme_a_step_far_too_long_for_the_contact_is_found() {
-    // In one step the structure flies half a metre into its neighbour and is thrown back with far more energy.
+    // In a single step the structure flies half a metre into its neighbour and is thrown back with far more energy.
     let row = Row::new(vec![free(75e3, 1.0), free(75e3, -1.0)], pairs(2, 0.1, VISCOELASTIC)).unwrap();
     let verdict = book(&row, CENTRAL, &[0.0], clock(0.1, 1.0)).verdict();
     assert!(matches!(verdict, Err(LedgerError::GainInContact { pair: 0, .. })), "{verdict:?}");
@@ -160,8 +160,8 @@ proptest! {
         }
         let allowed = match ledger.verdict() {
             Ok(_) => true,
-            // Impulses of Moreau–Jean stepping act over a step and are reported at its end: beside one, the velocities
-            // that a compliant pair's work is measured with are not those of its displacement.
+            // Impulses of Moreau–Jean stepping act over a step and are reported at its end. Next to such an impulse, the velocities in the
+            // work of a compliant pair are not those of its displacement.
             Err(LedgerError::GainInContact { .. }) => mixed && method == MOREAU_JEAN,
             Err(_) => false,
         };

@@ -1,4 +1,4 @@
-//! The energies of the ledger against answers known otherwise.
+//! The energies of the ledger compared with independent answers.
 
 use std::fmt::Write;
 
@@ -71,7 +71,7 @@ fn limit_free_vibration_keeps_its_energy() {
         assert!(spent.iter().all(|term| *term == 0.0), "{name}: {terms:?}");
         let initial = 0.5 * (75e3 * 0.1 * 0.1 + 2.056e6 * 0.01 * 0.01);
         assert!((terms.initial / initial - 1.0).abs() < 1e-14, "{terms:?}");
-        // Average acceleration keeps the energy itself; the others one that differs at order two.
+        // Average acceleration conserves the energy itself; the other methods conserve an energy that differs at order two.
         let allowed = if method == AVERAGE { 1e-12 } else { 1e-3 };
         assert!(ledger.residual() < allowed, "{name}: {:e}", ledger.residual());
     }
@@ -157,7 +157,7 @@ fn reference_ledgers_of_two_structures() {
     assert_snapshot!(table);
 }
 
-/// Looks at the forces in the middle of every span.
+/// Evaluates the forces in the middle of every span.
 struct Middles {
     pushed: bool,
 }
@@ -175,8 +175,8 @@ impl Recorder for Middles {
 
 #[test]
 fn issue_a_force_from_the_right_pulled_inside_a_span() {
-    // The series of a pounding force holds its magnitude; inside a span of the exact method it came without the sign
-    // that the ends had, and no energy balanced.
+    // The series of a pounding force holds its magnitude. Inside a span of the exact method it lacked the sign of the ends, and no energy
+    // balanced.
     let samples = ground();
     let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.02, VISCOELASTIC)).unwrap();
     let excitation = Excitation::new(0.01, &samples).unwrap();

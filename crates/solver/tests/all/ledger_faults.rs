@@ -1,4 +1,4 @@
-//! The ledger finds what a method reports wrongly: each fault is put into a good run, and each must show.
+//! The ledger detects false reports of a method: each fault is put into a correct run and must be found.
 
 use std::cell::Cell;
 use std::fmt::Write;
@@ -12,11 +12,11 @@ use pounding_solver::{
 use crate::common::{AVERAGE, CENTRAL, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding};
 use crate::watch::Watch;
 
-/// Passes a run on to a ledger with a fault put in.
+/// Passes a run with a fault on to a ledger.
 struct Faulty<'a, S, I> {
     ledger: Ledger<'a>,
     span: S,
-    /// False drops the impact.
+    /// Returns false to drop the impact.
     impact: I,
 }
 
@@ -52,10 +52,10 @@ impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S
     }
 }
 
-/// What the ledger says of a run with a fault: own balances and physical one, and its verdict.
+/// Result of the ledger for a run with a fault: own balances, physical balance, and verdict.
 type Found = ([f64; 3], Result<(), LedgerError>);
 
-/// That of two structures.
+/// Result for two structures.
 fn found(method: Integrator, span: impl Fn(&mut Span<'_>), impact: impl Fn(&mut Impact) -> bool) -> Found {
     found_between([yielding(WEAK), yielding(STIFF)], method, span, impact)
 }
@@ -89,7 +89,7 @@ fn keep(_: &mut Impact) -> bool {
     true
 }
 
-/// Changes one of the impulses that the method weighed.
+/// Changes an impulse weighed by the method.
 fn weigh(change: impl Fn(&mut pounding_solver::Weighed)) -> impl Fn(&mut Span<'_>) {
     move |span| {
         if let Path::Cubic(weighed) = &mut span.path {
@@ -112,7 +112,7 @@ const EXACT: Integrator = Integrator::Exact(Exact {
     simultaneous_impacts: SimultaneousImpacts::Together,
 });
 
-/// A column off by 3e-4 left 4e-5 of the energy unexplained, and nobody looked: "none beyond rounding".
+/// A column with an error of 3e-4 left 4e-5 of the energy unexplained, and the run reported "none beyond rounding".
 #[test]
 fn issue_energy_that_an_exact_run_does_not_explain_is_named() {
     let (_, right) = found(EXACT, |_| (), keep);
@@ -132,7 +132,7 @@ fn issue_energy_that_an_exact_run_does_not_explain_is_named() {
 
 #[test]
 fn issue_energy_that_is_no_number_is_named() {
-    // The largest of a value and NaN was the value.
+    // The maximum of a value and NaN was the value.
     let spoil = |span: &mut Span<'_>| {
         if span.start_time > 1.0 {
             span.end.restoring_force = f64::NAN;
@@ -212,7 +212,7 @@ fn limit_a_wrong_energy_shows_in_the_physical_balance() {
     assert!(residual > 1e-4, "the energies are not: {residual:e}");
 }
 
-/// A look at every second piece would miss every second one of these.
+/// A check of every second piece would miss every second fault.
 #[test]
 fn issue_an_end_that_is_wrong_once_is_found() {
     let wall = Node::wall(yielding(WEAK).column);
@@ -257,7 +257,7 @@ fn limit_broken_laws_of_contact_are_named() {
         }
     };
     tell(found(CENTRAL, returned, keep));
-    // Flow without a change of force, against it.
+    // Yielding against a constant force.
     let backwards = |span: &mut Span<'_>| {
         if span.end.restoring_force.abs() >= 70e3 && span.structure == 0 {
             span.end.restoring_force = -span.end.restoring_force;

@@ -44,7 +44,7 @@ fn limit_a_yield_force_never_reached_equals_elastic() {
 
 #[test]
 fn limit_a_structure_out_of_reach_changes_nothing() {
-    // The third structure is far away, then absent: the colliding pair must not notice, and neither must the third.
+    // The third structure is far away, then absent: neither the colliding pair nor the third structure may change.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
         near_and_far[1].relation.offset = 10.0;
@@ -82,8 +82,8 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
                         .zip(right)
                         .map(|(left, right)| (left.displacement + right.displacement).abs())
                         .fold(0.0, f64::max);
-                    // Elimination from left to right is not symmetric, and where Newton stops within its tolerance of
-                    // 1e-12 of the forces (300 m/s² in contact) then differs; ten seconds multiply that.
+                    // Elimination from left to right is not symmetric. Newton's method stops within its tolerance of 1e-12 of the forces
+                    // (300 m/s² in contact) at slightly different values, and ten seconds multiply this.
                     let allowed = match method {
                         Integrator::MoreauJean(_) if law == VISCOELASTIC => 1e-11,
                         Integrator::Newmark(_) | Integrator::Hht(_) if n == 3 && law == VISCOELASTIC => 1e-12,
@@ -104,7 +104,7 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
 
 #[test]
 fn limit_a_wall_is_a_neighbour_of_infinite_mass() {
-    // A neighbour of 1e30 kg with a circular frequency of 1e6 rad/s moves by 1e-12 m: the wall must give the same.
+    // A neighbour of 1e30 kg with a circular frequency of 1e6 rad/s moves by 1e-12 m: a wall must give an equal result.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let heavy = yielding((1e30, 1e42, f64::INFINITY));
         let wall = Node::wall(Bilinear {
@@ -113,7 +113,7 @@ fn limit_a_wall_is_a_neighbour_of_infinite_mass() {
             hardening: 0.0,
         });
         let [wall, heavy] = [wall, heavy].map(|right| Row::new(vec![yielding(WEAK), right], pairs(2, 0.02, law)).unwrap());
-        // Only methods without a critical time step can follow so stiff a neighbour.
+        // Only methods without a critical time step can follow such a stiff neighbour.
         for method in [AVERAGE, HHT, MOREAU_JEAN] {
             let run = |row| histories(row, method, &ground(), clock(0.002, 10.0));
             let ((wall, work), (heavy, _)) = (run(&wall), run(&heavy));
@@ -170,7 +170,7 @@ fn limit_hht_without_its_damping_equals_average_acceleration() {
         let run = |method| histories(&row, method, &ground(), clock(0.005, 10.0));
         let ((hht, work), (newmark, _)) = (run(undamped), run(AVERAGE));
         assert!(work.touching_steps > 0, "the row must collide");
-        // After a jump the two take the acceleration from different sums.
+        // After a jump the two methods compute the acceleration from different sums.
         let apart = apart(&hht, &newmark, 2);
         assert!(apart < 1e-12, "{law:?}: {apart:e}");
     }
@@ -178,8 +178,8 @@ fn limit_hht_without_its_damping_equals_average_acceleration() {
 
 #[test]
 fn limit_one_motion_by_two_formulas() {
-    // Without compliant contact velocity Verlet is the central difference method, and without impacts Moreau–Jean
-    // stepping with θ = 1/2 is average acceleration; only rounding differs.
+    // Without compliant contact velocity Verlet equals the central difference method, and without impacts Moreau–Jean stepping with θ = 1/2
+    // equals average acceleration; only rounding differs.
     let alone = Row::new(vec![yielding(WEAK), yielding(STIFF)], vec![]).unwrap();
     let stereomechanical = pairs(2, 0.02, STEREOMECHANICAL);
     let viscoelastic = pairs(2, 0.02, VISCOELASTIC);
@@ -208,7 +208,7 @@ fn limit_sub_steps_change_nothing_while_nothing_touches() {
 
 #[test]
 fn limit_sub_steps_all_the_time_are_a_smaller_step() {
-    // Pressed together from the start, the pair sub-steps throughout: the motion is that of the smaller step.
+    // Pressed together from the start, the pair always sub-steps: the motion is that of the smaller step.
     let pressed = |velocity, node: Node<Bilinear>| Node {
         initial_velocity: velocity,
         ..node

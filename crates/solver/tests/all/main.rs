@@ -1,4 +1,4 @@
-//! Tests of the solver; the kind of each is in its name.
+//! Tests of the solver; each name states the kind of test.
 
 mod allocations;
 mod anchors;

@@ -1,11 +1,11 @@
-//! Worked examples of the manuals of other programs, in the units of those manuals.
+//! Worked examples from the manuals of other programs, in the units of the manuals.
 
 use pounding_contact::{ContactLaw, KelvinVoigt, LinearSpring, Stereomechanical};
 use pounding_solver::{Clock, Collision, Collisions, Elastic, Exact, Excitation, Histories, Integrator, Node, Pair, Peaks, Row, State};
 
 use crate::common::pairs;
 
-/// What a run leaves behind: the states at its end, the largest displacements and their instants, and the collisions.
+/// Results of a run: the states at its end, the largest displacements and their instants, and the collisions.
 struct Ran {
     last: Vec<State>,
     peaks: Vec<(f64, f64)>,
@@ -57,12 +57,12 @@ fn newton(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-/// Whether a number is one that was printed with a few digits.
+/// Checks a number against a value printed with few digits.
 fn is(found: f64, printed: f64, half_a_digit: f64) {
     assert!((found - printed).abs() <= half_a_digit, "{found} against {printed}");
 }
 
-/// A ball falls 2 m and rises by e² of that. It meets the floor at t₁ and is highest at t₁(1 + e).
+/// A ball falls 2 m and rises by e² of this height. It meets the floor at t₁ and is highest at t₁(1 + e).
 #[test]
 fn reference_restitution_by_drops() {
     let (height, gravity) = (2.0, 9.81);
@@ -80,7 +80,7 @@ fn reference_restitution_by_drops() {
 }
 
 /// ANSYS VM65, also LS-DYNA (W. T. Thomson, *Vibration Theory and Applications*): a ball of 0.5 lb·s²/in falls 1 in onto a spring of
-/// 1973.92 lb/in. Printed: 0.071982 s and 27.785 in/s at the touch. With d the depth m g (1 + d) = k d²/2.
+/// 1973.92 lb/in. Printed: 0.071982 s and 27.785 in/s at the touch. With d the depth, m g (1 + d) = k d²/2.
 #[test]
 fn reference_a_ball_on_a_spring_of_ansys_vm65() {
     let (inertia, stiffness, drop, gravity) = (0.5, 1973.92, 1.0, 386.0);
@@ -97,7 +97,7 @@ fn reference_a_ball_on_a_spring_of_ansys_vm65() {
 }
 
 /// ANSYS VM74: an impulse of 10 lb·s on 0.5 lb·s²/in and 200 lb/in, after 0.1 s. Printed: 0.90930 in without damping, 0.34180 in with 70 %
-/// of the critical one.
+/// of critical damping.
 #[test]
 fn reference_an_impulse_on_an_oscillator_of_ansys_vm74() {
     for (ratio, printed) in [(0.0, 0.909_297), (0.7, 0.341_80)] {
@@ -115,8 +115,8 @@ fn reference_an_impulse_on_an_oscillator_of_ansys_vm74() {
     }
 }
 
-/// ANSYS VM83: 50 lb fall 72 in onto a pan of 25 lb on 100 lb/in and stay there. By momentum and energy the pan is lowest at 7.696222 in,
-/// the block at 79.446222 in, 0.683200 s after it was let go. The manual's contact is soft and has 0.689 s.
+/// ANSYS VM83: 50 lb fall 72 in onto a pan of 25 lb on 100 lb/in and stay there. By momentum and energy the pan is lowest at 7.696222 in
+/// and the block at 79.446222 in, 0.683200 s after its release. The manual's contact is soft and gives 0.689 s.
 #[test]
 fn reference_a_block_on_a_spring_scale_of_ansys_vm83() {
     let gravity = 386.0;
@@ -149,8 +149,8 @@ fn reference_an_oscillator_at_a_stop_of_code_aster_sdnd101() {
     is(one.peak_force.expect("a spring has one"), 9950.372, 5e-4);
 }
 
-/// `code_aster` V5.01.108, A and B: 1 kg under 10 m/s² goes towards a stop 2 m away with 1 m/s; the stop has 100 N/m, and in B a dashpot of
-/// 5 N·s/m that does not pull.
+/// `code_aster` V5.01.108, A and B: 1 kg under 10 m/s² moves towards a stop 2 m away with 1 m/s. The stop has 100 N/m, and in B also a
+/// dashpot of 5 N·s/m that does not pull.
 #[test]
 fn reference_a_mass_on_a_damped_stop_of_code_aster_108() {
     let damped = ContactLaw::KelvinVoigt(KelvinVoigt {

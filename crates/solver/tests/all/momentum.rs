@@ -89,7 +89,7 @@ proptest! {
 
 #[test]
 fn limit_forces_from_both_sides_cancel_in_the_transferred_momentum() {
-    // A light mass squeezed by equal neighbours at the same instant gets nothing; each neighbour gets its impulse.
+    // A light mass that equal neighbours hit at one instant gets nothing; each neighbour gets its impulse.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         for (name, method) in METHODS {
             let free = |mass, velocity| Node {

@@ -1,4 +1,4 @@
-//! Moreau–Jean stepping in rows at the edges of what can be.
+//! Moreau–Jean stepping in extreme rows.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Bilinear, Clock, Excitation, Integrator, Ledger, LedgerError, MoreauJean, Node, Pair, Row, RunError};
@@ -12,7 +12,7 @@ fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-/// Balances of a run, and what breaks the laws of mechanics.
+/// Balances of a run, and violations of the laws of mechanics.
 fn run(row: &Row<Bilinear>, theta: f64, ground: &[f64], clock: Clock) -> Result<([f64; 2], Result<(), LedgerError>), RunError> {
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
     let mut ledger = Ledger::new(row, excitation);
@@ -40,8 +40,8 @@ fn row(structures: &[[f64; 4]], contacts: &[(f64, f64)]) -> Row<Bilinear> {
 
 #[test]
 fn issue_impulses_that_rounding_alone_still_changed() {
-    // A step was repeated until no impulse changed by more than the rounding of velocities. On a structure that is light
-    // against its neighbours rounding of their velocities moves an impulse much further, and the run stopped.
+    // A step was repeated until no impulse changed by more than the rounding of velocities. On a structure that is light compared with its
+    // neighbours, the rounding of their velocities moves an impulse much further, and the run stopped.
     let infinite = f64::INFINITY;
     let pressed = row(
         &[

@@ -1,4 +1,4 @@
-//! Newton iterations that the implicit methods need, law by law, up to a thousand times the usual stiffness.
+//! Newton iterations of the implicit methods for each law, up to a thousand times the usual stiffness.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use pounding_solver::{Excitation, Integrator, Row, RunError, Work};
 use crate::common::{AVERAGE, HHT, STIFF, WEAK, clock, elastic, ground, pairs};
 use crate::watch::Watch;
 
-/// A law calibrated to e = 0.65, at a multiple of its usual stiffness; springs as they are.
+/// A law calibrated to e = 0.65, at a multiple of its usual stiffness; springs keep their e.
 fn law(name: LawName, factor: f64) -> Option<ContactLaw> {
     let stiffness = match name.stiffness_unit()? {
         "N/m" => 9.35e7,
@@ -47,7 +47,7 @@ fn counts(law: ContactLaw, method: Integrator) -> String {
 fn limit_newton_iterations_of_every_law_are_counted() {
     let mut text = String::from("law, stiffness: iterations, force evaluations, touching steps\n");
     for (method, integrator) in [("Newmark", AVERAGE), ("HHT", HHT)] {
-        // Names that share a force are the same law once they deliver the same e.
+        // Names that share a force are equal laws once they deliver the same e.
         let mut last = "";
         for name in LawName::ALL {
             let Some(force) = law(name, 1.0).map(|law| law.name()) else {

@@ -1,4 +1,4 @@
-//! Columns against materials of OpenSees: studies/opensees/loops.csv, made by loops.py beside it.
+//! Columns compared with materials of OpenSees: studies/opensees/loops.csv, made by loops.py in that folder.
 
 use pounding_solver::{Bilinear, BoucWen, RestoringForce, Smoothness};
 
@@ -47,8 +47,8 @@ fn reference_bilinear_columns_are_steel01_of_opensees() {
     assert!(found < 1e-11 * YIELD_FORCE, "{found:e} N");
 }
 
-/// The table is good to 4e-10 of the yield force; the column to 2.2e-8, and was to 9e-5 while it stepped over the kink at
-/// z = 0.
+/// The table is accurate to 4e-10 of the yield force, the column to 2.2e-8. The error was 9e-5 when the column stepped over the kink at z =
+/// 0.
 #[test]
 fn reference_bouc_wen_columns_are_those_of_opensees() {
     for (name, exponent, unloading) in [
@@ -66,7 +66,7 @@ fn reference_bouc_wen_columns_are_those_of_opensees() {
         let table = column(name);
         let found = distance(ours, &table);
         assert!(found < 3e-8 * YIELD_FORCE, "{name}: {found:e} N");
-        // Another shape is another loop: 1 N apart somewhere.
+        // Another shape gives another loop: a difference of 1 N somewhere.
         let other = Smoothness {
             exponent,
             unloading: unloading + 0.01,

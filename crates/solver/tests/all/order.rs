@@ -1,4 +1,4 @@
-//! Orders of convergence: two where theory says two, measured and printed where contact or yielding lowers it.
+//! Orders of convergence: two where theory predicts two; measured and printed where contact or yielding lowers it.
 
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
@@ -22,7 +22,7 @@ fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {
     p * time + q + libm::exp(-decay * time) * (a * libm::cos(frequency * time) + b * libm::sin(frequency * time))
 }
 
-/// The order that theory promises where nothing touches or yields.
+/// The theoretical order of free elastic motion.
 fn promised(method: Integrator) -> f64 {
     match method {
         Integrator::Rk4(_) => 4.0,
@@ -61,17 +61,17 @@ fn order_without_contact_is_the_promised_one() {
     }
 }
 
-/// A quantity of a run at one time step.
+/// A quantity of a run at a time step.
 fn measure<Column: Hysteretic>(row: &Row<Column>, method: Integrator, time_step: f64, recorder: &mut impl Recorder) {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
-    // Up to the end of the first collisions only: later ones would multiply the errors of the first.
+    // Only up to the end of the first collisions: later ones would multiply the errors of the first.
     method
         .watch(row, excitation, clock(time_step, 3.0), recorder)
         .expect("the run ends");
 }
 
-/// The transferred momentum, or the last displacement where nothing touches.
+/// The transferred momentum, or the last displacement if nothing touches.
 fn quantity(row: &Row<impl Hysteretic>, method: Integrator, time_step: f64) -> f64 {
     let mut recorder = (
         TransferredMomentum::new(row.nodes().len()),
@@ -95,7 +95,7 @@ fn observed(row: &Row<impl Hysteretic>, method: Integrator, reference: f64) -> (
     (slope(&steps, &errors), errors)
 }
 
-/// Names and rows to measure on: yielding without contact, then each contact law without and with yielding.
+/// Names and rows of the measurement: yielding without contact, then each contact law without and with yielding.
 fn elastic_rows() -> Vec<(String, Row<Elastic>)> {
     let row = |law| {
         let nodes = vec![elastic(WEAK), elastic(STIFF)];
@@ -124,7 +124,7 @@ fn line(what: &str, name: &str, (order, errors): &(f64, Vec<f64>)) -> String {
 
 #[test]
 fn order_with_yielding_and_contact_is_measured() {
-    // Each method against its own result at a far smaller step.
+    // Each method against itself at a far smaller step.
     fn own(row: &Row<impl Hysteretic>, method: Integrator) -> (f64, Vec<f64>) {
         observed(row, method, quantity(row, method, 0.002 / 4096.0))
     }
@@ -143,7 +143,7 @@ fn order_with_yielding_and_contact_is_measured() {
 
 #[test]
 fn order_of_all_methods_against_one_limit_is_measured() {
-    // One limit for all of them: the exact method's.
+    // A common limit for all methods: the result of the exact method.
     fn measure_all(what: &str, row: &Row<impl Hysteretic>, table: &mut String) {
         let limit = quantity(row, Integrator::Exact(Exact::default()), 0.01);
         for (name, method) in METHODS.into_iter().chain(FIRST_ORDER) {

@@ -1,11 +1,11 @@
-//! Random rows under random records, and what a property test asks of them.
+//! Random rows under random records, and the configuration of property tests.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{Bilinear, Node, Pair, Row};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// So many cases, the same in every run; `PROPTEST_CASES` and `PROPTEST_RNG_SEED` ask for others.
+/// This many cases, equal in every run; `PROPTEST_CASES` and `PROPTEST_RNG_SEED` choose others.
 pub(crate) fn config(cases: u32) -> ProptestConfig {
     let asked = |name: &str| std::env::var_os(name).is_some();
     let mut config = ProptestConfig {
@@ -77,14 +77,14 @@ fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| libm::pow(10.0, exponent))
 }
 
-/// The whole range of e; near 1 neighbours that press against each other may bounce without end.
+/// The whole range of e. Near 1, neighbours that press against each other may bounce without end.
 pub(crate) fn stereomechanical() -> BoxedStrategy<ContactLaw> {
     prop_oneof![2 => Just(0.0), 4 => 0.0..0.95_f64, 1 => 0.95..=1.0_f64, 1 => Just(1.0)]
         .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }))
         .boxed()
 }
 
-/// Every other law, with its own stiffness and damping.
+/// Every other law, with a suitable stiffness and damping.
 fn calibrated() -> BoxedStrategy<ContactLaw> {
     let names = LawName::ALL.into_iter().skip(1).collect::<Vec<_>>();
     let pair = FreePair {
@@ -94,7 +94,7 @@ fn calibrated() -> BoxedStrategy<ContactLaw> {
     let law = move |(name, exponent, e): (LawName, f64, f64)| {
         let stiffness = libm::pow(10.0, exponent);
         let exact = |e| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
-        // Springs have no other e than 1.
+        // Springs have only e = 1.
         exact(e).or_else(|_| exact(1.0)).expect("the stiffness is positive")
     };
     (prop::sample::select(names), 6.0..11.0_f64, 0.1..1.0_f64).prop_map(law).boxed()

@@ -1,4 +1,4 @@
-//! Models and runs that are refused, with the place, what was found and what is allowed.
+//! Models and runs that are refused, with the place, the value found and the values allowed.
 
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, Stereomechanical};
@@ -49,7 +49,7 @@ fn extreme_rows_that_cannot_be() {
     assert_snapshot!(messages.join("\n"));
 }
 
-/// Another row in the memory of one of buildings, whose ground motion travels.
+/// A row in the memory of a row of buildings with travelling ground motion equals a new row.
 #[test]
 fn limit_a_renewed_row_is_a_new_one() {
     let weak = elastic(WEAK);
@@ -100,7 +100,7 @@ fn extreme_settings_out_of_range() {
 
 #[test]
 fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
-    // Critical time step of the central difference and the Verlet method: T/π = 2/ω, whatever the damping.
+    // Critical time step of the central difference and the Verlet method: T/π = 2/ω, for any damping.
     let (mass, stiffness, _) = WEAK;
     let omega = (stiffness / mass).sqrt();
     let node = elastic(WEAK);
@@ -119,7 +119,7 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
             damping_ratio: ratio,
         };
         let critical = method.critical_time_step(&structure).expect("a limit");
-        // Above that of an undamped structure.
+        // Above the limit of an undamped structure.
         assert!(critical > 1.001 / (omega * (0.5 * gamma - beta).sqrt()));
         ("Newmark, damping", method, critical)
     };
@@ -144,7 +144,7 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
 
 #[test]
 fn issue_a_motion_that_dies_out_ends_no_run() {
-    // HHT damps what the step cannot follow until the squares of its residuals underflow: Newton found none to halve.
+    // HHT damps motions that the step cannot resolve until the squares of its residuals underflow: Newton's method found nothing to halve.
     let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
     let excitation = Excitation::new(0.01, &[1.0]).unwrap();
     let clock = Clock {
@@ -178,7 +178,7 @@ fn extreme_a_number_that_overflows_ends_the_run() {
 
 #[test]
 fn extreme_mass_ratios_and_a_closed_gap() {
-    // A million to one, no gap at all: the runs end, and nothing is infinite.
+    // A mass ratio of a million and no gap: the runs end, and every result is finite.
     for law in [STEREOMECHANICAL, crate::common::VISCOELASTIC] {
         for ratio in [1e-6, 1e6] {
             let (mass, stiffness, yield_force) = WEAK;

@@ -1,4 +1,4 @@
-//! Pairs of any points by stepping methods: several on a side of a floor, points between floors, in any order.
+//! Pairs of any points in stepping methods: several on a side of a floor, points between floors, in any order.
 
 use pounding_contact::{ContactLaw, Hertz, LinearSpring, Stereomechanical};
 use pounding_solver::{
@@ -34,7 +34,7 @@ fn above(below: usize, mass: f64, velocity: f64) -> Node<Elastic> {
     })
 }
 
-/// The impacts of the first instant that has some, and the velocity of every node then.
+/// The impacts of the first instant with impacts, and the velocity of every node at this instant.
 struct Seen {
     impacts: Vec<Impact>,
     velocities: Vec<f64>,
@@ -125,13 +125,13 @@ fn reference_a_slab_hits_a_column() {
     }
 }
 
-/// Buildings that touch all along, and move.
+/// Moving buildings that touch over their whole height.
 #[derive(Debug, Clone)]
 struct Case {
-    /// Of every building the floors from the ground up: mass \[kg\], period of its storey \[s\], velocity \[m/s\].
+    /// Floors of every building from the ground up: mass \[kg\], period of the storey \[s\], velocity \[m/s\].
     buildings: Vec<Vec<[f64; 3]>>,
-    /// The left building of each pair, where its points are in both buildings, from 0 at the ground to 1 at the top, and its
-    /// coefficient of restitution.
+    /// Of each pair: its left building, the heights of its points in both buildings (0 at the ground, 1 at the top), and its coefficient of
+    /// restitution.
     contacts: Vec<(usize, [f64; 2], f64)>,
     gap: f64,
 }
@@ -178,7 +178,7 @@ impl Case {
         Row::new(nodes, self.contacts.iter().filter_map(pair).collect()).expect("a valid row")
     }
 
-    /// The same from right to left, moving the other way.
+    /// The mirrored case, with reversed velocities.
     fn mirrored(&self) -> Self {
         let mut mirrored = self.clone();
         mirrored.buildings.reverse();
@@ -220,7 +220,7 @@ fn cases() -> impl Strategy<Value = Case> {
     })
 }
 
-/// By how much two runs differ, relative to the velocities.
+/// Difference of two runs relative to the velocities.
 fn off(found: &[f64], wanted: &[f64]) -> f64 {
     let scale = wanted.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
     let each = found.iter().zip(wanted).map(|(one, other)| (one - other).abs() / scale);
@@ -262,7 +262,7 @@ proptest! {
     #[test]
     fn limit_impacts_of_an_instant_create_no_energy(case in cases()) {
         let row = case.row();
-        // Moreau–Jean steps change velocities within a step, by impulses and springs together.
+        // Moreau–Jean stepping changes velocities within a step, by impulses and springs together.
         for (name, method) in METHODS.into_iter().filter(|one| one.1 != MOREAU_JEAN) {
             let mut instants = Instants::of(&row);
             let still = Excitation::new(1.0, &[0.0, 0.0]).expect("it is finite");
@@ -295,7 +295,7 @@ proptest! {
     }
 }
 
-/// Compares the ledgers of all methods with what they report, and holds them to the laws of mechanics.
+/// Compares the ledgers of all methods with their reports, and checks the laws of mechanics.
 fn check_books(row: &Row<Elastic>, ground: &[f64], is_held: bool) -> Result<(), TestCaseError> {
     for (name, method) in METHODS {
         let ledger = book(row, method, ground, clock(1e-3, 0.3));
@@ -312,9 +312,9 @@ fn check_books(row: &Row<Elastic>, ground: &[f64], is_held: bool) -> Result<(), 
 struct Instants {
     masses: Vec<f64>,
     time: f64,
-    /// Velocities before and after of those that are struck at this instant.
+    /// Velocities before and after of the floors hit at this instant.
     struck: Vec<Option<[f64; 2]>>,
-    /// Largest energy created at an instant, relative to that there, and fastest approach after an impact \[m/s\].
+    /// Largest energy created at an instant, relative to the energy there, and fastest approach after an impact \[m/s\].
     created: f64,
     approach: f64,
 }
@@ -364,7 +364,7 @@ impl Recorder for Instants {
     }
 }
 
-/// Velocities that were no numbers ended a run one step later, with advice on the time step.
+/// NaN velocities ended a run one step later, with advice about the time step.
 #[test]
 fn issue_walls_that_close_in_on_pairs_of_any_points_are_named() {
     let wall = || Node::wall(Elastic { stiffness: 1.0 });

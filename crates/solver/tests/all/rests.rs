@@ -1,4 +1,4 @@
-//! Impacts that neighbours at rest against each other follow: each counts once, with the rest.
+//! Impacts followed by rest: each counts once, including the rest.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Row, SimultaneousImpacts};
@@ -10,7 +10,7 @@ const EXACT: Integrator = Integrator::Exact(Exact {
     simultaneous_impacts: SimultaneousImpacts::Together,
 });
 
-/// Collisions of a mass that the ground presses against a wall from 0 to 0.5 s, and again from 0.7 s on.
+/// Collisions of a mass that the ground presses against a wall from 0 to 0.5 s, and again from 0.7 s.
 fn collisions(restitution: f64, method: Integrator) -> Vec<Collision> {
     let node = Node::structure(1.0, 0.1, Elastic { stiffness: 1.0 });
     let wall = Node::wall(Elastic { stiffness: 1.0 });
@@ -26,7 +26,8 @@ fn collisions(restitution: f64, method: Integrator) -> Vec<Collision> {
     found.all().to_vec()
 }
 
-/// An impact with e = 0 and the rest after it were two collisions of the exact method, and one in every step of the others.
+/// An impact with e = 0 and the rest after it counted as two collisions in the exact method, and as a collision in every step of the
+/// others.
 #[test]
 fn issue_an_impact_and_the_rest_after_it_count_once() {
     let exact = collisions(0.0, EXACT);
@@ -49,7 +50,7 @@ fn issue_an_impact_and_the_rest_after_it_count_once() {
     }
 }
 
-/// The rest after bounces was a collision of its own, at the instant of the last.
+/// The rest after bounces counted as a separate collision, at the instant of the last bounce.
 #[test]
 fn issue_the_last_bounce_has_the_rest_after_it() {
     let exact = collisions(0.5, EXACT);
@@ -62,7 +63,7 @@ fn issue_the_last_bounce_has_the_rest_after_it() {
     for pair in exact.windows(2) {
         assert!(pair[0].end < pair[1].start, "{pair:?}");
     }
-    // Whatever the bounces, as much momentum is taken until the mass parts.
+    // The momentum until the mass parts does not depend on the bounces.
     let total: f64 = until_half.iter().map(|one| one.impulse).sum();
     let plastic = collisions(0.0, EXACT)[0].impulse;
     assert!((total / plastic - 1.0).abs() < 0.01, "{total}, {plastic}");

@@ -1,4 +1,4 @@
-//! What the exact method once got wrong without a word, or did not end with.
+//! Former silent errors and endless runs of the exact method.
 
 use pounding_contact::{ContactLaw, ModifiedLinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -36,13 +36,13 @@ fn elastic(values: (f64, f64, f64)) -> Node<Elastic> {
     structure(values, |stiffness| Elastic { stiffness })
 }
 
-/// The largest forces that a run shows anywhere: of every pair, and net on every node.
+/// The largest forces in all reports of a run: of every pair, and net on every node.
 struct Shown {
     pairs: Vec<f64>,
     nodes: Vec<f64>,
 }
 
-/// Looks inside a span.
+/// Number of evaluations inside a span.
 const LOOKS: u32 = 8;
 
 impl Recorder for Shown {
@@ -60,7 +60,7 @@ impl Recorder for Shown {
     fn impact(&mut self, _: &Impact) {}
 }
 
-/// Runs a row, all of whose neighbours are pairs, and compares the largest forces that are shown with the peaks that are printed.
+/// Runs a row in which all neighbours are pairs, and compares the largest reported forces with the peaks.
 fn peaks_are_the_largest<Column: Hysteretic>(
     (row, samples): (&Row<Column>, &[f64]),
     (method, clock): (Integrator, Clock),
@@ -73,7 +73,7 @@ fn peaks_are_the_largest<Column: Hysteretic>(
     let mut recorders = (shown, Collisions::new(n, row.pairs()), Peaks::new(n));
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
     if method.watch(row, excitation, clock, &mut recorders).is_err() {
-        // What does not run shows nothing.
+        // A run that fails reports nothing.
         return Ok(Vec::new());
     }
     let (shown, collisions, peaks) = recorders;
@@ -83,7 +83,7 @@ fn peaks_are_the_largest<Column: Hysteretic>(
     }
     let hides = |(printed, shown): (f64, f64)| shown > printed * (1.0 + 1e-9);
     for (pair, values) in printed.iter().copied().zip(shown.pairs).enumerate() {
-        // Of an impact and the rest after it no force is printed.
+        // An impact with its rest has no printed force.
         if row.pairs()[pair].law.is_compliant() && hides(values) {
             return Err(format!("pair {pair}: printed and shown {values:?}"));
         }
@@ -114,8 +114,8 @@ proptest! {
 
 #[test]
 fn issue_a_force_that_jumps_at_an_impact_is_a_peak() {
-    // A floor that presses a wall through a damped spring is hit from the other side: the damper's force jumps. The peak was taken
-    // from the ends of spans alone, and was 22 % too low.
+    // A floor that presses a wall through a damped spring is hit from the other side: the force of the damper jumps. The peak was taken
+    // only from the ends of spans, and was 22 % too low.
     let law = ContactLaw::ModifiedLinearViscoelastic(ModifiedLinearViscoelastic {
         impact_stiffness: 1e9,
         impact_damping_ratio: 0.8,
@@ -153,8 +153,8 @@ fn bouc_wen(exponent: u32, unloading: f64) -> impl Fn(f64) -> BoucWen {
 
 #[test]
 fn issue_columns_that_yield_smoothly_leave_a_standstill_the_way_they_go() {
-    // Parting from a wall, the first coefficient of the rate of the drift is rounding. Its sign decided whether the column was
-    // loaded or unloaded, for a whole piece: impulses were 1e-4 off, and the energy left over 4e-5.
+    // After parting from a wall, the first coefficient of the rate of the drift is rounding. Its sign decided whether the column was loaded
+    // or unloaded for a whole piece: impulses had errors of 1e-4, and the energy residual was 4e-5.
     let samples = ground();
     for (exponent, unloading) in [(1, 0.5), (2, 0.3), (3, 1.0)] {
         for restitution in [0.0, 0.3, 0.5] {
@@ -176,8 +176,8 @@ fn issue_columns_that_yield_smoothly_leave_a_standstill_the_way_they_go() {
 
 #[test]
 fn issue_a_resting_floor_keeps_a_velocity_that_passes_zero() {
-    // Neighbours that rest against each other over grounds of their own: where one velocity passed zero it was set anew from the
-    // other one, missed zero by a rounding, and passed it again, without end.
+    // Neighbours rest against each other over different grounds. Where one velocity passed zero, it was recomputed from the other, missed
+    // zero by a rounding, and passed it again, without end.
     let samples = ground();
     for restitution in [0.0, 0.3, 0.65] {
         for arrival in [0.02, 0.05, 0.09] {
@@ -197,8 +197,8 @@ fn issue_a_resting_floor_keeps_a_velocity_that_passes_zero() {
 
 #[test]
 fn issue_what_walls_enclose_without_a_gap_rests() {
-    // Of the forces that hold a row between two walls one is zero. All pairs were taken to press, which left the forces without
-    // a solution, and a search for their zeros without end.
+    // If walls hold a row on both sides, one of its forces is zero. All pairs were assumed to press, which left the forces without a
+    // solution, and a search for their zeros without end.
     let samples = ground();
     for restitution in [0.0, 0.65, 1.0] {
         let law = impulsive(restitution);
@@ -215,7 +215,7 @@ fn issue_what_walls_enclose_without_a_gap_rests() {
                 .watch(&row, excitation, clock(0.01, 2.0), &mut recorders)
                 .expect("nothing moves");
             let (momentum, peaks) = recorders;
-            // The walls push and pull what the ground's acceleration asks for: ∫ |m·a_g| dt, summed over each of its signs.
+            // The walls push and pull with the force that the ground's acceleration demands: ∫ |m·a_g| dt, summed over each sign.
             let push: f64 = row.nodes()[1..n_nodes - 1].iter().map(|node| 1.0 / node.inverse_mass).sum();
             let wanted = push * integral_of_magnitude(&samples[..=200]);
             let found = momentum.of(0) + momentum.of(n_nodes - 1);
@@ -243,7 +243,7 @@ fn integral_of_magnitude(samples: &[f64]) -> f64 {
 
 #[test]
 fn extreme_walls_that_close_in_are_named() {
-    // Walls on grounds of their own take away the room of what stands between them: there is no such motion.
+    // Walls on separate grounds leave the structures between them no room: no such motion exists.
     let samples = ground();
     for gap in [0.0, 0.002] {
         let wall = || Node::wall(Elastic { stiffness: 1.0 });

@@ -1,4 +1,4 @@
-//! Neighbours that touch too slowly for a law with δ̇/v₀ and are then pressed together by the ground.
+//! Neighbours that touch very slowly under a law with δ̇/v₀ and are then pressed together by the ground.
 
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, HertzDamp, ModifiedKelvin, PantWijeyewickrema};
@@ -32,7 +32,7 @@ fn laws() -> [ContactLaw; 3] {
     ]
 }
 
-/// A mass at a wall, without a gap, that a constant ground acceleration of 3 m/s² presses against it.
+/// A mass at a wall, without a gap, under a constant ground acceleration of 3 m/s² that presses it against the wall.
 fn pressed(
     (law, mass, approach_speed): (ContactLaw, f64, f64),
     (method, time_step): (Integrator, f64),
@@ -57,7 +57,7 @@ fn distance(found: &[f64], known: &[f64]) -> f64 {
 
 #[test]
 fn issue_slow_touches_under_pressure_end_in_every_method() {
-    // A damper of a/v₀ without bound held the pair all but still, in ever shorter pieces of the exact method.
+    // A damper a/v₀ without bound held the pair almost still, in ever shorter pieces of the exact method.
     let exact = (Integrator::Exact(Exact::default()), 0.01);
     for law in laws() {
         let run = |speed: f64, method| pressed((law, 75e3, speed), method);
@@ -65,7 +65,7 @@ fn issue_slow_touches_under_pressure_end_in_every_method() {
         for speed in [1e-15, 1e-9, 1e-7, 1e-5, 9e-4] {
             let (work, found) = run(speed, exact).expect("it ends");
             assert!(work.segments < 1000, "{law:?}, {speed}: {work:?}");
-            // Nothing jumps on the way to v₀ = 0.
+            // The response is continuous on the way to v₀ = 0.
             let (apart, moved) = (distance(&found, &at_rest), 2e3 * speed);
             assert!(apart < 1e-9 + moved, "{law:?}, {speed}: {apart:e}");
             let (_, stepped) = run(speed, (RK4, 1e-5)).expect("it ends");
@@ -85,6 +85,6 @@ fn extreme_a_contact_that_crawls_is_refused() {
     let scene = (hertz_damp(1e11, 1e6), 100.0, 1e-7);
     let error = pressed(scene, (Integrator::Exact(Exact::default()), 0.01)).unwrap_err();
     assert_snapshot!(error);
-    // Implicit steps go over it.
+    // Implicit steps pass over it.
     pressed(scene, (crate::common::AVERAGE, 1e-3)).expect("it ends");
 }

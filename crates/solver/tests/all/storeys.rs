@@ -1,4 +1,4 @@
-//! Buildings of several storeys, by every method that follows them.
+//! Buildings of several storeys, by every method that supports them.
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Clock, Elastic, Excitation, Histories, Integrator, Pair, Rk4};
@@ -43,7 +43,7 @@ fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
     }
 }
 
-/// Floors of two towers that meet push each other and nobody else.
+/// Floors of two towers that meet push only each other.
 #[test]
 fn limit_floors_face_their_neighbours() {
     let column = Elastic { stiffness: 5e7 };

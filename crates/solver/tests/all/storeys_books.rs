@@ -1,4 +1,4 @@
-//! Energies of buildings of several storeys, booked from spans and impacts, and what these promise.
+//! Energies of buildings of several storeys, computed from spans and impacts, and checks of spans and impacts.
 
 use pounding_solver::{Hysteresis, Hysteretic, Impact, Node, Recorder, Response, RestoringForce, Row, Span, Support};
 
@@ -26,19 +26,19 @@ impl Hysteretic for Columns {
     }
 }
 
-/// Books energies, and finds the largest breach of what spans and impacts promise.
+/// Computes energies, and finds the largest violation of the properties of spans and impacts.
 pub(crate) struct Books<'a> {
     row: &'a Row<Columns>,
     ground: &'a [f64],
-    /// End of the last span of each node: instant, displacement, velocity; impulse since.
+    /// End of the last span of each node: instant, displacement, velocity; impulse since then.
     ends: Vec<[f64; 4]>,
-    /// Kinetic energy that the spans added, and works of ground, dampers, columns and pounding forces on them \[J\].
+    /// Kinetic energy added by the spans, and works of ground, dampers, columns and pounding forces \[J\].
     pub(crate) terms: [f64; 5],
     /// Sum of the magnitudes of all works \[J\].
     pub(crate) scale: f64,
-    /// An instant of impacts, the energy that they gave, and the largest such energy before.
+    /// An instant of impacts, the energy created by them, and the largest such energy before.
     impacts: [f64; 3],
-    /// Velocity that no impulse gave \[m/s\], relative to 1 mm/s or the velocity.
+    /// Velocity without an impulse \[m/s\], relative to 1 mm/s or the velocity.
     jump: f64,
     /// Step between spans in displacement \[m\] or time \[s\].
     tear: f64,
@@ -68,7 +68,7 @@ impl<'a> Books<'a> {
         }
     }
 
-    /// Works on a node over a span: of the ground, of its dampers and columns, of pounding forces.
+    /// Works on a node over a span: of the ground, of its dampers and columns, and of pounding forces.
     fn works(&self, span: &Span<'_>) -> [f64; 4] {
         let node = &self.row.nodes()[span.structure];
         let mass = 1.0 / node.inverse_mass;
@@ -110,7 +110,7 @@ impl<'a> Books<'a> {
             let force = (span.end.restoring_force - line).abs();
             self.beyond = self.beyond.max(force / limit - 1.0);
         }
-        // Instants of shorter spans are rounded to others beyond their end.
+        // Instants within shorter spans are rounded beyond their end.
         if span.duration() < 1e-12 {
             return;
         }
@@ -122,13 +122,13 @@ impl<'a> Books<'a> {
         }
     }
 
-    /// What is missing in the balance of kinetic energy and works, relative to their magnitudes.
+    /// Residual of the balance of kinetic energy and works, relative to their magnitudes.
     fn residual(&self) -> f64 {
         let [kinetic, ground, damping, columns, pounding] = self.terms;
         (kinetic - ground + damping + columns - pounding).abs() / self.scale
     }
 
-    /// The largest breach of a law, and which.
+    /// The largest violation of a law, and its name.
     pub(crate) fn worst(&self) -> (f64, &'static str) {
         let [_, last, most] = self.impacts;
         let [.., columns, pounding] = self.terms;
@@ -142,7 +142,7 @@ impl<'a> Books<'a> {
             (self.beyond / 1e-9, "a column is beyond its limit"),
             (self.pull[0] / (1e-9 * self.pull[1] + 1e-12), "a contact pulls"),
         ];
-        // A number that is none breaks the first law, and is kept: nothing is larger than it.
+        // NaN violates the first law and is kept: nothing compares larger.
         let worse = |a: (f64, &'static str), b: (f64, &'static str)| if b.0 > a.0 { b } else { a };
         breaches.into_iter().reduce(worse).unwrap_or_default()
     }

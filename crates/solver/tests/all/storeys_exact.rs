@@ -1,5 +1,5 @@
-//! Elastic buildings of several storeys by the exact method: against the closed form of their modes, against stepping at
-//! small steps, and in cases whose answer is known.
+//! Elastic buildings of several storeys by the exact method: against the closed form of their modes, against stepping at small steps, and
+//! in cases with known answers.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use pounding_contact::{ContactLaw, Stereomechanical};
@@ -22,7 +22,7 @@ pub(crate) const fn exact(tolerance: f64) -> Integrator {
     })
 }
 
-/// Histories at the samples of ten seconds of shaking, or fewer.
+/// Histories at the samples of at most ten seconds of shaking.
 pub(crate) fn histories<Column: Hysteretic>(row: &Row<Column>, method: Integrator, (clock, samples): (Clock, &[f64])) -> (Histories, Work) {
     let mut histories = Histories::new(row.nodes().len(), 0.01, clock.time(clock.n_steps));
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
@@ -30,7 +30,7 @@ pub(crate) fn histories<Column: Hysteretic>(row: &Row<Column>, method: Integrato
     (histories, work)
 }
 
-/// Largest difference of the displacements of nodes of two runs over the largest displacement.
+/// Largest difference of the displacements of nodes of two runs, relative to the largest displacement.
 pub(crate) fn distance(a: &Histories, b: &Histories, nodes: impl Iterator<Item = (usize, usize)>) -> f64 {
     let (mut most, mut off) = (0.0_f64, 0.0_f64);
     for (left, right) in nodes {
@@ -46,7 +46,7 @@ pub(crate) fn same(n_nodes: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n_nodes).zip(0..n_nodes)
 }
 
-/// The same gap and law between all floors that face each other.
+/// A common gap and law between all floors that face each other.
 pub(crate) fn facing(gap: f64, law: ContactLaw) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
     move |_, _, [left, right]| Some(Pair::of_floors(left, right, gap, law))
 }
@@ -60,8 +60,8 @@ fn towers() -> [Tower<Elastic>; 2] {
     ]
 }
 
-/// Displacements at the samples of an elastic row without contact, by its modes: each is a damped oscillator under a load
-/// that is linear between samples.
+/// Displacements at the samples of an elastic row without contact, by its modes. Each mode is a damped oscillator under a load that is
+/// linear between samples.
 fn by_modes(row: &Row<Elastic>, damping: Rayleigh, samples: &[f64]) -> Vec<DVector<f64>> {
     let n = row.nodes().len();
     let mut stiffness = DMatrix::<f64>::zeros(n, n);
@@ -101,7 +101,7 @@ fn by_modes(row: &Row<Elastic>, damping: Rayleigh, samples: &[f64]) -> Vec<DVect
     answer
 }
 
-/// Largest distance of floors from a solution by modes, over the largest displacement.
+/// Largest distance of floors from a solution by modes, relative to the largest displacement.
 fn off(histories: &Histories, nodes: &[usize], wanted: &[DVector<f64>]) -> f64 {
     let (mut most, mut off) = (0.0_f64, 0.0_f64);
     for (floor, node) in nodes.iter().enumerate() {
@@ -127,7 +127,7 @@ fn reference_free_flight_is_that_of_the_modes() {
 
 #[test]
 fn reference_towers_at_rest_against_each_other_are_one_tower() {
-    // Pushed to the right for ever, the soft tower on the left leans on the stiff one with every floor.
+    // Under a constant push to the right, the soft tower on the left leans on the stiff tower with every floor.
     let samples = vec![-3.0; 100];
     let column = |stiffness| Elastic { stiffness };
     let tower = |mass, stiffness| uniform(3, mass, column(stiffness));
@@ -136,7 +136,7 @@ fn reference_towers_at_rest_against_each_other_are_one_tower() {
     let (pair, levels) = row(&two, DAMPING, facing(0.0, plastic));
     let (one, _) = row(&[tower(1.5e5, 1e8)], DAMPING, |_, _, _| None);
     let wanted = by_modes(&one, DAMPING, &samples);
-    // The right one alone would swing back after half of its first period of 0.47 s, and both go together until then.
+    // The right tower alone would swing back after half of its first period of 0.47 s; until then both move together.
     let (found, _) = histories(&pair, EXACT, (clock(0.01, 0.2), &samples));
     for building in 0..2 {
         let off = off(&found, levels.of(building), &wanted);
@@ -152,7 +152,7 @@ fn reference_towers_at_rest_against_each_other_are_one_tower() {
 #[test]
 fn order_stepping_tends_to_the_exact_pounding() {
     let samples = ground();
-    // Jumps after a step make the Runge-Kutta method one of order one; the force that begins like δ^(1/4) one of 1.2.
+    // Jumps after a step reduce the Runge-Kutta method to order one; a force that begins like δ^(1/4) reduces it to order 1.2.
     for (law, finest) in [(STEREOMECHANICAL, 2e-4), (VISCOELASTIC, 3e-6)] {
         let (row, _) = row(&towers(), DAMPING, facing(0.01, law));
         let n = row.nodes().len();
@@ -176,7 +176,7 @@ fn limit_one_storey_has_the_bits_of_a_structure() {
         let pairs = crate::common::pairs(3, 0.02, law);
         let row = Row::new(plain.to_vec(), pairs.clone()).expect("a valid row");
         let (alone, work) = histories(&row, EXACT, (clock(0.01, 10.0), &samples));
-        // A tower far away, of which the structures know nothing.
+        // A tower far away that must not affect the structures.
         let levels = pounding_solver::Levels::new(&[1, 1, 1, 3]);
         let mut nodes = plain.to_vec();
         for node in levels.of(3) {

@@ -1,4 +1,4 @@
-//! The ledger finds what a method reports wrongly of a building: each fault is put into a good run, and each must show.
+//! The ledger detects false reports of a method about a building: each fault is put into a correct run and must be found.
 
 use pounding_solver::{Excitation, Hysteretic, Impact, Ledger, LedgerError, Path, Push, Recorder, Span};
 
@@ -7,14 +7,14 @@ use crate::storeys_ledger::{DAMPING, TOWERS, bilinear, elastic, plastic, smooth}
 use crate::towers::row;
 use crate::watch::Watch;
 
-/// Passes a run of a tower of two storeys on to a ledger, both spans of a step with a fault put in.
+/// Passes a run of a tower of two storeys on to a ledger, with a fault in both spans of a step.
 struct Faulty<'a, F> {
     ledger: Ledger<'a>,
     lower: Option<Span<'static>>,
     fault: F,
 }
 
-/// A step without its borrow.
+/// A step without its borrowed data.
 fn step(span: &Span<'_>) -> Span<'static> {
     let Path::Cubic(weighed) = span.path else {
         panic!("a step: {span:?}");
@@ -54,7 +54,7 @@ impl<F: Fn(&mut [Span<'static>; 2])> Recorder for Faulty<'_, F> {
     fn impact(&mut self, _: &Impact) {}
 }
 
-/// What the ledger says of a tower with a fault: own balances and physical one, and its verdict.
+/// Result of the ledger for a tower with a fault: own balances, physical balance, and verdict.
 fn found<Column: Hysteretic>(
     column: impl Fn(f64, f64) -> Column,
     fault: impl Fn(&mut [Span<'static>; 2]),
@@ -90,7 +90,7 @@ fn limit_a_good_tower_shows_nothing() {
     good(found(smooth, |_| ()));
 }
 
-/// The upper storey pulls its floor, but its reaction is not in what the method reports of the floor below.
+/// The upper storey pulls its floor, but the report of the floor below lacks the reaction.
 #[test]
 fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
     let forgets = |spans: &mut [Span<'static>; 2]| {
@@ -112,7 +112,7 @@ fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
     assert!(identity > 1e-8 && momentum > 1e-8, "{identity:e}, {momentum:e}");
 }
 
-/// The method reports another drift than the one its columns saw.
+/// The method reports another drift than that of its columns.
 #[test]
 fn limit_a_wrong_drift_shows_in_the_physical_balance() {
     let stands_on_nothing = |spans: &mut [Span<'static>; 2]| spans[1].below = None;
@@ -130,7 +130,7 @@ fn limit_a_wrong_drift_shows_in_the_physical_balance() {
 
 #[test]
 fn limit_columns_that_give_energy_in_yielding_are_named() {
-    // Flow at a force that did not change, against it.
+    // Yielding against a constant force.
     let backwards = |spans: &mut [Span<'static>; 2]| {
         let upper = &mut spans[1];
         let [start, end] = upper.drifts();

@@ -21,7 +21,7 @@ struct Case {
     wall: bool,
     /// Storeys of every building.
     buildings: Vec<Vec<Storey<Columns>>>,
-    /// Gap and law of floors that face each other, of every neighbouring two.
+    /// Gap and law of floors that face each other, for every two neighbours.
     between: Vec<Vec<(f64, ContactLaw)>>,
     /// Samples every 0.01 s \[m/s²\].
     ground: Vec<f64>,
@@ -62,7 +62,7 @@ fn storey(spread: f64) -> impl Strategy<Value = Storey<Columns>> {
         })
 }
 
-/// Any law, but for impacts that bounce without end.
+/// Any law, except impacts that bounce without end.
 fn law() -> impl Strategy<Value = ContactLaw> {
     any_law().prop_map(|law| {
         law.impulsive().map_or(law, |hard| {
@@ -135,7 +135,7 @@ fn overlap(row: &Row<Columns>, dense: &Histories) -> f64 {
     })
 }
 
-/// Runs a row for longer than its record; the error of a run that ends, or the largest breach of a law.
+/// Runs a row for longer than its record. Returns the largest violation of a law, or the error of the run.
 fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
     let row = case.row();
     let clock = Clock {
@@ -155,9 +155,8 @@ fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
     })
 }
 
-/// A hundred rows, the same in every run; `PROPTEST_CASES` asks for more and `SEED` for others. Of 3500 such rows two ended
-/// with an error ([`RunError::NoSeries`]: compliant pairs without a gap, pressed together from the start), and none broke
-/// a law.
+/// A hundred rows, equal in every run; `PROPTEST_CASES` asks for more and `SEED` for others. Of 3500 such rows two ended with an error
+/// ([`RunError::NoSeries`]: compliant pairs without a gap, pressed together from the start), and none broke a law.
 #[test]
 fn limit_random_rows_keep_the_laws_of_mechanics() {
     let asked = |name: &str| std::env::var(name).ok()?.parse::<u32>().ok();
@@ -212,7 +211,7 @@ fn reference_energies_of_elastic_towers_balance() {
         let (books, histories) = recorders;
         let worst = books.worst();
         assert!(worst.0 < 0.1, "{law:?}: {worst:?}");
-        // The columns' work is what they hold at the end.
+        // The work of the columns is their energy at the end.
         let end = |node: usize| histories.of(node).states[1000].displacement;
         let strain = row.nodes().iter().enumerate().map(|(node, floor)| {
             let below = match floor.support {

@@ -17,7 +17,7 @@ pub(crate) const DAMPING: Rayleigh = Rayleigh { alpha: 0.4, beta: 1.2e-3 };
 /// Mass \[kg\], stiffness \[N/m\] and yield force \[N\] of storeys.
 pub(crate) type Storeys = &'static [(f64, f64, f64)];
 
-/// Three storeys, two stiffer ones, four soft ones.
+/// Towers of three storeys, of two stiffer storeys, and of four soft storeys.
 pub(crate) const TOWERS: [Storeys; 3] = [
     &[(1e5, 6e7, 4e5), (1e5, 5e7, 3e5), (7e4, 4e7, 2e5)],
     &[(3e5, 6e8, 2e6), (2e5, 4e8, 1e6)],
@@ -56,7 +56,7 @@ pub(crate) fn smooth(stiffness: f64, yield_force: f64) -> BoucWen {
     }
 }
 
-/// The towers side by side, in motion from the start, touching by a law where there is one.
+/// The towers in a row, in motion from the start, touching by a law if there is one.
 pub(crate) fn towers<Column: Hysteretic>(column: impl Fn(f64, f64) -> Column, law: Option<ContactLaw>) -> Row<Column> {
     let build = |storeys: &Storeys| -> Tower<Column> {
         let floor = |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
@@ -114,7 +114,7 @@ fn limit_every_tower_balances_its_own_energy() {
     check_balances("smooth", smooth, true);
 }
 
-/// Works are impulses times mean velocities, an error of order two in each step whatever the order of the method.
+/// Works are impulses times mean velocities, an error of order two in each step for any method.
 fn check_order<Column: Hysteretic>(what: &str, column: impl Fn(f64, f64) -> Column) {
     let row = towers(column, None);
     let samples = ground();
@@ -152,7 +152,7 @@ fn limit_storeys_that_do_not_yield_book_the_same() {
         let soft = towers(soft, law);
         let soft = book(&soft, RK4, &samples, run);
         assert_eq!(yields.terms(), soft.terms(), "no hardening");
-        // With hardening force and energy are the same, but summed otherwise.
+        // With hardening, force and energy are equal, but summed in another order.
         for (name, other) in [
             ("bilinear", book_never(bilinear, law, &samples)),
             ("smooth", book_never(smooth, law, &samples)),
@@ -164,13 +164,13 @@ fn limit_storeys_that_do_not_yield_book_the_same() {
     }
 }
 
-/// Columns with a yield force far out of reach.
+/// Columns with a yield force that is never reached.
 fn book_never<Column: Hysteretic>(column: impl Fn(f64, f64) -> Column, law: Option<ContactLaw>, samples: &[f64]) -> Ledger<'_> {
     let row = towers(|k, _| column(k, f64::INFINITY), law);
     book(&row, RK4, samples, clock(0.002, 5.0))
 }
 
-/// Undamped towers keep their energy, which begins in the drifts.
+/// Undamped towers keep their initial energy, which is in the drifts.
 #[test]
 fn limit_free_vibration_of_a_tower_keeps_its_energy() {
     let floors = vec![(1e5, elastic(6e7, 0.0)), (8e4, elastic(4e7, 0.0))];
@@ -187,12 +187,12 @@ fn limit_free_vibration_of_a_tower_keeps_its_energy() {
     let held = terms.kinetic + terms.strain;
     assert!((held / energy - 1.0).abs() < 1e-6, "{terms:?}");
     assert_eq!(ledger.of_building(0), terms);
-    // Floors alone do not balance: what one gives the other gets.
+    // Single floors do not balance: a floor gains energy that another loses.
     assert!(ledger.of(0).balance().abs() > 1e-3 * energy, "{:?}", ledger.of(0));
     assert!(terms.balance().abs() < 1e-6 * energy, "{terms:?}");
 }
 
-/// The Runge–Kutta method is stable up to the limit of the fastest mode, and no further.
+/// The Runge–Kutta method is stable up to the limit of the fastest mode, and unstable above.
 #[test]
 fn reference_the_critical_time_step_of_a_tower() {
     let samples = ground();
@@ -248,7 +248,7 @@ fn balances_at_random<Column: Hysteretic>(
     prop_assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
     prop_assert!(ledger.momentum() < 1e-12, "{:e}", ledger.momentum());
     let allowed = match ledger.verdict() {
-        // The steps follow the towers, not every contact.
+        // The steps resolve the towers, but not every contact.
         Ok(_) | Err(LedgerError::GainInContact { .. }) => true,
         Err(_) => false,
     };

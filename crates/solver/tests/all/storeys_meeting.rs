@@ -14,7 +14,7 @@ use crate::storeys_implicit::{DAMPING, Momentum, elastic, facing, off, run};
 use crate::towers::{Rayleigh, Tower, row, uniform};
 use crate::watch::Watch;
 
-/// A building whose floors are nodes of a row as [`Levels`] numbers them, moving as a whole.
+/// A building whose floors are numbered by [`Levels`], moving as a whole.
 fn moving(row: &Row<Elastic>, levels: &Levels, velocities: &[f64]) -> Row<Elastic> {
     let node = |(index, node): (usize, &Node<Elastic>)| Node {
         initial_velocity: velocities[levels.place(index).0],
@@ -24,7 +24,7 @@ fn moving(row: &Row<Elastic>, levels: &Levels, velocities: &[f64]) -> Row<Elasti
     Row::new(nodes, row.pairs().to_vec()).expect("a valid row")
 }
 
-/// Kinetic and elastic energy in states of all nodes \[J\].
+/// Kinetic and elastic energy of the states of all nodes \[J\].
 fn energy(row: &Row<Elastic>, levels: &Levels, states: &[State]) -> f64 {
     let mut sum = 0.0;
     for (index, node) in row.nodes().iter().enumerate() {
@@ -41,11 +41,11 @@ fn energy(row: &Row<Elastic>, levels: &Levels, states: &[State]) -> f64 {
     sum
 }
 
-/// Keeps states after every step, impacts included, and what impacts say.
+/// Keeps the states after every step, including impacts, and the reports of impacts.
 struct Steps {
     states: Vec<Vec<State>>,
     n: usize,
-    /// Impacts of every instant, each with the rate of its pair at the start of the step \[m/s\].
+    /// Impacts at every instant, each with the rate of its pair at the start of the step \[m/s\].
     impacts: BTreeMap<usize, Vec<(Impact, f64)>>,
 }
 
@@ -74,7 +74,7 @@ impl Recorder for Steps {
     }
 }
 
-/// Two or three undamped towers that meet on several levels at once; the restitution of their pairs.
+/// Two or three undamped towers that meet on several levels at once, with this restitution.
 fn meeting(n: usize, gap: f64, restitution: f64) -> (Row<Elastic>, Levels) {
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
     let towers = [
@@ -113,11 +113,11 @@ fn limit_moreau_jean_between_towers_creates_no_energy() {
     }
 }
 
-/// Impacts of one instant create no energy together (one may get what another gives), and no step gains any where
-/// θ = 1/2.
+/// Checks that impacts at an instant together create no energy (one pair may gain energy that another loses), and that no step gains energy
+/// if θ = 1/2.
 ///
-/// With more θ a step weighs the force at its end, which an impulse then does not meet half way: it gains or loses to the
-/// first order in the step, hit or not.
+/// A larger θ weighs the force at the end of the step, which an impulse does not meet half way. The step then gains or loses energy to
+/// first order, with or without an impact.
 fn check_energy(row: &Row<Elastic>, levels: &Levels, (steps, theta): (&Steps, f64), place: &str) {
     let energies: Vec<_> = steps.states.iter().map(|states| energy(row, levels, states)).collect();
     let gained = energies.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::NEG_INFINITY, f64::max);
@@ -130,7 +130,7 @@ fn check_energy(row: &Row<Elastic>, levels: &Levels, (steps, theta): (&Steps, f6
     assert!(theta > 0.5 || gained < 1e-14, "{place}: gained {gained:e}");
 }
 
-/// Pairs that push part, and not faster than their law says; jumps and impulses agree.
+/// Checks that pairs that push part, at most as fast as their law states, and that jumps agree with impulses.
 fn check_law(row: &Row<Elastic>, steps: &Steps, restitution: f64, place: &str) {
     let mut net = vec![0.0; row.nodes().len()];
     for at_once in steps.impacts.values() {
@@ -176,7 +176,7 @@ fn order_moreau_jean_between_towers_converges_to_velocity_jumps() {
     }
 }
 
-/// Energy that impacts of one instant create, and the sum of its parts \[J\].
+/// Energy that impacts at an instant create, and the sum of the magnitudes of its parts \[J\].
 fn created(at_once: &[(Impact, f64)]) -> (f64, f64) {
     let (mut sum, mut scale) = (0.0, 0.0);
     for (impact, _) in at_once {
@@ -232,7 +232,8 @@ proptest! {
         let outcome = moreau_jean(theta).watch(&row, excitation, clock, &mut recorder);
         prop_assert!(outcome.is_ok(), "{:?}", outcome);
         let (momentum, steps) = recorder;
-        // A floor of 1 t under one of 10 000 t whose storey is a million times as stiff: what Newton's tolerance leaves.
+        // A floor of 1 t below a floor of 10 000 t with a storey a million times as stiff: the tolerance of Newton's method limits the
+        // balance.
         prop_assert!(momentum.worst < 1e-9, "{}", momentum.worst);
         for at_once in steps.impacts.values() {
             let (created, scale) = created(at_once);

@@ -1,4 +1,4 @@
-//! Recorders of one run of towers, one against the other.
+//! Recorders of a run of towers, compared with each other.
 
 use pounding_solver::{Bilinear, Collisions, Excitation, FloorAccelerations, Histories, Ledger, Peaks, Row, Support, TransferredMomentum};
 
@@ -7,7 +7,7 @@ use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::storeys_ledger::{plastic, smooth, strong, towers};
 use crate::watch::Watch;
 
-/// What recorders say of one run of towers, one against the other.
+/// All recorders of a run of towers agree.
 #[test]
 fn limit_recorders_of_one_run_agree_on_every_level() {
     let samples = strong();

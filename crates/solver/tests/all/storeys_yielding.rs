@@ -1,4 +1,4 @@
-//! Storeys that yield, harden and bend, by the exact method.
+//! Storeys that yield, harden and yield smoothly, by the exact method.
 
 use pounding_solver::{
     Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Impact, Integrator, Recorder, Response, RestoringForce, Rk4, Row, Smoothness, Span,
@@ -40,7 +40,7 @@ fn plastic(stiffness: f64, yield_force: f64) -> Bilinear {
     }
 }
 
-/// Two towers whose every storey yields, of columns made from stiffness and yield force.
+/// Two towers in which every storey yields, with columns made from stiffness and yield force.
 fn towers<Column>(column: impl Fn(f64, f64) -> Column) -> [Tower<Column>; 2] {
     [
         vec![(9e4, column(4e7, 2.5e5)), (8e4, column(3e7, 2e5)), (7e4, column(2.5e7, 1.2e5))],
@@ -48,7 +48,7 @@ fn towers<Column>(column: impl Fn(f64, f64) -> Column) -> [Tower<Column>; 2] {
     ]
 }
 
-/// Largest distance of the Runge-Kutta method from the exact run of a row, at this step.
+/// Largest distance of the Runge-Kutta method at this step from the exact run of a row.
 fn stepped<Column: Hysteretic>(row: &Row<Column>, (step, duration): (f64, f64)) -> f64 {
     let samples = ground();
     let (best, _) = histories(row, EXACT, (clock(0.01, duration), &samples));
@@ -75,7 +75,7 @@ fn order_stepping_tends_to_exact_yielding() {
 fn order_stepping_tends_to_exact_pounding_of_yielding_towers() {
     fn check<Column: Hysteretic>(name: &str, column: impl Fn(f64, f64) -> Column) {
         let towers = towers(column);
-        // Every hit multiplies what a step leaves open of its instant: after two seconds little is left to compare.
+        // Every hit multiplies the uncertainty of its instant in a step: after two seconds little is left to compare.
         for (law, finest, duration) in [(VISCOELASTIC, 1e-5, 3.0), (STEREOMECHANICAL, 1e-4, 1.25)] {
             let (row, _) = row(&towers, DAMPING, facing(0.01, law));
             let errors = [2e-4, 2e-5].map(|step| stepped(&row, (step, duration)));
@@ -126,7 +126,7 @@ fn limit_lean_columns_have_the_bits_of_rich_ones() {
     assert_ne!(elastic, states(plastic), "the towers must yield");
 }
 
-/// Follows the loops of columns from end to end of the spans, in which drifts go one way.
+/// Follows the loops of columns from end to end of the spans, in which drifts are monotone.
 struct Loops<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     memories: Vec<Column::Memory>,
@@ -168,7 +168,7 @@ fn reference_forces_follow_the_loop() {
     }
     assert!(off(plastic) < 1e-12, "{:e}", off(plastic));
     assert!(off(hardening(0.1)) < 1e-12, "{:e}", off(hardening(0.1)));
-    // The column itself integrates its loop to 1e-8.
+    // The column integrates its loop to 1e-8.
     for smoothness in KNEES {
         let off = off(bending(smoothness));
         assert!(off < 1e-7, "{smoothness:?}: {off:e}");

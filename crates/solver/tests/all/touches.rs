@@ -1,4 +1,4 @@
-//! How well the instant of a touch is known.
+//! Accuracy of the instant of a touch.
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Row};
@@ -24,7 +24,7 @@ fn first(gap: f64, law: ContactLaw, method: Integrator) -> Option<Collision> {
 
 #[test]
 fn limit_a_touch_moves_by_its_uncertainty() {
-    // What rounding may do to displacement and gap near u = gap = 1 m.
+    // Rounding of displacement and gap near u = gap = 1 m.
     let rounding = 8.0 * f64::EPSILON * 2.0;
     let exact = Integrator::Exact(Exact::default());
     let touch = |gap: f64, law| {
@@ -33,7 +33,7 @@ fn limit_a_touch_moves_by_its_uncertainty() {
     };
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         for above in [1.0, 3.0, 100.0] {
-            // The peak is so many roundings beyond the gap.
+            // The peak is `above` roundings beyond the gap.
             let gap = 1.0 - above * rounding;
             let (start, uncertainty) = touch(gap, law);
             let (later, earlier) = (touch(gap + 0.9 * rounding, law).0, touch(gap - rounding, law).0);

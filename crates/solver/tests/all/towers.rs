@@ -17,8 +17,8 @@ pub(crate) fn uniform<Column: Copy>(n_storeys: usize, mass: f64, column: Column)
     vec![(mass, column); n_storeys]
 }
 
-/// Towers side by side; floors of one level that face each other are pairs made by `pair` from (left building, storey, left
-/// node, right node), where it makes one.
+/// Neighbouring towers. `pair` makes the pairs of floors on a common level that face each other, from (left building, storey, left node,
+/// right node); it may return `None`.
 pub(crate) fn row<Column: Hysteretic>(
     towers: &[Tower<Column>],
     damping: Rayleigh,

@@ -1,4 +1,4 @@
-//! Ground motions that travel along a row: what is known of them, and where they must change nothing.
+//! Ground motions that travel along a row: known answers, and cases in which they must change nothing.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
@@ -18,7 +18,7 @@ pub(crate) const EXACT: Integrator = Integrator::Exact(Exact {
     simultaneous_impacts: pounding_solver::SimultaneousImpacts::Together,
 });
 
-/// All methods, the exact one among them.
+/// All methods, including the exact one.
 pub(crate) fn all() -> impl Iterator<Item = (&'static str, Integrator)> {
     METHODS.into_iter().chain([("exact", EXACT)])
 }
@@ -61,7 +61,8 @@ fn limit_arrivals_at_once_are_the_row_without_any() {
 
 #[test]
 fn limit_a_building_out_of_reach_that_is_shaken_later_changes_nothing() {
-    // The row travels, and what is shaken at once must not notice; neither must the one that is shaken later.
+    // The ground motion travels along the row. A structure that is shaken at t = 0 must not change, and neither must a structure that is
+    // shaken later.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let mut near_and_far = pairs(3, 0.02, law);
         near_and_far[1].relation.offset = 10.0;
@@ -124,7 +125,7 @@ fn reference_one_delay_for_all_shifts_the_run() {
     }
 }
 
-/// Structures so stiff (T = 0.01 s, critically damped) that they move with their grounds.
+/// Structures so stiff (T = 0.01 s, critically damped) that they follow their grounds.
 fn rigid(masses: [f64; 2], law: ContactLaw, gap: f64) -> Row<Elastic> {
     let node = |mass: f64| {
         let omega = 200.0 * std::f64::consts::PI;
@@ -161,8 +162,8 @@ fn collisions<Column: Hysteretic>(
 
 #[test]
 fn reference_grounds_that_move_apart_make_rigid_structures_touch() {
-    // Under a_g = 1 m/s² from the arrival on, u_g = (t − τ)²/2, and the left ground, which moves first, is ahead by
-    // D = 0.1 t − 0.005 with τ = 0.1 s: a gap of 20 mm closes at t = 0.25 s, at 0.1 m/s. Both structures lag by a_g/ω² alike.
+    // Under a_g = 1 m/s² after the arrival, u_g = (t − τ)²/2. The left ground moves first and is ahead by D = 0.1 t − 0.005, with τ = 0.1
+    // s. A gap of 20 mm closes at t = 0.25 s, at 0.1 m/s. Both structures lag by a_g/ω² alike.
     let samples = [1.0; 101];
     let (masses, e) = ([2e5, 3e5], 0.5);
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: e });
@@ -178,13 +179,13 @@ fn reference_grounds_that_move_apart_make_rigid_structures_touch() {
     for (name, method) in METHODS {
         let found = collisions(&late, method, &samples, (1e-4, 0.26));
         let first = found.first().expect("they touch");
-        // Found within a step of the touch, at the approach of then.
+        // Found within a step of the touch, with the approach of that instant.
         assert!((first.start - 0.25).abs() < 2e-4, "{name}: {first:?}");
-        // Moreau–Jean stepping lets columns and dampers act within the step, ωΔt = 6 %.
+        // In Moreau–Jean stepping columns and dampers act within the step, ωΔt = 6 %.
         let open = if method == MOREAU_JEAN { 0.07 } else { 1e-3 };
         assert!((first.impulse / impulse - 1.0).abs() < open, "{name}: {first:?}");
     }
-    // The motion coming from the right, they part; and shaken at once they never meet.
+    // If the motion comes from the right, they part; if both are shaken at once, they never meet.
     let away = row.clone().delayed(vec![0.1, 0.0]).expect("it is valid");
     for row in [&row, &away] {
         assert_eq!(collisions(row, EXACT, &samples, (0.01, 1.0)), []);
@@ -193,7 +194,8 @@ fn reference_grounds_that_move_apart_make_rigid_structures_touch() {
 
 #[test]
 fn reference_a_wall_moves_with_its_own_ground() {
-    // As above, with a wall on the right that is shaken later: then on the left, which the ground under the structure leaves.
+    // As above, with a wall on the right that is shaken later, then with a wall on the left, from which the ground of the structure moves
+    // away.
     let samples = [1.0; 101];
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
     let node = rigid([2e5, 2e5], law, 0.02).nodes()[0];
@@ -205,7 +207,7 @@ fn reference_a_wall_moves_with_its_own_ground() {
     let row = beside(vec![node, wall], vec![0.0, 0.1]);
     let found = collisions(&row, EXACT, &samples, (0.01, 0.9));
     let first = found.first().expect("they touch");
-    // It lags by a_g/ω², and the wall does not.
+    // The structure lags by a_g/ω², the wall does not.
     let lag = node.column.stiffness * node.inverse_mass;
     let touch = 0.25 + 1.0 / (0.1 * lag);
     assert!((first.start - touch).abs() < 1e-12, "{first:?}");
@@ -215,7 +217,7 @@ fn reference_a_wall_moves_with_its_own_ground() {
     run.expect("the run ends");
     let Impulses(impulses) = impulses;
     assert!((impulses[0] / (2e5 * 0.1) - 1.0).abs() < 1e-11);
-    // It comes to rest against the wall and is carried on: in its own frame it moves left as the wall does.
+    // The structure comes to rest against the wall and moves with it: relative to its own ground it moves left, like the wall.
     assert_eq!((impulses.len(), found.len()), (1, 1), "{found:?}");
     let (carried, _) = histories(&row, EXACT, &samples, clock(0.01, 0.9));
     for (index, state) in carried.of(0).states.iter().enumerate().skip(27) {
@@ -252,13 +254,13 @@ fn reference_the_ground_is_the_double_integral_of_the_record() {
             assert!(apart < 1e-14, "{node}, {time}: {ground:?}");
         }
     }
-    // Behind the record both grounds move at 1 m/s, a quarter of a second apart.
+    // After the record both grounds move at 1 m/s, a quarter of a second apart.
     let largest = travel.largest_opening([0, 1], 5.0);
     assert!((largest.distance - 0.25).abs() < 1e-14, "{largest:?}");
 }
 
-/// Grounds that have moved by 800 m each are 0.03 m apart: sums that are rounded lost three digits of that, and the two routes a
-/// thousand times their rounding.
+/// Grounds that have moved by 800 m each are 0.03 m apart. Rounded sums lost three digits of this distance, and the two routes differed by
+/// a thousand times their rounding.
 #[test]
 fn issue_an_opening_keeps_its_digits_where_grounds_move_far() {
     let samples = vec![1.0; 4001];
@@ -321,7 +323,7 @@ fn extreme_arrivals_that_are_none_are_refused() {
 
 #[test]
 fn limit_displacements_over_grounds_mirror() {
-    // A mirrored row under the reversed motion, arriving in the mirrored order.
+    // A mirrored row under the reversed motion, arriving in mirrored order.
     let reversed: Vec<f64> = ground().iter().map(|sample| -sample).collect();
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let arrivals = vec![0.0, 0.05, 0.12];
@@ -350,7 +352,7 @@ fn limit_displacements_over_grounds_mirror() {
 
 #[test]
 fn extreme_grounds_stay_as_far_apart_as_they_are_long_after_the_record() {
-    // The ground keeps 0.8 m/s and goes 8 km while two sites of it stay 0.1 m apart.
+    // The ground keeps 0.8 m/s and moves by 8 km while two of its sites stay 0.1 m apart.
     let samples = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
     let excitation = Excitation::new(0.1, &samples).expect("it is valid");
     let velocity = 0.8;

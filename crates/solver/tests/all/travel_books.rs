@@ -1,4 +1,4 @@
-//! The ledger of rows along which the ground motion travels: grounds that move apart do work through contact.
+//! The ledger of rows with travelling ground motion: grounds that move apart do work through contact.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Elastic, Hysteretic, Laws, Ledger, Node, Row};
@@ -26,7 +26,7 @@ fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-/// Both balances, the verdict, and that what pairs took is what floors gave.
+/// Checks both balances, the verdict, and that the energy taken by pairs is that given by floors.
 fn check(ledger: &Ledger<'_>, n_pairs: usize, what: &str) {
     assert!(ledger.identity() < 1e-11, "{what}: {:e}", ledger.identity());
     assert!(ledger.momentum() < 1e-11, "{what}: {:e}", ledger.momentum());

@@ -1,4 +1,4 @@
-//! Methods against each other under a ground motion that travels: the exact one is the limit of all others.
+//! Methods compared under a travelling ground motion: the exact method is the limit of all others.
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Elastic, Histories, Integrator, Row};
@@ -9,7 +9,7 @@ use crate::travel::{EXACT, towers};
 /// Up to the first collisions only: later ones would multiply their errors.
 const DURATION: f64 = 2.0;
 
-/// A soft pair, which overlaps for many steps: what a step makes of a stiff one is the matter of other tests.
+/// A soft pair, which overlaps for many steps. Other tests cover stiff pairs.
 fn soft() -> ContactLaw {
     ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 2e7 })
 }
@@ -26,7 +26,7 @@ fn towers_in_turn(law: ContactLaw) -> Row<Elastic> {
     row.delayed(arrivals).expect("it is valid")
 }
 
-/// The largest distance of displacements at samples of the record, relative to the largest of them.
+/// The largest distance of displacements at samples of the record, relative to the largest displacement.
 fn distance(found: &Histories, wanted: &Histories, n: usize, every: usize) -> f64 {
     let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
     for node in 0..n {

@@ -1,4 +1,4 @@
-//! What happens at t = 0, and what is refused before it.
+//! Events at t = 0, and refusals before it.
 
 use crate::towers::{self, Rayleigh};
 use crate::watch::Watch;
@@ -22,7 +22,7 @@ const EXACT: Integrator = Integrator::Exact(Exact {
     simultaneous_impacts: SimultaneousImpacts::Together,
 });
 
-/// Two structures that touch, the left one moving towards the other at 0.5 m/s and bent by 2 cm.
+/// Two structures that touch; the left one moves towards the other at 0.5 m/s and is displaced by 2 cm.
 fn row(stiffness: f64) -> Row<Elastic> {
     let left = Node {
         initial_velocity: 0.5,
@@ -57,8 +57,8 @@ fn issue_an_impact_at_the_very_start_was_left_out_of_the_balances() {
 
 #[test]
 fn issue_a_high_tower_leaves_its_standstill() {
-    // The drift of a high storey begins with a high power of time. What rounding left of the powers below it turned the storey back,
-    // or its force through zero, after 1e-24 s, and again after as long, without end.
+    // The drift of a high storey begins with a high power of time. Rounding of the lower powers turned the storey back, or its force
+    // through zero, after 1e-24 s, and again and again without end.
     // Stiffness [MN/m], yield force [MN] and hardening.
     const STOREYS: [(f64, f64, f64); 12] = [
         (186.63, 4.9348, 0.25471),
@@ -99,7 +99,7 @@ fn issue_a_high_tower_leaves_its_standstill() {
     }
 }
 
-/// A tower of five storeys whose floors begin with one velocity, with many velocities and dampings.
+/// A tower of five storeys whose floors begin with a common velocity, for many velocities and dampings.
 fn bends<Column: Hysteretic + Copy>(column: impl Fn(f64) -> Column) {
     let mut tower = [416.06, 369.86, 323.66, 277.46, 231.26]
         .map(|stiffness| (349_850.0, column(1e6 * stiffness)))
@@ -130,8 +130,8 @@ fn bends<Column: Hysteretic + Copy>(column: impl Fn(f64) -> Column) {
 
 #[test]
 fn issue_a_tower_that_moves_as_one_bends() {
-    // The drift of each storey begins with a higher power of time than that of the one below it, and what rounding left of lower powers
-    // turned it back every 1e-16 s.
+    // The drift of each storey begins with a higher power of time than that of the storey below, and rounding of lower powers turned it
+    // back every 1e-16 s.
     bends(|stiffness| Elastic { stiffness });
     for exponent in [1, 2] {
         bends(|stiffness| BoucWen {

@@ -1,4 +1,4 @@
-//! Rows without gaps beside a wall, where nothing but rounding would move structures.
+//! Rows without gaps next to a wall, in which only rounding could move structures.
 
 use std::f64::consts::PI;
 
@@ -25,7 +25,7 @@ fn collisions(nodes: &[Node<Elastic>], laws: &[ContactLaw], (step, ground): (f64
     recorder.all().to_vec()
 }
 
-/// How often each pair collides.
+/// Number of collisions of each pair.
 fn counts(nodes: &[Node<Elastic>], laws: &[ContactLaw], ground: (f64, &[f64])) -> Vec<usize> {
     let all = collisions(nodes, laws, ground);
     let of = |pair: usize| all.iter().filter(|one| one.pair == pair).count();
@@ -36,14 +36,14 @@ fn wall() -> Node<Elastic> {
     Node::wall(Elastic { stiffness: 1.0 })
 }
 
-/// A half sine of 0.4 s, by its samples.
+/// Samples of a half sine of 0.4 s.
 fn push() -> Vec<f64> {
     let sample = |n: usize| 3.0 * libm::sin(PI * n as f64 / 20.0);
     (0..20).map(sample).chain([0.0]).collect()
 }
 
-/// A push holds structures against a wall, and nothing moves. Their forces fade as the push ends; so does the difference of the
-/// forces on one that rests on both sides, and the rest ended within rounding of the sample: 1e-43 N·s, a hundred times.
+/// A push holds structures against a wall, and nothing moves. As the push ends, the forces fade, and so does the difference of the forces
+/// on a structure that rests on both sides. The rest ended within rounding of the sample: 1e-43 N·s, a hundred times.
 #[test]
 fn issue_what_a_push_holds_against_a_wall_does_not_move() {
     let at_rest = |mass: f64, period: f64| moving(mass, [period, 0.05], [0.0; 2]);
@@ -55,7 +55,7 @@ fn issue_what_a_push_holds_against_a_wall_does_not_move() {
     }
 }
 
-/// The first of them hits the second, which rests against the wall; both stand still from then on.
+/// The first structure hits the second, which rests against the wall; both then stand still.
 #[test]
 fn issue_chains_that_hit_a_wall_stand_still() {
     let hits = moving(3.66e5, [0.8, 0.02], [0.0, -0.32]);
@@ -71,7 +71,7 @@ fn issue_chains_that_hit_a_wall_stand_still() {
     assert_eq!(counts(&nodes, &[PLASTIC; 2], ground), [2, 2]);
 }
 
-/// A structure comes to the wall at a sample of the record, to the last bit.
+/// A structure reaches the wall exactly at a sample of the record.
 #[test]
 fn issue_what_hits_a_wall_at_a_sample_stands_still() {
     let period = 0.154_868_210_286_883_66;
@@ -90,11 +90,11 @@ fn issue_a_rest_is_one_collision_though_its_force_touches_zero() {
         panic!("{found:?}");
     };
     assert!((one.end - 0.14).abs() < 1e-15, "{one:?}");
-    // Of 1e5 kg: the area of the record.
+    // Impulse for 1e5 kg: the area of the record.
     assert!((one.impulse - 15e3).abs() < 1e-9, "{one:?}");
 }
 
-/// Where a compliant and an impulsive pair touch at one instant, it does not matter which is on the left.
+/// If a compliant and an impulsive pair touch at an instant, their order must not matter.
 #[test]
 fn limit_a_row_with_both_kinds_of_contact_may_be_mirrored() {
     let kelvin = ContactLaw::KelvinVoigt(KelvinVoigt {

@@ -1,4 +1,4 @@
-//! Runs whose recorder is known at run time alone: every type of recorder would compile all methods for all columns anew.
+//! Runs whose recorder is known only at run time: otherwise every type of recorder would compile all methods for all columns.
 use pounding_solver::{Clock, Excitation, Hysteretic, Impact, Integrator, Recorder, Row, RunError, Span, Touch, Work};
 
 /// Any recorder.

@@ -1,20 +1,20 @@
-//! Mean and deviation of numbers, as whole numbers of any length give them: rounded once.
+//! Mean and deviation of numbers by integers of any length, rounded once.
 
 use num_bigint::{BigInt, BigUint};
 
 use super::octaves::{Octave, Octaves};
 
-/// Numbers are whole multiples of 2 to this power, squares of 2 to twice this.
+/// Exponent of the unit: numbers are whole multiples of 2 to this power, squares of 2 to twice this power.
 const LEAST_EXPONENT: i64 = -1074;
-/// The bit that stands before the fraction of a number that has an exponent.
+/// The bit before the fraction of a normal number.
 const LEADING: u128 = 1 << 52;
 
 /// Sums of numbers and of their squares.
 pub(super) struct Sums {
     count: u64,
-    /// In multiples of the least number.
+    /// Sum in multiples of the unit.
     sum: BigInt,
-    /// In multiples of its square.
+    /// Sum of squares in multiples of the squared unit.
     squares: BigUint,
 }
 
@@ -33,7 +33,7 @@ impl Sums {
 
     fn add(&mut self, is_negative: bool, exponent: u32, octave: &Octave) {
         let count = octave.count();
-        // Numbers of the least exponent have no leading bit.
+        // Subnormal numbers have no leading bit.
         let leading = if exponent == 0 { 0 } else { LEADING };
         let shift = exponent.max(1) - 1;
         let fractions = BigUint::from(octave.sum);
@@ -53,14 +53,14 @@ impl Sums {
         (&self.sum, &self.squares)
     }
 
-    /// The mean; nothing of no numbers.
+    /// The mean; `None` without numbers.
     pub(super) fn mean(&self) -> Option<f64> {
         let (mean, exponent) = rounded(self.sum.magnitude(), &self.count.into())?;
         let mean = scaled(mean, exponent + LEAST_EXPONENT);
         Some(if self.sum < BigInt::default() { -mean } else { mean })
     }
 
-    /// The standard deviation, with n − 1; nothing of fewer than two numbers.
+    /// The standard deviation, with n − 1; `None` for fewer than two numbers.
     pub(super) fn deviation(&self) -> Option<f64> {
         let n = BigUint::from(self.count);
         let sum = self.sum.magnitude();
@@ -68,14 +68,14 @@ impl Sums {
         let scatter = &n * &self.squares - sum * sum;
         let divisor = &n * BigUint::from(self.count.checked_sub(1)?);
         let (variance, exponent) = rounded(&scatter, &divisor)?;
-        // The root of an even power of two is one.
+        // The root of an even power of two is a power of two.
         let odd = exponent.rem_euclid(2);
         let variance = scaled(variance, odd);
         Some(scaled(variance.sqrt(), (exponent - odd) / 2 + LEAST_EXPONENT))
     }
 }
 
-/// A quotient to 53 bits, and the power of two by which it is to be multiplied; nothing where it divides by zero.
+/// A quotient to 53 bits, and the power of two by which to multiply it; `None` for a division by zero.
 fn rounded(number: &BigUint, by: &BigUint) -> Option<(f64, i64)> {
     if *by == BigUint::default() {
         return None;
@@ -88,7 +88,7 @@ fn rounded(number: &BigUint, by: &BigUint) -> Option<(f64, i64)> {
     let quotient = &number / &by;
     let is_exact = &quotient * &by == number;
     let digits = u64::try_from(quotient).expect("at most 64 bits");
-    // What is left over decides a tie, no more.
+    // The remainder only decides ties.
     Some(((digits | u64::from(!is_exact)) as f64, -shift))
 }
 

@@ -1,10 +1,10 @@
-//! Of what a summary is made: cells and columns, so that folders of parts tell it without the sweep.
+//! The form of a summary: cells and columns. Folders of parts store it, so that they do not need the sweep.
 
 use serde::{Deserialize, Serialize};
 
 use crate::summary_file::{Summary, SummaryError};
 
-/// Most cells: each holds some fifteen kilobytes for each of its columns.
+/// Most cells: each holds about fifteen kilobytes for each of its columns.
 const MOST_CELLS: u64 = 1000;
 
 /// The cells and columns of a summary.
@@ -23,43 +23,43 @@ pub(crate) struct Form {
 pub(super) struct Listed {
     /// Name of their column.
     pub(super) name: String,
-    /// How many there are.
+    /// Number of values.
     pub(super) count: u64,
-    /// How many runs have the same one before the next comes.
+    /// Number of successive runs with a value.
     pub(super) runs: u64,
 }
 
-/// What cells differ in: one of several values that take turns.
+/// An axis of cells: several values that take turns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct By {
     /// Name of its column.
     pub(super) name: String,
-    /// Its values, as tables say them.
+    /// Its values, as in tables.
     pub(super) values: Vec<String>,
-    /// How many runs have the same one before the next comes.
+    /// Number of successive runs with a value.
     pub(super) runs: u64,
 }
 
-/// A column that is summed up.
+/// A summarised column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Summed {
     /// Its name.
     pub(super) name: String,
-    /// Of what it is a number, as files spell it.
+    /// Its quantity, as in files.
     pub(super) quantity: String,
-    /// Whether its sign is no more than a direction, and its magnitude counts.
+    /// Whether its sign is only a direction, so that its magnitude counts.
     pub(super) is_peak: bool,
-    /// Numbers above which runs are counted, in rising order.
+    /// Thresholds for the number of runs above them, in ascending order.
     pub(super) thresholds: Vec<f64>,
 }
 
 impl Form {
-    /// Of a sweep in which these values take turns, each a text by name and place, and with these columns without thresholds.
+    /// The form for a sweep with these values, each a text by name and index, and with these columns without thresholds.
     ///
     /// # Errors
-    /// What of the words does not fit them.
+    /// The words that do not fit.
     pub(super) fn of(
         words: &Summary,
         (listed, value): (&[Listed], impl Fn(&str, u64) -> String),
@@ -90,13 +90,13 @@ impl Form {
         })
     }
 
-    /// The first run behind this one that may have another cell; nothing where all have the same.
+    /// The first later run that may have another cell; `None` if all have this cell.
     pub(super) fn next_cell(&self, run: u64) -> Option<u64> {
         let runs = self.by.iter().map(|by| by.runs).min()?;
         Some((run / runs + 1) * runs)
     }
 
-    /// What a cell has of everything in which cells differ.
+    /// The value of a cell on every axis.
     pub(super) fn values_of(&self, cell: u64) -> Vec<&str> {
         let mut rest = cell;
         let mut values: Vec<&str> = Vec::with_capacity(self.by.len());
@@ -111,7 +111,7 @@ impl Form {
     }
 }
 
-/// Those of what takes turns that make cells.
+/// The values that make cells.
 fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, SummaryError> {
     let mut chosen: Vec<&Listed> = Vec::new();
     for found in by {

@@ -1,4 +1,4 @@
-//! Runs summed up in place of a row for each: counts, sums, quantiles and exceedances, the same bytes whatever the order.
+//! Summaries of runs instead of rows: counts, sums, quantiles and exceedances, with equal bytes for any order of runs.
 
 mod exact;
 mod form;

@@ -1,17 +1,16 @@
-//! Numbers by their size: exact counts and sums that no order of adding changes.
+//! Numbers by their size: exact counts and sums, independent of the order of addition.
 //!
-//! The bits of a number are its place. Its sign and exponent name an octave, the first six bits of its fraction one of 64 bins in it, so
-//! no logarithm is taken, and no machine puts a number elsewhere. All that is kept are whole numbers: they add up to the same whatever
-//! the order.
+//! The bits of a number give its place. Its sign and exponent give an octave, the first six bits of its fraction one of 64 bins in the
+//! octave. No logarithm is needed, and all machines agree. All stored values are whole numbers, whose sums do not depend on the order.
 //!
-//! Our own: `xsum` sums exactly, but gives nobody its state to keep or to merge; sketches of quantiles (`sketches-ddsketch`) take the
-//! logarithm of the platform, and give up bins in the order in which they come.
+//! Own code: `xsum` sums exactly, but its state cannot be stored or merged. Sketches of quantiles (`sketches-ddsketch`) take the logarithm
+//! of the platform, and drop bins in the order of their arrival.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// Bits of the fraction that choose a bin: its middle is no further off than half its width, 1/128 of the number.
+/// Bits of the fraction that choose a bin: its middle is at most half its width, 1/128 of the number, away.
 const BIN_BITS: u32 = 6;
 /// Bins of an octave.
 const BINS: usize = 1 << BIN_BITS;
@@ -25,18 +24,18 @@ const NEGATIVE: u16 = 1 << 11;
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Octaves(BTreeMap<u16, Box<Octave>>);
 
-/// The numbers of one sign between two powers of two, by the 52 bits of their fractions.
+/// The numbers of a sign between two powers of two, by the 52 bits of their fractions.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(into = "Kept", try_from = "Kept")]
 pub(super) struct Octave {
     /// Sum of the fractions.
     pub(super) sum: u128,
-    /// Sum of their squares, and how often 2¹²⁸ of it was carried.
+    /// Sum of their squares, and number of carries of 2¹²⁸.
     pub(super) squares: (u128, u64),
     bins: [Bin; BINS],
 }
 
-/// The numbers of a bin: how many, and the least and the largest fraction.
+/// The numbers of a bin: their number, and the smallest and the largest fraction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Bin {
     count: u64,
@@ -99,7 +98,7 @@ fn bin_of(fraction: u64) -> usize {
     usize::try_from(fraction >> (FRACTION_BITS - BIN_BITS)).expect("a fraction has 52 bits")
 }
 
-/// An octave as a file keeps it: bins that have numbers alone, each as its place, count, least and largest fraction.
+/// An octave as stored in a file: only bins with numbers, each with its place, count, smallest and largest fraction.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Kept {
@@ -137,11 +136,11 @@ impl TryFrom<Kept> for Octave {
     }
 }
 
-/// Numbers that lie in one bin.
+/// Numbers in a bin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Filled {
     pub(super) count: u64,
-    /// The least and the largest of them.
+    /// The smallest and the largest number.
     pub(super) least: f64,
     pub(super) largest: f64,
 }
@@ -165,18 +164,18 @@ impl Octaves {
         octave.or_insert_with(|| Box::new(Octave::EMPTY))
     }
 
-    /// How many numbers there are.
+    /// Number of numbers.
     pub(super) fn count(&self) -> u64 {
         self.0.values().map(|octave| octave.count()).sum()
     }
 
-    /// The octaves: whether their numbers are negative, the exponent that their bits hold, and what is kept of them.
+    /// The octaves: whether their numbers are negative, their exponent bits, and their contents.
     pub(super) fn each(&self) -> impl Iterator<Item = (bool, u32, &Octave)> {
         let octaves = self.0.iter();
         octaves.map(|(key, octave)| (key & NEGATIVE != 0, u32::from(key & !NEGATIVE), &**octave))
     }
 
-    /// Bins that have numbers, in rising order.
+    /// Bins with numbers, in ascending order.
     pub(super) fn filled(&self) -> impl Iterator<Item = Filled> {
         let negative = self.0.range(NEGATIVE..).rev();
         let negative = negative.flat_map(|(key, octave)| {
@@ -190,7 +189,7 @@ impl Octaves {
         negative.chain(positive).filter(|bin| bin.count > 0)
     }
 
-    /// The least and the largest number; nothing of none.
+    /// The smallest and the largest number; `None` without numbers.
     pub(super) fn ends(&self) -> Option<(f64, f64)> {
         let mut filled = self.filled();
         let first = filled.next()?;
@@ -198,7 +197,7 @@ impl Octaves {
         Some((first.least, last.largest))
     }
 
-    /// Bounds of the least number that at least this part of all, 0 to 1, do not exceed; nothing of none.
+    /// Bounds of the smallest number that at least this part of all numbers, 0 to 1, do not exceed; `None` without numbers.
     pub(super) fn quantile(&self, part: f64) -> Option<(f64, f64)> {
         let wanted = part * self.count() as f64;
         let mut below = 0;
@@ -208,7 +207,7 @@ impl Octaves {
             if (below as f64) < wanted {
                 return None;
             }
-            // Whichever of the bin it is: its first is the least, and its last the largest.
+            // The first number of the bin is the smallest, and its last the largest.
             if first as f64 >= wanted {
                 Some((bin.least, bin.least))
             } else if ((below - 1) as f64) < wanted {
@@ -219,8 +218,8 @@ impl Octaves {
         })
     }
 
-    /// Counts over eighths of octaves, in rising order, of those that have numbers: bounds towards and away from zero, and the count. What
-    /// is too small for an octave is one bar, and has no width where all of it is zero.
+    /// Counts over eighths of octaves, in ascending order, without empty bars: bounds towards and away from zero, and the count. Numbers
+    /// too small for an octave form a single bar, without width if all are zero.
     pub(super) fn histogram(&self) -> Vec<(f64, f64, u64)> {
         let mut bars: Vec<(f64, f64, u64)> = Vec::new();
         for bin in self.filled() {
@@ -239,7 +238,7 @@ impl Octaves {
     }
 }
 
-/// Bounds, towards and away from zero, of the bar in which a bin lies.
+/// Bounds, towards and away from zero, of the bar that contains a bin.
 fn bar_of(bin: &Filled) -> [f64; 2] {
     const STEP: u64 = 1 << (FRACTION_BITS - 3);
     let furthest = bin.least.abs().max(bin.largest.abs());

@@ -1,4 +1,4 @@
-//! The summary of a sweep: what it is made of, and its runs summed up.
+//! The summary of a sweep: its form, and its runs summed up.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use crate::summary_file::Summary;
 use crate::{Sweep, SweepError};
 
 impl Sweep {
-    /// Of what a summary in these words is made, where each record shakes in so many directions.
+    /// The form of a summary in these words, if each record shakes in this many directions.
     pub(crate) fn form(&self, words: &Summary, n_directions: usize) -> Result<Form, SweepError> {
         let (listed, axes) = (self.listed(n_directions), self.plan.axes());
         let value = |name: &str, place: u64| {
@@ -25,7 +25,7 @@ impl Sweep {
         Ok(Form::of(words, (&listed, value), self.summed_columns())?)
     }
 
-    /// What cells may differ in: the motion, and everything with values that can be listed.
+    /// Possible axes of cells: the motion, and every field with a list of values.
     fn listed(&self, n_directions: usize) -> Vec<Listed> {
         let n_directions = n_directions as u64;
         let n_motions = self.motions.all.len() as u64;
@@ -62,8 +62,8 @@ impl Sweep {
         summed.collect()
     }
 
-    /// Runs a range of runs, so many at a time, and sums them up; nothing where somebody says stop before they are done. `done` is told
-    /// how many runs each time were.
+    /// Runs a range of runs, some at a time, and sums them up; `None` if stopped before the end. `done` receives the number of runs each
+    /// time.
     pub(crate) fn summed_up(&self, form: &Form, (runs, at_a_time): (Range<u64>, u64), done: &(dyn Fn(u64) + Sync)) -> Option<Tally> {
         let mut tally = Tally::default();
         let mut run = runs.start;
@@ -77,6 +77,6 @@ impl Sweep {
     }
 }
 
-/// Names of what motions differ in, as columns have them.
+/// Names of the axes of motions, as in columns.
 const RECORD: &str = "record";
 const REVERSED: &str = "reversed";

@@ -1,4 +1,4 @@
-//! What is told of runs that were summed up: a tidy table, and a few numbers of it for people.
+//! Output of a summary: a tidy table, and a few numbers for people.
 
 use pounding_scene::wilson;
 use pounding_text::{Cell, csv_text};
@@ -10,9 +10,9 @@ use super::tally::{CellTally, ColumnTally, Tally};
 use crate::column::SweepColumn;
 use crate::output::is_of_all;
 
-/// Names of the columns behind those that tell cells apart.
+/// Names of the columns after those that identify cells.
 const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
-/// What stands in `column` where runs are counted.
+/// Value of `column` for counts of runs.
 const RUN: &str = "run";
 
 /// A summary of runs.
@@ -25,7 +25,7 @@ pub struct SummaryTable {
 /// A cell, for people.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummedCell {
-    /// Its values of everything in which cells differ.
+    /// Its value on every axis.
     pub name: String,
     /// Every column.
     pub columns: Vec<SummedColumn>,
@@ -34,32 +34,32 @@ pub struct SummedCell {
 /// A column of a cell, or of all cells together, for people.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummedColumn {
-    /// Its name, in `abs(…)` where magnitudes are summed up.
+    /// Its name, in `abs(…)` if magnitudes are summed up.
     pub name: String,
-    /// Runs that have such a number.
+    /// Number of runs that have this number.
     pub numbers: u64,
-    /// Mean; `None` of no numbers.
+    /// Mean; `None` without numbers.
     pub mean: Option<f64>,
-    /// Standard deviation, with n − 1; `None` of fewer than two numbers.
+    /// Standard deviation, with n − 1; `None` for fewer than two numbers.
     pub standard_deviation: Option<f64>,
-    /// Bounds of the number that half of the numbers do not exceed.
+    /// Bounds of the median.
     pub median: Option<(f64, f64)>,
-    /// Bounds of the number that 84 % of the numbers do not exceed.
+    /// Bounds of the 84 % quantile.
     pub p84: Option<(f64, f64)>,
     /// The largest number.
     pub largest: Option<f64>,
-    /// How probable each threshold's exceedance is.
+    /// Probability of exceedance of each threshold.
     pub exceedances: Vec<Exceedance>,
 }
 
-/// How often a threshold was exceeded.
+/// Exceedance of a threshold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exceedance {
     /// The threshold, in the unit of its column.
     pub threshold: f64,
-    /// Share of the runs that did not fail \[–\].
+    /// Part of the runs that succeeded \[–\].
     pub probability: f64,
-    /// The 95 % bounds of the probability, of runs that are independent \[–\].
+    /// 95 % bounds of the probability for independent runs \[–\].
     pub bounds: (f64, f64),
 }
 
@@ -90,7 +90,7 @@ impl SummaryTable {
         csv_text(&header, rows)
     }
 
-    /// The same as columns.
+    /// The table as columns.
     pub(crate) fn columns(&self) -> Vec<(String, SweepColumn)> {
         let n_cells = self.form.by.len();
         let mut texts: Vec<Vec<Option<String>>> = vec![Vec::new(); n_cells + 2];
@@ -135,7 +135,7 @@ impl SummaryTable {
         })
     }
 
-    /// Of every column whether some run has the number.
+    /// For every column, whether any run has the number.
     fn known(&self) -> Vec<bool> {
         let has_numbers = |column: usize| {
             let mut cells = self.tally.cells.values();
@@ -144,14 +144,14 @@ impl SummaryTable {
         (0..self.form.columns.len()).map(has_numbers).collect()
     }
 
-    /// Names of the columns of which thresholds are asked for and no run has a number.
+    /// Names of the columns with thresholds for which no run has a number.
     pub fn without_numbers(&self) -> Vec<String> {
         let columns = self.form.columns.iter().zip(self.known());
         let columns = columns.filter(|(of, is_known)| !is_known && !of.thresholds.is_empty());
         columns.map(|(of, _)| name_of(of)).collect()
     }
 
-    /// Whether some column is of a whole building or of two neighbours.
+    /// Whether any column belongs to a whole building or to two neighbours.
     pub fn has_whole_buildings(&self) -> bool {
         self.form.columns.iter().any(|of| is_of_all(&of.name))
     }
@@ -195,28 +195,28 @@ impl SummaryTable {
         }
     }
 
-    /// Number of runs that were summed up.
+    /// Number of summarised runs.
     pub fn n_runs(&self) -> u64 {
         self.tally.cells.values().map(|cell| cell.runs).sum()
     }
 
-    /// Number of them that failed.
+    /// Number of failed runs.
     pub fn n_failed(&self) -> u64 {
         self.tally.n_failed()
     }
 
-    /// Number of cells that have runs.
+    /// Number of cells with runs.
     pub fn n_cells(&self) -> usize {
         self.tally.cells.len()
     }
 
-    /// In what cells differ.
+    /// Names of the axes of cells.
     pub fn by(&self) -> String {
         let names: Vec<_> = self.form.by.iter().map(|by| by.name.as_str()).collect();
         names.join(", ")
     }
 
-    /// Every cell that has runs.
+    /// Every cell with runs.
     pub fn cells(&self) -> Vec<SummedCell> {
         let cells = self.tally.cells.iter().map(|(cell, tally)| SummedCell {
             name: self.form.values_of(*cell).join(", "),
@@ -255,7 +255,7 @@ impl SummaryTable {
     }
 }
 
-/// How many runs a cell has, and how they went.
+/// Number of runs of a cell, and their results.
 fn of_runs(cell: &CellTally) -> Vec<Line> {
     let counts = [
         ("runs", cell.runs),
@@ -274,8 +274,8 @@ fn of_runs(cell: &CellTally) -> Vec<Line> {
     counts.map(line).into()
 }
 
-/// How often each threshold was exceeded; a run without the number does not. Nothing where no run of the sweep has one, or all of the
-/// cell failed.
+/// Exceedances of each threshold; a run without the number does not exceed it. Empty if no run of the sweep has the number, or all runs of
+/// the cell failed.
 fn exceedances((cell, is_known): (&CellTally, bool), of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
     let runs = cell.runs - cell.failed;
     if !is_known || runs == 0 {
@@ -298,7 +298,7 @@ fn name_of(column: &Summed) -> String {
     }
 }
 
-/// The middle of bounds; the number itself where they are the same.
+/// The middle of bounds; the number itself if both are equal.
 pub(crate) fn middle((low, high): (f64, f64)) -> f64 {
     low + 0.5 * (high - low)
 }

@@ -1,4 +1,4 @@
-//! What is kept of runs that are summed up, cell by cell; tallies merge to the same whatever the order.
+//! Stored sums of runs, cell by cell. Merged tallies do not depend on the order.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,15 +10,15 @@ use super::octaves::Octaves;
 use crate::batch::Batch;
 use crate::checked::Checked;
 
-/// Of so many runs that failed the reason is kept.
+/// Number of failed runs whose reason is stored.
 const MOST_REASONS: usize = 3;
 
-/// Runs that are summed up.
+/// Summarised runs.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Tally {
     pub(super) cells: BTreeMap<u64, CellTally>,
-    /// Why the first runs failed that did.
+    /// Reasons of the first failed runs.
     pub(super) reasons: BTreeMap<u64, String>,
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct Tally {
 pub(super) struct CellTally {
     pub(super) runs: u64,
     pub(super) failed: u64,
-    /// How they were held to the laws of mechanics: as many by their ledger, beside others, and by both.
+    /// Numbers of runs checked by their ledger, in lanes, and by both.
     pub(super) ledger: u64,
     pub(super) beside: u64,
     pub(super) both: u64,
@@ -39,7 +39,7 @@ pub(super) struct CellTally {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ColumnTally {
-    /// How many are above each threshold.
+    /// Number of values above each threshold.
     pub(super) above: Vec<u64>,
     pub(super) numbers: Octaves,
 }
@@ -70,7 +70,7 @@ impl Tally {
         }
     }
 
-    /// Adds runs by their rows; false where these are none of this form.
+    /// Adds runs from their rows; false if these do not fit this form.
     pub(crate) fn add_rows(&mut self, form: &Form, runs: Range<u64>, rows: &[u8]) -> bool {
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.has_headers(false).from_reader(rows);
@@ -84,7 +84,7 @@ impl Tally {
     }
 
     fn add_row(&mut self, form: &Form, run: u64, row: &csv::StringRecord) -> bool {
-        // Behind the numbers a row tells how it was checked and why it failed.
+        // After the numbers a row has its kind of check and its reason of failure.
         let Some(first) = row.len().checked_sub(form.columns.len() + 2) else {
             return false;
         };
@@ -121,7 +121,7 @@ impl Tally {
         }
     }
 
-    /// Adds what another one has.
+    /// Adds another tally.
     pub(crate) fn merge(&mut self, other: &Self) {
         for (number, cell) in &other.cells {
             match self.cells.get_mut(number) {
@@ -149,14 +149,14 @@ impl Tally {
         whole
     }
 
-    /// A line of JSON, whose numbers are whole.
+    /// The tally as a line of JSON with whole numbers.
     pub(crate) fn line(&self) -> String {
         let mut line = serde_json::to_string(self).expect("counts and texts are JSON");
         line.push('\n');
         line
     }
 
-    /// That of a line; nothing where it is none of this form.
+    /// The tally of a line; `None` if it does not fit this form.
     pub(crate) fn of_line(form: &Form, line: &[u8]) -> Option<Self> {
         let tally: Self = serde_json::from_slice(line).ok()?;
         let fits = |cell: &CellTally| {
@@ -206,7 +206,7 @@ impl CellTally {
 }
 
 impl ColumnTally {
-    /// Adds numbers; what is not finite is none.
+    /// Adds numbers; non-finite ones are ignored.
     fn add(&mut self, of: &Summed, numbers: &[f64]) {
         for number in numbers.iter().filter(|number| number.is_finite()) {
             let number = if of.is_peak { number.abs() } else { *number };

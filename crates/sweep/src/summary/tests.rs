@@ -1,4 +1,4 @@
-//! Runs summed up in any parts and any order, held to what their numbers say one by one.
+//! Summaries of runs in any parts and any order, compared with their single numbers.
 
 use num_bigint::{BigInt, BigUint};
 use pounding_scene::Distribution;
@@ -12,10 +12,10 @@ use super::tally::Tally;
 use crate::batch::Batch;
 use crate::checked::Checked;
 
-/// Largest relative error of a quantile that is promised \[–\]: half the width of a bin.
+/// Largest promised relative error of a quantile \[–\]: half the width of a bin.
 const BIN_ERROR: f64 = 1.0 / 128.0;
 
-/// Two columns, of which the first is one of peaks; runs alternate between two cells by threes.
+/// Two columns, the first for peaks; runs alternate between two cells by threes.
 fn form(thresholds: &[f64]) -> Form {
     let column = |name: &str, is_peak, thresholds: &[f64]| Summed {
         name: name.into(),
@@ -35,7 +35,7 @@ fn form(thresholds: &[f64]) -> Form {
     }
 }
 
-/// Runs with these numbers; NaN of the first column is a run that failed.
+/// Runs with these numbers; NaN in the first column is a failed run.
 fn batch(start: u64, numbers: &[[f64; 2]]) -> Batch {
     let column = |column: usize| numbers.iter().map(|both| both[column]).collect();
     let is_failed = |both: &[f64; 2]| both[0].is_nan();
@@ -51,7 +51,7 @@ fn batch(start: u64, numbers: &[[f64; 2]]) -> Batch {
     batch
 }
 
-/// Numbers of all sizes, some equal, some that are none.
+/// Numbers of all sizes, some equal, some NaN.
 fn numbers() -> impl Strategy<Value = Vec<[f64; 2]>> {
     let number = prop_oneof![
         4 => -10.0..10.0,
@@ -73,7 +73,7 @@ fn added(numbers: &[f64]) -> Octaves {
     all
 }
 
-/// A number as a whole multiple of the least one, found with its digits.
+/// A number as a whole multiple of the smallest number, from its digits.
 fn whole(number: f64) -> BigInt {
     let bits = number.abs().to_bits();
     let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
@@ -83,7 +83,7 @@ fn whole(number: f64) -> BigInt {
 }
 
 proptest! {
-    /// Cut anywhere, merged in any order, kept as text on the way: the same table.
+    /// Cut anywhere, merged in any order, stored as text in between: an equal table.
     #[test]
     fn limit_the_same_bytes_however_runs_are_cut(
         numbers in numbers(),
@@ -115,7 +115,7 @@ proptest! {
         prop_assert_eq!(table(merged), table(at_once));
     }
 
-    /// Counts, ends and thresholds to the last one, quantiles within their bounds, and these within what is promised.
+    /// Counts, ends and thresholds are exact, quantiles are within their bounds, and the bounds within the promised error.
     #[test]
     fn reference_a_summary_is_what_the_numbers_say(numbers in numbers()) {
         let form = form(&[-1.0, 0.5, 3.0]);
@@ -137,7 +137,7 @@ proptest! {
             let bars = column.numbers.histogram();
             for (near, far, count) in &bars {
                 let ends = if near.total_cmp(far).is_gt() { [far, near] } else { [near, far] };
-                // The bound towards zero is in the bar, the other one is not.
+                // The bound towards zero belongs to the bar, the other bound does not.
                 let is_in = |number: &&f64| {
                     let at_far = number.total_cmp(far).is_eq() && near.total_cmp(far).is_ne();
                     number.total_cmp(ends[0]).is_ge() && number.total_cmp(ends[1]).is_le() && !at_far
@@ -161,7 +161,7 @@ proptest! {
         }
     }
 
-    /// Sums are exact: digit by digit those of the numbers one by one.
+    /// Sums are exact, digit by digit.
     #[test]
     fn reference_sums_to_the_last_digit(numbers in prop::collection::vec(prop::num::f64::ANY, 0..100)) {
         let finite: Vec<f64> = numbers.into_iter().filter(|number| number.is_finite()).collect();
@@ -173,7 +173,7 @@ proptest! {
         prop_assert_eq!(squares, wanted.magnitude() as &BigUint);
     }
 
-    /// Mean and deviation of whole numbers, whose sums 128 bits hold.
+    /// Mean and deviation of whole numbers whose sums fit into 128 bits.
     #[test]
     fn reference_mean_and_deviation(
         whole in prop::collection::vec(-1_000_000_i64..1_000_000, 2..100),
@@ -193,7 +193,7 @@ proptest! {
     }
 }
 
-/// A large mean does not hide a small scatter, as it does in sums of 53 bits.
+/// A large mean does not hide a small scatter, unlike sums of 53 bits.
 #[test]
 fn extreme_the_scatter_of_numbers_far_from_zero() {
     let numbers = [1e15 + 1.0, 1e15 + 2.0, 1e15 + 3.0];
@@ -206,7 +206,7 @@ fn extreme_the_scatter_of_numbers_far_from_zero() {
     assert_eq!(Sums::of(&added(&[1.0, 1.0])).deviation(), Some(0.0));
 }
 
-/// Bars of the histogram: eighths of octaves, zeros by themselves.
+/// Bars of the histogram: eighths of octaves, and zeros separately.
 #[test]
 fn reference_bars_of_a_histogram() {
     let bars = added(&[0.0, -0.0, 1.0, 1.1, 1.125, 2.0, -3.0]).histogram();
@@ -214,7 +214,7 @@ fn reference_bars_of_a_histogram() {
     assert_eq!(bars, wanted);
 }
 
-/// Rows that are no rows of this form are none.
+/// Rows of another form are refused.
 #[test]
 fn extreme_rows_of_another_form() {
     let form = form(&[]);

@@ -1,4 +1,4 @@
-//! Sweeps whose scene asks for an accuracy: which method they choose, and what they say of it.
+//! Sweeps whose scene requests an accuracy: the chosen method, and the reported errors.
 
 use pounding_scene::Method;
 use pounding_sweep::{Sweep, SweepError};
@@ -17,7 +17,7 @@ fn with_periods(scene: &Value) -> Value {
     })
 }
 
-/// What an accuracy chooses is what one would write by hand, and it is measured.
+/// An accuracy chooses a method that one could write by hand, and measures it.
 #[test]
 fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     let folder = folder("accuracy");
@@ -33,7 +33,7 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     assert!(accuracy.within > 0.8, "{accuracy:?}");
     let by_hand = sweep(&folder, &words(json!(accuracy.method)));
     assert_eq!(table(&chosen, 0..300), table(&by_hand, 0..300));
-    // The exact runs of all rows tell the same of the part that is within.
+    // Exact runs of all rows give the same part within the error.
     let exact = table(&sweep(&folder, &words(json!("exact"))), 0..300);
     let numbers = |row: &[String]| {
         let numbers = row[4..7].iter().map(|field| field.parse().unwrap_or(f64::NAN));
@@ -47,14 +47,14 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     let rows = table(&by_hand, 0..300);
     let within = rows.iter().zip(&exact).filter(within).count() as f64 / 300.0;
     assert!((within - accuracy.within).abs() < 0.08, "{within} {accuracy:?}");
-    // No step of the ladder is as close as that, and columns that yield go alone.
+    // No step of the ladder is this accurate, and columns that yield run alone.
     let exact = sweep(&folder, &words(json!({"accuracy": 1e-7})));
     let accuracy = exact.accuracy().expect("it was asked for");
     assert_eq!(accuracy.method.name(), "exact");
     assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
 }
 
-/// Impacts at the ends of steps need steps so short that the exact method costs less.
+/// Impacts at the ends of steps need such short steps that the exact method costs less.
 #[test]
 fn reference_impacts_are_left_to_the_exact_method() {
     let folder = folder("accuracy_impacts");
@@ -67,7 +67,7 @@ fn reference_impacts_are_left_to_the_exact_method() {
     let chosen = sweep(&folder, &words(json!({"accuracy": 0.002})));
     let accuracy = chosen.accuracy().expect("it was asked for");
     assert_eq!(accuracy.method.name(), "exact");
-    // Shaken in two directions the rows are those of runs alone.
+    // Shaken in two directions, the rows are those of runs alone.
     let mut both = words(json!({"central_difference": {"time_step_s": 0.005}}));
     both["directions"] = json!("both");
     let beside = sweep(&folder, &both);
@@ -82,7 +82,7 @@ fn reference_impacts_are_left_to_the_exact_method() {
     assert_eq!(numbers(&beside), numbers(&alone));
 }
 
-/// Where no step is close enough, elastic structures go side by side by the exact method.
+/// If no step is accurate enough, elastic structures run in lanes by the exact method.
 #[test]
 fn reference_a_fine_accuracy_is_met_side_by_side() {
     let folder = folder("accuracy_beside");
@@ -101,11 +101,11 @@ fn reference_a_fine_accuracy_is_met_side_by_side() {
     assert_eq!(accuracy.method, wanted);
     let [_, _, p95, _] = accuracy.rows.quantiles;
     assert!(p95 < 1e-7 && accuracy.rows.largest > 0.0, "{accuracy:?}");
-    // What is told of a run does not depend on those that it goes beside.
+    // Results of a run do not depend on the other runs in lanes.
     let batch = flown.batch(0..300);
     assert!(batch.beside > 290, "{}", batch.beside);
     assert_eq!(table(&flown, 0..300)[131..150], table(&flown, 131..150));
-    // Nothing but the exact method alone is as close as this.
+    // Only the exact method alone is this accurate.
     let alone = chosen(1e-15);
     let accuracy = alone.accuracy().expect("it was asked for");
     assert_eq!(accuracy.method, Method::EXACT);
@@ -126,7 +126,7 @@ fn extreme_a_method_that_is_chosen_does_not_vary() {
     assert!(text.contains("asks for an accuracy"), "{text}");
 }
 
-/// A stop while a method was chosen ended the program without a word.
+/// A stop while a method was chosen ended the program silently.
 #[test]
 fn issue_a_stop_while_a_method_is_chosen_is_told() {
     let mut scene = scene();
@@ -137,8 +137,8 @@ fn issue_a_stop_while_a_method_is_chosen_is_told() {
     assert!(matches!(refused, SweepError::Stopped), "{refused}");
 }
 
-/// Steps were chosen that cost more than exact runs, after a search that cost more still; fewer runs than measure a method have
-/// no use for another than the exact one.
+/// The chosen steps cost more than exact runs, after a search that cost even more. If there are fewer runs than measure a method, only the
+/// exact method is useful.
 #[test]
 fn issue_the_exact_method_is_chosen_where_it_costs_less() {
     let folder = folder("accuracy_prices");
@@ -157,7 +157,7 @@ fn issue_the_exact_method_is_chosen_where_it_costs_less() {
         let accuracy = sweep.accuracy().expect("it was asked for").clone();
         (accuracy.method, accuracy.rows.runs)
     };
-    // Elastic structures with impacts are run exactly as fast as with steps of some milliseconds.
+    // Elastic structures with impacts run exactly as fast as with steps of some milliseconds.
     for count in [190, 300] {
         assert_eq!(chosen(count), (Method::EXACT, 0));
     }

@@ -1,4 +1,4 @@
-//! Why runs go alone, in the words of the program.
+//! Reasons why runs must run alone, as reported by the program.
 
 use serde_json::{Value, json};
 
@@ -13,7 +13,7 @@ fn elastic(method: Value) -> Value {
     scene
 }
 
-/// A scene with a field set.
+/// A scene with a changed field.
 fn with(mut scene: Value, place: &str, value: Value) -> Value {
     let (above, field) = place.rsplit_once('/').expect("a place");
     scene.pointer_mut(above).expect("a table")[field] = value;
@@ -24,7 +24,7 @@ fn stepping(name: &str) -> Value {
     json!({(name): {"time_step_s": 0.001}})
 }
 
-/// Scenes with what is said of them, nothing of those that go side by side.
+/// Scenes with the reported reason; `None` if they run in lanes.
 fn scenes() -> [(Option<&'static str>, Value); 12] {
     let (exact, central) = (json!({"exact": {}}), stepping("central_difference"));
     let towers = towers::words(&json!({}))["scene"].take();
@@ -35,7 +35,7 @@ fn scenes() -> [(Option<&'static str>, Value); 12] {
         (None, elastic(central.clone())),
         (Some("this method"), elastic(stepping("velocity_verlet"))),
         (None, elastic(exact.clone())),
-        // The word alone had another tolerance, with which runs go alone.
+        // The word "exact" had another default tolerance, with which runs run alone.
         (None, elastic(json!("exact"))),
         (Some("this method"), elastic(stepping("rk4"))),
         (
@@ -52,7 +52,7 @@ fn scenes() -> [(Option<&'static str>, Value); 12] {
     ]
 }
 
-/// Where nothing is said runs go side by side, and nowhere else.
+/// Runs without a reported reason run in lanes, and only those.
 #[test]
 fn issue_why_runs_go_alone_is_told() {
     let folder = folder("alone_because");

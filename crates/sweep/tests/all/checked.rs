@@ -1,11 +1,11 @@
-//! How rows are held to the laws of mechanics.
+//! Checks of the laws of mechanics for rows.
 
 use pounding_sweep::Checked;
 use serde_json::{Value, json};
 
 use crate::{folder, scene, sweep, table};
 
-/// Gaps of a scene by a method, with the words of speed, or without a word.
+/// Gaps of a scene by a method, with further words in the sweep file.
 fn words(method: &Value, more: &Value) -> Value {
     let mut scene = scene();
     scene["method"] = method.clone();
@@ -25,7 +25,7 @@ fn words(method: &Value, more: &Value) -> Value {
     words
 }
 
-/// Who says nothing of speed gets the rows of who says everything, side by side, and a drawn part of them alone as well.
+/// Default settings give the rows of the settings for speed: in lanes, with a sample that also runs alone.
 #[test]
 fn issue_a_sweep_is_fast_without_a_word() {
     let folder = folder("checked");
@@ -58,7 +58,7 @@ fn issue_a_sweep_is_fast_without_a_word() {
     }
 }
 
-/// What coarse steps break is refused with the reason, whether asked of all runs alone or not.
+/// Laws broken by coarse steps are reported with the reason, whether all runs run alone or not.
 #[test]
 fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     let folder = folder("checked_refused");
@@ -71,7 +71,7 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
         let scene = &mut words["scene"];
         scene["record"] = json!({"generated": {"harmonic": shaking}});
         scene["structures"] = json!([structure("left", 0.7), structure("right", 0.4)]);
-        // A step is longer than a fifth of the period of the contact's own motion.
+        // A step is longer than a fifth of the contact's period.
         scene["contacts"][0]["law"]["linear_spring"]["impact_stiffness_n_per_m"] = json!(5e9);
         let batch = sweep(&folder, &words).batch(0..700);
         (batch.failed, batch.beside)
@@ -84,8 +84,8 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     assert_eq!(alone, together);
 }
 
-/// The start moves a heavy structure more than the ground does: what the tolerance leaves of its momentum is much of a small impulse,
-/// and no fault.
+/// The initial motion of a heavy structure dominates the ground motion: the tolerance in its momentum is large relative to a small impulse,
+/// which is no fault.
 #[test]
 fn issue_what_the_tolerance_leaves_of_a_small_impulse_is_no_fault() {
     let harmonic = json!({"amplitude_m_per_s2": 9.6, "frequency_hz": 1.0, "duration_s": 12.0, "time_step_s": 0.0025});

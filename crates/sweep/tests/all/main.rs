@@ -1,4 +1,4 @@
-//! Sweeps: every row is the run of the scene that one would write by hand, in an order that each number alone tells.
+//! Sweeps: every row is the run of a scene that one could write by hand, in an order given by the run number alone.
 
 mod accuracy;
 mod alone;
@@ -16,10 +16,10 @@ use pounding_scene::{Scene, Simulation};
 use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
 use serde_json::{Value, json};
 
-/// Nobody says stop, or somebody has.
+/// A stop flag that is set.
 pub(crate) static STOPPED: AtomicBool = AtomicBool::new(true);
 
-/// A folder for one test.
+/// A folder for a test.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep").join(test);
     if folder.exists() {
@@ -29,7 +29,7 @@ fn folder(test: &str) -> PathBuf {
     folder
 }
 
-/// Two structures of which the left one yields, under half a sine.
+/// Two structures under half a sine; the left one yields.
 fn scene() -> Value {
     json!({
         "name": "two",
@@ -48,14 +48,14 @@ fn sweep(folder: &Path, words: &Value) -> Sweep {
     read(folder, words, None).expect("a sweep")
 }
 
-/// The same, until somebody says stop.
+/// Reads a sweep with a stop flag.
 pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, SweepError> {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
     Sweep::read(&path, stop)
 }
 
-/// The parts of a table beside `out`.
+/// The parts of a table at `out`.
 fn opened(sweep: &Sweep, out: &Path, shard: Shard) -> Parts {
     let parts = Parts::open(sweep, out, shard, false).expect("parts");
     parts.expect("no table was finished before")
@@ -69,7 +69,7 @@ fn table(sweep: &Sweep, runs: std::ops::Range<u64>) -> Vec<Vec<String>> {
     rows.map(|row| row.iter().map(String::from).collect()).collect()
 }
 
-/// A sweep of everything at once: a law, gaps, masses, a period and the scale of the record.
+/// A sweep over a law, gaps, masses, a period and the scale of the record.
 fn of_everything() -> Value {
     json!({
         "scene": scene(),
@@ -127,7 +127,7 @@ impl Row<'_> {
     }
 }
 
-/// Fields are set as a user would set them: each row has the bits of the scene that is written out.
+/// Fields are set as by a user: each row has the bits of the written scene.
 #[test]
 fn limit_a_row_is_the_run_of_the_scene_written_by_hand() {
     let folder = folder("by_hand");
@@ -202,7 +202,7 @@ fn reference_the_order_of_runs() {
     assert_ne!(rows[0][4], rows[1][4]);
 }
 
-/// Any range of runs gives the rows that the whole gives.
+/// Any range of runs gives the rows of the whole sweep.
 #[test]
 fn limit_a_range_of_runs_is_a_piece_of_the_whole() {
     let folder = folder("ranges");
@@ -223,7 +223,7 @@ fn limit_a_range_of_runs_is_a_piece_of_the_whole() {
     }
 }
 
-/// A run that cannot be modelled, one whose time step is too long and one that begins overlapped are rows with their reasons.
+/// Runs that cannot be modelled, with a too long time step, or with an initial overlap are rows with their reasons.
 #[test]
 fn extreme_runs_that_fail_are_rows() {
     let folder = folder("failed");
@@ -249,15 +249,15 @@ fn extreme_runs_that_fail_are_rows() {
     assert!(reasons("overlap by") > 20, "{rows:?}");
     let ran = rows.iter().filter(|row| row.last().is_some_and(String::is_empty)).count();
     assert!((20..40).contains(&ran), "{ran}");
-    // A row that failed has its values, and no results.
+    // A failed row has its values, and no results.
     let failed = rows.iter().find(|row| row.last().is_some_and(|reason| !reason.is_empty()));
     let failed = failed.expect("some failed");
-    // Behind run, record, direction and three fields.
+    // After run, record, direction and three fields.
     let results = 6..failed.len() - 1;
     assert!(failed[results].iter().all(String::is_empty), "{failed:?}");
 }
 
-/// Shards and interruptions leave the bytes of one run through.
+/// Shards and interruptions give the bytes of an uninterrupted run.
 #[test]
 fn limit_shards_make_the_bytes_of_the_whole() {
     let folder = folder("shards");
@@ -265,7 +265,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         "scene": scene(),
         "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}}],
         "samples": {"count": 300, "seed": 4, "method": "sobol"},
-        // Which keeps runs from going side by side, in larger parts.
+        // This output prevents lanes, which have larger parts.
         "outputs": {"pairs": ["first_start_s", "total_impulse_n_s"]},
     });
     let going = sweep(&folder, &words);
@@ -286,7 +286,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         assert_eq!(there, parts.n_runs());
         folders.push(parts.folder().to_path_buf());
         let out = folder.join("merged.csv");
-        // What a kill leaves, longer than the table, goes.
+        // Remains of a killed process, longer than the table, are deleted.
         let left = folder.join(".merged.csv.1f.new");
         fs::write(&left, vec![b'x'; 1 << 20]).expect("a disk");
         let merged = merge(&out, &folders, Existing::Kept);
@@ -298,7 +298,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
             assert_eq!(fs::read(&out).expect("a file"), wanted);
         }
     }
-    // Stopped at once nothing is there; a part that is cut short is named.
+    // After an immediate stop there are no parts; a truncated part is named.
     let stopped = read(&folder, &words, Some(&STOPPED)).expect("a sweep");
     assert_eq!(fill(&stopped, "stopped.csv", Shard::WHOLE).1, 0);
     let part = folders[0].join("part-000000007.csv");
@@ -314,7 +314,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
     assert!(!folder.join("cut.csv").exists(), "half a table is none");
 }
 
-/// A table that is compressed holds the bytes of the one that is not.
+/// A compressed table contains the bytes of the plain table.
 #[test]
 fn limit_a_compressed_table_is_the_same_table() {
     use std::io::Read as _;
@@ -345,11 +345,11 @@ fn limit_a_compressed_table_is_the_same_table() {
     assert!(2 * length < text.len() as u64, "{length} of {}", text.len());
 }
 
-/// A sweep without verdict that asks of structures for these numbers.
+/// A sweep without verdict that requests these numbers of structures.
 fn asked(quantities: &[&str]) -> Sweep {
     let folder = folder(&format!("beside-{}", quantities.len()));
     let mut scene = scene();
-    // Of each run, as long as its record and two of its periods: they do not end together.
+    // The duration of each run is that of its record plus two of its periods: runs do not end together.
     scene["record"] = json!({"generated": {"stochastic": {
         "ground": "firm", "pga_m_per_s2": 4.0, "strong_from_s": 0.5, "strong_until_s": 3.0,
         "decay_per_s": 1.0, "duration_s": 4.0, "time_step_s": 0.02, "seed": 3,
@@ -375,7 +375,7 @@ fn asked(quantities: &[&str]) -> Sweep {
     )
 }
 
-/// Runs side by side give the rows of runs alone: one more output that lanes do not know makes the same sweep run alone.
+/// Runs in lanes give the rows of runs alone: another output, unknown to lanes, makes the sweep run alone.
 #[test]
 fn limit_rows_of_runs_side_by_side_are_those_of_runs_alone() {
     let together = asked(&["peak_displacement_m"]);

@@ -1,4 +1,4 @@
-//! Runs under ground motions of their own.
+//! Runs under separate ground motions.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::{folder, scene, sweep};
 
-/// Numbers of pairs that runs side by side know.
+/// Numbers of pairs that lanes know.
 const PAIRS: [&str; 5] = [
     "collisions",
     "peak_force_n",
@@ -17,7 +17,7 @@ const PAIRS: [&str; 5] = [
     "least_opening_m",
 ];
 
-/// Three scales of two records in both directions, for two gaps each. One record has its samples farther apart, and ends earlier.
+/// Three scales of two records in both directions, for two gaps each. One record has a longer time step, and ends earlier.
 fn words(method: &Value, yields: bool, structures: &[&str]) -> Value {
     let mut scene = scene();
     scene["method"] = method.clone();
@@ -51,12 +51,12 @@ fn both(name: &str, method: &Value, yields: bool) -> [Sweep; 2] {
         fs::write(folder.join(name), text).expect("a record");
     }
     let beside = ["peak_displacement_m", "ductility"];
-    // The time of a peak is not known side by side.
+    // Lanes do not know the time of a peak.
     let alone = ["peak_displacement_m", "ductility", "peak_displacement_time_s"];
     [&beside[..], &alone[..]].map(|structures| sweep(&folder, &words(method, yields, structures)))
 }
 
-/// Numbers of all rows, without the columns that only runs alone have; and how many of them went side by side.
+/// Numbers of all rows, without the columns of runs alone, and the number of runs in lanes.
 fn numbers(sweep: &Sweep) -> (Vec<f64>, usize) {
     let batch = sweep.batch(0..sweep.n_runs());
     assert_eq!(batch.failed, vec![None; 24], "no run fails");
@@ -91,7 +91,7 @@ fn reference_exact_runs_with_motions_of_their_own_are_those_alone() {
     assert!(touches > 12, "{touches} forces");
 }
 
-/// A batch of several shapes was refused as a whole: its runs went alone.
+/// A batch of several shapes was refused as a whole: its runs ran alone.
 #[test]
 fn issue_kinds_of_laws_that_alternate_go_side_by_side() {
     let folder = folder("alternate");

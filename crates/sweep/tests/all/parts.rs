@@ -1,4 +1,4 @@
-//! What is left of a sweep, changed in every way: never a wrong table, and nothing lost that is whole.
+//! Damaged remains of a sweep: there must be no wrong table, and complete parts must not be lost.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use serde_json::json;
 
 use crate::{folder, opened, scene, sweep};
 
-/// Ten runs in ten parts, which are there, and the table that they make.
+/// Ten runs in ten existing parts, and their table.
 struct Prepared {
     sweep: Sweep,
     out: PathBuf,
@@ -23,7 +23,7 @@ fn prepared(test: &str) -> Prepared {
         "scene": scene(),
         "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}}],
         "samples": {"count": 10, "seed": 4, "method": "sobol"},
-        // Which keeps runs from going side by side, in larger parts.
+        // This output prevents lanes, which have larger parts.
         "outputs": {"pairs": ["first_start_s", "total_impulse_n_s"]},
     });
     let sweep = sweep(&folder, &words);
@@ -46,7 +46,7 @@ impl Prepared {
         Ok(fs::read(&self.out).expect("a table"))
     }
 
-    /// What the sweep finds, runs again, and leaves.
+    /// Damage found by the sweep, and the number of runs that existed.
     fn mended(&self) -> (Vec<String>, u64) {
         let parts = opened(&self.sweep, &self.out, Shard::WHOLE);
         let said = parts.damaged().iter().map(ToString::to_string).collect();
@@ -65,7 +65,7 @@ impl Prepared {
     }
 }
 
-/// Every byte of a part and of a manifest, changed in two ways: the table is refused or right. A part is run again, alone.
+/// Changes every byte of a part and of a manifest in two ways: the table is refused or correct. Only the damaged part runs again.
 #[test]
 fn issue_no_byte_of_a_part_or_manifest_changes_unseen() {
     let prepared = prepared("bytes");
@@ -99,7 +99,7 @@ fn issue_no_byte_of_a_part_or_manifest_changes_unseen() {
     );
 }
 
-/// A part in the place of another, rows that changed places, a part of another sweep.
+/// A part in the place of another, swapped rows, a part of another sweep.
 #[test]
 fn issue_parts_are_not_mixed() {
     let prepared = prepared("mixed");
@@ -112,7 +112,7 @@ fn issue_parts_are_not_mixed() {
     assert_eq!((said.len(), before), (2, 8), "{said:?}");
 }
 
-/// A manifest that was edited, or is of a form that this program does not know, is refused and nothing is deleted.
+/// A manifest that was edited, or has an unknown format, is refused, and nothing is deleted.
 #[test]
 fn issue_an_edited_manifest_is_refused() {
     let prepared = prepared("edited");
@@ -135,13 +135,13 @@ fn issue_an_edited_manifest_is_refused() {
             assert!(said.contains("manifest.json: found"), "{said}");
         }
     }
-    // As the message says: without it, what is whole stays.
+    // As in the message: without the manifest, complete parts stay.
     fs::remove_file(&path).expect("a disk");
     assert_eq!(prepared.mended().1, 10);
     assert_eq!(fs::read_to_string(&path).expect("a manifest"), whole);
 }
 
-/// Files of somebody else in a folder of parts outlive the sweep, also with `--overwrite`.
+/// Other files in a folder of parts survive the sweep, also with `--overwrite`.
 #[test]
 fn issue_files_of_others_stay() {
     let prepared = prepared("foreign");
@@ -150,7 +150,7 @@ fn issue_files_of_others_stay() {
     let parts = opened(&prepared.sweep, &prepared.out, Shard::WHOLE);
     parts.join(Existing::Kept).expect("a table");
     assert_eq!(names(&prepared.parts), ["notes.txt"]);
-    // Nothing tells that the folder is ours; --overwrite takes it, and leaves what is not.
+    // Nothing identifies the folder; --overwrite takes it, and leaves other files.
     let open = |overwritten| Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, overwritten);
     assert!(matches!(open(false), Err(SweepError::OtherSweep(_))));
     drop(open(true).expect("parts"));
@@ -165,7 +165,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Ended between the table and the end of the clean-up, at every file: the next one ends it.
+/// A process ends between the table and the end of the clean-up, at every file: the next process completes it.
 #[test]
 fn issue_what_a_kill_leaves_of_a_clean_up_goes() {
     let prepared = prepared("clean_up");
@@ -177,19 +177,19 @@ fn issue_what_a_kill_leaves_of_a_clean_up_goes() {
     fs::remove_file(prepared.parts.join("part-000000002.csv")).expect("a disk");
     assert!(open().is_none(), "it has its table");
     assert!(!prepared.parts.exists() && !beside.exists());
-    // Nothing is begun beside a table without parts.
+    // A table without parts is not continued.
     let again = Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, false);
     assert!(matches!(again, Err(SweepError::ThereAlready(_))));
     assert!(!prepared.parts.exists());
     fs::remove_file(&prepared.out).expect("a disk");
-    // A table that is not of these parts is not taken for theirs.
+    // A table that does not match these parts is not taken for theirs.
     let (_, before) = prepared.mended();
     assert_eq!(before, 0);
     fs::write(&prepared.out, "run,failed\n").expect("a disk");
     assert!(!open().expect("the parts").made_table().expect("a disk"));
 }
 
-/// Killed while it wrote its manifest, a sweep took the folder for another's.
+/// After a kill during the write of its manifest, a sweep took the folder for another sweep's.
 #[test]
 fn issue_half_a_manifest_is_nobodys() {
     let prepared = prepared("half");
@@ -200,7 +200,7 @@ fn issue_half_a_manifest_is_nobodys() {
     assert_eq!(prepared.mended().1, 0);
 }
 
-/// One process at a time, or shards together.
+/// A single process at a time, or shards together.
 #[test]
 fn issue_one_process_works_on_a_table() {
     let prepared = prepared("one");
@@ -245,13 +245,13 @@ fn issue_more_rows_than_parts_hold_are_refused() {
     assert!(refused.to_string().contains("coarser grids"), "{refused}");
 }
 
-/// Scenes side by side moved to another crate, whose sources no longer counted: a sweep was continued by lanes that computed otherwise.
+/// Lanes moved to another crate, whose sources were not hashed: a sweep was continued by lanes that computed other results.
 #[test]
 fn issue_a_sweep_is_known_by_the_sources_of_every_crate_that_computes() {
     let (manifest, hashed) = (include_str!("../../Cargo.toml"), include_str!("../../build.rs"));
     let crates = manifest.lines().filter_map(|line| line.strip_prefix("pounding-"));
     let names = crates.filter_map(|line| line.split('.').next());
-    // Files hold bytes, whatever they mean.
+    // Files contain bytes, independent of their meaning.
     let mut names: Vec<&str> = names.filter(|name| *name != "files").collect();
     names.dedup();
     assert!(names.contains(&"lanes"), "{names:?}");

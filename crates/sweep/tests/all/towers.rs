@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::{folder, read, sweep, table};
 
-/// Two towers of storeys that yield, which touch at three levels, and what is asked of them.
+/// Two towers of yielding storeys that touch at three levels, with these outputs.
 pub(crate) fn words(outputs: &Value) -> Value {
     let tower = |name: &str, period: f64, storeys: usize| {
         let storey = json!({
@@ -30,7 +30,7 @@ pub(crate) fn words(outputs: &Value) -> Value {
     })
 }
 
-/// Side by side they have the digits of their runs alone.
+/// Towers in lanes have the digits of their runs alone.
 #[test]
 fn issue_towers_run_side_by_side() {
     let folder = folder("towers");
@@ -42,7 +42,7 @@ fn issue_towers_run_side_by_side() {
     assert!(batch.failed.iter().all(Option::is_none));
     let touches = batch.columns.iter().any(|column| column.contains(&3.0));
     assert!(touches, "some gap closes three times");
-    // When the first collision begins is not known side by side.
+    // Lanes do not know the start of the first collision.
     let asked = ["collisions", "peak_force_n", "total_impulse_n_s", "first_start_s"];
     let slow = sweep(&folder, &words(&json!({"structures": structures, "pairs": asked})));
     assert_eq!(slow.batch(0..150).beside, 0);
@@ -62,7 +62,7 @@ fn issue_towers_run_side_by_side() {
     assert_eq!(beside, alone);
 }
 
-/// Of a whole building, and of two neighbours, the severest of what each floor and each level has; side by side and alone.
+/// The severest value over the floors of a building, and over the levels of two neighbours; in lanes and alone.
 #[test]
 fn reference_whole_buildings_have_the_severest_of_their_floors() {
     let folder = folder("whole_towers");
@@ -79,7 +79,7 @@ fn reference_whole_buildings_have_the_severest_of_their_floors() {
         assert_eq!(batch.beside > 140, beside, "{last}");
         // The drift of the storey on the ground is the displacement of its floor.
         let is_lowest = |name: &str| name.contains("floor 1: ");
-        // Behind run, record, direction and two fields.
+        // After run, record, direction and two fields.
         let named: Vec<_> = names[5..].iter().zip(&batch.columns).collect();
         let mut compared = 0;
         for (whole, found) in named.iter().filter(|(name, _)| name.contains("(any ")) {
@@ -117,7 +117,7 @@ fn reference_whole_buildings_have_the_severest_of_their_floors() {
     }
 }
 
-/// As many floors in all, but not in each building, are another row: their columns would have the names of others.
+/// An equal total number of floors, distributed differently over buildings, is another row: its columns would have wrong names.
 #[test]
 fn issue_floors_of_another_building_are_another_row() {
     let mut words = words(&json!({}));
@@ -139,7 +139,7 @@ fn issue_floors_of_another_building_are_another_row() {
     );
 }
 
-/// Runs whose contact laws and time steps alternate share lanes with those of their kind, with the bits of runs alone.
+/// Runs with alternating contact laws and time steps share lanes by kind, with the bits of runs alone.
 #[test]
 fn issue_kinds_that_alternate_go_side_by_side() {
     let folder = folder("alternating");
@@ -164,7 +164,7 @@ fn issue_kinds_that_alternate_go_side_by_side() {
     };
     let [fast, slow] = ["largest_impulse_n_s", "touching_s"].map(alternating);
     let [beside, alone] = [&fast, &slow].map(|sweep| sweep.batch(0..60));
-    // A floor that goes as far to both sides is told by its run alone.
+    // A floor that goes equally far to both sides needs a run alone.
     assert!(beside.beside > 56, "{}", beside.beside);
     assert_eq!(alone.beside, 0);
     let names = fast.columns();

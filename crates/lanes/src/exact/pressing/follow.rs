@@ -1,4 +1,4 @@
-//! What is largest on the way of a step: forces, and displacements of both sides.
+//! Largest values within a step: forces, and displacements of both sides.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -10,14 +10,14 @@ use crate::exact::search::rise;
 use crate::number::{Lanes, Mask};
 
 impl<S: Simd> Pressing<S> {
-    /// The force at the end of a step \[N\], and how fast it changes \[N/s\].
+    /// The force at the end of a step \[N\], and its rate \[N/s\].
     #[inline(always)]
     pub(super) fn force_at(&self, reached: &Reached<S>) -> [Lanes<S>; 2] {
         let approaches = rate(&self.here.state).exceeds(self.here.s.like(0.0));
         self.pressed.climb(&reached.next, approaches)
     }
 
-    /// What is largest on the way of a step that is taken, at whose end is this force.
+    /// Updates the largest values within an accepted step with this force at its end.
     #[inline(always)]
     pub(super) fn follow(&mut self, reached: &Reached<S>, [force, climb]: [Lanes<S>; 2], taken: Mask<S>) {
         let Self { pressed, here, .. } = self;
@@ -34,7 +34,7 @@ impl<S: Simd> Pressing<S> {
                     let [before, after] = [part - probe, part + probe];
                     pressed.force(&way.at(before)) - pressed.force(&way.at(after))
                 };
-                // The same at the ends, from how fast the force changes there.
+                // The rate at the ends, from the rates of the force there.
                 let [before, after] = [(&*here, self.climb), (next, climb)].map(|(point, climb)| {
                     let time = here.s.like(-8.0) * point.s * point.s * point.s;
                     time * reached.length * probe * climb
@@ -66,7 +66,7 @@ impl<S: Simd> Pressing<S> {
 }
 
 impl<S: Simd> Pressing<S> {
-    /// How far neighbours come towards each other in a step that is taken, where that is asked for.
+    /// Updates how far neighbours come towards each other in an accepted step, if requested.
     #[inline(always)]
     fn follow_closing(&mut self, reached: &Reached<S>, taken: Mask<S>) {
         let Some(known) = self.closing else {
@@ -89,7 +89,7 @@ impl<S: Simd> Pressing<S> {
     }
 }
 
-/// Least and largest displacement with another one, where it counts.
+/// Extremes of a displacement including another value, where it counts.
 #[inline(always)]
 fn reach<S: Simd>(counts: Mask<S>, [least, largest]: [Lanes<S>; 2], u: Lanes<S>) -> [Lanes<S>; 2] {
     [

@@ -1,4 +1,4 @@
-//! How far a step reaches: up to the first corner of the force on its way.
+//! End of a step: at the first corner of the force within it.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -9,42 +9,42 @@ use crate::exact::pressed::{Corner, Point, rate};
 use crate::exact::search::rise;
 use crate::number::{Lanes, Mask};
 
-/// Part of a step to which corners are searched on its polynomial, and largest values, of which the square counts.
+/// Part of a step to which corners are located on its polynomial, and largest values, whose error is the square.
 const FINELY: f64 = 1e-6;
 pub(super) const ROUGHLY: f64 = 1e-2;
-/// Part of a step over which a slope is taken, and by which its end is moved at most on a line, from the corner of the
-/// polynomial to that of the motion.
+/// Part of a step over which a slope is taken. The end of the step moves at most by this part along a line, from the corner of the
+/// polynomial to the corner of the motion.
 pub(super) const PROBE: f64 = 1e-4;
 const MOST_REST: f64 = 0.01;
-/// A branch of the force that is farther from its end than this at both ends of a step, in the measure of `Pressed::side_of`, is not left
-/// between; without this bound no scene that was looked at came out otherwise.
+/// Distance from the end of a branch, in the measure of `Pressed::side_of`. A force that is farther from it at both ends of a step does not
+/// leave the branch in between. Without this bound no examined scene had another result.
 const NEAR: f64 = 0.5;
-/// Part of the approach speed below which neighbours may as well move apart.
+/// Part of the approach speed below which neighbours may just as well be moving apart.
 const FLAT: f64 = 1e-6;
 
-/// A step up to the first corner on its way.
+/// A step up to the first corner within it.
 pub(super) struct Reached<S: Simd> {
     pub(super) stepped: Stepped<Lanes<S>>,
     pub(super) length: Lanes<S>,
-    /// The end, at the corner itself.
+    /// The end, exactly at the corner.
     pub(super) next: Point<Lanes<S>>,
     pub(super) bends: Mask<S>,
     pub(super) parts: Mask<S>,
-    /// Would miss corners or turns: to be tried again up to `length`.
+    /// Lanes that would miss corners or turns: they are tried again up to `length`.
     pub(super) again: Mask<S>,
-    /// Not to be taken, whatever its error.
+    /// Lanes in which the step is rejected whatever its error.
     too_long: Mask<S>,
 }
 
 impl<S: Simd> Reached<S> {
-    /// Relative to the approach speed; without bound where the step is not to be taken.
+    /// Error relative to the approach speed; infinite if the step is rejected.
     #[inline(always)]
     pub(super) fn error(&self) -> Lanes<S> {
         let error = self.stepped.error;
         Number::select(self.too_long | self.again, error.like(f64::INFINITY), error)
     }
 
-    /// The step is tried again up to a part of it, in lanes in which it is not yet.
+    /// Marks the step to be tried again up to a part of it, in lanes that are not yet marked.
     #[inline(always)]
     pub(super) fn try_again(&mut self, lanes: Mask<S>, part: Lanes<S>) {
         let lanes = lanes & !self.again;
@@ -54,8 +54,8 @@ impl<S: Simd> Reached<S> {
 }
 
 impl<S: Simd> Pressing<S> {
-    /// A step, no longer than to where the force bends sharply or neighbours part, or one to be tried again.
-    // Loops over both corners cost a fifth of all time: their iterators copy lanes through memory.
+    /// A step that ends at the latest where the force bends sharply or neighbours part, or a step to be tried again.
+    // Loops over both corners would cost a fifth of all time: their iterators copy lanes through memory.
     #[inline(always)]
     pub(super) fn reach(&self, step: Lanes<S>) -> Reached<S> {
         let stepped = self.pressed.step(&self.here, step);
@@ -80,7 +80,7 @@ impl<S: Simd> Pressing<S> {
         reached
     }
 
-    /// Ends a step at a corner on its way, on whose one side it begins.
+    /// Ends a step at a corner within it; `before` is the side of the corner at the start.
     #[inline(always)]
     fn stop_at(&self, corner: Corner, before: Lanes<S>, reached: &mut Reached<S>) {
         let (pressed, here) = (&self.pressed, &self.here);
@@ -92,7 +92,7 @@ impl<S: Simd> Pressing<S> {
                 Corner::Parting => pressed.parts(here, &reached.next),
             };
         if corner == Corner::Parting {
-            // The first step went through the whole contact.
+            // The first step passed the whole contact.
             let whole = passed & !here.s.exceeds(zero);
             reached.too_long = whole;
             passed = passed & !whole;
@@ -120,14 +120,14 @@ impl<S: Simd> Pressing<S> {
             Corner::Bend => reached.bends = passed,
             Corner::Parting => {
                 reached.parts = passed;
-                // A polynomial too coarse to say where they part.
+                // The polynomial is too coarse to locate the parting.
                 reached.too_long = reached.too_long | (passed & !close);
             }
         }
     }
 
-    /// Shortens a step to where neighbours that touch at both ends are farthest apart on the way, or where a force that is on one branch at
-    /// both ends is farthest on the other: the corners on both sides of that would be missed.
+    /// Shortens a step that would miss a pair of corners. Either neighbours touch at both ends and part in between: it ends where they are
+    /// farthest apart. Or a force is on a branch at both ends and leaves it in between: it ends where the force is farthest away.
     #[inline(always)]
     fn stop_in_a_dip(&self, corner: Corner, before: Lanes<S>, step: Lanes<S>, reached: &mut Reached<S>) {
         let (pressed, here, next) = (&self.pressed, &self.here, &reached.stepped.next);
@@ -165,7 +165,7 @@ impl<S: Simd> Pressing<S> {
         reached.try_again(dips, part);
     }
 
-    /// A point near a corner brought to it on a line, and where it was near enough for that.
+    /// Moves a point near a corner to it along a line; true in lanes in which it was close enough.
     #[inline(always)]
     fn settle(&self, corner: Corner, near: &Point<Lanes<S>>, length: Lanes<S>) -> (Point<Lanes<S>>, Mask<S>) {
         let pressed = &self.pressed;

@@ -1,4 +1,4 @@
-//! Steps in which a force or a displacement turns twice, of which nothing is seen at their ends.
+//! Steps in which a force or a displacement turns twice, which the ends do not show.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -8,16 +8,16 @@ use super::reach::Reached;
 use crate::exact::pressed::State;
 use crate::number::{Lanes, Mask};
 
-/// The cubic through a number at both ends of a step, with its derivatives there by the part of the step.
+/// The cubic through a number at both ends of a step, with its derivatives with respect to the part of the step.
 struct Cubic<S: Simd> {
     values: [Lanes<S>; 2],
     slopes: [Lanes<S>; 2],
 }
 
 impl<S: Simd> Cubic<S> {
-    /// Where it turns twice, and the part of the step where it is steepest between its turns, with its slope there.
+    /// Whether it turns twice, the part of the step at which it is steepest between its turns, and its slope there.
     ///
-    /// The slope at a part τ is start − 2 falls τ + bends τ²; it is least or largest at τ = falls / bends.
+    /// The slope at a part τ is start − 2 falls τ + bends τ². Its extremum is at τ = falls / bends.
     #[inline(always)]
     fn turns_twice(&self) -> (Mask<S>, Lanes<S>, Lanes<S>) {
         let Self {
@@ -37,10 +37,11 @@ impl<S: Simd> Cubic<S> {
 }
 
 impl<S: Simd> Pressing<S> {
-    /// Shortens a step in which the force or a displacement turns twice and may be largest between: each turn has a step of its own.
+    /// Shortens a step in which the force or a displacement turns twice and may have its largest value in between, so that each turn is in
+    /// a separate step.
     ///
-    /// A cubic may see turns that are not there, in the first steps of a contact; that costs a try. Behind a touch, a bend and a jump of the
-    /// ground's acceleration nobody knows how fast the force changes, and two turns of it in one step are not seen.
+    /// A cubic may show false turns in the first steps of a contact, which costs a trial. After a touch, a bend or a jump of the ground's
+    /// acceleration, the rate of the force is unknown. Two turns of the force in such a step are not detected.
     #[inline(always)]
     pub(super) fn stop_between_turns(&self, force: [Lanes<S>; 2], reached: &mut Reached<S>) {
         let (here, next) = (&self.here, reached.next);
@@ -71,7 +72,7 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
-    /// The same for one of them.
+    /// Shortens a step in which a single quantity turns twice.
     #[inline(always)]
     fn stop_between(&self, cubic: &Cubic<S>, [least, largest]: [Lanes<S>; 2], reached: &mut Reached<S>) {
         let (turns, part, slope) = cubic.turns_twice();
@@ -80,7 +81,7 @@ impl<S: Simd> Pressing<S> {
             return;
         }
         let [from, to] = cubic.values;
-        // No further between the turns than this.
+        // The excursion between the turns is at most this value.
         let excursion = slope.abs();
         let beyond = (from.max(to) + excursion).exceeds(largest) | least.exceeds(from.min(to) - excursion);
         let allowed = self.tolerance * largest.abs().max(least.abs());

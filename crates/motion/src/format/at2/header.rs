@@ -10,7 +10,7 @@ use crate::{Direction, Identity, Place, ReadError};
 /// on line 7.
 const HEADER_LINES: usize = 10;
 
-/// Line, from 1, on which NPTS and DT may stand without being named.
+/// Line, from 1, that may have NPTS and DT without their names.
 const COUNT_LINE: usize = 4;
 
 /// Whether a text has a line with NPTS and DT, or at least says that it is a record of PEER.
@@ -50,8 +50,8 @@ pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, Rea
     })
 }
 
-/// What the titles say of earthquake and station, which is the second line above the numbers, without the direction; of a
-/// rotated record the lines of the two that it was made from.
+/// Earthquake and station from the titles (the second line above the numbers), without the direction; for a rotated record, from the lines
+/// of both original records.
 pub(super) fn identity(lines: &[Line<'_>]) -> Identity {
     let Ok(Header { titles, .. }) = split(lines) else {
         return Identity::default();

@@ -274,7 +274,7 @@ impl Day {
     }
 }
 
-/// `NET.STA.LOC.CHA` of `FDSN:NET_STA_LOC_B_S_S`; other names as they are.
+/// `NET.STA.LOC.CHA` for `FDSN:NET_STA_LOC_B_S_S`; other names are unchanged.
 fn stream_of(name: &str) -> String {
     let parts: Vec<&str> = name.strip_prefix("FDSN:").unwrap_or_default().split('_').collect();
     match parts[..] {

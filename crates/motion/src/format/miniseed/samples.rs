@@ -1,17 +1,16 @@
 //! Unpacking the values of a record.
 //!
-//! Steim 1 and 2 keep differences in frames of 16 words. The first word of a frame has two bits for
-//! each word that tell how it is split; in the first frame the next two words are the first value
-//! and the last. SEED manual 2.4, appendix B.
+//! Steim 1 and 2 keep differences in frames of 16 words. The first word of a frame has two bits for each word that define its division; in
+//! the first frame the next two words are the first value and the last. SEED manual 2.4, appendix B.
 //!
-//! Where the words are in the other order of bytes, as some loggers write them, differences of one byte stand in the order of
-//! the file and those of two bytes are each turned by itself; everything else is turned as a word of four bytes.
+//! Some loggers write words in the other byte order. Differences of one byte are then in the order of the file, and those of two bytes are
+//! swapped separately. All other data are swapped as words of four bytes.
 
 /// Bytes of a frame.
 const FRAME: usize = 64;
 
-/// The values of a record, at most `n_samples`; nothing where the encoding is not known, or the
-/// last of packed values is not what their first frame says.
+/// The values of a record, at most `n_samples`. `None` if the encoding is unknown, or if the last packed value differs from that of the
+/// first frame.
 pub(super) fn unpack(encoding: u8, big_endian: bool, data: &[u8], n_samples: usize) -> Option<Vec<f64>> {
     match encoding {
         1 => Some(plain(data, big_endian, n_samples, |bytes| f64::from(i16::from_be_bytes(bytes)))),

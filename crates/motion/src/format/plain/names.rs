@@ -95,7 +95,7 @@ impl Name<'_> {
         is_sum(&self.text) || matches!(name.as_str(), "no" | "no." | "nr" | "index" | "date")
     }
 
-    /// Whether it is the axis of a spectrum. A `T` in capitals is a period where spectral values stand beside it.
+    /// Whether it is the axis of a spectrum. A capital `T` is a period if spectral values are next to it.
     fn is_axis(&self) -> bool {
         let name = self.capitals();
         ["FREQ", "HZ"].iter().any(|start| name.starts_with(start))
@@ -134,7 +134,7 @@ pub(super) fn other_by_name(name: &str) -> Option<Other> {
     Some(other)
 }
 
-/// What kind of spectrum the columns of these names are.
+/// Kind of spectrum in the columns with these names.
 pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let (first, values) = names.split_first()?;
     let is_history = first.text.to_ascii_lowercase().starts_with("time") || first.text == "t";

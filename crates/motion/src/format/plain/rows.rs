@@ -86,7 +86,7 @@ fn rows_in<'t>(lines: &[Line<'t>]) -> impl Iterator<Item = Line<'t>> {
 }
 
 impl<'l, 't> Rows<'l, 't> {
-    /// The rows of these lines, the first of which is one; nothing without any.
+    /// The rows of these lines, the first of which is a row; `None` if there are none.
     pub(super) fn new(lines: &'l [Line<'t>]) -> Option<Self> {
         let is_some = |line: &Line<'_>| !line.is_blank() && !line.is_comment() && !is_end(*line);
         let end = lines.iter().rposition(is_some)? + 1;
@@ -163,7 +163,7 @@ impl<'l, 't> Rows<'l, 't> {
         times.is_even()
     }
 
-    /// Whether the first numbers of the rows rise but for a few.
+    /// Whether the first numbers of the rows rise, with few exceptions.
     pub(super) fn mostly_rises(&self) -> bool {
         let mut falls = 0;
         let mut before = f64::NEG_INFINITY;

@@ -5,7 +5,7 @@ use super::Other;
 use crate::AccelerationUnit;
 use crate::line::number;
 
-/// Keys of a time step \[s\], or of a rate \[Hz\] where the unit behind the number says so.
+/// Keys of a time step \[s\], or of a rate \[Hz\] if the unit after the number shows this.
 const STEP: [&str; 15] = [
     "dt",
     "delta t",
@@ -84,7 +84,7 @@ const BETWEEN: [&str; 15] = [
     "given",
 ];
 
-/// What stands before and behind each place of a key that is a word of its own.
+/// Text before and after each occurrence of a key as a separate word.
 pub(super) fn around<'t>(text: &'t str, key: &str) -> impl Iterator<Item = (&'t str, &'t str)> {
     let length = key.len();
     text.match_indices(key).filter_map(move |(at, _)| {

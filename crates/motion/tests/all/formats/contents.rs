@@ -1,4 +1,4 @@
-//! What a file holds before a component is chosen: directions, places of sensors, and where and when it was recorded.
+//! Contents of a file before a component is chosen: directions, places of sensors, place and time of the recording.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, Direction, Site, contents};

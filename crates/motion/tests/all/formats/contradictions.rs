@@ -48,7 +48,7 @@ fn cases() -> Vec<Case> {
     of_files.into_iter().chain(of_texts()).collect()
 }
 
-/// Small texts, some of which state their unit or their step of 0.02 s.
+/// Small texts; some state their unit or their step of 0.02 s.
 fn of_texts() -> impl Iterator<Item = Case> {
     let column = rows_of(40, |_, value| format!("{value:.6}\n"));
     let pairs = rows_of(40, |step, value| format!("{:.2},{value:.6}\n", 0.02 * step));
@@ -82,7 +82,7 @@ fn of_texts() -> impl Iterator<Item = Case> {
     stepped.into_iter().map(case(Some(0.02))).chain(silent.into_iter().map(case(None)))
 }
 
-/// What the declarations may be of a file that says nothing.
+/// Possible declarations for a file without statements.
 fn filled(case: &Case, declared: &Declared) -> Declared {
     Declared {
         unit: declared.unit.filter(|_| case.unit.is_none()),
@@ -126,7 +126,7 @@ proptest! {
     }
 }
 
-/// What a file does not say may be declared; what it says may be repeated.
+/// Missing information may be declared; stated information may be repeated.
 #[test]
 fn limit_what_is_missing_is_asked_for_and_what_is_said_may_be_repeated() {
     for case in cases() {

@@ -1,4 +1,4 @@
-//! What the caller says: filled in, repeated, contradicted; and the units.
+//! Declarations of the caller: filled in, repeated, contradicted; and the units.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, Format, components};

@@ -151,8 +151,8 @@ fn issue_records_without_a_blockette_1000() {
     assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
 }
 
-/// The same record of version 2 with its packed words in the other order of bytes: differences of one byte stay, those of two
-/// are turned by themselves, everything else is turned by four.
+/// The record of version 2 with its packed words in the other byte order: differences of one byte stay, those of two bytes are swapped
+/// separately, all other data by four bytes.
 fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
     let blockette = usize::from(u16::from_be_bytes([bytes[46], bytes[47]]));
     bytes[blockette + 5] = 0;

@@ -153,7 +153,7 @@ fn issue_numbers_of_a_header_are_no_samples() {
     assert_snapshot!(refusal(format!("4000 2\n35.10 120.30\n{pairs}"), &IN_G), @r#"lines 1 to 2 read "4000 2; 35.10 120.30": no pairs of time and value, unlike the values below; delete them, or put # before each line"#);
 }
 
-/// Resampling uneven pairs took up to 1.8 % off the peak without a word.
+/// Resampling of uneven pairs silently removed up to 1.8 % of the peak.
 #[test]
 fn issue_what_resampling_takes_off_the_peak_is_told() {
     let uneven = "time_s,acceleration_g\n0,0.1\n0.01,-0.2\n0.025,0.5\n0.03,-0.1\n0.045,0.1\n";

@@ -1,4 +1,4 @@
-//! What comments and titles say of bare numbers: read, and held against what is declared.
+//! Statements in comments and titles about bare numbers: reading, and comparison with declarations.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, components};

@@ -31,7 +31,7 @@ fn unam() -> Vec<u8> {
     text
 }
 
-/// What is refused once a piece of a file is replaced.
+/// The refusal after a piece of a file is replaced.
 fn refused(bytes: &[u8], from: &str, to: &str) -> String {
     let at = bytes.windows(from.len()).position(|piece| piece == from.as_bytes());
     let at = at.unwrap_or_else(|| panic!("no {from:?}"));

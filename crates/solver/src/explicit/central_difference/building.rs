@@ -1,7 +1,7 @@
-//! The equations of the floors of a building, of one scene or of several side by side.
+//! The equations of the floors of a building, for a single scene or for several scenes in lanes.
 //!
-//! The dashpots between floors join the next increments of a building: what the equation of a floor says of its increment
-//! is found from the top floor down, and held; the increments then follow from the ground up.
+//! The dashpots between floors couple the next increments of a building. The equation of each floor is solved for its increment from the
+//! top floor down and stored. The increments then follow from the ground up.
 
 #![expect(
     clippy::inline_always,
@@ -17,20 +17,20 @@ use crate::{RestoringForce, Row};
 /// Constants of the equation of a floor that is joined to the floors below and above.
 #[derive(Debug)]
 pub struct FloorCoefficients<N = f64> {
-    /// With c of all its dashpots; what it solves is less by what the elimination of the floors above took.
+    /// Coefficients with c of all dashpots of the floor. The elimination of the floors above reduces `solve`.
     pub own: Coefficients<N>,
-    /// Its dashpots.
+    /// Damping rates of the floor.
     pub rates: DampingRates<N>,
     /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
     below: N,
-    /// What of the last and the next increment of the floor above is added to the next one of this floor.
+    /// Factor with which the last and the next increment of the floor above enter the next increment of this floor.
     from_above: N,
-    /// What of the next increment of the floor below is added to it.
+    /// Factor with which the next increment of the floor below enters.
     from_below: N,
 }
 
 impl FloorCoefficients {
-    /// Of all floors, building by building, for steps of this length \[s\].
+    /// Constants of all floors, building by building, for steps of this length \[s\].
     pub fn of<Column: RestoringForce>(row: &Row<Column>, dt: f64) -> Vec<Self> {
         let (inertia, weigh) = (1.0 / (dt * dt), |rate: f64| 0.5 * rate / dt);
         let mut all = Vec::with_capacity(row.nodes().len());
@@ -62,7 +62,7 @@ impl FloorCoefficients {
 }
 
 impl<N: Number> FloorCoefficients<N> {
-    /// Of the same floor of several scenes, from what gathers a number of each; `time_step` \[s\] is that of all.
+    /// Constants of this floor in several scenes; `gather` collects a number from each scene. All scenes share `time_step` \[s\].
     #[inline(always)]
     pub fn beside(gather: impl Fn(fn(&FloorCoefficients) -> f64) -> N, time_step: f64) -> Self {
         Self {
@@ -86,25 +86,25 @@ impl<N: Number> FloorCoefficients<N> {
     }
 }
 
-/// The floors of a building at a node, counted from the ground up: what their equations ask of them, and tell them.
+/// The floors of a building at a node, counted from the ground up: inputs and results of their equations.
 pub trait Floors<N: Number> {
-    /// Displacement of a floor \[m\], and by how much it is more than at the node before.
+    /// Displacement of a floor \[m\], and its increment since the node before.
     fn motion(&self, level: usize) -> [N; 2];
 
     /// Net pounding force on a floor \[N\].
     fn pounding(&self, level: usize) -> N;
 
-    /// Force of the storey below a floor at a drift \[m\], which its columns remember \[N\].
+    /// Force of the storey below a floor at a drift \[N\]. The columns remember it.
     fn respond(&mut self, level: usize, drift: N) -> N;
 
-    /// Tells a floor its acceleration without damping \[m/s²\], and its next increment but for what the floor below adds to it \[m\];
-    /// from the top down.
+    /// Stores the acceleration without damping of a floor \[m/s²\] and its next increment without the share of the floor below \[m\].
+    /// Called from the top down.
     fn hold(&mut self, level: usize, acceleration: N, increment: N);
 
-    /// The increment that a floor holds \[m\].
+    /// The stored increment of a floor \[m\].
     fn held(&self, level: usize) -> N;
 
-    /// Tells a floor its next increment \[m\]; from the ground up, after all hold theirs.
+    /// Sets the next increment of a floor \[m\]. Called from the ground up, once all increments are stored.
     fn go_on(&mut self, level: usize, increment: N);
 }
 
@@ -113,7 +113,7 @@ pub trait Floors<N: Number> {
 pub fn solve<N: Number>(floors: &mut impl Floors<N>, coefficients: &[FloorCoefficients<N>], ground: N) {
     let n = coefficients.len();
     let zero = ground.like(0.0);
-    // All of its floors are walls, or none.
+    // Either all floors of a building are walls, or none.
     let ground = coefficients[0].own.mobile * ground;
     let mut above = Above {
         force: zero,
@@ -132,16 +132,16 @@ pub fn solve<N: Number>(floors: &mut impl Floors<N>, coefficients: &[FloorCoeffi
     }
 }
 
-/// What a floor passes on to the one below it.
+/// Values that a floor passes to the floor below it.
 #[derive(Clone, Copy)]
 struct Above<N> {
     /// Force of its storey \[N\].
     force: N,
-    /// Sum of its last and its next increment, but for what the floors below it add to them \[m\].
+    /// Sum of its last and its next increment, without the shares of the floors below it \[m\].
     increments: N,
 }
 
-/// Lets a floor hold what its equation says, above a floor that has moved so.
+/// Stores the result of the equation of a floor, below a floor that has moved.
 #[inline(always)]
 fn hold<N: Number>(
     floors: &mut impl Floors<N>,
@@ -156,7 +156,7 @@ fn hold<N: Number>(
     let own = &constants.own;
     let smooth = own.smooth((floors.pounding(level), force - above.force), ground);
     let before = own.carry * increment + constants.below * below[1];
-    // No more than a product and a sum wait for the floor above.
+    // Only a product and a sum wait for the floor above.
     let alone = own.solve * (smooth + before);
     let added = constants.from_above * above.increments;
     floors.hold(level, smooth, alone + added);

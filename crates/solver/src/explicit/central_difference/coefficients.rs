@@ -14,7 +14,7 @@ use crate::Node;
 pub struct Coefficients<N = f64> {
     /// Δt \[s\].
     pub time_step: f64,
-    /// 1/m \[1/kg\]; 0 of a wall.
+    /// 1/m \[1/kg\]; 0 for a wall.
     pub inverse_mass: N,
     /// c/m \[1/s\].
     pub damping: N,
@@ -27,14 +27,14 @@ pub struct Coefficients<N = f64> {
 }
 
 impl<N: Number> Coefficients<N> {
-    /// Acceleration but for damping \[m/s²\]; forces are the net pounding force and the restoring force \[N\], and the
-    /// acceleration of the ground is one that the structure feels.
+    /// Acceleration without damping \[m/s²\], from the net pounding force and the restoring force \[N\] and the ground acceleration that
+    /// the structure feels.
     #[inline(always)]
     pub fn smooth(&self, (pounding, restoring): (N, N), ground: N) -> N {
         self.inverse_mass * (pounding - restoring) - ground
     }
 
-    /// The next increment of the displacement \[m\] under an acceleration but for damping \[m/s²\], after this one.
+    /// The next increment of the displacement \[m\], from the acceleration without damping \[m/s²\] and this increment.
     #[inline(always)]
     pub fn next(&self, load: N, increment: N) -> N {
         self.solve * (load + self.carry * increment)
@@ -46,7 +46,7 @@ impl<N: Number> Coefficients<N> {
         (after + before) / after.like(2.0 * self.time_step)
     }
 
-    /// Increment that follows from displacement's rate \[m/s\] and acceleration \[m/s²\] at a node, as a textbook begins a run.
+    /// Increment from the velocity \[m/s\] and acceleration \[m/s²\] at a node, as a textbook begins a run.
     #[inline(always)]
     pub fn restarted(time_step: f64, velocity: N, acceleration: N) -> N {
         let (step, half) = (velocity.like(time_step), velocity.like(0.5 * time_step));
@@ -55,7 +55,7 @@ impl<N: Number> Coefficients<N> {
 }
 
 impl<N: Number> Coefficients<N> {
-    /// Of an inverse mass \[1/kg\] (0 of a wall), damping coefficient c \[N·s/m\] and whether it moves (1, or 0).
+    /// Constants for an inverse mass \[1/kg\] (0 for a wall), a damping coefficient c \[N·s/m\] and a mobility (1, or 0 for a wall).
     #[inline(always)]
     pub fn of(inverse_mass: N, damping: N, mobile: N, dt: f64) -> Self {
         let damping = inverse_mass * damping;

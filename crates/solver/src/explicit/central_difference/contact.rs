@@ -1,4 +1,4 @@
-//! Contact in the central difference method: pounding forces at a node, impacts, and who sub-steps.
+//! Contact in the central difference method: pounding forces at a node, impacts, and the choice of structures that sub-step.
 
 use pounding_contact::Overlap;
 
@@ -8,10 +8,10 @@ use crate::pushes::Pushes;
 use crate::{Recorder, RestoringForce, Row, RunError, Work};
 
 impl<Column: RestoringForce> Run<'_, Column> {
-    /// Contact at a node, each pair alone; true when an impulsive pair is closed and may jump.
+    /// Contact at a node, pair by pair; true if an impulsive pair is closed and may jump.
     ///
-    /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
-    /// earlier was negative.
+    /// The rate of deformation of compliant laws is the backward difference of the deformation, even if the deformation one step earlier
+    /// was negative.
     pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>, work: &mut Work) -> bool {
         let (row, bodies) = (self.row, &mut self.bodies);
         if !fine {
@@ -30,7 +30,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
             let (left, right) = (&bodies[pair.left()], &bodies[pair.right()]);
             let ahead = pair.relation.ahead(|floor| bodies[floor].displacement);
             let deformation = ground.deformation(pair, ahead);
-            // Structures of which one does not sub-step meet at whole nodes only.
+            // If either structure does not sub-step, the pair meets only at whole nodes.
             if fine && !(left.fine && right.fine) {
                 continue;
             }
@@ -47,7 +47,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 hit = true;
             } else if overlaps {
                 let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
-                // The grounds' own is that half way back.
+                // The ground velocity is that half a step back.
                 let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
                 let (fine, [by_left, by_right]) = ([left.fine, right.fine], steps);
                 let [left, right] = pair.relation.points();
@@ -73,7 +73,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         hit
     }
 
-    /// Lets the velocities of a node jump; the increments of those that do are restarted.
+    /// Applies velocity jumps at a node; the increments of structures that jump are restarted.
     pub(super) fn jump<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
         for (state, body) in self.states.iter_mut().zip(&self.bodies) {
             *state = body.start;
@@ -81,7 +81,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         let instant = (node.ground, node.time);
         self.jumps.jump(self.row, &mut self.states, instant, recorder)?;
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
-            // Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
+            // Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
             let jumped = (state.velocity - body.start.velocity).abs() > 0.0 || (state.acceleration - body.start.acceleration).abs() > 0.0;
             if jumped {
                 body.start = *state;
@@ -92,8 +92,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         Ok(())
     }
 
-    /// Chooses the structures that sub-step from this node on, with the grounds here and at the next one; true when there
-    /// are any.
+    /// Chooses the structures that sub-step from this node, with the grounds here and at the next node; true if there are any.
     pub(super) fn refine(&mut self, grounds: [Ground<'_>; 2]) -> bool {
         for body in &mut self.bodies {
             if std::mem::take(&mut body.fine) {
@@ -123,7 +122,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 }
 
-/// Gives the floors of a pair its force; on all of them it acts for half of the shorter step.
+/// Gives the floors of a pair its force. It acts on all of them for half of the shorter step.
 fn push<Column: RestoringForce>(
     row: &Row<Column>,
     (pair, force): (usize, f64),

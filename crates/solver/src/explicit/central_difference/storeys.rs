@@ -1,7 +1,7 @@
-//! The equations of a node of the run in a row in which floors stand on floors.
+//! The equations of a node of the run, in a row with floors on floors.
 //!
-//! The equations are solved by `building.rs`. All that follows is done from the top down once more: what a floor needs of the one
-//! above is carried along, and the one below has not gone on yet.
+//! `building.rs` solves the equations. The rest is done from the top down in a second pass: it carries values from the floor above, and the
+//! floor below has not advanced yet.
 
 use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, Instant, Run};
@@ -10,30 +10,30 @@ use crate::pushes::Pushes;
 use crate::span::Load;
 use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
-/// What only rows in which floors stand on floors need; all of it building by building.
+/// Data that only rows with floors on floors need, building by building.
 pub(super) struct Storeys {
-    /// For whole steps and sub-steps.
+    /// Constants for whole steps and sub-steps.
     coefficients: [Vec<FloorCoefficients>; 2],
     solutions: Vec<Solution>,
-    /// Share a velocity that is given back among the floors of a building.
+    /// Shares a corrected velocity among the floors of a building.
     dashpots: Dashpots,
 }
 
-/// What the equation of a floor says at a node.
+/// Result of the equation of a floor at a node.
 #[derive(Clone, Copy, Default)]
 struct Solution {
     /// The next increment \[m\].
     increment: f64,
     /// Central-difference velocity, before a jump \[m/s\].
     velocity: f64,
-    /// Acceleration without damping, or with it where velocity was given back \[m/s²\].
+    /// Acceleration without damping; with damping where velocity was corrected \[m/s²\].
     acceleration: f64,
     /// Force of the storey below the floor \[N\].
     restoring_force: f64,
 }
 
 impl Storeys {
-    /// Nothing for a row of structures of one storey.
+    /// Returns `None` for a row of structures of one storey.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
         if row.buildings().are_single() {
             return None;
@@ -92,27 +92,27 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 }
 
-/// One building at a node; arrays of its floors begin at the ground.
+/// A building at a node. Arrays of its floors begin at the ground.
 struct Building<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     /// Nodes of the floors.
     floors: &'a [usize],
-    /// Of the whole row.
+    /// Bodies of the whole row.
     bodies: &'a mut [Body<Column::Memory>],
     coefficients: &'a [FloorCoefficients],
     solutions: &'a mut [Solution],
-    /// Of the whole row.
+    /// Pushes of the whole row.
     pushes: &'a mut Pushes,
     /// Whether all next displacements are finite numbers.
     is_finite: bool,
 }
 
-/// What is carried down from the floor above; all 0 above the top floor.
+/// Values carried down from the floor above; all 0 above the top floor.
 #[derive(Default)]
 struct Above {
     /// Velocity at the end of the span \[m/s\].
     velocity: f64,
-    /// Forces of its columns and of its dashpot at the start and at the end of the span \[N\].
+    /// Forces of its columns and its dashpot at the start and at the end of the span \[N\].
     forces: [(f64, f64); 2],
 }
 
@@ -163,7 +163,7 @@ impl<Column: RestoringForce> Floors<f64> for Building<'_, Column> {
 }
 
 impl<Column: RestoringForce> Building<'_, Column> {
-    /// A floor whose next displacement is no longer a finite number.
+    /// A floor whose next displacement is not finite.
     fn diverged(&self) -> Option<usize> {
         if self.is_finite {
             return None;
@@ -181,7 +181,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         self.floors.iter().any(late)
     }
 
-    /// Velocities that whole steps gave too much, before the dashpots share them.
+    /// Excess velocities of whole steps, before the dashpots share them.
     fn excess(&self, velocities: &mut [f64]) {
         for ((&index, constants), velocity) in self.floors.iter().zip(self.coefficients).zip(velocities) {
             let (from_left, from_right) = self.bodies[index].excess;
@@ -189,7 +189,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// Takes the excess of whole steps out of the velocities at their end; the increments are restarted after it.
+    /// Removes the excess of whole steps from the velocities at their ends. The increments are restarted afterwards.
     fn give_back(&mut self, changes: &[f64]) {
         let solutions = &mut *self.solutions;
         let mut below = [0.0; 2];
@@ -206,12 +206,12 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// From the top down: reports the spans that end at a node, and lets the bodies go on from it.
+    /// From the top down: reports the spans that end at a node, and advances the bodies.
     ///
     /// Accelerations may be `settled` already.
     fn go_on<R: Recorder>(&mut self, time: f64, ground: f64, settled: bool, recorder: &mut R) {
         let (mut above, n) = (Above::default(), self.floors.len());
-        // The lengths are told once, so that no floor has to be checked against them.
+        // The lengths are fixed here, so that no floor needs a bounds check.
         let coefficients = &self.coefficients[..n];
         for level in (0..n).rev() {
             let (index, found) = (self.floors[level], self.solutions[level]);
@@ -247,7 +247,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// Reports the span of a floor that ends at a node, in a state and over a floor of a velocity.
+    /// Reports the span of a floor that ends at a node, from its state and the velocity of the floor below.
     fn report<R: Recorder>(
         &mut self,
         level: usize,
@@ -288,8 +288,8 @@ impl<Column: RestoringForce> Building<'_, Column> {
         recorder.span(&span);
     }
 
-    /// Net restoring and damping force \[N\] on a floor at both ends of its span, at the velocities of the equations there;
-    /// those of the storey above become those of its own.
+    /// Net restoring and damping force \[N\] on a floor at both ends of its span, at the velocities of the equations. Replaces the forces
+    /// of the storey above by those of the floor's storey.
     fn forces(&self, level: usize, storey: &mut [(f64, f64); 2]) -> [(f64, f64); 2] {
         let index = self.floors[level];
         let (node, found) = (&self.row.nodes()[index], &self.solutions[level]);

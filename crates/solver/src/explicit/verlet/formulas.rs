@@ -5,12 +5,12 @@
 pub(super) struct Length {
     /// Half of it, h/2 \[s\].
     pub(super) half: f64,
-    /// 1/(1 + h c/(2m)): the damping at the end is that of the velocity there.
+    /// 1/(1 + h c/(2m)): the damping at the end belongs to the velocity at the end.
     solve: f64,
 }
 
 impl Length {
-    /// Of a span \[s\], with c/m of the structure \[1/s\].
+    /// The length of a span \[s\] for a structure with c/m \[1/s\].
     pub(super) fn new(whole: f64, damping: f64) -> Self {
         let half = 0.5 * whole;
         Self {
@@ -19,20 +19,22 @@ impl Length {
         }
     }
 
-    /// Velocity at the end \[m/s\], from the velocity half way \[m/s\], the acceleration by column and ground at the end \[m/s²\],
-    /// and what the pounding force at the end adds \[m/s\].
+    /// Velocity at the end \[m/s\].
+    ///
+    /// It follows from the velocity at mid-span \[m/s\], the acceleration by column and ground at the end \[m/s²\], and the contribution of
+    /// the pounding force at the end \[m/s\].
     pub(super) fn velocity(&self, half_way: f64, smooth: f64, pushed: f64) -> f64 {
         self.solve * (half_way + self.half * smooth + pushed)
     }
 }
 
-/// Two structures that move by quadratics.
+/// Two structures with quadratic motions.
 pub(super) struct Closing {
     /// Distance between them \[m\], ≥ 0.
     pub(super) gap: f64,
     /// Rate at which it closes \[m/s\].
     pub(super) rate: f64,
-    /// Half of what that gains in a second \[m/s²\].
+    /// Half of the relative acceleration \[m/s²\].
     pub(super) curvature: f64,
 }
 
@@ -45,7 +47,7 @@ impl Closing {
             return f64::INFINITY;
         }
         let root = discriminant.sqrt();
-        // Of the two forms of the root, the one without cancellation. Both are 0/0 only for a path that stays in the gap.
+        // The form of the root without cancellation. It is 0/0 only for a path that stays in the gap.
         if rate > 0.0 {
             2.0 * gap / (rate + root)
         } else if curvature > 0.0 {

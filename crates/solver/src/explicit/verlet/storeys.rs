@@ -1,7 +1,7 @@
 //! States of floors that stand on floors, at the end of a span of the velocity Verlet method.
 //!
-//! The damping of the end is that of its own velocities, which the dashpots between floors join. All floors of a building
-//! are due together, so that its equations have one step.
+//! The damping at the end belongs to the velocities at the end, which the dashpots between floors couple. All floors of a building are due
+//! together, so that its equations have a common step.
 
 use super::{Body, Scratch};
 use crate::march::Step;
@@ -10,7 +10,7 @@ use crate::span::Load;
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 impl<Memory: Copy> Scratch<Memory> {
-    /// What [`finish`](Scratch::finish) does, building by building; pounding forces and their impulses are known.
+    /// Does the work of [`finish`](Scratch::finish) building by building. Pounding forces and their impulses are known.
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
     pub(super) fn finish_storeys<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
@@ -56,12 +56,12 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 }
 
-/// One building over a span.
+/// A building over a span.
 struct Building<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     /// Nodes of the floors, from the ground up.
     floors: &'a [usize],
-    /// Of the whole row, as the states at both ends.
+    /// Bodies of the whole row, like the states at both ends.
     bodies: &'a mut [Body<Column::Memory>],
     states: &'a mut [State],
     ends: &'a mut [State],
@@ -71,13 +71,13 @@ struct Building<'a, Column: RestoringForce> {
 }
 
 impl<Column: RestoringForce> Building<'_, Column> {
-    /// A floor whose displacement is no longer a finite number.
+    /// A floor whose displacement is not finite.
     fn diverged(&self) -> Option<usize> {
         let diverged = |index: &&usize| !self.ends[**index].displacement.is_finite();
         self.floors.iter().find(diverged).copied()
     }
 
-    /// From the top down: the forces of columns, and the velocities that would follow without the damping at the end.
+    /// From the top down: computes the forces of columns, and the velocities without the damping at the end.
     fn respond(&mut self, velocities: &mut [f64]) {
         let (h, [_, (ground, _)]) = self.span;
         let mut carried = 0.0;
@@ -98,7 +98,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// From the top down: takes on the velocities at the end, reports the spans, and goes on from there.
+    /// From the top down: accepts the velocities at the end, reports the spans, and advances.
     fn go_on<R: Recorder>(&mut self, velocities: &[f64], instant: f64, recorder: &mut R) {
         // Forces of the columns and of the dashpot of the storey above, at both ends.
         let mut above = [(0.0, 0.0); 2];

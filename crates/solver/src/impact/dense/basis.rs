@@ -1,13 +1,13 @@
-//! Columns one after another as sums of orthonormal vectors: which depend on others, and how.
+//! Columns as sums of orthonormal vectors: which depend on earlier ones, and how.
 
-/// A column depends on others if they leave no more than this part of it.
+/// A column counts as dependent if the others leave at most this part of it.
 pub(super) const DEPENDENT: f64 = 1e-12;
 
 /// Columns as sums of orthonormal vectors, A = Q R, by the modified method of Gram and Schmidt.
 #[derive(Debug, Clone)]
 pub(crate) struct Basis {
     n_rows: usize,
-    /// Where products are split.
+    /// Row at which products are split.
     pub(super) split: usize,
     /// Number of columns kept; one more may have been expressed.
     pub(crate) len: usize,
@@ -55,7 +55,7 @@ impl Basis {
         &self.factors[column * (column + 1) / 2..][..=column]
     }
 
-    /// Expresses a column by those kept; true if it does not depend on them.
+    /// Expresses a column by the kept columns; true if it is independent of them.
     pub(crate) fn express(&mut self, column: &[f64]) -> bool {
         self.truncate(self.len);
         let (start, end) = (self.factors.len(), self.elements.len());
@@ -64,7 +64,7 @@ impl Basis {
         let (vectors, rest) = self.elements.split_at_mut(end);
         let whole = norm(rest, self.split);
         let mut left = whole;
-        // Twice is enough, and once where little is lost: B. N. Parlett, *The Symmetric Eigenvalue Problem* (1980), 6-9.
+        // Two passes suffice, and one if little is lost: B. N. Parlett, *The Symmetric Eigenvalue Problem* (1980), 6-9.
         for _ in 0..2 {
             let vectors = vectors.chunks_exact(self.n_rows);
             for (vector, factor) in vectors.zip(&mut self.factors[start..]) {
@@ -81,12 +81,12 @@ impl Basis {
         left > DEPENDENT * whole
     }
 
-    /// What those kept leave of the column expressed last.
+    /// The rest of the last expressed column, orthogonal to the kept columns.
     pub(crate) fn rest(&self) -> &[f64] {
         &self.elements[self.len * self.n_rows..]
     }
 
-    /// Keeps a column unless it depends on those kept; true if it does not.
+    /// Keeps a column if it is independent of the kept columns; true if it is.
     pub(crate) fn take(&mut self, column: &[f64]) -> bool {
         let is_new = self.express(column);
         if is_new {
@@ -95,7 +95,7 @@ impl Basis {
         is_new
     }
 
-    /// Keeps the column expressed last.
+    /// Keeps the last expressed column.
     pub(crate) fn keep(&mut self) {
         let length = self.factors[self.factors.len() - 1];
         for element in &mut self.elements[self.len * self.n_rows..] {
@@ -104,7 +104,7 @@ impl Basis {
         self.len += 1;
     }
 
-    /// Writes the column expressed last as a sum of those kept: so much of each.
+    /// Writes the last expressed column as a sum of the kept columns: a factor for each.
     pub(crate) fn coefficients(&self, shares: &mut Vec<f64>) {
         shares.clear();
         shares.extend_from_slice(&self.factors(self.len)[..self.len]);
@@ -132,7 +132,7 @@ impl Basis {
     }
 }
 
-/// The product of two vectors, of the rows before `split` and of those behind added at last.
+/// The product of two vectors: the sum of the rows before `split`, plus the sum of the others.
 pub(crate) fn dot(one: &[f64], other: &[f64], split: usize) -> f64 {
     let product = |(one, other): (&[f64], &[f64])| -> f64 { one.iter().zip(other).map(|(one, other)| one * other).sum() };
     let (one, other) = (one.split_at(split), other.split_at(split));
@@ -143,7 +143,7 @@ pub(super) fn norm(vector: &[f64], split: usize) -> f64 {
     dot(vector, vector, split).sqrt()
 }
 
-/// Adds so much of a vector to another.
+/// Adds a multiple of a vector to another vector.
 pub(crate) fn add(to: &mut [f64], factor: f64, vector: &[f64]) {
     for (to, element) in to.iter_mut().zip(vector) {
         *to += factor * element;

@@ -36,7 +36,7 @@ impl Instant {
         Ok((unique, DVector::from_iterator(self.n(), problem.impulses())))
     }
 
-    /// With its contacts in another order.
+    /// The instant with its contacts in another order.
     fn turned(&self) -> Self {
         let order: Vec<_> = (0..self.n()).map(|place| (place + 1) % self.n()).collect();
         let of = |vector: &DVector<f64>| DVector::from_fn(self.n(), |place, _| vector[order[place]]);
@@ -47,7 +47,7 @@ impl Instant {
         }
     }
 
-    /// Every answer with pushing contacts that do not depend on each other, by trying all sets.
+    /// Every answer with independent pushing contacts, by trying all sets.
     fn answers(&self) -> Vec<DVector<f64>> {
         let answer = |set: Vec<usize>| {
             let columns = self.columns.select_columns(&set);
@@ -118,7 +118,7 @@ impl Instant {
         let differs = |answer: &DVector<f64>| (answer - &answers[0]).amax() > 1e-6 * scale;
         let differ = answers.iter().any(differs);
         assert!(!(unique && differ), "{place}: {impulses}");
-        // Between walls all impulses may grow without end.
+        // Between walls all impulses may grow without bound.
         assert!(unique || differ || place.contains("wall"), "{place}: {impulses}");
         let energy = 0.5 * driven.norm_squared() - impulses.dot(&self.approach);
         assert!(energy < 1e-14 * scale, "{place}: creates {energy:e}");
@@ -132,7 +132,7 @@ impl Instant {
     }
 }
 
-/// Every set of so many contacts.
+/// Every set of n contacts.
 fn sets(n: usize) -> impl Iterator<Item = Vec<usize>> {
     (0..1_u32 << n).map(move |set| (0..n).filter(|contact| set >> contact & 1 == 1).collect())
 }
@@ -146,7 +146,7 @@ fn storey(seed: u64, kind: u64) -> Instant {
     let is_plastic = seed.is_multiple_of(5);
     let (mut columns, mut demand, mut approach) = (vec![], vec![], vec![]);
     for _ in 0..60 {
-        // A share or a floor, of sixteenths: contacts often coincide, and walls do not almost face each other.
+        // A share or a floor, in sixteenths: contacts often coincide, and walls never almost face each other.
         let lean = ((24.0 * number()).round().clamp(-16.0, 16.0) + 16.0) / 32.0;
         let own = [lean - 1.0, -lean];
         let weights = match (kind, kind > 0 && number() > 0.0) {
@@ -164,7 +164,7 @@ fn storey(seed: u64, kind: u64) -> Instant {
         }
         let own = if seed % 5 < 3 { alike } else { 0.5 + 0.5 * number() };
         let restitution = if is_plastic { 0.0 } else { own };
-        // Those that part stay out, but in the last round, which is plastic.
+        // Pairs that part stay out, except in the last, plastic round.
         let full = demand.len() as u64 == 2 + seed % 4;
         if (rate >= 0.0 || is_plastic) && !full {
             columns.extend((0..4).map(|row| weights[row] / masses[row].sqrt()));
@@ -200,7 +200,7 @@ fn reference_many_contacts_that_may_depend_on_each_other() {
     for seed in 0..2000 {
         let mut number = numbers(seed);
         let n = 1 + (seed % 12) as usize;
-        // One problem in two has a singular W, whose demand is in its range.
+        // Every second problem has a singular W, with the demand in its range.
         let n_rows = if seed % 24 < 12 { n + 2 } else { n.div_ceil(2) };
         let columns = DMatrix::from_fn(n_rows, n, |_, _| number());
         let demand = if n_rows > n {
@@ -226,8 +226,8 @@ fn reference_many_contacts_that_may_depend_on_each_other() {
 
 #[test]
 fn issue_a_push_on_a_shared_floor_may_leave_the_other_contact_alone() {
-    // Growing the set lets the second contact pull with 46 kN s. Of masses 300 and 200 t; the slabs meet columns of the one
-    // storey above and below its floor.
+    // With a growing set the second contact pulls with 46 kN s. Masses of 300 and 200 t; the slabs meet columns of the only storey above
+    // and below its floor.
     let (slab, floor) = (3e5_f64.sqrt(), 2e5_f64.sqrt());
     let rates = [1.0, 0.2];
     let columns = [
@@ -251,7 +251,7 @@ fn issue_a_push_on_a_shared_floor_may_leave_the_other_contact_alone() {
 
 #[test]
 fn extreme_a_mass_between_two_walls() {
-    // Both contacts say the same with opposite signs; what one asks for the other may not take back.
+    // The two contacts are opposite; neither may take back the demand of the other.
     let mut problem = Complementarity::new(2, 1);
     for (demand, wanted) in [
         ([1.0, -1.0], Ok([1.0, 0.0])),

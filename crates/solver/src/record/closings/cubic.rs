@@ -13,20 +13,20 @@ use crate::{Motion, Travel};
 /// Instant \[s\], displacement \[m\] and velocity \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
-    /// How far \[m\].
+    /// Displacement \[m\].
     pub displacement: f64,
-    /// How fast \[m/s\].
+    /// Velocity \[m/s\].
     pub velocity: f64,
 }
 
 /// The cubic through two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cubic {
-    /// Where it starts.
+    /// Start of the cubic.
     pub start: Node,
-    /// Where it ends.
+    /// End of the cubic.
     pub end: Node,
 }
 
@@ -41,7 +41,7 @@ impl Node {
 }
 
 impl Cubic {
-    /// The ground of a node over the same interval.
+    /// The motion of the ground under a node over this interval.
     pub(super) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
         let at = |time: f64| {
             let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
@@ -81,7 +81,7 @@ impl Cubic {
         }
     }
 
-    /// The part up to an instant, which is not before its start.
+    /// The part up to an instant, which is at least its start.
     pub(super) fn until(self, time: f64) -> Self {
         if time < self.end.time {
             Self {
@@ -93,7 +93,7 @@ impl Cubic {
         }
     }
 
-    /// The part from an instant before its end on.
+    /// The part from an instant before its end.
     pub(super) fn from(self, time: f64) -> Self {
         Self {
             start: self.at(time),
@@ -113,7 +113,7 @@ impl Cubic {
         }
     }
 
-    /// The difference of two cubics over one interval.
+    /// The difference of two cubics over a common interval.
     pub(super) fn less(self, other: Self) -> Self {
         let less = |one: Node, other: Node| Node {
             time: one.time,
@@ -126,18 +126,18 @@ impl Cubic {
         }
     }
 
-    /// Heights between which it stays: those of its Bézier points.
+    /// Values of its Bézier points, whose range contains the cubic.
     pub(super) fn controls(&self) -> [f64; 4] {
         let [start, end] = [self.start, self.end].map(|node| [node.displacement, node.velocity]);
         controls(self.duration(), [start, end])
     }
 
-    /// Its largest value and where it is first.
+    /// Its largest value, and the first position of this value.
     #[inline(always)] // Called instead, openings side by side take 1.12 times as long.
     pub fn highest(&self) -> Closing {
         let [u, a, b, c] = self.coefficients();
-        // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
-        // c = 0 or a = 0, is not between 0 and 1.
+        // The slope is a + 2bs + 3cs², without a root if it does not change sign. A NaN root (b = 0 and c = 0 or a = 0) is not between 0
+        // and 1.
         let root = (b * b - 3.0 * a * c).sqrt();
         let sum = -(b + root.copysign(b));
         let Node { time, displacement, .. } = self.start;
@@ -165,8 +165,8 @@ impl Cubic {
     }
 }
 
-/// Heights between which a cubic of this duration \[s\] stays, with displacements and velocities at both ends; of one scene or of several
-/// side by side.
+/// Values whose range contains a cubic of this duration \[s\], from displacements and velocities at both ends, for a single scene or for
+/// several scenes in lanes.
 #[inline(always)]
 pub fn controls<N: Number>(duration: N, [start, end]: [[N; 2]; 2]) -> [N; 4] {
     let third = duration / duration.like(3.0);

@@ -1,4 +1,4 @@
-//! What lies between two neighbours, and how far they have closed it.
+//! The motion between two neighbours, and how far they have closed their gap.
 
 use std::collections::VecDeque;
 
@@ -6,18 +6,18 @@ use super::Closing;
 use super::cubic::Cubic;
 use super::piece::Piece;
 
-/// What lies between two neighbours.
+/// The gap between two neighbours.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Gap {
-    /// Motion of the left and of the right neighbour that the other has not come to, from one common instant on.
+    /// Motions of the left and of the right neighbour that the other has not reached yet, from a common instant.
     pub(super) ahead: [VecDeque<Piece>; 2],
     pub(super) largest: Option<Closing>,
-    /// Whether the ground shakes the other way round, of which every motion is the mirror.
+    /// Whether the gap is that under the mirrored shaking, which mirrors every motion.
     reversed: bool,
 }
 
 impl Gap {
-    /// Under the mirror of the shaking that is followed.
+    /// A gap under the mirrored shaking.
     pub(super) fn reversed() -> Self {
         Self {
             reversed: true,
@@ -25,12 +25,12 @@ impl Gap {
         }
     }
 
-    /// What closes the gap, of the left neighbour's motion less that of the right one.
+    /// The closing of the gap, from the left motion minus the right motion.
     fn closing(&self, apart: Cubic) -> Cubic {
         if self.reversed { apart.mirrored() } else { apart }
     }
 
-    /// A piece of the motion of the left neighbour (side 0) or of the right one, beside a wall that moves so.
+    /// Adds a piece of the motion of the left neighbour (side 0) or the right neighbour (side 1) next to a wall with this motion.
     pub(super) fn follow_beside_wall(&mut self, side: usize, piece: &Piece, wall: impl Fn(Cubic) -> Cubic) {
         let reversed = self.reversed;
         let closing = |cubic: Cubic| {
@@ -48,7 +48,7 @@ impl Gap {
         }
     }
 
-    /// The same beside a neighbour that moves.
+    /// Adds a piece of the motion of a neighbour, next to a neighbour that moves.
     pub(super) fn follow(&mut self, side: usize, piece: Piece) {
         self.ahead[side].push_back(piece);
         while let [Some(left), Some(right)] = self.ahead.each_ref().map(VecDeque::front) {
@@ -72,15 +72,15 @@ impl Gap {
         }
     }
 
-    /// Whether a closing that is so far from a cubic at most goes no further than is known. It does not go above the control points, so
-    /// that most pieces are left at once.
+    /// Whether a closing with at most this distance from its cubic cannot exceed the known closing. Its control points bound it, so that
+    /// most pieces are skipped at once.
     fn knows(&self, closing: &Cubic, leaves_out: f64) -> bool {
         let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
         let mut controls = closing.controls().into_iter();
         controls.all(|height| height + leaves_out <= known)
     }
 
-    /// Takes the largest value of a closing that is a cubic.
+    /// Updates the largest closing from a cubic.
     fn take(&mut self, closing: &Cubic) {
         let highest = closing.highest();
         let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
@@ -90,7 +90,7 @@ impl Gap {
     }
 }
 
-/// Puts the cubics between the looks of the first piece in its place.
+/// Replaces the first piece by the cubics between its looks.
 fn look_closer(ahead: &mut VecDeque<Piece>) {
     if let Some(piece) = ahead.pop_front() {
         for cubic in piece.fine().rev() {

@@ -1,4 +1,4 @@
-//! A piece of the motion of a structure: a cubic, and the series that it stands for until somebody needs to look closer.
+//! A piece of the motion of a structure: a cubic, and the series behind it until a closer look is needed.
 
 use super::cubic::{Cubic, Node};
 use crate::Motion;
@@ -6,26 +6,26 @@ use crate::span::{Power, Series, value};
 
 /// Most coefficients of a series that is kept.
 const MOST: usize = 40;
-/// What rounding adds to what a cubic leaves out, as a part of the terms of the series; the cubics between looks leave out no more.
+/// Rounding added to the error of a cubic, as a part of the terms of the series. The cubics between looks have at most this error.
 const ROUNDING: f64 = 1e-12;
-/// What the cubics between looks leave out themselves, as a part of what one cubic does: at most 2⁻⁴.
+/// Error of the cubics between looks plus that of the single cubic, relative to the latter: two or more cubics leave at most 2⁻⁴ of it.
 const BETWEEN_LOOKS: f64 = 1.1;
 
 /// A piece of the motion of a structure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Piece {
-    /// The motion, or what is left of it.
+    /// The motion, or the rest of it.
     pub(super) cubic: Cubic,
-    /// What the cubic stands for; nothing where it is the motion itself.
+    /// The series behind the cubic; `None` if the cubic is the motion itself.
     coarse: Option<Box<Coarse>>,
 }
 
-/// A series, looked at so many times.
+/// A series with its number of looks.
 #[derive(Debug, Clone, PartialEq)]
 struct Coarse {
-    /// From its start to its end.
+    /// The cubic from its start to its end.
     whole: Cubic,
-    /// How far the series is from that cubic at most \[m\].
+    /// Largest distance of the series from this cubic \[m\].
     leaves_out: f64,
     looks: u32,
     origin: f64,
@@ -42,7 +42,7 @@ impl From<Cubic> for Piece {
 }
 
 impl Piece {
-    /// A series between two nodes; `None` where it is no short series in time.
+    /// A series between two nodes; `None` if it is not a short series in time.
     pub(super) fn of_series(whole: Cubic, series: &Series<'_>) -> Option<Self> {
         let len = series.displacement.len();
         if len > MOST || series.velocity.len() != len || series.power != Power::One {
@@ -68,12 +68,12 @@ impl Piece {
         })
     }
 
-    /// How far the motion is from the cubic at most \[m\].
+    /// Largest distance of the motion from the cubic \[m\].
     pub(super) fn leaves_out(&self) -> f64 {
         self.coarse.as_ref().map_or(0.0, |coarse| coarse.leaves_out)
     }
 
-    /// The part from an instant before its end on.
+    /// The part from an instant before its end.
     pub(super) fn from(self, time: f64) -> Self {
         Self {
             cubic: self.cubic.from(time),
@@ -118,7 +118,7 @@ impl Coarse {
         let time = self.whole.start.time + share * self.whole.duration();
         let x = (time - self.origin).max(0.0).min(self.end);
         let at = |series: &[f64; MOST]| value(&series[..self.len], x);
-        // As the state of a span: the rise on top of the start.
+        // As in the state of a span: the rise is added to the start.
         let rise = x * value(&self.displacement[1..self.len.max(1)], x);
         let motion = Motion {
             displacement: self.displacement[0] + rise,
@@ -128,16 +128,16 @@ impl Coarse {
     }
 }
 
-/// Into how many cubics a series in time is cut, so that they leave out no more than rounding adds.
+/// Number of cubics for a series in time, such that they leave out at most the rounding.
 pub(super) fn looks(displacement: &[f64], duration: f64) -> u32 {
     Bounds::of(displacement, duration).looks()
 }
 
-/// Bounds of a displacement over a time, by the terms of its series \[m\].
+/// Bounds of a displacement over a duration, from the terms of its series \[m\].
 struct Bounds {
-    /// How far it is from the cubic through its ends: h⁴/384 times the largest fourth derivative.
+    /// Bound of the distance from the cubic through its ends: h⁴/384 times the largest fourth derivative.
     from_cubic: f64,
-    /// Of itself.
+    /// Bound of the displacement.
     all: f64,
 }
 
@@ -157,13 +157,12 @@ impl Bounds {
         }
     }
 
-    /// How far the series is from the cubic through its ends at most \[m\].
+    /// Largest distance of the series from the cubic through its ends \[m\].
     fn leaves_out(&self) -> f64 {
         BETWEEN_LOOKS * self.from_cubic + ROUNDING * self.all
     }
 
-    /// Into how many cubics it is cut, so that they leave out no more than rounding adds: the distance falls with the fourth power of
-    /// their number.
+    /// Number of cubics such that they leave out at most the rounding; the distance falls with the fourth power of their number.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -1,43 +1,42 @@
-//! The energy and momentum of one floor and of the storey below it.
+//! Energy and momentum of a floor and of the storey below it.
 
 use super::columns::Columns;
 use super::largest::Balances;
 use super::{LedgerError, Terms};
 use crate::{Excitation, Hysteretic, Motion, Path, Row, Span, State, Support, Weighed};
 
-/// Everything that is booked of one floor and its storey.
+/// Account of a floor and its storey.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Account {
-    /// 0 of a wall, of which nothing is booked.
+    /// Mass \[kg\]; 0 for a wall, which has no account.
     mass: f64,
     damping: f64,
     support: Support,
-    /// When the ground motion arrives \[s\].
+    /// Arrival of the ground motion \[s\].
     arrival: f64,
     columns: Columns,
     /// Whether its first span or impact has come.
     open: bool,
-    /// Strain energy in which it begins \[J\].
+    /// Strain energy at the start \[J\].
     first_strain: f64,
     pub(super) terms: Terms,
-    /// Kinetic energy of the start.
+    /// Kinetic energy at the start \[J\].
     first_kinetic: f64,
-    /// Momentum of the start.
+    /// Momentum at the start \[N·s\].
     first_momentum: f64,
     momentum: f64,
-    /// Work of the restoring force as the method weighed it.
+    /// Work of the restoring force, with the weights of the method \[J\].
     restoring_work: f64,
-    /// Sums over time of what acted.
+    /// Impulses of everything that acts on the floor.
     impulses: Acting,
-    /// Magnitudes of all that was booked, span by span and impact by impact \[J\]: each leaves its rounding.
+    /// Sum of the magnitudes of all terms, span by span and impact by impact \[J\]: each leaves its rounding.
     pub(super) booked: f64,
 }
 
-/// Works \[J\] or impulses \[N·s\] on a floor, of everything that acts on it.
+/// Works \[J\] or impulses \[N·s\] on a floor of everything that acts on it.
 ///
-/// Of a motion known between its ends, those of the columns and the damping are of the storey below the floor: works on
-/// its drift, and impulses of what the ground gives. Of a step they are what acts on the floor in net. Summed over a
-/// building both are the same.
+/// For a motion known between its ends, those of columns and damping belong to the storey below the floor: works on its drift, and impulses
+/// from the ground. For a step they are the net action on the floor. Summed over a building, both are equal.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Acting {
     restoring: f64,
@@ -112,7 +111,7 @@ impl Account {
         }
     }
 
-    /// Books a span; returns the works done on the floor in it.
+    /// Books a span; returns the works on the floor in it.
     pub(super) fn span(&mut self, span: &Span<'_>, excitation: &Excitation<'_>) -> Acting {
         if self.mass == 0.0 {
             return Acting::default();
@@ -141,7 +140,7 @@ impl Account {
         works
     }
 
-    /// Books an impact: the impulse on the floor \[N·s\], its velocities before and after \[m/s\].
+    /// Books an impact: the impulse on the floor \[N·s\], and its velocities before and after \[m/s\].
     pub(super) fn impact(&mut self, impulse: f64, before: f64, after: f64) {
         if self.mass > 0.0 {
             if !self.open {
@@ -155,19 +154,19 @@ impl Account {
         }
     }
 
-    /// Books the work of grounds that move towards each other \[J\], done on the floor through compliant contact.
+    /// Books the work on the floor, through compliant contact, of grounds that move towards each other \[J\].
     pub(super) fn open_contact(&mut self, work: f64) {
         self.terms.opening += work;
         self.terms.contact += work;
     }
 
-    /// The same through an impact.
+    /// Books the work on the floor, through an impact, of grounds that move towards each other \[J\].
     pub(super) fn open_impact(&mut self, work: f64) {
         self.terms.opening += work;
         self.terms.impact += work;
     }
 
-    /// Columns must not give energy when they flow; of an earlier hysteretic energy \[J\] and the end of a span.
+    /// Checks that columns give no energy when they yield, from an earlier hysteretic energy \[J\] to the end of a span.
     pub(super) fn flowed(&self, earlier: f64, span: &Span<'_>) -> Result<(), LedgerError> {
         let found = earlier - self.terms.hysteretic;
         if found <= 0.0 {
@@ -185,14 +184,14 @@ impl Account {
         })
     }
 
-    /// Opens at a velocity and a strain energy: of the first span, or before an impact at the very start.
+    /// Starts the account at a velocity and a strain energy: those of the first span, or before an impact at the very start.
     fn start(&mut self, velocity: f64, strain: f64) {
         self.open = true;
         self.first_kinetic = 0.5 * self.mass * (velocity * velocity);
         self.first_momentum = self.mass * velocity;
         self.momentum = self.first_momentum;
         self.terms.initial = self.first_kinetic + strain;
-        // A neighbour's span may be judged before the first one of this floor.
+        // A neighbour's span may be checked before the first span of this floor.
         (self.terms.kinetic, self.terms.strain) = (self.first_kinetic, strain);
     }
 
@@ -205,8 +204,8 @@ impl Account {
         self.columns.strain(state.restoring_force, drift.displacement)
     }
 
-    /// Of a step: each impulse, as the method weighed it, times the mean velocity, so that the sum of works is the
-    /// change of kinetic energy wherever the sum of impulses is the change of momentum.
+    /// Works and impulses of a step. Each work is the impulse, with the weights of the method, times the mean velocity. If the sum of
+    /// impulses is the change of momentum, the sum of works is then the change of kinetic energy.
     fn weighed(&self, span: &Span<'_>, weighed: Weighed) -> (Acting, Acting) {
         let impulses = [
             weighed.restoring,
@@ -220,10 +219,10 @@ impl Account {
         (Acting::besides_impacts(works), Acting::besides_impacts(impulses))
     }
 
-    /// Of a motion known between its ends: integrals over time, between the samples of the ground motion.
+    /// Works and impulses of a motion known between its ends: integrals over time, between the samples of the ground motion.
     ///
-    /// Forces are known by storey: those of the storey above act on this floor too, but with what they do to the floor
-    /// that they carry they make works on a drift, and impulses that cancel.
+    /// Forces are known by storey. Those of the storey above act on this floor, too. Combined with their action on the floor above, they
+    /// give works on a drift, and impulses that cancel.
     fn integrated(&self, span: &Span<'_>, excitation: &Excitation<'_>) -> (Acting, Acting) {
         let to_ground = self.support.ground_damping();
         let from_ground = match self.support {
@@ -261,7 +260,7 @@ impl Account {
         (works, impulses)
     }
 
-    /// What its balances leave over; nothing once summed over a building.
+    /// Imbalances of the floor; they vanish in the sum over a building.
     #[inline]
     pub(super) fn balances(&self) -> Balances {
         Balances {
@@ -271,19 +270,19 @@ impl Account {
         }
     }
 
-    /// Change of kinetic energy less the works \[J\].
+    /// Change of kinetic energy minus the works \[J\].
     fn identity(&self) -> f64 {
         let terms = &self.terms;
         let works = self.restoring_work + terms.input + terms.opening - terms.damping - terms.contact - terms.impact;
         terms.kinetic - self.first_kinetic - works
     }
 
-    /// Change of momentum less the impulses \[N·s\].
+    /// Change of momentum minus the impulses \[N·s\].
     fn momentum(&self) -> f64 {
         self.momentum - self.first_momentum - self.impulses.all().iter().sum::<f64>()
     }
 
-    /// First momentum plus the magnitudes of momentum and impulses \[N·s\].
+    /// Momentum at the start plus the magnitudes of momentum and impulses \[N·s\].
     pub(super) fn momentum_magnitude(&self) -> f64 {
         let sums = self.impulses.all().iter().map(|sum| sum.abs()).sum::<f64>();
         self.first_momentum.abs() + self.momentum.abs() + sums

@@ -1,24 +1,24 @@
-//! The energy that the columns of a storey store and take.
+//! Energy that the columns of a storey store and dissipate.
 
 use crate::{Flight, Hysteresis, Knee, Motion, Path, Series, Span};
 
-/// The columns of a storey: f = a k d + h under a drift d, where h alone yields.
+/// The columns of a storey: f = a k d + h under a drift d; only h yields.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Columns {
     stiffness: f64,
     yield_force: f64,
-    /// Stiffness a k of what stays elastic \[N/m\].
+    /// Stiffness a k of the elastic part \[N/m\].
     lasting: f64,
-    /// Stiffness (1 − a) k of what yields \[N/m\].
+    /// Stiffness (1 − a) k of the yielding part \[N/m\].
     yielding: f64,
     /// Largest |h|, (1 − a) `f_y` \[N\].
     limit: f64,
     knee: Knee,
 }
 
-/// Rounding that flow is forgiven, relative to the energies of the columns.
+/// Rounding tolerance of dissipation, relative to the energies of the columns.
 const ROUNDING: f64 = 1e-12;
-/// Operations whose rounding is in a force h that was found from f and d, and in a drift found from two displacements.
+/// Number of operations whose rounding is in a force h computed from f and d, and in a drift computed from two displacements.
 const OPERATIONS: f64 = 8.0;
 
 impl Columns {
@@ -30,12 +30,12 @@ impl Columns {
             lasting: loops.hardening * loops.stiffness,
             yielding: part * loops.stiffness,
             limit: part * loops.yield_force,
-            // Columns that never yield have no knee: what rounding leaves of their slip is nothing.
+            // Columns that never yield have no knee: the rounding of their slip must not count.
             knee: if loops.yield_force.is_finite() { loops.knee } else { Knee::Sharp },
         }
     }
 
-    /// The part h of a force \[N\] at a drift \[m\]: f itself without hardening.
+    /// The part h of a force \[N\] at a drift \[m\]; f itself without hardening.
     fn hysteretic(&self, force: f64, drift: f64) -> f64 {
         force - self.lasting * drift
     }
@@ -64,7 +64,7 @@ impl Columns {
         match self.knee {
             Knee::Sharp => self.flow_at_limit(span, drifts),
             Knee::Smooth(_) => match span.path {
-                // All that is known of a step are its ends.
+                // Only the ends of a step are known.
                 Path::Cubic(_) => {
                     let (_, [first, last]) = self.ends(span, drifts);
                     0.5 * (first + last) * self.slip(span, drifts)
@@ -74,11 +74,11 @@ impl Columns {
         }
     }
 
-    /// The same of a sharp knee, at the limit.
+    /// Work of h in yielding over a span for a sharp knee, at the limit \[J\].
     #[inline]
     fn flow_at_limit(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
         match span.path {
-            // A step flows at the limit, and only where it ends there.
+            // A step yields at the limit, and only if it ends there.
             Path::Cubic(_) => {
                 let [_, end] = drifts;
                 let last = self.hysteretic(span.end.restoring_force, end.displacement);
@@ -102,15 +102,15 @@ impl Columns {
         }
     }
 
-    /// Drift of a span that is not elastic \[m\].
+    /// Inelastic part of the drift of a span \[m\].
     fn slip(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
         let (moved, [first, last]) = self.ends(span, drifts);
         moved - (last - first) / self.yielding
     }
 
-    /// The same of a motion known between its ends, by the law of the knee: h ḋ (1 − dz/dd) over time.
+    /// Work of h in yielding for a motion known between its ends, from the law of the knee: h ḋ (1 − dz/dd) over time \[J\].
     ///
-    /// The work of the force is not asked, so that a force that does not follow the law leaves a residual.
+    /// The work of the force is not used, so that a force that violates the law leaves a residual.
     fn bending(&self, span: &Span<'_>) -> f64 {
         let Knee::Smooth(smoothness) = self.knee else {
             return 0.0;
@@ -124,7 +124,7 @@ impl Columns {
         taken
     }
 
-    /// What rounding leaves open of h at the end of a span \[N\]: nothing where f is h.
+    /// Rounding of h at the end of a span \[N\]; 0 if f is h.
     fn blur(&self, span: &Span<'_>, end: Motion) -> f64 {
         if self.lasting > 0.0 {
             let lasting = (self.lasting * end.displacement).abs();
@@ -134,22 +134,22 @@ impl Columns {
         }
     }
 
-    /// Energy \[J\] that flow may give in a span after it took `earlier`.
+    /// Energy \[J\] that columns may give in a span after they took `earlier`.
     ///
-    /// Infinite for a smooth knee with β < 1/2: it unloads softer than along the elastic line and stores more than
-    /// h²/2(1 − a)k, so that it rightly gives back what was booked as taken.
+    /// Infinite for a smooth knee with β < 1/2. It unloads softer than along the elastic line and stores more than h²/2(1 − a)k, so that it
+    /// may give back energy that was booked as dissipated.
     pub(super) fn forgiven(&self, earlier: f64, span: &Span<'_>) -> f64 {
         let elastic = 0.5 * self.yield_force * self.yield_force / self.stiffness;
         ROUNDING * (earlier + elastic) + self.unknown(span)
     }
 
-    /// What rounding of drifts, and the bend of a smooth knee within a step, leave open of a flow \[J\].
+    /// Uncertainty of the dissipated energy \[J\], from the rounding of drifts and from the bend of a smooth knee within a step.
     fn unknown(&self, span: &Span<'_>) -> f64 {
         let drifts = span.drifts();
         let (_, [first, last]) = self.ends(span, drifts);
         let bend = match (self.knee, span.path) {
             (Knee::Smooth(smoothness), _) if smoothness.unloading < 0.5 => f64::INFINITY,
-            // The force at which the columns slip is one of those between the ends; about zero its sign is open.
+            // The force at which the columns slip is between those at the ends; near zero its sign is unknown.
             (Knee::Smooth(_), Path::Cubic(_)) => 0.5 * ((last - first) * self.slip(span, drifts)).abs(),
             (Knee::Smooth(_), Path::Series(_) | Path::Flight(_)) | (Knee::Sharp, _) => 0.0,
         };
@@ -171,7 +171,7 @@ mod tests {
     use crate::span::Power;
     use crate::{Bilinear, BoucWen, Hysteretic, Smoothness, State, Weighed};
 
-    /// A span without a floor below from one displacement to another, under these forces.
+    /// A span without a floor below, between two displacements, under these forces.
     fn span(drifts: [f64; 2], forces: [f64; 2], path: Path<'_>) -> Span<'_> {
         let state = |index: usize| State {
             displacement: drifts[index],
@@ -192,7 +192,7 @@ mod tests {
         }
     }
 
-    /// Strain energy and flow of columns led through drifts, in steps; and the work on them by the trapezoidal rule.
+    /// Strain energy and dissipation of columns along a path of drifts, in steps, and the work on them by the trapezoidal rule.
     fn led<Column: Hysteretic>(column: Column, drifts: impl Iterator<Item = f64>) -> [f64; 3] {
         let columns = Columns::new(column.hysteresis());
         let (mut memory, mut at) = (column.untouched(), [0.0, 0.0]);
@@ -210,7 +210,7 @@ mod tests {
         [columns.strain(at[1], at[0]), flow, work]
     }
 
-    /// Out to 30 mm, back to −30 mm and out again, in steps of 1/n mm.
+    /// To 30 mm, back to −30 mm and to 30 mm again, in steps of 1/n mm.
     fn there_and_back(n: i32) -> impl Iterator<Item = f64> {
         let out = (1..=30 * n).chain((-30 * n..30 * n).rev());
         out.chain(-30 * n + 1..=30 * n)
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn reference_the_area_of_a_bilinear_loop() {
-        // u_y = 10 mm: each turn of 60 mm slips by 40 mm at (1 − a) f_y = 900 N, the first 20 mm once.
+        // u_y = 10 mm: each half cycle of 60 mm slips by 40 mm at (1 − a) f_y = 900 N, and the first loading by 20 mm.
         let column = Bilinear {
             stiffness: 1e5,
             yield_force: 1e3,
@@ -246,14 +246,14 @@ mod tests {
             let [strain, fine, work] = led(column(unloading), there_and_back(8));
             let ratio = (coarse - middle) / (middle - fine);
             assert!((ratio - 4.0).abs() < 0.2, "{unloading}: {ratio}");
-            // The trapezoidal rule is the same on both sides, but for the part that is linear in d.
+            // The trapezoidal rule is used on both sides, except for the part that is linear in d.
             assert!((work - strain - fine).abs() < 1e-9, "{work} {strain}");
         }
     }
 
     #[test]
     fn reference_flow_of_a_smooth_knee_by_its_law() {
-        // A force that follows no law: h = 900 t, ḋ = 0.02, n = 2, loading: ∫ h ḋ y² dt = 900·0.02/4.
+        // A force that violates the law: h = 900 t, ḋ = 0.02, n = 2, loading: ∫ h ḋ y² dt = 900·0.02/4.
         let columns = Columns::new(Hysteresis {
             stiffness: 1e5,
             hardening: 0.0,
@@ -281,7 +281,7 @@ mod tests {
         let loading = span([0.0, 0.02], [0.0, 900.0], path(&[0.02], &[0.0, 0.02], (0.0, 45e3)));
         let flow = columns.flow(&loading, loading.drifts());
         assert!((flow - 4.5).abs() < 1e-12, "{flow}");
-        // Back along the same line γ − β = −0.4 takes the place of 1, and the drift falls.
+        // Back along the same line, γ − β = −0.4 replaces 1, and the drift falls.
         let unloading = span([0.02, 0.0], [900.0, 0.0], path(&[-0.02], &[0.02, -0.02], (900.0, 45e3)));
         let flow = columns.flow(&unloading, unloading.drifts());
         assert!((flow - 0.4 * 4.5).abs() < 1e-12, "{flow}");

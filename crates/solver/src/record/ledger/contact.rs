@@ -1,14 +1,14 @@
-//! What happens between the two points of a pair.
+//! Energy and impulse between the two points of a pair.
 
 use super::LedgerError;
 use crate::{Pair, Relation};
 
-/// Rounding that energies of a contact are forgiven, relative to the works on both structures.
+/// Rounding tolerance of the energies of a contact, relative to the works on both structures.
 const ROUNDING: f64 = 1e-12;
-/// Rounding that a pull is forgiven, relative to the largest force of its span: series end in terms left out.
+/// Tolerance of a pull, relative to the largest force of its span: series leave out terms.
 const PULL: f64 = 1e-9;
 
-/// Everything that is booked of one pair.
+/// Account of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
     relation: Relation,
@@ -21,7 +21,7 @@ pub(super) struct Contact {
     impact_loss: f64,
     loss: f64,
     collision: Option<Touching>,
-    /// The collision that gave back most beyond what its steps allow.
+    /// The collision with the largest excess of returned energy over the tolerance of its steps.
     worst: Option<Touching>,
 }
 
@@ -29,44 +29,44 @@ pub(super) struct Contact {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Side {
     floor: usize,
-    /// Part of the force that it gets \[–\], negative on the left; 0 of no floor.
+    /// Part of the force on the floor \[–\], negative on the left; 0 if there is no floor.
     part: f64,
-    /// End of the last span, and the displacement there and that of a ground that moves on its own.
+    /// End of the last span; the displacement of the floor there, and that of a ground that moves separately.
     time: f64,
     displacement: f64,
     ground: f64,
-    /// Whether it was pushed in that span.
+    /// Whether the floor was pushed in that span.
     pushed_last: bool,
-    /// Impulse of compliant contact of the pair as this floor had it \[N·s\].
+    /// Impulse of compliant contact of the pair on this floor \[N·s\].
     impulse: f64,
-    /// Sum of the magnitudes of those impulses \[N·s\].
+    /// Sum of the magnitudes of these impulses \[N·s\].
     pushed: f64,
     /// Sum of the magnitudes of all impulses on this structure \[N·s\].
     momentum: f64,
-    /// Work on this structure since both sides were last seen at one instant \[J\].
+    /// Work on this structure since both sides were last seen at a common instant \[J\].
     work: f64,
 }
 
-/// A collision under way.
+/// A collision in progress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Touching {
     start: f64,
     /// End of the last span with a push \[s\].
     end: f64,
     n_spans: u32,
-    /// Energy taken from the structures, and given back \[J\].
+    /// Energy taken from the structures, and energy given back \[J\].
     taken: f64,
     given: f64,
     /// Sum of the magnitudes of the works on both sides \[J\].
     exchanged: f64,
 }
 
-/// One side's share of a span: magnitudes, ≥ 0 where the neighbours push.
+/// The action on a side in a span: magnitudes, ≥ 0 if the neighbours push.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Push {
     /// Start and end \[s\].
     pub(super) times: (f64, f64),
-    /// Displacement at the end \[m\], and that of a ground that moves on its own.
+    /// Displacement at the end \[m\], and that of a ground that moves separately.
     pub(super) displacement: f64,
     pub(super) ground: f64,
     /// Whether the motion is known between the ends.
@@ -77,20 +77,20 @@ pub(super) struct Push {
     pub(super) impulse: f64,
     /// Sum of the magnitudes of all impulses on the structure so far \[N·s\].
     pub(super) momentum: f64,
-    /// Work on the structure \[J\], half of what grounds that move towards each other do taken off.
+    /// Work on the structure \[J\], minus half of the work of grounds that move towards each other.
     pub(super) work: f64,
 }
 
-/// Energy and impulse of the contact of one pair.
+/// Energy and impulse of the contact of a pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PairTerms {
-    /// Energy that impulsive impacts took \[J\].
+    /// Energy dissipated by impulsive impacts \[J\].
     pub impact: f64,
-    /// Energy that compliant contact took, what is still stored there included \[J\].
+    /// Energy taken by compliant contact \[J\], including the energy still stored there.
     pub contact: f64,
     /// Impulse on the right structure \[N·s\], ≥ 0.
     pub impulse: f64,
-    /// Impulse on the right structure plus that on the left one \[N·s\]: 0, to rounding.
+    /// Impulse on the right structure plus that on the left structure \[N·s\]: 0 up to rounding.
     pub imbalance: f64,
 }
 
@@ -116,13 +116,13 @@ impl Contact {
         self.relation
     }
 
-    /// Its floors.
+    /// The floors of the pair.
     fn sides(&self) -> impl Iterator<Item = &Side> + Clone {
         self.sides.iter().filter(|side| side.part != 0.0)
     }
 
-    /// Impulse of compliant contact on the floors of its left point and of its right one \[N·s\]. What the ground carries of it is
-    /// taken for as much as the floors had in its place.
+    /// Impulses of compliant contact on the floors of the left and of the right point \[N·s\]. The share of the ground is scaled from that
+    /// of the floors.
     fn impulses(&self) -> [f64; 2] {
         let on = |is_on: fn(f64) -> bool| {
             let sides = self.sides().filter(|side| is_on(side.part));
@@ -133,7 +133,7 @@ impl Contact {
         [on(|part| part < 0.0), on(|part| part > 0.0)]
     }
 
-    /// Whether all its floors have been seen at one instant.
+    /// Whether all floors of the pair have been seen at a common instant.
     fn is_together(&self) -> bool {
         let times = || self.sides().map(|side| side.time);
         let first = times().fold(f64::INFINITY, f64::min);
@@ -157,14 +157,14 @@ impl Contact {
         self.hit = Some(time);
     }
 
-    /// Whether the pair has not come apart since its last impact.
+    /// Whether the pair has not parted since its last impact.
     pub(super) fn meets(&self) -> bool {
         self.hit.is_some()
     }
 
     /// Forgets the last impact once the pair is apart.
     ///
-    /// A motion known between its nodes separates after an impact or rests; in a step the overlap has to go.
+    /// A motion known between its nodes separates or rests after an impact; in a step the overlap must have vanished.
     fn separate(&mut self, exact: bool) {
         let Some(hit) = self.hit else {
             return;
@@ -175,7 +175,7 @@ impl Contact {
         }
     }
 
-    /// Whether the neighbours do not overlap; both have been seen at one instant.
+    /// Whether the neighbours do not overlap. Both have been seen at a common instant.
     fn is_apart(&self) -> bool {
         let side = |floor: usize| self.sides().find(|side| side.floor == floor);
         let moved = |floor: usize| side(floor).map_or(0.0, |side| side.displacement);
@@ -184,7 +184,7 @@ impl Contact {
         self.relation.ahead(moved) + (left - right) <= self.relation.offset
     }
 
-    /// Books the span of a side, 0 for the left structure and 1 for the right one.
+    /// Books the span of a side: 0 for the left structure, 1 for the right structure.
     #[inline]
     pub(super) fn push(&mut self, pair: usize, floor: usize, push: &Push) -> Result<(), LedgerError> {
         let place = self.sides().position(|side| side.floor == floor);
@@ -192,7 +192,7 @@ impl Contact {
         let side = &mut self.sides[index];
         side.time = push.times.1;
         (side.displacement, side.ground) = (push.displacement, push.ground);
-        // Some methods push once more after parting, others between the ends of a span only.
+        // Some methods push once more after parting, others only between the ends of a span.
         side.pushed_last = push.impulse != 0.0 || push.forces != (0.0, 0.0);
         if side.pushed_last {
             side.impulse += push.impulse;
@@ -217,14 +217,14 @@ impl Contact {
             pulls(pair, push, magnitude)?;
         }
         self.separate(push.exact);
-        // A collision is weighed where all its floors have been seen.
+        // A collision is evaluated when all its floors have been seen.
         if self.is_together() {
             self.meet();
         }
         Ok(())
     }
 
-    /// Both sides have come to the same instant of a collision.
+    /// Evaluates a collision when both sides have reached a common instant.
     fn meet(&mut self) {
         let Some(collision) = &mut self.collision else {
             return;
@@ -241,7 +241,7 @@ impl Contact {
             collision.given += (-taken).max(0.0);
             collision.exchanged += works.iter().map(|work| work.abs()).sum::<f64>();
         }
-        // A clamped law lets go of neighbours that overlap, and may give back later what it took.
+        // A clamped law releases neighbours that still overlap, and may later give back the energy that it took.
         if pushed || !self.is_apart() {
             return;
         }
@@ -252,7 +252,7 @@ impl Contact {
         }
     }
 
-    /// A collision must not give more than it took, what is negligible \[J\] apart.
+    /// Checks that a collision gives at most the energy that it took, apart from a `negligible` energy \[J\].
     pub(super) fn gives(&self, pair: usize, negligible: f64) -> Result<(), LedgerError> {
         let Some(worst) = self.worst.filter(|worst| worst.excess() > negligible) else {
             return Ok(());
@@ -266,7 +266,7 @@ impl Contact {
         })
     }
 
-    /// Both structures must have got opposite impulses.
+    /// Checks that both structures have opposite impulses.
     pub(super) fn balanced(&self, pair: usize) -> Result<(), LedgerError> {
         let [left, right] = self.impulses();
         let allowed = PULL * self.sides().map(|side| side.pushed).sum::<f64>();
@@ -279,24 +279,24 @@ impl Contact {
 }
 
 impl Touching {
-    /// Energy that may be given back beyond what was taken \[J\].
+    /// Energy that may be given back beyond the energy taken \[J\].
     ///
-    /// A stepping method knows the ends of a collision to a step only: what one of n steps can spoil is the nth part.
+    /// A stepping method finds the ends of a collision to a step: an error of a single step out of n is the nth part.
     fn allowed(&self) -> f64 {
         self.taken / f64::from(self.n_spans) + ROUNDING * self.exchanged
     }
 
-    /// Energy given back beyond that \[J\].
+    /// Energy given back beyond the allowed energy \[J\].
     fn excess(&self) -> f64 {
         self.given - self.taken - self.allowed()
     }
 }
 
-/// Neighbours push, they do not pull; the structure has seen impulses of this `magnitude` \[N·s\] so far.
+/// Checks that neighbours push and do not pull. `magnitude` is the sum of impulses on the structure so far \[N·s\].
 fn pulls(pair: usize, push: &Push, magnitude: f64) -> Result<(), LedgerError> {
     let (start, end) = push.times;
     let allowed = PULL * push.forces.0.abs().max(push.forces.1.abs());
-    // A piece that is hardly longer than clocks can tell has rounding for its impulse.
+    // The impulse of a piece near the resolution of the clock is rounding.
     let mean = if push.impulse < -ROUNDING * magnitude {
         push.impulse / (end - start)
     } else {
@@ -314,8 +314,8 @@ fn pulls(pair: usize, push: &Push, magnitude: f64) -> Result<(), LedgerError> {
 mod tests {
     use super::*;
 
-    /// A span that the clock does not tell from an instant, of floors that touch before they have felt the shaking: −4e-120 N·s over 0 s
-    /// were a pull of −∞.
+    /// A span below the resolution of the clock, of floors that touch before they feel the shaking: −4e-120 N·s over 0 s counted as a pull
+    /// of −∞.
     #[test]
     fn issue_an_impulse_below_rounding_is_no_pull() {
         let push = |impulse: f64, duration: f64| Push {

@@ -44,7 +44,7 @@ pub enum LedgerError {
         end: f64,
         /// Energy created \[J\].
         found: f64,
-        /// What rounding of the velocities can make of it \[J\].
+        /// Energy that the rounding of velocities explains \[J\].
         allowed: f64,
     },
     /// A collision of a compliant pair that gave the row more energy than it had taken.
@@ -61,7 +61,7 @@ pub enum LedgerError {
         end: f64,
         /// Energy created \[J\].
         found: f64,
-        /// What the length of the steps can make of it \[J\].
+        /// Energy that the length of the steps explains \[J\].
         allowed: f64,
     },
     /// Columns that gave energy in yielding.
@@ -76,10 +76,10 @@ pub enum LedgerError {
         time: f64,
         /// Energy created \[J\].
         found: f64,
-        /// What rounding can make of it \[J\].
+        /// Energy that rounding explains \[J\].
         allowed: f64,
     },
-    /// Neighbours that did not get opposite impulses.
+    /// Neighbours without opposite impulses.
     #[error(
         "pair {pair}: found impulses of {left:.3} N s on the left and {right:.3} N s on the right structure, allowed are \
          opposite ones; this is a fault of the method: use another one, and report it"
@@ -87,12 +87,12 @@ pub enum LedgerError {
     Imbalance {
         /// Index of the pair in its row.
         pair: usize,
-        /// What the left structure got \[N·s\].
+        /// Impulse on the left structure \[N·s\].
         left: f64,
-        /// What the right structure got \[N·s\].
+        /// Impulse on the right structure \[N·s\].
         right: f64,
     },
-    /// A motion that should be exact, and whose energies do not add up.
+    /// A motion that should be exact but whose energies do not balance.
     #[error(
         "energy: found {found:.1e} of it unexplained, allowed {allowed:.1e}, which rounding leaves of a right run; some number \
          of this run is wrong, which is a fault of the method: use another one, and report it"

@@ -1,15 +1,15 @@
-//! Largest values over time.
+//! Largest imbalances over time.
 
 use std::ops::AddAssign;
 
-/// What the balances of a floor, or of a building, leave over.
+/// Imbalances of a floor or of a building.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Balances {
-    /// Change of kinetic energy less the works \[J\].
+    /// Change of kinetic energy minus the works \[J\].
     pub(super) identity: f64,
-    /// What the terms leave over \[J\].
+    /// Residual of the energy terms \[J\].
     pub(super) residual: f64,
-    /// Change of momentum less the impulses \[N·s\].
+    /// Change of momentum minus the impulses \[N·s\].
     pub(super) momentum: f64,
 }
 
@@ -21,7 +21,7 @@ impl AddAssign for Balances {
     }
 }
 
-/// Largest values over time, of sums over buildings.
+/// Largest values over time of sums over buildings.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Largest {
     pub(super) scale: f64,
@@ -32,7 +32,7 @@ pub(super) struct Largest {
 }
 
 impl Largest {
-    /// Adds what the balances of a building leave, and the magnitude of its momentum.
+    /// Adds the imbalances of a building and the magnitude of its momentum.
     #[inline]
     pub(super) fn add(&mut self, left: Balances, momentum_magnitude: f64) {
         self.identity += left.identity.abs();
@@ -41,7 +41,7 @@ impl Largest {
         self.momentum_scale += momentum_magnitude;
     }
 
-    /// The larger one of each; what is no number stays.
+    /// The larger value of each; NaN stays NaN.
     pub(super) fn max(self, other: Self) -> Self {
         Self {
             scale: larger(self.scale, other.scale),
@@ -53,7 +53,7 @@ impl Largest {
     }
 }
 
-/// Of two values; unlike [`f64::max`] it keeps NaN, so that a verdict sees it.
+/// The larger of two values; unlike [`f64::max`] it keeps NaN, so that a verdict sees it.
 fn larger(one: f64, other: f64) -> f64 {
     if other > one || other.is_nan() { other } else { one }
 }

@@ -24,63 +24,61 @@ use crate::model::incidence::{Incidence, Incident};
 use crate::span::Expansion;
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span, Travel};
 
-/// Books the energy of every building, and the energy and impulse of every pair.
+/// Records the energy of every building, and the energy and impulse of every pair.
 ///
-/// Works on a building are integrals over the motion where a method knows it between its nodes
-/// ([`Path::Series`](crate::Path::Series)). In a step they are the impulses, as the method weighed the forces, times
-/// the mean velocity of the step: then the change of kinetic energy equals the sum of the works to rounding, whatever
-/// the step, and [`identity`](Self::identity) finds a method that reports what it did not do. What the step costs in
-/// accuracy shows where works meet energies ([`residual`](Self::residual)), and in the distance from the ledger of a
-/// better run ([`error`](Self::error)).
+/// If a method knows the motion between its nodes ([`Path::Series`](crate::Path::Series)), works on a building are integrals over this
+/// motion. In a step they are the impulses, with the method's weights of the forces, times the mean velocity of the step. The change of
+/// kinetic energy then equals the sum of the works to rounding, for any step, and [`identity`](Self::identity) detects a method whose
+/// report differs from its computation. The accuracy of the step shows in the comparison of works with energies
+/// ([`residual`](Self::residual)), and in the distance from the ledger of a more accurate run ([`error`](Self::error)).
 ///
-/// Kinetic energy, input and contact are booked with a floor, strain and yielding with the storey below it. Damping is
-/// that of the storey and of the floor against the ground where a motion is known between its nodes, and all that acts
-/// on the floor in a step. Energies balance over the floors of a building, and only at instants at which all of them
-/// have been seen; a structure of one storey is a building of one floor.
+/// Kinetic energy, input and contact are booked with a floor, strain and yielding with the storey below it. For a motion known between its
+/// nodes, damping is that of the storey and of the floor against the ground. In a step it is all damping on the floor. Energies balance
+/// over the floors of a building, at instants at which all of them have been seen. A structure of one storey is a building with one floor.
 ///
-/// Largest values over time are taken once in a step of all floors. Of motions known between their nodes, whose pieces end one by one, they
-/// are taken after every piece, in rows of more than sixteen nodes after every n/16th one.
+/// Largest values over time are updated once per step of all floors. Pieces of motions known between their nodes end at different instants:
+/// for them the update follows every piece, or every n/16th piece in rows of n > 16 nodes.
 ///
-/// Signs: input counts positive into the row, everything else positive out of the motion; see [`Terms`].
+/// Signs: input counts positive into the row, all other terms positive out of the motion; see [`Terms`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger<'a> {
     excitation: Excitation<'a>,
-    /// How it travels along the row; nothing where all are shaken at once.
+    /// How the motion travels along the row; `None` if all are shaken at once.
     travel: Option<Travel>,
-    /// One for each node.
+    /// Account of each node.
     accounts: Vec<Account>,
     buildings: Buildings,
     sightings: Sightings,
     contacts: Vec<Contact>,
-    /// Which pairs meet which floors.
+    /// Incidence of pairs and floors.
     incidence: Incidence,
-    /// The impacts since some pair was last hit that has not come apart yet.
+    /// The impacts since the last time that all pairs were apart.
     meeting: Option<Meeting>,
-    /// Pairs that have not come apart since their last impact.
+    /// Number of pairs that have not parted since their last impact.
     n_meeting: usize,
     largest: Largest,
-    /// Nodes that are no walls.
+    /// Number of nodes that are not walls.
     n_floors: usize,
-    /// Spans since the largest values were taken.
+    /// Spans since the last update of the largest values.
     unmeasured: usize,
     laws: Laws,
     violation: Option<LedgerError>,
 }
 
-/// The laws of mechanics that a run is held to.
+/// The laws of mechanics that a run must obey.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Laws {
-    /// All that hold whatever the step: contact does not pull, nothing creates energy, impulses are opposite.
+    /// All laws that hold for any step: contact does not pull, nothing creates energy, impulses are opposite.
     #[default]
     All,
-    /// The same, and energy is kept to [rounding](Ledger::bound): of a method that knows its motion between its nodes.
+    /// All laws, and conservation of energy to [rounding](Ledger::bound), for a method that knows its motion between nodes.
     Energy {
-        /// Relative size of what a piece of the motion leaves out \[–\]; see [`Exact::tolerance`](crate::Exact::tolerance).
+        /// Relative truncation error of a piece of the motion \[–\]; see [`Exact::tolerance`](crate::Exact::tolerance).
         tolerance: f64,
     },
 }
 
-/// One collision of impulsive pairs: all impacts until every pair hit has come apart.
+/// A collision of impulsive pairs: all impacts until every pair that was hit has parted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Meeting {
     start: f64,
@@ -90,23 +88,22 @@ struct Meeting {
     allowed: f64,
 }
 
-/// Rounding that the velocities around an impact are forgiven, relative to them: they carry that of the run before.
+/// Rounding tolerance of the velocities around an impact, relative to them; it includes the rounding of the run before.
 const ROUNDING: f64 = 1e-12;
 /// Energy that a compliant collision may create, relative to the scale.
 ///
-/// Where nearly nothing moves yet, the steps resolve nothing; of 400 random rows no other collision gave back more than
-/// its steps allow, and none of these as much as 1e-8 of the scale.
+/// When almost nothing moves yet, the steps resolve nothing. In 400 random rows, no other collision gave back more than its steps allow,
+/// and none of these as much as 1e-8 of the scale.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Least bound of the residual of an exact run.
 ///
-/// Of 845 exact runs of the extremes the worst leaves 4.3e-14 (a mass ratio of a million), a million steps without damping
-/// 2.8e-14. An earlier version left 5.3e-13 in contact a million times as stiff as usual.
+/// Of 845 exact runs of the extremes the worst leaves 4.3e-14 (a mass ratio of a million); a million steps without damping leave 2.8e-14.
 const LEAST_BOUND: f64 = 1e-11;
-/// Nodes that a piece of a motion may look at for the largest values over time, so that it costs the same in a row of any length.
+/// Nodes that an update may evaluate per piece. This bounds the cost per piece in long rows.
 const LOOKED_AT_PER_PIECE: usize = 16;
 
 impl<'a> Ledger<'a> {
-    /// For a run of this row under this excitation.
+    /// A ledger for a run of this row under this excitation.
     pub fn new<Column: Hysteretic>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
         Self {
             excitation,
@@ -126,20 +123,20 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// The same with other laws for its [verdict](Self::verdict); all of them if this is not called.
+    /// Sets the laws for the [verdict](Self::verdict); the default is [`Laws::All`].
     #[must_use]
     pub fn held_to(self, laws: Laws) -> Self {
         Self { laws, ..self }
     }
 
-    /// Terms of one floor and its storey at the end of its last span, by its node; all 0 for a wall.
+    /// Terms of a floor and its storey at the end of its last span, by its node; all 0 for a wall.
     ///
-    /// Those of a structure of one storey balance; floors of a building do so together ([`Self::of_building`]).
+    /// The terms of a structure of one storey balance. Those of a building balance in the sum over its floors ([`Self::of_building`]).
     pub fn of(&self, structure: usize) -> &Terms {
         &self.accounts[structure].terms
     }
 
-    /// Terms of the building that a node is of: the sum over its floors.
+    /// Terms of the building that contains a node: the sum over its floors.
     pub fn of_building(&self, node: usize) -> Terms {
         let mut sum = Terms::default();
         for floor in self.buildings.floors(self.buildings.of(node)) {
@@ -148,7 +145,7 @@ impl<'a> Ledger<'a> {
         sum
     }
 
-    /// Terms of one pair, by its index in the row.
+    /// Terms of a pair, by its index in the row.
     pub fn of_pair(&self, pair: usize) -> PairTerms {
         self.contacts[pair].terms()
     }
@@ -162,64 +159,63 @@ impl<'a> Ledger<'a> {
         sum
     }
 
-    /// What energies are measured by \[J\]: the largest over time of the row's initial energy plus the magnitudes of
-    /// its other terms.
+    /// Scale of energies \[J\]: the largest value over time of the row's initial energy plus the magnitudes of its other terms.
     pub fn scale(&self) -> f64 {
         self.measured().scale
     }
 
-    /// The method's own balance: the largest over time of |change of kinetic energy − works| of a building, summed
-    /// over buildings, relative to the [scale](Self::scale) \[–\].
+    /// The method's own balance: the largest over time of |change of kinetic energy − works| of a building, summed over buildings, relative
+    /// to the [scale](Self::scale) \[–\].
     ///
-    /// To rounding (1e-12) 0 for every method and every step; more is a fault of the method.
+    /// It is 0 to rounding (1e-12) for every method and every step. A larger value is a fault of the method.
     pub fn identity(&self) -> f64 {
         let largest = self.measured();
         ratio(largest.identity, largest.scale)
     }
 
-    /// The physical balance: the largest over time of |[`Terms::balance`]| of a building, summed over buildings, relative
-    /// to the [scale](Self::scale) \[–\].
+    /// The physical balance: the largest over time of |[`Terms::balance`]| of a building, summed over buildings, relative to the
+    /// [scale](Self::scale) \[–\].
     ///
-    /// Tends to 0 with the time step, at the order of the method; for a method that knows its motion between its nodes
-    /// it is rounding. Average acceleration balances elastic structures at every step: it is no measure of the error.
+    /// It tends to 0 with the time step, at the order of the method. For a method that knows its motion between nodes it is rounding. It
+    /// does not measure the error: average acceleration balances elastic structures at every step.
     pub fn residual(&self) -> f64 {
         let largest = self.measured();
         ratio(largest.residual, largest.scale)
     }
 
-    /// The largest [residual](Self::residual) \[–\] that rounding, and the tolerance of the method, can leave of a right run;
-    /// `None` where the run is not [held](Self::held_to) to the energy, since a step leaves more.
+    /// The largest [residual](Self::residual) \[–\] that rounding and the tolerance of the method explain in a correct run. `None` if the
+    /// run is not [required](Self::held_to) to conserve energy, because a step leaves more.
     pub fn bound(&self) -> Option<f64> {
         let Laws::Energy { tolerance } = self.laws else {
             return None;
         };
         let booked: f64 = self.accounts.iter().map(|account| account.booked).sum();
-        // Rounding takes as often as it gives and leaves less than this of a long run; what pieces leave out may not.
+        // Rounding errors have either sign and add up to less than this in a long run; truncation errors may add up.
         let left = (f64::EPSILON + tolerance) * booked;
         Some(ratio(left, self.scale()).max(LEAST_BOUND))
     }
 
-    /// Balance of momentum: the largest over time of |change of momentum − impulses| of a building, summed over
-    /// buildings, relative to the largest sum of their magnitudes \[–\]; 0 to rounding.
+    /// Balance of momentum: the largest over time of |change of momentum − impulses| of a building, summed over buildings, relative to the
+    /// largest sum of their magnitudes \[–\]; 0 up to rounding.
     ///
-    /// As the impulses of a pair cancel, the momentum of the row is then its first one plus the external impulses.
+    /// The impulses of a pair cancel: the momentum of the row is its initial value plus the external impulses.
     pub fn momentum(&self) -> f64 {
         let largest = self.measured();
         ratio(largest.momentum, largest.momentum_scale)
     }
 
-    /// Energy error against the ledger of the same row's true motion: the largest difference of a [term](Self::terms)
-    /// at the end, relative to the truth's [scale](Self::scale) \[–\].
+    /// Energy error against the ledger of the true motion of the row: the largest difference of a [term](Self::terms) at the end, relative
+    /// to the [scale](Self::scale) of the true motion \[–\].
     pub fn error(&self, truth: &Ledger<'_>) -> f64 {
         ratio(self.terms().distance(&truth.terms()), truth.scale())
     }
 
-    /// The terms of the row, if the run kept the laws of mechanics.
+    /// The terms of the row, if the run obeyed the laws of mechanics.
     ///
     /// # Errors
-    /// [`LedgerError`]: the first in time of neighbours that pull, impacts that create energy and columns that give some
-    /// in yielding; or a compliant collision that creates energy; or a pair that did not get opposite impulses; or energy
-    /// that rounding does not explain.
+    /// [`LedgerError`] with the first violation in time by neighbours that pull, impacts that create energy or columns that give energy in
+    /// yielding. Otherwise: a compliant collision that creates energy, a pair without opposite impulses, or energy that rounding does not
+    /// explain.
     pub fn verdict(&self) -> Result<Terms, LedgerError> {
         if let Some(violation) = self.violation {
             return Err(violation);
@@ -234,7 +230,7 @@ impl<'a> Ledger<'a> {
         }
         let found = self.residual();
         match self.bound() {
-            // Nor does rounding explain what is no number.
+            // Rounding does not explain NaN.
             Some(allowed) if found > allowed || found.is_nan() => Err(LedgerError::EnergyUnexplained { found, allowed }),
             _ => Ok(self.terms()),
         }
@@ -285,7 +281,7 @@ impl<'a> Ledger<'a> {
         let Err(violation) = outcome else {
             return;
         };
-        // An energy is known to the rounding of all that is booked.
+        // An energy is known to the rounding of all booked terms.
         let rounding = match violation {
             LedgerError::GainAtImpact { found, .. } | LedgerError::GainInContact { found, .. } => found <= ROUNDING * self.scale(),
             LedgerError::Tension { .. }
@@ -299,7 +295,7 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// The largest values over time, those of this instant among them.
+    /// The largest values over time, including this instant.
     fn measured(&self) -> Largest {
         let (mut row, mut now) = (Terms::default(), Largest::default());
         if self.buildings.are_single() {
@@ -323,8 +319,8 @@ impl<'a> Ledger<'a> {
         self.largest.max(now)
     }
 
-    /// Takes the largest values over time, once in so many spans: a look at every node. It waits until no building is half way through a
-    /// step.
+    /// Updates the largest values over time after this many spans; the update evaluates every node. It waits until no building is in the
+    /// middle of a step.
     fn measure(&mut self, spans: usize) {
         self.unmeasured += 1;
         if self.unmeasured >= spans && self.sightings.are_whole() {
@@ -333,23 +329,23 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// Counts the pairs of a structure that meet, before and after something happened to them.
+    /// Number of pairs at a floor that have not parted since their last impact; call it before and after each change.
     fn count_at(&self, floor: usize) -> usize {
         let meets = |at: &&Incident| self.contacts[at.pair].meets();
         self.incidence.at(floor).iter().filter(meets).count()
     }
 }
 
-/// 0 where nothing moved.
+/// `part`/`whole`; 0 if nothing moved.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }
 
 impl Meeting {
-    /// A collision must not create energy.
+    /// Checks that a collision creates no energy.
     ///
-    /// One of its impacts may: a stepping method can hit a pair again that overlaps still, and of several pairs hit
-    /// together one can get what another gives.
+    /// A single impact may create energy. A stepping method can hit a pair again that still overlaps. Of several pairs that are hit
+    /// together, a pair can gain energy that another loses.
     fn judge(&self) -> Result<(), LedgerError> {
         if self.loss >= -self.allowed {
             return Ok(());

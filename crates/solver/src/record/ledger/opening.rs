@@ -1,14 +1,14 @@
-//! The work that grounds which move towards each other do through contact.
+//! Work through contact of grounds that move towards each other.
 
 use super::Ledger;
 use crate::span::{Push, value};
 use crate::{Path, Span, State};
 
 impl Ledger<'_> {
-    /// Books and returns what a floor has of the work of grounds that move towards each other, done through the compliant contact of a
-    /// pair over a span of it.
+    /// Books and returns a floor's share of the work of grounds that move towards each other, through the compliant contact of a pair over
+    /// a span.
     ///
-    /// Of a step it is the impulse times what they came closer by over its duration.
+    /// For a step it is the impulse times the mean opening rate.
     pub(super) fn opened(&mut self, span: &Span<'_>, push: usize) -> f64 {
         let (Some(travel), push) = (&self.travel, &span.pushes[push]) else {
             return 0.0;
@@ -37,14 +37,14 @@ impl Ledger<'_> {
     }
 }
 
-/// What a floor has of the work of both grounds, of the parts of the force that all floors of the pair get and of its own: those on
-/// either side have half of it together.
+/// A floor's share of the work of both grounds, from its part of the force and the parts of all floors of the pair. The floors on each side
+/// share half of the work.
 pub(super) fn opening_part(parts: impl Iterator<Item = f64>, own: f64) -> f64 {
     let on_side = parts.filter(|part| (*part < 0.0) == (own < 0.0));
     0.5 * own.abs() / on_side.map(f64::abs).sum::<f64>()
 }
 
-/// Work of a push on its floor \[J\], of what all on its side do together, `together`.
+/// Work of a push on its floor \[J\]. `together` is the work of all pushes on this side.
 pub(super) fn work_of(span: &Span<'_>, push: &Push<'_>, together: f64) -> f64 {
     if is_alone(span, push) {
         return together;
@@ -62,7 +62,7 @@ pub(super) fn work_of(span: &Span<'_>, push: &Push<'_>, together: f64) -> f64 {
     }
 }
 
-/// Force of a pair over a span that is known between its ends, at an instant and in the state there \[N\].
+/// Force of a pair at an instant and a state within a span that is known between its ends \[N\].
 fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) -> f64 {
     let is_alone = is_alone(span, push);
     move |time, state| match span.path {
@@ -72,7 +72,7 @@ fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) 
     }
 }
 
-/// Whether no other pair pushes the floor to the same side, and it carries all of the force.
+/// Whether the pair is the only one that pushes the floor to this side, and the floor carries all of its force.
 fn is_alone(span: &Span<'_>, push: &Push<'_>) -> bool {
     let on_side = span.pushes.iter().filter(|other| other.on_left == push.on_left);
     push.part >= 1.0 && on_side.count() == 1

@@ -1,8 +1,8 @@
-//! Whether all floors of a building have been seen at one instant.
+//! Bookkeeping of instants at which all floors of a building have been seen.
 
 use crate::model::buildings::Buildings;
 
-/// Until when the floors of every building have been seen.
+/// Last instants at which the floors of every building were seen.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sightings {
     all: Vec<Sighting>,
@@ -18,7 +18,7 @@ struct Sighting {
 }
 
 impl Sightings {
-    /// At the start, where all have been seen.
+    /// The sightings at the start, when all floors have been seen.
     pub(super) fn new(buildings: &Buildings) -> Self {
         let whole = |floors: &[usize]| Sighting {
             time: 0.0,
@@ -30,7 +30,7 @@ impl Sightings {
         }
     }
 
-    /// Sees a floor at the end of a span.
+    /// Notes that a floor was seen at the end of a span.
     #[inline]
     pub(super) fn see(&mut self, buildings: &Buildings, node: usize, time: f64) {
         if !buildings.are_single() {
@@ -53,7 +53,7 @@ impl Sightings {
         self.n_apart += usize::from(sighting.n_seen < n_floors);
     }
 
-    /// Whether the floors of every building were last seen at one instant, that of the building.
+    /// Whether the floors of every building were last seen at a common instant of the building.
     pub(super) fn are_whole(&self) -> bool {
         self.n_apart == 0
     }

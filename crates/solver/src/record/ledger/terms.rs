@@ -1,36 +1,36 @@
 use std::ops::AddAssign;
 
-/// The terms of an energy balance \[J\], of one floor and its storey, of a building or of a row, at an instant.
+/// The terms of an energy balance \[J\] at an instant: of a floor and its storey, of a building or of a row.
 ///
-/// Of a building and of a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening. Each is
-/// computed on its own from the motion and its forces; none is what the others leave.
+/// For a building and for a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening. Each term is
+/// computed separately from the motion and its forces; none is the remainder of the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Terms {
-    /// Kinetic and strain energy where the motion began, ≥ 0.
+    /// Kinetic and strain energy at the start of the motion, ≥ 0.
     pub initial: f64,
     /// Work of the shaking, ∫ −m·`a_g`·u̇ dt (relative to the ground); of either sign.
     pub input: f64,
-    /// Work of grounds that move towards each other, done through contact, ∫ F·Ḋ dt and P·Ḋ with D what they have come
-    /// closer by; of either sign, half of it booked with either floor. 0 where all buildings are shaken at once.
+    /// Work through contact of grounds that move towards each other: ∫ F·Ḋ dt and P·Ḋ, with D the distance by which they have come closer.
+    /// Of either sign; half of it is booked with each floor. 0 if all buildings are shaken at once.
     pub opening: f64,
     /// Kinetic energy ½mu̇², of the velocity relative to the ground, ≥ 0.
     pub kinetic: f64,
-    /// Energy stored in the columns, `f_s`²/2k, ≥ 0; ½ a k d² + h²/2(1 − a)k of columns that harden after yielding, with
-    /// `f_s` = a k d + h under a drift d.
+    /// Energy stored in the columns, `f_s`²/2k, ≥ 0. For columns that harden after yielding: ½ a k d² + h²/2(1 − a)k, with `f_s` = a k d +
+    /// h under a drift d.
     pub strain: f64,
-    /// Energy that viscous damping took, ∫ c·u̇² dt.
+    /// Energy dissipated by viscous damping, ∫ c·u̇² dt.
     pub damping: f64,
-    /// Energy that yielding took, ∫ h d`u_p` (h is `f_s` without hardening), ≥ 0.
+    /// Energy dissipated by yielding, ∫ h d`u_p` (h is `f_s` without hardening), ≥ 0.
     pub hysteretic: f64,
-    /// Energy that impulsive impacts took. Of a floor: what it gave, negative where it was pushed on.
+    /// Energy dissipated by impulsive impacts. For a floor: the energy that it gave, negative if it was accelerated.
     pub impact: f64,
-    /// Energy that compliant contact took, ∫ F·δ̇ dt; while a pair touches, what is stored there is part of it. Of a
-    /// floor: what it gave, negative where it was pushed on.
+    /// Energy taken by compliant contact, ∫ F·δ̇ dt, including the energy stored while a pair touches. For a floor: the energy that it
+    /// gave, negative if it was accelerated.
     pub contact: f64,
 }
 
 impl Terms {
-    /// What the balance leaves over \[J\]: 0 for an exact motion of a building or a row.
+    /// Residual of the balance \[J\]: 0 for an exact motion of a building or a row.
     pub fn balance(&self) -> f64 {
         let held = self.kinetic + self.strain;
         let spent = self.damping + self.hysteretic + self.impact + self.contact;

@@ -1,4 +1,4 @@
-//! The ledger of a motion known between its nodes: a building of two storeys as power series, written out here.
+//! The ledger of a motion known between its nodes: a building of two storeys as power series, computed here.
 
 use super::*;
 use crate::span::{Motion, Power, Series};
@@ -9,13 +9,13 @@ const MASSES: [f64; 2] = [2e5, 1e5];
 const STIFFNESSES: [f64; 2] = [3e7, 2e7];
 /// Rayleigh damping, α \[1/s\] and β \[s\].
 const DAMPING: (f64, f64) = (0.3, 2e-3);
-/// Of whole parts of a sample: the pieces end at samples to the bit.
+/// A binary fraction of a sample: the pieces end exactly at samples.
 const TIME_STEP: f64 = 0.015_625;
 
 /// Coefficients of displacement, velocity and acceleration of a floor.
 type Motions = [[f64; N]; 3];
 
-/// What the method forgets.
+/// Term that the method omits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Fault {
     Nothing,
@@ -41,7 +41,7 @@ fn row() -> Row<Elastic> {
     Row::new(vec![first, second], vec![]).unwrap()
 }
 
-/// The motion from these states on, under ground accelerations of value and slope.
+/// The motion from these states, under a ground acceleration with a value and a slope.
 fn expand(starts: [Motion; 2], ground: (f64, f64), fault: Fault) -> [Motions; 2] {
     let mut floors = [[[0.0; N]; 3]; 2];
     for (floor, start) in floors.iter_mut().zip(starts) {
@@ -72,7 +72,7 @@ fn expand(starts: [Motion; 2], ground: (f64, f64), fault: Fault) -> [Motions; 2]
     floors
 }
 
-/// Books a second of that motion: its own two balances, the physical one, and the terms.
+/// Books a second of that motion. Returns its own two balances, the physical balance, and the terms.
 fn book(fault: Fault) -> ([f64; 3], Terms) {
     let samples = [1.0, -2.0, 0.5, 3.0, -1.0, 0.0];
     let excitation = Excitation::new(0.25, &samples).unwrap();

@@ -1,4 +1,4 @@
-//! What must be the same bit for bit, stability, and allocations.
+//! Bit-for-bit equalities, stability, and allocations.
 
 use nalgebra::DMatrix;
 use pounding_contact::ContactLaw;
@@ -14,7 +14,7 @@ use crate::watch::Watch;
 
 const LAWS: [ContactLaw; 2] = [STEREOMECHANICAL, VISCOELASTIC];
 
-/// A tower of one storey that is the structure of one storey.
+/// A tower of one storey, equal to the structure.
 fn house(node: &Node<Bilinear>) -> Tower<Bilinear> {
     vec![(1.0 / node.inverse_mass, node.column)]
 }
@@ -26,7 +26,7 @@ fn states<'a>(histories: &'a Histories, levels: &Levels, building: usize) -> Vec
 
 #[test]
 fn limit_houses_beside_a_tower_are_structures_of_one_storey() {
-    // Two structures that collide, then beside a tower out of reach: floors on floors are solved by other loops.
+    // Two structures that collide, alone and next to a tower out of reach: rows with floors on floors use other loops.
     let nodes = [yielding(WEAK), yielding(STIFF)];
     for law in LAWS {
         let lean = Row::new(nodes.to_vec(), pairs(2, 0.02, law)).unwrap();
@@ -34,7 +34,7 @@ fn limit_houses_beside_a_tower_are_structures_of_one_storey() {
         let (rich, levels) = side_by_side(&towers, &[0.02, 10.0], law);
         assert_eq!(levels.of(2), [2, 3, 4]);
         let mut together = rich.nodes().to_vec();
-        // The paper's damping; that of the tower is another one.
+        // The paper's damping; the tower has another damping.
         together[..2].copy_from_slice(&nodes);
         let rich = Row::new(together, rich.pairs().to_vec()).unwrap();
         for (name, method) in EXPLICIT {
@@ -97,7 +97,7 @@ fn limit_a_building_out_of_reach_changes_nothing() {
 fn limit_a_mirrored_row_of_towers_mirrors() {
     let reversed: Vec<f64> = ground().iter().map(|sample| -sample).collect();
     let towers = [soft(plastic), stiff(2, plastic), stiff(3, plastic), soft(plastic)];
-    // Impacts of three buildings at one instant are solved from left to right, and mirror to rounding alone: two are left.
+    // Impacts of three buildings at an instant are solved from left to right, and mirror only to rounding: two buildings are compared.
     for (law, n) in [(STEREOMECHANICAL, 2), (VISCOELASTIC, 4)] {
         let towers = &towers[..n];
         let gaps = &[0.01, 0.0, 0.015][..n - 1];
@@ -122,7 +122,7 @@ fn limit_a_mirrored_row_of_towers_mirrors() {
     }
 }
 
-/// Largest circular frequency of a tower on its own \[rad/s\], and the shape of that mode.
+/// Largest circular frequency of a tower alone \[rad/s\], and the shape of that mode.
 fn highest_mode(row: &Row<Elastic>) -> (f64, Vec<f64>) {
     let nodes = row.nodes();
     let n = nodes.len();
@@ -176,7 +176,7 @@ fn extreme_a_tower_that_diverges_ends_the_run() {
 
 #[test]
 fn extreme_rigid_dashpots_make_one_mass() {
-    // Dashpots that let no storey drift: the tower is a structure of its whole mass on its lowest columns.
+    // With dashpots that prevent any drift, the tower is a structure of its whole mass on its lowest columns.
     let damping = |node: usize| if node == 0 { 1e5 } else { 1e14 };
     let (row, _) = side_by_side(&[soft(elastic)], &[], STEREOMECHANICAL);
     let nodes = row.nodes().iter().enumerate().map(|(index, node)| Node {

@@ -10,7 +10,7 @@ use pounding_solver::{Bilinear, Elastic, Hysteretic, Integrator, Levels, Node, P
 use crate::common::{CENTRAL, LOCATED, SUBSTEPPED, VERLET};
 use crate::towers::{self, Rayleigh, Tower};
 
-/// Every explicit method but that of Runge and Kutta.
+/// Every explicit method except that of Runge and Kutta.
 const EXPLICIT: [(&str, Integrator); 4] = [
     ("central difference", CENTRAL),
     ("CD, sub-steps", SUBSTEPPED),
@@ -20,12 +20,12 @@ const EXPLICIT: [(&str, Integrator); 4] = [
 
 const DAMPING: Rayleigh = Rayleigh { alpha: 0.3, beta: 2e-3 };
 
-/// A tower of three storeys of 0.7 s, lighter and softer towards the top.
+/// A tower of three storeys with a period of 0.7 s, lighter and softer towards the top.
 fn soft<Column: Copy>(column: impl Fn(f64) -> Column) -> Tower<Column> {
     vec![(1.2e5, column(6e7)), (1.0e5, column(5e7)), (0.7e5, column(3e7))]
 }
 
-/// A stiff tower of so many storeys.
+/// A stiff tower of this many storeys.
 fn stiff<Column: Copy>(n_storeys: usize, column: impl Fn(f64) -> Column) -> Tower<Column> {
     towers::uniform(n_storeys, 3e5, column(4.5e8))
 }
@@ -34,7 +34,7 @@ fn elastic(stiffness: f64) -> Elastic {
     Elastic { stiffness }
 }
 
-/// Yields at a drift of 8 mm.
+/// Columns that yield at a drift of 8 mm.
 fn plastic(stiffness: f64) -> Bilinear {
     Bilinear {
         stiffness,
@@ -43,14 +43,14 @@ fn plastic(stiffness: f64) -> Bilinear {
     }
 }
 
-/// Towers side by side; floors that face each other touch by a law where there is a gap between their buildings.
+/// Neighbouring towers. Floors that face each other touch by a law if there is a gap between their buildings.
 fn side_by_side<Column: Hysteretic>(towers: &[Tower<Column>], gaps: &[f64], law: ContactLaw) -> (Row<Column>, Levels) {
     towers::row(towers, DAMPING, |building, _, [left, right]| {
         (right == left + 1).then_some(Pair::of_floors(left, right, gaps[building], law))
     })
 }
 
-/// The row with other starts: displacement and velocity of a node.
+/// The row with other initial displacements and velocities of the nodes.
 fn started<Column: Hysteretic>(row: &Row<Column>, start: impl Fn(usize) -> (f64, f64)) -> Row<Column> {
     let nodes = row.nodes().iter().enumerate().map(|(index, node)| {
         let (initial_displacement, initial_velocity) = start(index);

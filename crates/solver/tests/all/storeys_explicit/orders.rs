@@ -27,7 +27,7 @@ fn apart(left: &Histories, right: &Histories, n: usize) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// Slope and errors of a method over these steps, against the Runge–Kutta method at 1/32 of the last of them.
+/// Slope and errors of a method over these steps, against the Runge–Kutta method at 1/32 of the last step.
 fn measured<Column: Hysteretic, const N: usize>(
     row: &Row<Column>,
     methods: &[(&'static str, Integrator)],
@@ -107,8 +107,8 @@ fn order_of_pounding_towers() {
 
 #[test]
 fn order_two_with_located_impacts() {
-    // A moving tower hits one at rest, and is hit once more: floor by floor, at instants of their own. The truth has
-    // located impacts, too, at a far smaller step. Where floors rest against each other the order is one.
+    // A moving tower hits a tower at rest, and is hit again: floor by floor, at different instants. The reference locates impacts, too, at
+    // a far smaller step. While floors rest against each other the order is one.
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.9 });
     let towers = [soft(elastic), stiff(2, elastic)];
     let (row, levels) = side_by_side(&towers, &[0.01], law);

@@ -1,4 +1,4 @@
-//! What spans and impacts of towers promise: balances, equilibrium, and the motion of the floor below.
+//! Properties of spans and impacts of towers: balances, equilibrium, and the motion of the floor below.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Bilinear, Excitation, Hysteretic, Impact, Integrator, Motion, Path, Recorder, Row, Span, State, Support, Weighed};
@@ -7,7 +7,7 @@ use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
 use crate::common::{STEREOMECHANICAL, SUBSTEPPED, VISCOELASTIC, clock, ground};
 use crate::watch::Watch;
 
-/// A span, with what it borrowed.
+/// A span with copies of its borrowed data.
 #[derive(Debug, Clone, Copy)]
 struct Kept {
     floor: usize,
@@ -73,14 +73,14 @@ fn keep<Column: Hysteretic>(row: &Row<Column>, method: Integrator, dt: f64) -> K
     keeper
 }
 
-/// Three towers that collide, yield and begin in motion.
+/// Three towers that collide, yield and move from the start.
 fn row(law: ContactLaw) -> Row<Bilinear> {
     let towers = [soft(plastic), stiff(2, plastic), soft(plastic)];
     let (row, _) = side_by_side(&towers, &[0.01, 0.02], law);
     started(&row, |node| (1e-4 * node as f64, 0.1))
 }
 
-/// The floor below, where there is one.
+/// The floor below; `None` on the ground.
 fn below<Column: Hysteretic>(row: &Row<Column>, floor: usize) -> Option<usize> {
     match row.nodes()[floor].support {
         Support::Ground => None,
@@ -90,7 +90,7 @@ fn below<Column: Hysteretic>(row: &Row<Column>, floor: usize) -> Option<usize> {
 
 const LAWS: [ContactLaw; 2] = [STEREOMECHANICAL, VISCOELASTIC];
 
-/// m Δu̇ of every floor and span is the sum of the impulses.
+/// Checks that m Δu̇ of every floor and span is the sum of the impulses.
 fn check_momentum<Column: Hysteretic>(row: &Row<Column>, kept: &Keeper, name: &str) {
     let mut scale: f64 = 0.0;
     for span in &kept.spans {
@@ -145,7 +145,7 @@ fn limit_spans_of_a_building_belong_together() {
     }
 }
 
-/// What is left of equilibrium of a floor at one end of its span \[m/s²\].
+/// Residual of equilibrium of a floor at an end of its span \[m/s²\].
 fn unbalanced<Column: Hysteretic>(row: &Row<Column>, [own, below, above]: [Option<State>; 3], floor: usize, ground: f64) -> f64 {
     let node = &row.nodes()[floor];
     let own = own.expect("a state");
@@ -161,7 +161,7 @@ fn unbalanced<Column: Hysteretic>(row: &Row<Column>, [own, below, above]: [Optio
     own.acceleration - (node.inverse_mass * force - ground)
 }
 
-/// Every floor is in equilibrium at both ends of its spans.
+/// Checks that every floor is in equilibrium at both ends of its spans.
 fn check_equilibrium<Column: Hysteretic>(row: &Row<Column>, kept: &Keeper, name: &str) {
     let samples = ground();
     let at = |time: f64| {
@@ -201,7 +201,7 @@ fn limit_floors_balance_in_every_span() {
 
 #[test]
 fn limit_floors_balance_where_whole_steps_meet_sub_steps() {
-    // A light tower between stiff ones, in contact with one of them, reaches the other within a step.
+    // A light tower between stiff towers, in contact with one of them, reaches the other within a step.
     let light = vec![(2e4, elastic(5e6)); 3];
     let towers = [stiff(3, elastic), light, stiff(2, elastic)];
     let (row, _) = side_by_side(&towers, &[0.0, 0.0], VISCOELASTIC);

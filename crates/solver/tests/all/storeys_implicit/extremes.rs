@@ -8,7 +8,7 @@ use crate::common::{AVERAGE, HHT, MOREAU_JEAN, STEREOMECHANICAL, VISCOELASTIC, c
 use crate::towers::{row, uniform};
 use crate::watch::Watch;
 
-/// Newton iterations do not grow with the stiffness of the contact.
+/// The number of Newton iterations does not grow with the stiffness of the contact.
 #[test]
 fn limit_newton_iterations_up_to_a_thousand_times_the_stiffness() {
     for factor in [1.0, 10.0, 100.0, 1000.0] {
@@ -93,8 +93,8 @@ fn extreme_towers_against_a_wall_on_every_level() {
 
 #[test]
 fn issue_walls_that_close_in_on_a_tower_are_named() {
-    // Walls on grounds of their own leave the floors between them nowhere to go. The run said that impulses did not settle, and
-    // advised a smaller time step, which cannot help.
+    // Walls on separate grounds leave the floors between them no room. The run reported that impulses did not settle, and advised a smaller
+    // time step, which cannot help.
     let levels = Levels::new(&[2, 2, 2]);
     let storey = Storey {
         mass: 1e5,

@@ -1,4 +1,4 @@
-//! Rows of towers that must agree with others.
+//! Rows of towers that must agree with other rows.
 
 use pounding_solver::{Bilinear, Node};
 
@@ -9,7 +9,7 @@ use crate::towers::{Tower, row, uniform};
 
 #[test]
 fn limit_one_storey_beside_towers_is_a_structure() {
-    // Three structures of one storey, and the same with a tower out of reach, which makes them buildings.
+    // Three structures of one storey, alone and next to a tower out of reach, which makes them buildings.
     let kinds = [(75e3, 2.056e6), (3e6, 1.316e9), (120e3, 5e6)];
     let structures: Vec<Tower<Bilinear>> = kinds.iter().map(|&(mass, stiffness)| vec![(mass, plastic(stiffness))]).collect();
     let mut beside = structures.clone();

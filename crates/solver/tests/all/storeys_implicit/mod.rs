@@ -25,12 +25,12 @@ const IMPLICIT: [(&str, Integrator); 4] = [
 pub(crate) const DAMPING: Rayleigh = Rayleigh { alpha: 0.3, beta: 0.002 };
 const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 9.35e7 });
 
-/// All levels that face each other, with one gap and one law.
+/// All levels that face each other, with a common gap and law.
 pub(crate) fn facing(gap: f64, law: ContactLaw) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
     move |_, _, [left, right]| Some(Pair::of_floors(left, right, gap, law))
 }
 
-/// A tower of three floors and a stiffer, heavier one of two.
+/// A tower of three floors, and a stiffer, heavier tower of two.
 fn towers<Column: Copy>(column: impl Fn(f64) -> Column) -> [Tower<Column>; 2] {
     [uniform(3, 1e5, column(5e7)), uniform(2, 3e5, column(4e8))]
 }
@@ -98,14 +98,14 @@ fn apart(one: &[Vec<State>], other: &[Vec<State>]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Largest difference of totals relative to the largest of them.
+/// Largest difference of totals, relative to the largest total.
 pub(crate) fn off(found: &[f64], wanted: &[f64]) -> f64 {
     let largest = wanted.iter().fold(0.0, |most: f64, total| most.max(total.abs()));
     let pairs = found.iter().zip(wanted);
     pairs.map(|(found, wanted)| (found - wanted).abs() / largest).fold(0.0, f64::max)
 }
 
-/// The four implicit methods and the most damped Moreau–Jean.
+/// The four implicit methods, and Moreau–Jean stepping with the most damping.
 fn all() -> impl Iterator<Item = (&'static str, Integrator)> {
     IMPLICIT.into_iter().chain([("Moreau-Jean 1", moreau_jean(1.0))])
 }

@@ -6,11 +6,11 @@ use super::{DAMPING, SPRING, all, bilinear, facing, run, towers};
 use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::towers::row;
 
-/// Keeps how far each step is from its own balance of momentum.
+/// Records the residual of the momentum balance of each step.
 pub(crate) struct Momentum {
     masses: Vec<f64>,
-    /// Stiffness \[N/m\] and damping \[N·s/m\] of the storeys below and above each floor: what rounding of its motion does
-    /// to its forces.
+    /// Stiffness \[N/m\] and damping \[N·s/m\] of the storeys below and above each floor: they scale the rounding of its motion to its
+    /// forces.
     storeys: Vec<[f64; 2]>,
     pub(crate) worst: f64,
 }

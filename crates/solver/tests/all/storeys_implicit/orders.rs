@@ -1,4 +1,4 @@
-//! Orders of the implicit methods on towers, and what they converge to.
+//! Orders of the implicit methods on towers, and their common limit.
 
 use pounding_solver::{Hysteretic, Integrator, Row, TransferredMomentum};
 
@@ -19,7 +19,7 @@ fn order_without_contact_is_two() {
     }
 }
 
-/// Momentum transferred by all pairs of a row \[N·s\], step by step smaller, and that of the Runge–Kutta method at last.
+/// Momentum transferred by all pairs of a row \[N·s\], for smaller and smaller steps, and finally by the Runge–Kutta method.
 fn totals<Column: Hysteretic>(row: &Row<Column>, method: Integrator, step: f64) -> Vec<f64> {
     let mut momentum = TransferredMomentum::new(row.nodes().len());
     let work = run(row, method, (&ground(), clock(step, 2.0)), &mut momentum);
