@@ -33,7 +33,9 @@
 //! - [`Survey`], [`Beyond`], [`Trade`] and [`verify`] (`research/`): surveys, other motions, error against work, random scenes.
 
 mod error;
+mod files;
 mod lines;
+mod listed;
 mod noise;
 mod paper;
 mod program;

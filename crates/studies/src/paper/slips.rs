@@ -1,7 +1,7 @@
 //! What each choice of the paper's program is worth: totals with all of them, without each, without any, and exact.
 
+use crate::files::capital;
 use crate::paper::converged::{Exact, Quantities, STUDIES, find, quantities};
-use crate::paper::figures::capital;
 use crate::paper::tables::Value;
 use crate::program::{Choice, Program};
 use crate::{Completed, Printed, Published, StudyError};

@@ -1,6 +1,6 @@
 //! Error over CPU time: programs that solve the same scenes.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
 
 /// Errors below this are rounding.
 const ROUNDING: f64 = 1e-14;
@@ -70,19 +70,12 @@ pub fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) 
             names.push(name);
         }
     }
-    let panel = |(index, (title, methods)): (usize, &(&str, Vec<WorkPrecision>))| Panel {
-        title: (*title).into(),
-        y: Axis::over(if index == 0 { "Relative error" } else { "" }, ROUNDING, WORTHLESS).log(),
-        curves: methods.iter().map(|one| curve(one, &names)).collect(),
-        legend: Legend::Shared,
-        ..Panel::default()
+    let panel = |(title, methods): &(&str, Vec<WorkPrecision>)| {
+        let y = Axis::over("Relative error", ROUNDING, WORTHLESS).log();
+        Panel::shared(*title, y, methods.iter().map(|one| curve(one, &names)).collect())
     };
-    render_png(&Figure {
-        height_in: 4.6,
-        columns: panels.len(),
-        x: Axis::auto(format!("CPU time ({unit} = 1)")).log(),
-        panels: panels.iter().enumerate().map(panel).collect(),
-    })
+    let x = Axis::auto(format!("CPU time ({unit} = 1)")).log();
+    render_png(&Figure::grid(4.6, panels.len(), x, panels.iter().map(panel).collect()).labelled_at_left())
 }
 
 fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {

@@ -25,12 +25,8 @@ impl Completed {
         if let Some(scene) = file.study.scenes.iter().find(stepless)
             && file.study.output.shows_steps()
         {
-            return Err(StudyError::Study {
-                path: file.path.clone(),
-                place: "scenes.method",
-                found: format!("\"{}\" without a time step", scene.name),
-                allowed: "methods with a time step, of which this output shows something",
-            });
+            let allowed = "methods with a time step, of which this output shows something";
+            return Err(file.refuse("scenes.method", format!("\"{}\" without a time step", scene.name), allowed));
         }
         let prepared = file
             .study
@@ -41,12 +37,7 @@ impl Completed {
         let program = file.study.program.as_ref();
         let refusal = program.and_then(|program| program.refusal(&file.study.scenes, &prepared));
         if let Some((found, allowed)) = refusal {
-            return Err(StudyError::Study {
-                path: file.path.clone(),
-                place: "program",
-                found,
-                allowed,
-            });
+            return Err(file.refuse("program", found, allowed));
         }
         // Where a scene asks for an accuracy, tables and figures show the method found for it.
         for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {

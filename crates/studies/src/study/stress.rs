@@ -80,7 +80,7 @@ pub(crate) struct Cell {
 type Taken = (f64, bool);
 
 impl Edges {
-    /// Number of scenes at the edge.
+    /// Number of scenes at the edge, after each of which [`Extremes::measure`](crate::Extremes::measure) calls `done`.
     pub(crate) fn n_cells(&self, extent: Extent) -> usize {
         let n = |values: &Values| values.taken(extent).count();
         let maps = self.maps.iter().map(|map| n(&map.x) * n(&map.y));

@@ -10,6 +10,7 @@ mod settings;
 mod survival;
 mod tally;
 
+use crate::listed::listed;
 use crate::paper::tables::to_csv;
 use crate::{Completed, StudyError};
 use std::collections::BTreeMap;
@@ -22,17 +23,18 @@ pub use tally::ClaimCount;
 /// Relative difference that still counts as almost the same.
 const SLIGHT: f64 = 0.20;
 
-/// Whether a claim holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Finding {
-    /// In the paper's scenes, and in the further ones that `computed` names, if any.
-    Holds,
-    /// In the scenes, quantities and time steps of the paper, but not beyond them.
-    HoldsOnlyAsStated,
-    /// Not even in the paper's own scenes.
-    DoesNotHold,
-    /// Neither: it is about what does not happen in these runs, such as pounding where nothing touches.
-    DoesNotApply,
+listed! {
+    /// Whether a claim holds.
+    pub enum Finding { words: &'static str;
+        /// In the paper's scenes, and in the further ones that `computed` names, if any.
+        Holds = "holds",
+        /// In the scenes, quantities and time steps of the paper, but not beyond them.
+        HoldsOnlyAsStated = "holds only as stated",
+        /// Not even in the paper's own scenes.
+        DoesNotHold = "does not hold",
+        /// Neither: it is about what does not happen in these runs, such as pounding where nothing touches.
+        DoesNotApply = "does not apply",
+    }
 }
 
 impl Finding {
@@ -41,16 +43,6 @@ impl Finding {
             (true, true) => Self::Holds,
             (true, false) => Self::HoldsOnlyAsStated,
             (false, _) => Self::DoesNotHold,
-        }
-    }
-
-    /// The finding in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsOnlyAsStated => "holds only as stated",
-            Self::DoesNotHold => "does not hold",
-            Self::DoesNotApply => "does not apply",
         }
     }
 
@@ -213,11 +205,7 @@ impl<'a> Runs<'a> {
     }
 
     fn study(&self, study: &str) -> Result<&'a Completed, StudyError> {
-        let missing = || StudyError::MissingScene {
-            study: study.into(),
-            scene: "any".into(),
-        };
-        self.0.get(study).copied().ok_or_else(missing)
+        self.0.get(study).copied().ok_or_else(|| StudyError::no_scene_of(study))
     }
 
     fn scene(&self, study: &str, scene: &str) -> Result<Run<'a>, StudyError> {

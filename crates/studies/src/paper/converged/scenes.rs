@@ -55,10 +55,7 @@ impl Scenes {
     pub(crate) fn of(files: &[&StudyFile], studies: &[&str], method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
         let part = |id: &&str| {
             let file = files.iter().find(|file| file.id == **id);
-            let file = file.ok_or_else(|| StudyError::MissingScene {
-                study: (*id).into(),
-                scene: "any".into(),
-            })?;
+            let file = file.ok_or_else(|| StudyError::no_scene_of(id))?;
             Part::of((*file).clone(), &method)
         };
         studies.iter().map(part).collect::<Result<_, _>>().map(Self)

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use pounding_solver::{Collision, State};
 
 use super::histories::time_axis;
-use super::{capital, label, points};
+use super::{label, points};
 use crate::Completed;
+use crate::files::capital;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, minus, sparse_markers};
 use pounding_scene::{RunResult, Scene};
 use pounding_text::digits;

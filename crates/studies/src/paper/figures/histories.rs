@@ -1,6 +1,7 @@
 //! Figures of quantities over time: the record, displacements, shear forces.
 
-use super::{capital, label, points};
+use super::{label, points};
+use crate::files::capital;
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
 use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};

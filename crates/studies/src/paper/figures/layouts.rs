@@ -1,6 +1,6 @@
 //! The rows of scenes, drawn: masses on columns, gaps between them.
 
-use super::capital;
+use crate::files::capital;
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape};
 use pounding_scene::{Scene, Sdof, Structure};
 

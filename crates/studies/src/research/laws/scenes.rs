@@ -1,13 +1,12 @@
 //! The paper's scenes under every law.
 
-use super::entry::{Entry, N_LAWS};
+use super::entry::{Entry, N_LAWS, by_name};
 use crate::Completed;
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::laws::AtlasSettings;
 use pounding_contact::{Calibration, FreePair, reduced_mass};
 use pounding_scene::{Scene, Simulation, Structure, parallel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_text::Table;
 
 /// What a scene gives under every law, in their order.
 #[derive(Debug)]
@@ -95,18 +94,14 @@ const COUNT: &str = "number_of_collisions";
 
 /// The numbers of a scene under a law, in the order of tables.
 pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
-    let item = |quantity: MethodQuantity, (value, number): (&f64, usize)| {
-        let of_row = found.values(quantity).len() == 1;
-        Item {
+    let of_quantity = |quantity: MethodQuantity| {
+        let values = found.values(quantity);
+        values.iter().zip(1..).map(move |(value, number)| Item {
             quantity: quantity.key(),
-            structure: (!of_row).then_some(number),
+            structure: (values.len() > 1).then_some(number),
             unit: quantity.unit(compliant),
             value: *value,
-        }
-    };
-    let values = |quantity: MethodQuantity| {
-        let numbered = found.values(quantity).iter().zip(1..);
-        numbered.map(move |value| item(quantity, value))
+        })
     };
     let count = Item {
         quantity: COUNT,
@@ -114,44 +109,33 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
         unit: "1",
         value: found.n_collisions as f64,
     };
-    let items = MethodQuantity::ALL.into_iter().flat_map(values);
-    items.chain([count]).collect()
+    MethodQuantity::ALL.into_iter().flat_map(of_quantity).chain([count]).collect()
 }
 
 /// Every number of every scene under every law.
-pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
-    let header = ["scene", "law", "restitution", "quantity", "structure", "unit", "value", "failed"];
-    let mut rows = Vec::new();
-    for scene in played {
-        for (entry, outcome) in entries.iter().zip(&scene.outcomes) {
-            rows.extend(entry.rows(|law| {
-                let e = digits(entry.certificate.by_exact);
-                let start = [scene.scene.clone(), law, e];
-                let row = |cells: [String; 5]| start.iter().cloned().chain(cells).collect();
-                cells(outcome, entry).into_iter().map(row).collect()
-            }));
-        }
-    }
-    to_csv(&header.map(String::from), &rows)
-}
-
-/// Quantity, structure, unit, value and why there is none.
-fn cells(outcome: &Result<Quantities, String>, entry: &Entry) -> Vec<[String; 5]> {
-    let cells = |item: Item| {
-        [
-            item.quantity.into(),
-            item.structure.map_or_else(String::new, |n| n.to_string()),
-            item.unit.into(),
-            digits(item.value),
-            String::new(),
-        ]
+pub(super) fn table<'a>(played: &'a [Played], entries: &'a [Entry]) -> String {
+    let of_run = |(scene, entry, outcome): (&'a Played, &'a Entry, &Result<Quantities, String>)| {
+        let items: Vec<Result<Item, String>> = match outcome {
+            Ok(found) => items(found, entry.is_compliant()).into_iter().map(Ok).collect(),
+            Err(reason) => vec![Err(reason.clone())],
+        };
+        by_name(entry, items.into_iter().map(move |item| (scene, item)))
     };
-    match outcome {
-        Ok(found) => items(found, entry.is_compliant()).into_iter().map(cells).collect(),
-        Err(reason) => {
-            let mut row = [const { String::new() }; 5];
-            row[4].clone_from(reason);
-            vec![row]
-        }
-    }
+    let of_scene = |scene: &'a Played| {
+        entries
+            .iter()
+            .zip(&scene.outcomes)
+            .map(move |(entry, outcome)| (scene, entry, outcome))
+    };
+    let item = |item: &Result<Item, String>| item.clone().ok();
+    Table::of(played.iter().flat_map(of_scene).flat_map(of_run))
+        .column("scene", |(.., (scene, _))| scene.scene.clone())
+        .column("law", |(name, ..)| name.name())
+        .column("restitution", |(_, entry, _)| entry.certificate.by_exact)
+        .column("quantity", |(.., (_, one))| item(one).map(|one| one.quantity))
+        .column("structure", |(.., (_, one))| item(one).and_then(|one| one.structure))
+        .column("unit", |(.., (_, one))| item(one).map(|one| one.unit))
+        .column("value", |(.., (_, one))| item(one).map(|one| one.value))
+        .column("failed", |(.., (_, one))| one.as_ref().err().cloned())
+        .csv()
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::world::{MotionCase, Row};
 use super::{Beyond, Group, short};
-use crate::paper::figures::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use crate::files::capital;
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
 
 /// Tables of the layouts with the names of their contact laws.
 const TABLES: [(&str, &str); 2] = [("6", "stereomechanical"), ("7", "viscoelastic")];
@@ -37,29 +37,24 @@ pub(super) fn figure(beyond: &Beyond, group: &Group, motions: Range<usize>) -> F
             for layout in LAYOUTS {
                 let scene = format!("layout {layout} {behaviour}");
                 let of_scene = |row: &&Row| row.table == table && row.scene == scene;
-                let first = |text: String, is_first: bool| {
-                    if is_first { text } else { String::new() }
+                let y = Axis {
+                    label: format!("{}, {law}", capital(behaviour)),
+                    ..Axis::names(names.clone())
+                };
+                let title = if panels.len() < COLUMNS {
+                    format!("Layout {layout}")
+                } else {
+                    String::new()
                 };
                 panels.push(Panel {
-                    title: first(format!("Layout {layout}"), panels.len() < COLUMNS),
-                    y: Axis {
-                        label: first(format!("{}, {law}", capital(behaviour)), layout == "A"),
-                        ..Axis::names(names.clone())
-                    },
-                    curves: curves(worlds, of_scene),
                     markers: vec![1.0],
-                    legend: Legend::Shared,
-                    ..Panel::default()
+                    ..Panel::shared(title, y, curves(worlds, of_scene))
                 });
             }
         }
     }
-    Figure {
-        height_in: 2.1 + 0.52 * names.len().max(LEAST) as f64,
-        columns: COLUMNS,
-        x: Axis::auto("Displacement over alone"),
-        panels,
-    }
+    let height_in = 2.1 + 0.52 * names.len().max(LEAST) as f64;
+    Figure::grid(height_in, COLUMNS, Axis::auto("Displacement over alone"), panels).labelled_at_left()
 }
 
 /// Of every kind of structure the one that pounding drives furthest beyond what it does alone.
@@ -84,12 +79,8 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
                 Some((largest, line))
             };
             let points = worlds.iter().enumerate().filter_map(point).collect();
-            let name = ["as recorded", "reversed"][direction];
-            curves.push(
-                Curve::new(Kind::Points, shade, points)
-                    .marked(mark)
-                    .named(format!("{}, {name}", capital(kind))),
-            );
+            let name = format!("{}, {}", capital(kind), crate::files::direction(direction == 1));
+            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
         }
     }
     curves

@@ -36,26 +36,17 @@ pub(super) fn figure(motions: &[Shaking], structures: &[f64]) -> Figure {
     let lowest = values().fold(f64::INFINITY, |low, (_, value)| low.min(*value));
     let highest = values().fold(0.0_f64, |high, (_, value)| high.max(*value));
     let range = (lowest < highest).then_some((lowest / ROOM, highest * ROOM));
-    let n_rows = panels.len().div_ceil(COLUMNS);
-    let panel = |(index, curves): (usize, Vec<Curve>)| Panel {
+    let (n_rows, n_columns) = (panels.len().div_ceil(COLUMNS), COLUMNS.min(panels.len().max(1)));
+    let panel = |curves| Panel {
         y: Axis {
-            label: if index % COLUMNS == 0 {
-                "Pseudo-acceleration (m/s²)".into()
-            } else {
-                String::new()
-            },
             range,
-            ..Axis::default().log()
+            ..Axis::auto("Pseudo-acceleration (m/s²)").log()
         },
         curves,
         markers: structures.to_vec(),
         legend: Legend::Inside,
         ..Panel::default()
     };
-    Figure {
-        height_in: 0.4 + 2.5 * n_rows as f64,
-        columns: COLUMNS.min(panels.len().max(1)),
-        x: Axis::over("Period (s)", from, to).log(),
-        panels: panels.into_iter().enumerate().map(panel).collect(),
-    }
+    let x = Axis::over("Period (s)", from, to).log();
+    Figure::grid(0.4 + 2.5 * n_rows as f64, n_columns, x, panels.into_iter().map(panel).collect()).labelled_at_left()
 }

@@ -29,13 +29,11 @@ impl BeyondStudy {
     /// # Errors
     /// [`StudyError`] for a study that is missing, and for a motion that is not allowed or cannot be read.
     pub fn listed(files: &[&StudyFile]) -> Result<Option<Self>, StudyError> {
-        let lists = |file: &&StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
-        let Some((path, settings)) = files.iter().find_map(lists) else {
+        let Some((path, settings)) = StudyFile::listing(files.iter().copied()) else {
             return Ok(None);
         };
-        let (mut study, target) = Self::first(files, (path, &settings))?;
-        let others = others(&settings, &study.path, target)?;
-        study.motions.extend(others);
+        let (mut study, target) = Self::first(files, (path, settings))?;
+        study.motions.extend(others(settings, path, target)?);
         Ok(Some(study))
     }
 
@@ -48,15 +46,8 @@ impl BeyondStudy {
     /// [`StudyError`] for studies that cannot be read, for a folder that cannot be, and where no motion is left.
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
-        let lists = |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
-        let Some((path, settings)) = files.iter().find_map(lists) else {
-            return Err(StudyError::MissingScene {
-                study: "beyond".into(),
-                scene: "any".into(),
-            });
-        };
-        let files: Vec<&StudyFile> = files.iter().collect();
-        let (study, target) = Self::first(&files, (path, &settings))?;
+        let (path, settings) = StudyFile::listing(&files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
+        let (study, target) = Self::first(&files.iter().collect::<Vec<_>>(), (path, settings))?;
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
         let (mut motions, mut left_out) = (Vec::new(), Vec::new());
@@ -64,7 +55,7 @@ impl BeyondStudy {
         let out = suite.left_out.iter();
         left_out.extend(out.map(|one| (one.name.clone(), one.reason.sentence())));
         for motion in &suite.motions {
-            match Shaking::of_folder(motion, like, &settings, target) {
+            match Shaking::of_folder(motion, like, settings, target) {
                 Ok(shaking) => motions.push(shaking),
                 Err(error) => left_out.push((motion.name.clone(), error.to_string())),
             }
@@ -80,13 +71,13 @@ impl BeyondStudy {
     }
 
     /// A list cut down to its first motion, and the strength of that, to which others are scaled.
-    fn first(files: &[&StudyFile], (path, settings): (PathBuf, &BeyondSettings)) -> Result<(Self, Option<Target>), StudyError> {
-        let (motions, target) = first(settings, &path)?;
+    fn first(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings)) -> Result<(Self, Option<Target>), StudyError> {
+        let (motions, target) = first(settings, path)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
         let study = Self {
             papers: papers(settings, &scenes),
-            path,
+            path: path.to_path_buf(),
             scenes,
             motions,
             changes: settings.changes.clone(),
@@ -102,12 +93,13 @@ impl BeyondStudy {
         }
         let first = self.left_out.iter().flatten().next();
         let reason = first.map(|(name, reason)| format!("; the first, {name}: {reason}"));
-        Err(StudyError::Study {
-            path: self.path,
-            place: "records",
-            found: format!("none that shakes the scenes{}", reason.unwrap_or_default()),
-            allowed: "one or more horizontal ground accelerations",
-        })
+        let found = format!("none that shakes the scenes{}", reason.unwrap_or_default());
+        Err(StudyError::refused(
+            &self.path,
+            "records",
+            found,
+            "one or more horizontal ground accelerations",
+        ))
     }
 
     /// Without the changes of the scenes that take long.
@@ -185,29 +177,17 @@ pub(crate) fn motions_of(settings: &BeyondSettings, path: &Path) -> Result<Vec<S
 
 /// The first motion of a list, and its strength, to which others are scaled.
 fn first(settings: &BeyondSettings, path: &Path) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
-    let refused = |(place, found, allowed)| StudyError::Study {
-        path: path.to_path_buf(),
-        place,
-        found,
-        allowed,
-    };
-    if let Some(fault) = settings.fault() {
-        return Err(refused(fault));
+    if let Some((place, found, allowed)) = settings.fault() {
+        return Err(StudyError::refused(path, place, found, allowed));
     }
     let base = path.parent().unwrap_or_else(|| Path::new(""));
-    let first = settings.motions.first().map(|motion| {
-        // To scale the first to itself would cost its last digits.
-        Shaking::listed(motion, base, settings, None).map_err(|error| error.in_file(path))
-    });
-    let motions: Vec<Shaking> = first.into_iter().collect::<Result<_, _>>()?;
-    let mut target = None;
-    if let Some(first) = motions.first() {
-        target = Target::of(settings, first).map_err(|error| {
-            let allowed = "a period and damping of which the first motion has a spectrum";
-            refused(("output.beyond.scaled_by", error.to_string(), allowed))
-        })?;
-    }
-    Ok((motions, target))
+    // To scale the first to itself would cost its last digits.
+    let first = Shaking::listed(&settings.motions[0], base, settings, None).map_err(|error| error.in_file(path))?;
+    let target = Target::of(settings, &first).map_err(|error| {
+        let allowed = "a period and damping of which the first motion has a spectrum";
+        StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
+    })?;
+    Ok((vec![first], target))
 }
 
 /// The other motions of a list.
@@ -221,10 +201,7 @@ fn others(settings: &BeyondSettings, path: &Path, target: Option<Target>) -> Res
 /// A scene of the paper, under its record.
 fn papers_scene(scenes: &Scenes) -> Result<&Scene, StudyError> {
     let first = scenes.prepared().next().map(Simulation::scene);
-    first.ok_or_else(|| StudyError::MissingScene {
-        study: STUDIES[0].into(),
-        scene: "any".into(),
-    })
+    first.ok_or_else(|| StudyError::no_scene_of(STUDIES[0]))
 }
 
 /// The listed motion and the direction that are those of the paper's scenes.

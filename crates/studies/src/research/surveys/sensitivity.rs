@@ -4,16 +4,15 @@
 //! (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259): first order by their Table 2 (b), total by M. J. W. Jansen
 //! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
 
-use super::cases::{Case, each, rows, sdof, with_gap};
-use super::{Files, csv, drawn};
-use crate::paper::figures::capital;
+use super::cases::{Case, rows, sdof, with_gap};
+use crate::files::{Files, capital, drawn};
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, FreePair, LawName};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{Damping, Scene};
-use pounding_text::digits;
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_scene::{Damping, Scene, parallel};
+use pounding_text::Table;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 use sobol::Sobol;
@@ -45,6 +44,15 @@ struct Row {
     mixed: [Output; N_INPUTS],
 }
 
+/// What an input is worth for an output, alone and with all others, beside mean and deviation of the output.
+struct Share {
+    output: &'static str,
+    input: &'static str,
+    mean: f64,
+    deviation: f64,
+    indices: [Index; 2],
+}
+
 /// An index with its 95 % bounds.
 #[derive(Debug, Clone, Copy)]
 struct Index {
@@ -61,19 +69,16 @@ pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) ->
         template,
         cases: &cases[..2 * n_motions],
     };
-    let rows = each(&samples(settings.samples), |(a, b)| asked.row(a, b))?;
+    let rows = parallel::try_each(&samples(settings.samples), |(a, b)| asked.row(a, b))?;
     let inputs: Vec<usize> = (0..N_INPUTS)
         .filter(|input| settings.vary_motion || INPUTS[*input] != "motion")
         .collect();
-    let found: Vec<Vec<[Index; 2]>> = (0..N_OUTPUTS)
-        .map(|output| {
-            let of = |input: &usize| indices(&rows, *input, output, settings.bootstrap);
-            inputs.iter().map(of).collect()
-        })
+    let found: Vec<Vec<Share>> = (0..N_OUTPUTS)
+        .map(|output| shares(&rows, &inputs, output, settings.bootstrap))
         .collect();
     Ok(Files::from([
-        ("indices.csv".into(), table(&rows, &inputs, &found)),
-        ("indices.png".into(), drawn(&figure(&inputs, &found), file)?),
+        ("indices.png".into(), drawn(&figure(&found), &file.path)?),
+        ("indices.csv".into(), table(rows.len(), found.into_iter().flatten()).into_bytes()),
     ]))
 }
 
@@ -190,104 +195,62 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
     })
 }
 
-/// A row per output and input.
-fn table(rows: &[Row], inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Vec<u8> {
-    let header = [
-        "output",
-        "input",
-        "samples",
-        "mean",
-        "standard_deviation",
-        "first_order",
-        "first_order_from",
-        "first_order_to",
-        "total",
-        "total_from",
-        "total_to",
-    ];
-    let mut lines = Vec::new();
-    for (output, of_output) in found.iter().enumerate() {
-        let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
-        let n = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / n;
-        let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
-        for (input, [first, total]) in inputs.iter().zip(of_output) {
-            let mut line = vec![OUTPUTS[output].to_string(), INPUTS[*input].to_string(), rows.len().to_string()];
-            let numbers = [mean, variance.sqrt()].into_iter();
-            let numbers = numbers.chain([first.value, first.bounds.0, first.bounds.1]);
-            line.extend(numbers.chain([total.value, total.bounds.0, total.bounds.1]).map(digits));
-            lines.push(line);
-        }
-    }
-    csv(&header, &lines)
+/// What every input is worth for an output.
+fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
+    let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
+    let share = |input: &usize| Share {
+        output: OUTPUTS[output],
+        input: INPUTS[*input],
+        mean,
+        deviation: variance.sqrt(),
+        indices: indices(rows, *input, output, repetitions),
+    };
+    inputs.iter().map(share).collect()
 }
 
+/// A row per output and input.
+fn table(samples: usize, shares: impl Iterator<Item = Share>) -> String {
+    let mut table = Table::of(shares)
+        .column("output", |one| one.output)
+        .column("input", |one| one.input)
+        .column("samples", |_| samples)
+        .column("mean", |one| one.mean)
+        .column("standard_deviation", |one| one.deviation);
+    for (order, key) in ["first_order", "total"].into_iter().enumerate() {
+        table = table
+            .column(key, move |one| one.indices[order].value)
+            .column(format!("{key}_from"), move |one| one.indices[order].bounds.0)
+            .column(format!("{key}_to"), move |one| one.indices[order].bounds.1);
+    }
+    table.csv()
+}
+
+/// Both indices in the figure, and how far from the line of their input they stand.
+const LOOKS: [(&str, Shade, Mark, f64); 2] = [
+    ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
+    ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
+];
+
 /// A panel per output: of every input a bar to its first-order index and a mark at its total one, with bounds.
-fn figure(inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Figure {
-    let names: Vec<String> = inputs.iter().map(|input| INPUTS[*input].into()).collect();
-    let panel = |(output, of_output): (usize, &Vec<[Index; 2]>)| {
+fn figure(found: &[Vec<Share>]) -> Figure {
+    let panel = |shares: &Vec<Share>| {
         let mut curves = Vec::new();
-        let looks = [
-            ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
-            ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
-        ];
-        for (order, (name, shade, mark, aside)) in looks.into_iter().enumerate() {
+        for (order, (name, shade, mark, aside)) in LOOKS.into_iter().enumerate() {
             let mut points = Vec::new();
-            for (line, both) in of_output.iter().enumerate() {
-                let (Index { value, bounds }, y) = (both[order], line as f64 + aside);
+            for (line, share) in shares.iter().enumerate() {
+                let (Index { value, bounds }, y) = (share.indices[order], line as f64 + aside);
                 let span = [bounds.0, bounds.1].map(|bound| (bound.clamp(0.0, 1.0), y));
                 curves.push(Curve::new(Kind::Line, shade, span.into()));
                 points.push((value.clamp(0.0, 1.0), y));
             }
             curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
         }
-        Panel {
-            title: capital(OUTPUTS[output]),
-            y: Axis::names(names.clone()),
-            curves,
-            legend: Legend::Shared,
-            ..Panel::default()
-        }
+        let names = shares.iter().map(|share| share.input.into());
+        Panel::shared(capital(shares[0].output), Axis::names(names.collect()), curves)
     };
-    Figure {
-        height_in: 5.2,
-        columns: 2,
-        x: Axis::over("Share of the variance (–)", 0.0, 1.0),
-        panels: found.iter().enumerate().map(panel).collect(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Indices of y = x₁ + 2 x₂ + x₁ x₃ against their closed form: with x uniform on 0 to 1 the variance is
-    /// V₁ = 1.5²/12, V₂ = 4/12, V₃ = 0.5²/12, and V₁₃ = 1/144.
-    #[test]
-    fn reference_indices_of_a_polynomial() {
-        let of = |sample: &Sample| {
-            let mut output = [0.0; N_OUTPUTS];
-            output[0] = sample[0] + 2.0 * sample[1] + sample[0] * sample[2];
-            output
-        };
-        let row = |(a, b): &(Sample, Sample)| {
-            let mixed = std::array::from_fn(|input| {
-                let mut sample = *a;
-                sample[input] = b[input];
-                of(&sample)
-            });
-            Row { a: of(a), b: of(b), mixed }
-        };
-        let rows: Vec<Row> = samples(4096).iter().map(row).collect();
-        let rows: Vec<&Row> = rows.iter().collect();
-        let parts = [2.25 / 12.0, 4.0 / 12.0, 0.25 / 12.0, 0.0];
-        let both = [1.0 / 144.0, 0.0, 1.0 / 144.0, 0.0];
-        let whole: f64 = parts.iter().sum::<f64>() + 1.0 / 144.0;
-        for input in 0..parts.len() {
-            let [first, total] = estimate(&rows, input, 0);
-            let wanted = [parts[input] / whole, (parts[input] + both[input]) / whole];
-            assert!((first - wanted[0]).abs() < 5e-3, "{input}: {first} {wanted:?}");
-            assert!((total - wanted[1]).abs() < 5e-3, "{input}: {total} {wanted:?}");
-        }
-    }
+    let x = Axis::over("Share of the variance (–)", 0.0, 1.0);
+    Figure::grid(5.2, 2, x, found.iter().map(panel).collect())
 }

@@ -1,108 +1,57 @@
 //! What is in a scene: classes by which a campaign counts.
 
+use crate::listed::listed;
 use pounding_scene::{Columns, Contact, Generated, RunResult, Scene, Source, Structure};
-use strum::EnumCount;
 
-/// Something that a scene has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
-pub enum Class {
-    /// All contacts are impulsive.
-    Impulsive,
-    /// All contacts have forces over time.
-    Compliant,
-    /// Some are impulsive and some not.
-    BothContacts,
-    /// All structures have one storey.
-    OneStorey,
-    /// Some building has several.
-    Storeys,
-    /// Columns that never yield.
-    Elastic,
-    /// Columns that yield at one point.
-    Sharp,
-    /// Columns that yield smoothly.
-    Smooth,
-    /// A wall at one end.
-    OneWall,
-    /// Walls at both.
-    TwoWalls,
-    /// A ground motion that travels.
-    Arrivals,
-    /// A gap of 0.
-    NoGap,
-    /// A restitution of 0.
-    Plastic,
-    /// A restitution of 1.
-    Lossless,
-    /// Contacts at some levels alone.
-    SomeLevels,
-    /// A structure that moves at the start.
-    Moving,
-    /// Neighbours that come to rest against each other.
-    Rests,
-    /// A record.
-    Record,
-    /// Random shaking.
-    Stochastic,
-    /// A pulse.
-    Pulse,
-    /// Harmonic shaking.
-    Harmonic,
+listed! {
+    /// Something that a scene has.
+    pub enum Class { words: &'static str;
+        /// All contacts are impulsive.
+        Impulsive = "impulsive contacts",
+        /// All contacts have forces over time.
+        Compliant = "compliant contacts",
+        /// Some are impulsive and some not.
+        BothContacts = "both kinds of contact",
+        /// All structures have one storey.
+        OneStorey = "one storey each",
+        /// Some building has several.
+        Storeys = "several storeys",
+        /// Columns that never yield.
+        Elastic = "elastic columns",
+        /// Columns that yield at one point.
+        Sharp = "yielding columns",
+        /// Columns that yield smoothly.
+        Smooth = "Bouc–Wen columns",
+        /// A wall at one end.
+        OneWall = "a wall at one end",
+        /// Walls at both.
+        TwoWalls = "walls at both ends",
+        /// A ground motion that travels.
+        Arrivals = "arrivals",
+        /// A gap of 0.
+        NoGap = "a gap of 0",
+        /// A restitution of 0.
+        Plastic = "e = 0",
+        /// A restitution of 1.
+        Lossless = "e = 1",
+        /// Contacts at some levels alone.
+        SomeLevels = "chosen levels",
+        /// A structure that moves at the start.
+        Moving = "moving at the start",
+        /// Neighbours that come to rest against each other.
+        Rests = "coming to rest",
+        /// A record.
+        Record = "a record",
+        /// Random shaking.
+        Stochastic = "random shaking",
+        /// A pulse.
+        Pulse = "a pulse",
+        /// Harmonic shaking.
+        Harmonic = "harmonic shaking",
+    }
 }
 
 impl Class {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::Impulsive,
-        Self::Compliant,
-        Self::BothContacts,
-        Self::OneStorey,
-        Self::Storeys,
-        Self::Elastic,
-        Self::Sharp,
-        Self::Smooth,
-        Self::OneWall,
-        Self::TwoWalls,
-        Self::Arrivals,
-        Self::NoGap,
-        Self::Plastic,
-        Self::Lossless,
-        Self::SomeLevels,
-        Self::Moving,
-        Self::Rests,
-        Self::Record,
-        Self::Stochastic,
-        Self::Pulse,
-        Self::Harmonic,
-    ];
-
-    /// Its name in text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Impulsive => "impulsive contacts",
-            Self::Compliant => "compliant contacts",
-            Self::BothContacts => "both kinds of contact",
-            Self::OneStorey => "one storey each",
-            Self::Storeys => "several storeys",
-            Self::Elastic => "elastic columns",
-            Self::Sharp => "yielding columns",
-            Self::Smooth => "Bouc–Wen columns",
-            Self::OneWall => "a wall at one end",
-            Self::TwoWalls => "walls at both ends",
-            Self::Arrivals => "arrivals",
-            Self::NoGap => "a gap of 0",
-            Self::Plastic => "e = 0",
-            Self::Lossless => "e = 1",
-            Self::SomeLevels => "chosen levels",
-            Self::Moving => "moving at the start",
-            Self::Rests => "coming to rest",
-            Self::Record => "a record",
-            Self::Stochastic => "random shaking",
-            Self::Pulse => "a pulse",
-            Self::Harmonic => "harmonic shaking",
-        }
-    }
-
     /// Those of a scene; whether neighbours come to rest is known once it has run.
     pub(super) fn of(scene: &Scene) -> Vec<Self> {
         let contacts = || scene.contacts.iter().flatten();
@@ -111,13 +60,10 @@ impl Class {
             let of = |one: &Contact| one.law.impulsive().map(|law| law.restitution);
             contacts().filter_map(of).any(|one| one.total_cmp(&e).is_eq())
         };
-        let walls = scene.structures.iter();
-        let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();
+        let walls = scene.structures.iter().filter(|one| matches!(one, Structure::Wall)).count();
         let columns = columns(scene);
-        let storeys = scene.structures.iter().any(|one| match one {
-            Structure::Building(building) => building.storeys.len() > 1,
-            Structure::Sdof(_) | Structure::Wall => false,
-        });
+        let storeys = scene.structures.iter().any(|one| columns_of(one).len() > 1);
+        let sharp = |one: &Columns| one.yield_force_n.is_some() && one.bouc_wen.is_none();
         let has = [
             (Self::Impulsive, impulsive == contacts().count()),
             (Self::Compliant, impulsive == 0),
@@ -125,10 +71,7 @@ impl Class {
             (Self::OneStorey, !storeys),
             (Self::Storeys, storeys),
             (Self::Elastic, columns.iter().any(|one| one.yield_force_n.is_none())),
-            (
-                Self::Sharp,
-                columns.iter().any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none()),
-            ),
+            (Self::Sharp, columns.iter().any(sharp)),
             (Self::Smooth, columns.iter().any(|one| one.bouc_wen.is_some())),
             (Self::OneWall, walls == 1),
             (Self::TwoWalls, walls == 2),
@@ -151,21 +94,21 @@ impl Class {
 }
 
 fn columns(scene: &Scene) -> Vec<Columns> {
-    let of = |one: &Structure| match one {
+    scene.structures.iter().flat_map(columns_of).collect()
+}
+
+fn columns_of(structure: &Structure) -> Vec<Columns> {
+    match structure {
         Structure::Sdof(sdof) => vec![sdof.columns()],
         Structure::Building(building) => building.storeys.iter().map(|one| one.columns).collect(),
         Structure::Wall => Vec::new(),
-    };
-    scene.structures.iter().flat_map(of).collect()
+    }
 }
 
 fn moves(structure: &Structure) -> bool {
     match structure {
         Structure::Sdof(sdof) => sdof.initial_velocity_m_per_s != 0.0,
-        Structure::Building(building) => {
-            let mut storeys = building.storeys.iter();
-            storeys.any(|one| one.initial_velocity_m_per_s != 0.0)
-        }
+        Structure::Building(building) => building.storeys.iter().any(|one| one.initial_velocity_m_per_s != 0.0),
         Structure::Wall => false,
     }
 }

@@ -3,8 +3,8 @@
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
 use super::table::{agreed, setting};
-use pounding_scene::{COMPARED_METHODS, holding};
-use pounding_text::to_csv;
+use pounding_scene::{COMPARED_METHODS, ComparedMethod, holding};
+use pounding_text::Table;
 
 /// Errors asked for \[–\], with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
@@ -19,60 +19,77 @@ pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> 
         .min_by_key(|(_, cost)| *cost)
 }
 
+/// What is asked of every method, and the cheapest run of each; `None` of a method that is not among them.
+struct Asked<'a> {
+    race: &'a Race,
+    quantity: &'static str,
+    percent: &'static str,
+    agreed: String,
+    found: Vec<Option<Option<Run<'a>>>>,
+}
+
+/// A run, and its work.
+type Run<'a> = (&'a Rung, u64);
+
+impl<'a> Asked<'a> {
+    fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
+        let found = COMPARED_METHODS
+            .iter()
+            .map(|contender| Some(cheapest(race.of(contender.key)?, &holds)));
+        Self {
+            race,
+            quantity,
+            percent,
+            agreed,
+            found: found.collect(),
+        }
+    }
+
+    /// The cheapest of all.
+    fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
+        let runs = COMPARED_METHODS.iter().zip(&self.found);
+        runs.filter_map(|(contender, found)| Some((contender, (*found)??)))
+            .min_by_key(|(_, (_, cost))| *cost)
+    }
+}
+
 /// For every scene, quantity and error the cheapest method, and the setting that each method needs.
 pub(super) fn table(races: &[Race]) -> String {
-    let header = [
-        "scene",
-        "quantity",
-        "allowed_error_percent",
-        "agreed_digits",
-        "cheapest_method",
-        "cheapest_setting",
-        "cheapest_work",
-    ];
-    let methods = COMPARED_METHODS.iter().map(|contender| contender.key);
-    let header: Vec<_> = header.into_iter().chain(methods).map(String::from).collect();
     let mut rows = Vec::new();
     for race in races {
         for quantity in MethodQuantity::ALL {
             if race.truth.values(quantity).is_empty() {
                 continue;
             }
-            for (allowed, percent) in ALLOWED {
-                let within = |error: f64| error <= allowed;
-                let agreed = agreed(race.digits(quantity));
-                let asked = [quantity.key().into(), percent.into(), agreed];
-                rows.push(row(race, asked, |measured| measured.error(quantity).is_some_and(within)));
-            }
+            rows.extend(ALLOWED.map(|(allowed, percent)| {
+                let asked = (quantity.key(), percent, agreed(race.digits(quantity)));
+                Asked::of(race, asked, |measured| {
+                    measured.error(quantity).is_some_and(|error| error <= allowed)
+                })
+            }));
         }
         if race.truth.n_collisions > 0 {
-            let asked = ["number_of_collisions".into(), "0".into(), race.agreed_count().into()];
-            rows.push(row(race, asked, |measured| measured.same_count));
+            let asked = ("number_of_collisions", "0", race.agreed_count().into());
+            rows.push(Asked::of(race, asked, |measured| measured.same_count));
         }
     }
-    to_csv(&header, &rows)
-}
-
-fn row(race: &Race, asked: [String; 3], holds: impl Fn(&Measured) -> bool) -> Vec<String> {
-    let found: Vec<_> = COMPARED_METHODS
-        .iter()
-        .map(|contender| Some((contender, cheapest(race.of(contender.key)?, &holds))))
-        .collect();
-    let best = found
-        .iter()
-        .flatten()
-        .filter_map(|(contender, found)| Some((contender, (*found)?)))
-        .min_by_key(|(_, (_, cost))| *cost);
-    let mut row = vec![race.scene.clone()];
-    row.extend(asked);
-    row.extend(match best {
-        Some((contender, (rung, cost))) => [contender.key.into(), setting(contender, rung.setting), cost.to_string()],
-        None => ["never".into(), String::new(), String::new()],
-    });
-    row.extend(found.into_iter().map(|entrant| match entrant {
-        Some((contender, Some((rung, _)))) => setting(contender, rung.setting),
-        Some((_, None)) => "never".into(),
-        None => String::new(),
-    }));
-    row
+    Table::of(rows)
+        .column("scene", |one| one.race.scene.clone())
+        .column("quantity", |one| one.quantity)
+        .column("allowed_error_percent", |one| one.percent)
+        .column("agreed_digits", |one| one.agreed.clone())
+        .column("cheapest_method", |one| one.best().map_or("never", |(contender, _)| contender.key))
+        .column("cheapest_setting", |one| {
+            one.best().map(|(contender, (rung, _))| setting(contender, rung.setting))
+        })
+        .column("cheapest_work", |one| one.best().map(|(_, (_, cost))| cost))
+        .columns(
+            0..COMPARED_METHODS.len(),
+            |method| COMPARED_METHODS[method].key.into(),
+            |one, method| {
+                let needed = |(rung, _): Run<'_>| setting(&COMPARED_METHODS[method], rung.setting);
+                one.found[method].map(|found| found.map_or("never".into(), needed))
+            },
+        )
+        .csv()
 }

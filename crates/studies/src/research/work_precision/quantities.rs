@@ -1,65 +1,36 @@
 //! What is compared: six quantities and a count.
 
+use crate::listed::listed;
 use pounding_reference::Response;
 use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
 use pounding_solver::Collision;
-use strum::EnumCount;
 
-/// A quantity in which methods are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-pub(crate) enum MethodQuantity {
-    FirstTime,
-    FirstImpulse,
-    Momentum,
-    ContactPeak,
-    Displacement,
-    Shear,
+listed! {
+    /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant contact.
+    pub(crate) enum MethodQuantity { texts: (&'static str, [&'static str; 2], [&'static str; 2]);
+        FirstTime = ("time_of_first_collision", ["Time of first collision"; 2], ["s"; 2]),
+        FirstImpulse = ("impulse_of_first_collision", ["Impulse of first collision"; 2], ["N·s"; 2]),
+        Momentum = ("transferred_momentum", ["Transferred momentum"; 2], ["N·s"; 2]),
+        ContactPeak = ("peak_pounding_force_or_impulse", ["Peak impulse", "Peak pounding force"], ["N·s", "N"]),
+        Displacement = ("peak_displacement", ["Peak displacement"; 2], ["m"; 2]),
+        Shear = ("peak_shear_force", ["Peak shear force"; 2], ["N"; 2]),
+    }
 }
 
 impl MethodQuantity {
-    pub(crate) const ALL: [Self; Self::COUNT] = [
-        Self::FirstTime,
-        Self::FirstImpulse,
-        Self::Momentum,
-        Self::ContactPeak,
-        Self::Displacement,
-        Self::Shear,
-    ];
-
     /// Name in tables.
     pub(crate) fn key(self) -> &'static str {
-        match self {
-            Self::FirstTime => "time_of_first_collision",
-            Self::FirstImpulse => "impulse_of_first_collision",
-            Self::Momentum => "transferred_momentum",
-            Self::ContactPeak => "peak_pounding_force_or_impulse",
-            Self::Displacement => "peak_displacement",
-            Self::Shear => "peak_shear_force",
-        }
+        self.texts().0
     }
 
     /// Name in figures; a compliant contact has a peak force, an impulsive one a peak impulse.
     pub(crate) fn words(self, compliant: bool) -> &'static str {
-        match self {
-            Self::FirstTime => "Time of first collision",
-            Self::FirstImpulse => "Impulse of first collision",
-            Self::Momentum => "Transferred momentum",
-            Self::ContactPeak if compliant => "Peak pounding force",
-            Self::ContactPeak => "Peak impulse",
-            Self::Displacement => "Peak displacement",
-            Self::Shear => "Peak shear force",
-        }
+        self.texts().1[usize::from(compliant)]
     }
 
     /// SI unit.
     pub(crate) fn unit(self, compliant: bool) -> &'static str {
-        match self {
-            Self::FirstTime => "s",
-            Self::ContactPeak if compliant => "N",
-            Self::FirstImpulse | Self::Momentum | Self::ContactPeak => "N·s",
-            Self::Displacement => "m",
-            Self::Shear => "N",
-        }
+        self.texts().2[usize::from(compliant)]
     }
 }
 

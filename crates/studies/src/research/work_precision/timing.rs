@@ -1,10 +1,9 @@
 //! Which runs are worth timing.
 
 use super::Trade;
-use super::measure::{Entrant, Measured, Rung};
+use super::measure::{Entrant, Measured, Run, Rung};
 use super::pareto::cheapest;
 use super::quantities::MethodQuantity;
-use super::run::Run;
 use super::table::setting;
 use super::verdict::{EXACT, STEPPING};
 use crate::{Completed, StudyError, StudyFile};

@@ -4,39 +4,14 @@ use super::measure::Race;
 use super::pareto::cheapest;
 use super::quantities::MethodQuantity;
 use super::table::setting;
+use crate::files::yes_or_no;
 use pounding_scene::{EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, price};
-use pounding_text::to_csv;
+use pounding_text::{Cell, Table};
 
 /// Error asked of the exact method \[–\].
 pub(super) const EXACT: f64 = 1e-6;
 /// Error asked of the central difference method \[–\].
 pub(super) const STEPPING: f64 = 1e-2;
-
-/// For every scene and quantity, and for all of them at once, what either method needs.
-pub(super) fn table(races: &[Race]) -> String {
-    let header = [
-        "scene",
-        "quantity",
-        "exact_tolerance_for_1e-6",
-        "exact_work",
-        "central_difference_time_step_for_1_percent",
-        "central_difference_work",
-        "work_of_exact_over_central_difference",
-        "exact_needs_less_work",
-        &format!("time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece"),
-        "why",
-    ];
-    let mut rows = Vec::new();
-    for race in races {
-        let present = MethodQuantity::ALL.map(|quantity| (!race.truth.values(quantity).is_empty()).then_some(quantity));
-        let present: Vec<_> = present.into_iter().flatten().collect();
-        for quantity in &present {
-            rows.push(row(race, quantity.key(), &[*quantity]));
-        }
-        rows.push(row(race, "all", &present));
-    }
-    to_csv(&header.map(String::from), &rows)
-}
 
 /// What a method needs for an error.
 struct Need {
@@ -46,46 +21,84 @@ struct Need {
     price: u64,
 }
 
-fn need(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Need> {
-    let entrant = race.of(key)?;
-    let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
-    let run = rung.outcome.as_ref().ok()?;
-    Some(Need {
-        setting: setting(entrant.contender, rung.setting),
-        work,
-        price: price(run.work),
-    })
+impl Need {
+    fn of(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Self> {
+        let entrant = race.of(key)?;
+        let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
+        Some(Self {
+            setting: setting(entrant.contender, rung.setting),
+            work,
+            price: price(rung.outcome.as_ref().ok()?.work),
+        })
+    }
 }
 
-fn row(race: &Race, name: &str, quantities: &[MethodQuantity]) -> Vec<String> {
-    let exact = need(race, REFERENCE, quantities, EXACT);
-    let stepping = need(race, RIVAL, quantities, STEPPING);
-    let both = exact.as_ref().zip(stepping.as_ref());
-    let ratio = |of: fn(&Need) -> u64| both.map(|(exact, stepping)| of(exact) as f64 / of(stepping) as f64);
-    let (work, time) = (ratio(|need| need.work), ratio(|need| need.price));
-    let less = match work {
-        Some(ratio) => ratio < 1.0,
-        None => exact.is_some(),
-    };
-    let slow = format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations");
-    let why = match (work, time) {
-        (Some(work), _) if work >= 1.0 => "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample",
-        (_, Some(time)) if time >= 1.0 => &slow,
-        (Some(_), _) => "",
-        (None, _) if exact.is_none() => "the exact method does not reach 1e-6",
-        (None, _) => "the central difference method does not hold 1 % on this ladder",
-    };
-    let mut row = vec![race.scene.clone(), name.into()];
-    for needed in [&exact, &stepping] {
-        row.extend(match needed {
-            Some(need) => [need.setting.clone(), need.work.to_string()],
-            None => ["never".into(), String::new()],
-        });
+/// What both methods need for their errors of some quantities.
+struct Both<'a> {
+    scene: &'a str,
+    quantity: &'static str,
+    exact: Option<Need>,
+    stepping: Option<Need>,
+}
+
+impl<'a> Both<'a> {
+    fn of(race: &'a Race, quantity: &'static str, quantities: &[MethodQuantity]) -> Self {
+        Self {
+            scene: &race.scene,
+            quantity,
+            exact: Need::of(race, REFERENCE, quantities, EXACT),
+            stepping: Need::of(race, RIVAL, quantities, STEPPING),
+        }
     }
-    let printed = |ratio: Option<f64>| ratio.map_or(String::new(), |ratio| format!("{ratio:.3}"));
-    row.push(printed(work));
-    row.push(if less { "yes" } else { "no" }.into());
-    row.push(printed(time));
-    row.push(why.into());
-    row
+
+    /// What the exact method needs over what the other does.
+    fn ratio(&self, of: fn(&Need) -> u64) -> Option<f64> {
+        Some(of(self.exact.as_ref()?) as f64 / of(self.stepping.as_ref()?) as f64)
+    }
+
+    fn needs_less(&self) -> bool {
+        self.ratio(|need| need.work).map_or(self.exact.is_some(), |ratio| ratio < 1.0)
+    }
+
+    fn why(&self) -> String {
+        match (self.ratio(|need| need.work), self.ratio(|need| need.price)) {
+            (Some(work), _) if work >= 1.0 => {
+                "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample".into()
+            }
+            (_, Some(time)) if time >= 1.0 => format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations"),
+            (Some(_), _) => String::new(),
+            (None, _) if self.exact.is_none() => "the exact method does not reach 1e-6".into(),
+            (None, _) => "the central difference method does not hold 1 % on this ladder".into(),
+        }
+    }
+}
+
+/// For every scene and quantity, and for all of them at once, what either method needs.
+pub(super) fn table<'a>(races: &'a [Race]) -> String {
+    let of_race = |race: &'a Race| {
+        let mut present = MethodQuantity::ALL.to_vec();
+        present.retain(|quantity| !race.truth.values(*quantity).is_empty());
+        let mut rows: Vec<_> = present
+            .iter()
+            .map(|quantity| Both::of(race, quantity.key(), &[*quantity]))
+            .collect();
+        rows.push(Both::of(race, "all", &present));
+        rows
+    };
+    let setting = |need: &Option<Need>| need.as_ref().map_or("never".to_string(), |need| need.setting.clone());
+    let work = |need: &Option<Need>| need.as_ref().map(|need| need.work);
+    let ratio = |ratio: Option<f64>| Cell::number(ratio, |ratio| format!("{ratio:.3}"));
+    let time = format!("time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece");
+    Table::of(races.iter().flat_map(of_race))
+        .column("scene", |one| one.scene.to_string())
+        .column("quantity", |one| one.quantity)
+        .column("exact_tolerance_for_1e-6", |one| setting(&one.exact))
+        .column("exact_work", |one| work(&one.exact))
+        .column("central_difference_time_step_for_1_percent", |one| setting(&one.stepping))
+        .column("central_difference_work", |one| work(&one.stepping))
+        .column("work_of_exact_over_central_difference", |one| ratio(one.ratio(|need| need.work)))
+        .column("exact_needs_less_work", |one| yes_or_no(one.needs_less()))
+        .column(time, |one| ratio(one.ratio(|need| need.price)))
+        .column("why", Both::why)
+        .csv()
 }

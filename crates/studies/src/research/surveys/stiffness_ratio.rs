@@ -1,15 +1,14 @@
 //! What pounding does to the middle of three structures, over the stiffness of the stiff ones: where a finding about it turns over.
 
-mod figure;
-
-use super::cases::{Case, each, rows, sdof};
-use super::{Files, csv, drawn};
+use super::cases::{Case, rows, sdof};
+use crate::files::{Files, capital, drawn};
+use crate::listed::listed;
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{HeldConstant, StiffnessRatio};
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Scene, Structure};
-use pounding_text::digits;
-use strum::EnumCount;
+use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade};
+use pounding_scene::{Scene, Structure, parallel};
+use pounding_text::Table;
 
 /// Place of the middle structure.
 const MIDDLE: usize = 1;
@@ -42,27 +41,19 @@ struct Middle {
     travel: Option<f64>,
 }
 
-/// Quantities of it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-enum Quantity {
-    Peak,
-    Travel,
+listed! {
+    /// Quantities of it.
+    enum Quantity { words: &'static str;
+        Peak = "peak displacement",
+        Travel = "plastic travel",
+    }
 }
 
 impl Quantity {
-    const ALL: [Self; Self::COUNT] = [Self::Peak, Self::Travel];
-
     fn of(self, middle: &Middle) -> Option<f64> {
         match self {
             Self::Peak => Some(middle.peak),
             Self::Travel => middle.travel,
-        }
-    }
-
-    fn words(self) -> &'static str {
-        match self {
-            Self::Peak => "peak displacement",
-            Self::Travel => "plastic travel",
         }
     }
 }
@@ -89,7 +80,7 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
     for &kept in &settings.keeps {
         for scene in scenes {
             let varies = scene.structures[MIDDLE].name() == settings.stiff;
-            let alone = (!varies).then(|| each(cases, |case| alone(case, scene)));
+            let alone = (!varies).then(|| parallel::try_each(cases, |case| alone(case, scene)));
             let alone = alone.transpose()?;
             lines.push(Line { scene, kept, alone });
         }
@@ -104,14 +95,14 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
     let tasks: Vec<(usize, f64)> = (0..lines.len())
         .flat_map(|line| settings.stiffness_ratios.iter().map(move |ratio| (line, *ratio)))
         .collect();
-    let found = each(&tasks, |&(line, ratio)| survey.middles(&lines[line], ratio))?;
+    let found = parallel::try_each(&tasks, |&(line, ratio)| survey.middles(&lines[line], ratio))?;
     let per_line = settings.stiffness_ratios.len();
     let found: Vec<&[Vec<Middle>]> = found.chunks(per_line.max(1)).collect();
     let turns = survey.turns(&lines, &found)?;
     Ok(Files::from([
-        ("middle.csv".into(), survey.table(&lines, &found)),
-        ("turn-over.csv".into(), turn_table(&lines, &turns)),
-        ("middle.png".into(), drawn(&survey.figure(&lines, &found, &turns), file)?),
+        ("middle.csv".into(), survey.table(&lines, &found).into_bytes()),
+        ("turn-over.csv".into(), turn_table(&lines, &turns).into_bytes()),
+        ("middle.png".into(), drawn(&survey.figure(&lines, &found, &turns), &file.path)?),
     ]))
 }
 
@@ -142,7 +133,7 @@ impl Survey<'_> {
     fn middles(&self, line: &Line<'_>, ratio: f64) -> Result<Vec<Middle>, StudyError> {
         let scene = line.scene(self.settings, ratio);
         let places: Vec<usize> = (0..self.cases.len()).collect();
-        each(&places, |&place| {
+        parallel::try_each(&places, |&place| {
             let case = &self.cases[place];
             let alone = match &line.alone {
                 Some(alone) => alone[place],
@@ -183,7 +174,7 @@ impl Survey<'_> {
                 }
             }
         }
-        each(&between, |&((line, quantity, of_paper), (mut low, mut high), rises)| {
+        parallel::try_each(&between, |&((line, quantity, of_paper), (mut low, mut high), rises)| {
             for _ in 0..HALVINGS {
                 let ratio = (low * high).sqrt();
                 let middles = self.middles(&lines[line], ratio)?;
@@ -205,67 +196,128 @@ impl Survey<'_> {
     }
 
     /// A row per layout, kept property, ratio and quantity.
-    fn table(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]]) -> Vec<u8> {
-        let header = [
-            "scene",
-            "kept",
-            "stiffness_ratio",
-            "quantity",
-            "cases",
-            "less_than_alone",
-            "least_over_alone",
-            "median_over_alone",
-            "largest_over_alone",
-            "papers_over_alone",
-        ];
-        let mut table = Vec::new();
-        for (line, of_line) in lines.iter().zip(found) {
-            for (ratio, middles) in self.settings.stiffness_ratios.iter().zip(*of_line) {
-                for quantity in Quantity::ALL {
-                    let known = sorted(middles.iter().filter_map(|one| quantity.of(one)));
-                    if known.is_empty() {
-                        continue;
-                    }
-                    let less = known.iter().filter(|value| **value < 1.0).count();
-                    let mut row = vec![
-                        line.scene.name.clone(),
-                        line.kept.word().into(),
-                        digits(*ratio),
-                        quantity.words().into(),
-                        known.len().to_string(),
-                        less.to_string(),
-                    ];
-                    let parts = [0.0, 0.5, 1.0].map(|part| quantile(&known, part));
-                    let papers = self.followed(middles, quantity, true);
-                    let all = parts.into_iter().chain([papers]);
-                    row.extend(all.map(|value| value.map_or_else(String::new, digits)));
-                    table.push(row);
-                }
+    fn table<'s>(&self, lines: &'s [Line<'s>], found: &'s [&[Vec<Middle>]]) -> String {
+        let of_line = |(line, of_line): (&'s Line<'s>, &'s &[Vec<Middle>])| {
+            let of_ratio =
+                move |(ratio, middles): (&f64, &'s Vec<Middle>)| Quantity::ALL.map(|quantity| Cell::of((line, *ratio, quantity), middles));
+            self.settings.stiffness_ratios.iter().zip(*of_line).flat_map(of_ratio)
+        };
+        let cells = lines.iter().zip(found).flat_map(of_line).filter(|one| !one.known.is_empty());
+        Table::of(cells)
+            .column("scene", |one| one.line.scene.name.clone())
+            .column("kept", |one| one.line.kept.word())
+            .column("stiffness_ratio", |one| one.ratio)
+            .column("quantity", |one| one.quantity.words())
+            .column("cases", |one| one.known.len())
+            .column("less_than_alone", |one| one.known.iter().filter(|value| **value < 1.0).count())
+            .column("least_over_alone", |one| quantile(&one.known, 0.0))
+            .column("median_over_alone", |one| quantile(&one.known, 0.5))
+            .column("largest_over_alone", |one| quantile(&one.known, 1.0))
+            .column("papers_over_alone", |one| self.followed(one.middles, one.quantity, true))
+            .csv()
+    }
+
+    /// A panel per scene of a kept property: medians, and the paper's record; a note where pounding begins to help for good.
+    fn figure(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
+        let ratios = &self.settings.stiffness_ratios;
+        let panel = |(index, (line, of_line)): (usize, (&Line<'_>, &&[Vec<Middle>]))| {
+            let note = |ratio: f64| Note::new((ratio, 1.0), format!("{ratio:.*}", usize::from(ratio < 10.0)));
+            let title = format!("{}, {} kept", capital(&line.scene.name), line.kept.word());
+            let y = Axis::over("Middle / alone (–)", LEAST, MOST).log();
+            Panel {
+                notes: self.last_fall(turns, index, of_line).map(note).into_iter().collect(),
+                ..Panel::shared(title, y, self.curves(of_line)).with_level(1.0)
             }
+        };
+        let panels: Vec<Panel> = lines.iter().zip(found).enumerate().map(panel).collect();
+        let x = Axis::over("Stiff / weak stiffness (–)", ratios[0], ratios[ratios.len() - 1]).log();
+        Figure::grid(0.9 + 1.9 * panels.len().div_ceil(COLUMNS) as f64, COLUMNS, x, panels).labelled_at_left()
+    }
+
+    /// The last ratio at which the median of the peaks of a line falls below that alone, if it is noticeably less beyond.
+    fn last_fall(&self, turns: &[Turn], index: usize, of_line: &[Vec<Middle>]) -> Option<f64> {
+        let falls = |turn: &&Turn| turn.line == index && !turn.of_paper && turn.quantity == Quantity::Peak && !turn.rises;
+        let last = turns.iter().rfind(falls)?.ratio;
+        let beyond = self.settings.stiffness_ratios.iter().zip(of_line);
+        let mut beyond = beyond.filter(|(ratio, _)| **ratio > last);
+        let less = |middles: &[Middle]| self.followed(middles, Quantity::Peak, false);
+        beyond
+            .any(|(_, middles)| less(middles).is_some_and(|value| value < NOTICED))
+            .then_some(last)
+    }
+
+    /// What is followed over the ratios; what leaves the panel stays at its edge.
+    fn curves(&self, of_line: &[Vec<Middle>]) -> Vec<Curve> {
+        let looks = [(Quantity::Peak, Shade::Ink), (Quantity::Travel, Shade::Vermilion)];
+        let both = looks.into_iter().flat_map(|look| [(look, false), (look, true)]);
+        let curve = |((quantity, shade), of_paper): ((Quantity, Shade), bool)| {
+            let point = |(ratio, middles): (&f64, &Vec<Middle>)| {
+                let value = self.followed(middles, quantity, of_paper)?;
+                Some((*ratio, value.clamp(LEAST, MOST)))
+            };
+            let ratios = self.settings.stiffness_ratios.iter();
+            let points: Vec<_> = ratios.zip(of_line).filter_map(point).collect();
+            let (kind, of) = if of_paper {
+                (Kind::Dashed, "the paper's motion")
+            } else {
+                (Kind::Line, "median of all")
+            };
+            let name = format!("{}, {of}", capital(quantity.words()));
+            (!points.is_empty()).then(|| Curve::new(kind, shade, points).named(name))
+        };
+        both.filter_map(curve).collect()
+    }
+}
+
+/// What is noticeably less than alone.
+const NOTICED: f64 = 0.95;
+/// Panels side by side.
+const COLUMNS: usize = 3;
+/// Least and largest value over alone that is drawn.
+const LEAST: f64 = 0.1;
+const MOST: f64 = 10.0;
+
+/// A row of the table: a quantity of a layout at a ratio of stiffnesses.
+struct Cell<'a> {
+    line: &'a Line<'a>,
+    ratio: f64,
+    quantity: Quantity,
+    middles: &'a [Middle],
+    /// Its values in rising order.
+    known: Vec<f64>,
+}
+
+impl<'a> Cell<'a> {
+    fn of((line, ratio, quantity): (&'a Line<'a>, f64, Quantity), middles: &'a [Middle]) -> Self {
+        Self {
+            line,
+            ratio,
+            quantity,
+            middles,
+            known: sorted(middles.iter().filter_map(|one| quantity.of(one))),
         }
-        csv(&header, &table)
     }
 }
 
 /// A row per place at which a quantity passes that alone.
-fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> Vec<u8> {
-    let header = ["scene", "kept", "quantity", "of", "stiffness_ratio", "from_there_on"];
-    let row = |turn: &Turn| {
-        vec![
-            lines[turn.line].scene.name.clone(),
-            lines[turn.line].kept.word().into(),
-            turn.quantity.words().into(),
+fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> String {
+    Table::of(turns)
+        .column("scene", |turn| lines[turn.line].scene.name.clone())
+        .column("kept", |turn| lines[turn.line].kept.word())
+        .column("quantity", |turn| turn.quantity.words())
+        .column("of", |turn| {
             if turn.of_paper {
                 "the paper's motion"
             } else {
                 "median of all motions"
             }
-            .into(),
-            digits(turn.ratio),
-            if turn.rises { "more than alone" } else { "less than alone" }.into(),
-        ]
-    };
-    csv(&header, &turns.iter().map(row).collect::<Vec<_>>())
+        })
+        .column("stiffness_ratio", |turn| turn.ratio)
+        .column(
+            "from_there_on",
+            |turn| if turn.rises { "more than alone" } else { "less than alone" },
+        )
+        .csv()
 }
 
 /// The middle structure of a scene without its neighbours.

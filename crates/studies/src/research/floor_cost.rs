@@ -3,19 +3,15 @@
 //! All floors weigh the same and every storey is as stiff as the structure of one storey in its place, so that the fastest
 //! oscillation, which a time step has to follow, does not grow with the height.
 
-mod figure;
-
 use crate::StudyError;
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::{
-    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget, STANDARD_GRAVITY, Scene, Simulation,
-    Source, Storey, Structure,
+    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, REFERENCE, RIVAL, RecordUse, RunBudget, STANDARD_GRAVITY,
+    Scene, Simulation, Source, Storey, Structure, label_of,
 };
 use std::f64::consts::PI;
 use std::path::Path;
-
-use figure::METHODS;
-pub use figure::{FloorCost, floor_cost_figure};
 
 /// How many buildings of how many storeys stand in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -192,4 +188,76 @@ mod tests {
         let [tower, single] = [5, 1].map(|storeys| building(3, storeys, false));
         assert_eq!(tower.storeys[0], single.storeys[0]);
     }
+}
+
+/// What a row cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloorCost {
+    /// Name of the method in tables.
+    pub method: &'static str,
+    /// What the floors do.
+    pub condition: Condition,
+    /// How many there are.
+    pub size: RowSize,
+    /// Wall time over that of the smallest row of the same method and condition \[–\].
+    pub over_smallest: f64,
+}
+
+/// Methods that are timed, by their names in tables, and their looks.
+const METHODS: [(&str, Shade, Mark); 7] = [
+    (RIVAL, Shade::Blue, Mark::Disc),
+    ("velocity_verlet", Shade::Green, Mark::Diamond),
+    ("newmark_average_acceleration", Shade::Vermilion, Mark::Square),
+    ("hht", Shade::Amber, Mark::HollowSquare),
+    ("moreau_jean", Shade::Grey, Mark::Cross),
+    ("rk4", Shade::Rose, Mark::Inverted),
+    (REFERENCE, Shade::Ink, Mark::HollowTriangle),
+];
+
+/// Elastic rows over their storeys and over their buildings, apart and touching, as a PNG; `fixed` is the row that both have
+/// in common, `smallest` the one whose time is the unit. The dashed line has the slope one: time grows with floors.
+///
+/// # Errors
+/// [`PlotError`] for times that cannot be drawn.
+pub fn floor_cost_figure(costs: &[FloorCost], fixed: RowSize, smallest: RowSize) -> Result<Vec<u8>, PlotError> {
+    let mut panels = Vec::new();
+    for touching in [false, true] {
+        for over_storeys in [true, false] {
+            let count = |size: RowSize| if over_storeys { size.storeys } else { size.buildings };
+            let held = |size: RowSize| if over_storeys { size.buildings } else { size.storeys };
+            let own = Condition { yielding: false, touching };
+            let own = costs.iter().filter(|cost| cost.condition == own && held(cost.size) == held(fixed));
+            let n = held(fixed);
+            let (title, axis) = if over_storeys {
+                (format!("{n} buildings"), "Storeys")
+            } else {
+                (format!("Buildings of {n} storeys"), "Buildings")
+            };
+            let curves = curves(&own.collect::<Vec<_>>(), |size| count(size) as f64, smallest);
+            let y = Axis::auto("Wall time (smallest = 1)").log();
+            panels.push(Panel {
+                x: Some(Axis::auto(axis).log()),
+                ..Panel::shared(format!("{title}, {}", if touching { "touching" } else { "apart" }), y, curves)
+            });
+        }
+    }
+    render_png(&Figure::grid(6.2, 2, Axis::default(), panels).labelled_at_left())
+}
+
+fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSize) -> Vec<Curve> {
+    let slope = |cost: &&FloorCost| (count(cost.size), cost.size.floors() as f64 / smallest.floors() as f64);
+    let mut guide: Vec<(f64, f64)> = costs.iter().map(slope).collect();
+    guide.sort_by(|one, other| one.0.total_cmp(&other.0));
+    guide.dedup();
+    let mut curves = vec![Curve::new(Kind::Dashed, Shade::Silver, guide).named("Slope one")];
+    for (method, shade, mark) in METHODS {
+        let own = costs.iter().filter(|cost| cost.method == method);
+        let mut points: Vec<_> = own.map(|cost| (count(cost.size), cost.over_smallest)).collect();
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        if !points.is_empty() {
+            let curve = Curve::new(Kind::Line, shade, points).marked(mark);
+            curves.push(curve.named(label_of(method)));
+        }
+    }
+    curves
 }
