@@ -105,32 +105,10 @@ impl TimedRow {
     /// # Errors
     /// [`StudyError`] when the record cannot be read.
     pub fn new(size: RowSize, condition: Condition, method: Method, record: &Path) -> Result<Self, StudyError> {
-        let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
-            impact_stiffness: 2.75e9,
-            impact_damping_ratio: 0.35,
-        });
-        let contact = Contact {
-            gap_m: GAP,
-            law,
-            levels: None,
-        };
-        let scene = Scene {
-            name: format!("{} buildings of {} storeys", size.buildings, size.storeys),
-            record: RecordUse::of(Source::File(FileUse {
-                file: record.to_string_lossy().into_owned(),
-                ..FileUse::default()
-            })),
-            duration_s: Some(DURATION),
-            structures: (0..size.buildings)
-                .map(|index| Structure::Building(building(index, size.storeys, condition.yielding)))
-                .collect(),
-            contacts: condition.touching.then(|| vec![contact; size.buildings - 1]),
-            neighbour: None,
-            arrivals_s: None,
-            method,
-            budget: RunBudget::default(),
-        };
-        let prepared = Simulation::new(&scene, Path::new(""))?;
+        let name = format!("{} buildings of {} storeys", size.buildings, size.storeys);
+        let building = |index| Structure::Building(building(index, size.storeys, condition.yielding));
+        let structures = (0..size.buildings).map(building).collect();
+        let prepared = timed_row((name, structures), condition.touching.then_some(GAP), method, (record, DURATION))?;
         Ok(Self { prepared })
     }
 
@@ -146,6 +124,39 @@ impl TimedRow {
         let steps = work.steps * self.prepared.floors().facing().len() as u64;
         Ok((steps > 0).then(|| work.touching_steps as f64 / steps as f64))
     }
+}
+
+/// A row with equal gaps, or none that can touch, under the first seconds of a record, to be timed.
+///
+/// # Errors
+/// [`StudyError`] when the record cannot be read.
+pub(super) fn timed_row(
+    (name, structures): (String, Vec<Structure>),
+    gap: Option<f64>,
+    method: Method,
+    (record, duration): (&Path, f64),
+) -> Result<Simulation, StudyError> {
+    let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+        impact_stiffness: 2.75e9,
+        impact_damping_ratio: 0.35,
+    });
+    let contacts = gap.map(|gap_m| vec![Contact { gap_m, law, levels: None }; structures.len() - 1]);
+    let record = FileUse {
+        file: record.to_string_lossy().into_owned(),
+        ..FileUse::default()
+    };
+    let scene = Scene {
+        name,
+        record: RecordUse::of(Source::File(record)),
+        duration_s: Some(duration),
+        structures,
+        contacts,
+        neighbour: None,
+        arrivals_s: None,
+        method,
+        budget: RunBudget::default(),
+    };
+    Ok(Simulation::new(&scene, Path::new(""))?)
 }
 
 /// Storeys as stiff as a structure of one storey with a period of 0.3 to 0.5 s; the multiples of a prime, modulo another,

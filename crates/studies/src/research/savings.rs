@@ -1,49 +1,26 @@
 //! What it saves to model only what a scene requires: rows of any length, leaner and richer, to be timed.
 
 use crate::StudyError;
-use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-use pounding_scene::{Contact, Damping, Extras, FileUse, Method, RecordUse, RunBudget, Scene, Sdof, Simulation, Source, Structure};
+use crate::listed::listed;
+use crate::research::floor_cost::timed_row;
+use pounding_scene::{Damping, Extras, Method, Sdof, Simulation, Structure};
 use std::path::Path;
-use strum::EnumCount;
 
-/// What a row does that the leanest one leaves out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-pub enum Burden {
-    /// Nothing: elastic columns, no pairs, peaks and impulses recorded, nothing else.
-    None,
-    /// Columns that remember their yielding and never yield.
-    Yielding,
-    /// Neighbours as pairs that never touch.
-    Pairs,
-    /// Histories of every structure with a state every 0.02 s.
-    Histories,
-    /// The ledger.
-    Ledger,
-    /// Neighbours 5 cm apart, which touch.
-    Touching,
-}
-
-impl Burden {
-    /// All of them, the leanest first.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::None,
-        Self::Yielding,
-        Self::Pairs,
-        Self::Histories,
-        Self::Ledger,
-        Self::Touching,
-    ];
-
-    /// In the words of a table.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "lean",
-            Self::Yielding => "columns that remember yielding",
-            Self::Pairs => "pairs out of reach",
-            Self::Histories => "histories",
-            Self::Ledger => "ledger",
-            Self::Touching => "pairs that touch",
-        }
+listed! {
+    /// What a row does that the leanest one leaves out: in the words of a table.
+    pub enum Burden { name: &'static str;
+        /// Nothing: elastic columns, no pairs, peaks and impulses recorded, nothing else.
+        None = "lean",
+        /// Columns that remember their yielding and never yield.
+        Yielding = "columns that remember yielding",
+        /// Neighbours as pairs that never touch.
+        Pairs = "pairs out of reach",
+        /// Histories of every structure with a state every 0.02 s.
+        Histories = "histories",
+        /// The ledger.
+        Ledger = "ledger",
+        /// Neighbours 5 cm apart, which touch.
+        Touching = "pairs that touch",
     }
 }
 
@@ -65,31 +42,13 @@ impl Burdened {
     /// # Errors
     /// [`StudyError`] when the record cannot be read.
     pub fn new(n: usize, method: Method, burden: Burden, record: &Path) -> Result<Self, StudyError> {
-        let contacts = match burden {
+        let gap = match burden {
             Burden::Pairs => Some(10.0),
             Burden::Touching => Some(0.05),
             Burden::None | Burden::Yielding | Burden::Histories | Burden::Ledger => None,
         };
-        let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
-            impact_stiffness: 2.75e9,
-            impact_damping_ratio: 0.35,
-        });
-        let structure = |index| structure(index, burden == Burden::Yielding);
-        let scene = Scene {
-            name: format!("{n} structures"),
-            record: RecordUse::of(Source::File(FileUse {
-                file: record.to_string_lossy().into_owned(),
-                ..FileUse::default()
-            })),
-            duration_s: Some(DURATION),
-            structures: (0..n).map(structure).collect(),
-            contacts: contacts.map(|gap_m| vec![Contact { gap_m, law, levels: None }; n - 1]),
-            neighbour: None,
-            arrivals_s: None,
-            method,
-            budget: RunBudget::default(),
-        };
-        let prepared = Simulation::new(&scene, Path::new(""))?;
+        let structures = (0..n).map(|index| structure(index, burden == Burden::Yielding)).collect();
+        let prepared = timed_row((format!("{n} structures"), structures), gap, method, (record, DURATION))?;
         Ok(Self { prepared, burden })
     }
 
@@ -98,18 +57,16 @@ impl Burdened {
     /// # Errors
     /// [`pounding_scene::Error::Run`] when the run ends early.
     pub fn run(&self) -> Result<(), pounding_scene::Error> {
-        match self.burden {
-            Burden::None | Burden::Yielding | Burden::Pairs | Burden::Touching => self.prepared.run_unjudged(Extras::default()).map(|_| ()),
-            Burden::Histories => {
-                let asked = Extras {
-                    interval: Some(INTERVAL),
-                    closings: false,
-                    ..Extras::default()
-                };
-                self.prepared.run_unjudged(asked).map(|_| ())
-            }
-            Burden::Ledger => self.prepared.audited(None).map(|_| ()),
+        if self.burden == Burden::Ledger {
+            return self.prepared.audited(None).map(|_| ());
         }
+        let histories = self.burden == Burden::Histories;
+        let asked = Extras {
+            interval: histories.then_some(INTERVAL),
+            closings: !histories,
+            ..Extras::default()
+        };
+        self.prepared.run_unjudged(asked).map(|_| ())
     }
 }
 

@@ -1,7 +1,7 @@
 //! The numbers of every scene, and what the direction alone changes in them.
 
 use super::shaking::Shaking;
-use super::world::{MotionCase, Numbers, Row};
+use super::world::{MotionCase, Row};
 use crate::files::direction;
 use pounding_text::Table;
 
@@ -53,35 +53,33 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
         .flat_map(|Both([recorded, reversed], motion)| [Directed(recorded, motion, false), Directed(reversed, motion, true)]);
     keyed(directed)
         .column("direction", |one| direction(one.2))
-        .column("transferred_momentum_kn_s", |one| one.0.numbers.momentum / 1e3)
-        .column("collisions", |one| one.0.numbers.collisions)
-        .column("first_touch_s", |one| one.0.numbers.first.map(|(start, _)| start))
-        .column("first_impulse_kn_s", |one| one.0.numbers.first.map(|(_, impulse)| impulse / 1e3))
-        .column("peak_displacement_mm", |one| 1e3 * one.0.numbers.displacement)
-        .column("alone_mm", |one| 1e3 * one.0.numbers.alone)
-        .column("over_alone", |one| one.0.numbers.amplification())
-        .column("residual_displacement_mm", |one| {
-            one.0.numbers.residual.map(|residual| 1e3 * residual)
-        })
-        .column("peak_shear_kn", |one| one.0.numbers.shear / 1e3)
+        .column("transferred_momentum_kn_s", |one| one.0.momentum / 1e3)
+        .column("collisions", |one| one.0.collisions)
+        .column("first_touch_s", |one| one.0.first.map(|(start, _)| start))
+        .column("first_impulse_kn_s", |one| one.0.first.map(|(_, impulse)| impulse / 1e3))
+        .column("peak_displacement_mm", |one| 1e3 * one.0.displacement)
+        .column("alone_mm", |one| 1e3 * one.0.alone)
+        .column("over_alone", |one| one.0.amplification())
+        .column("residual_displacement_mm", |one| one.0.residual.map(|residual| 1e3 * residual))
+        .column("peak_shear_kn", |one| one.0.shear / 1e3)
         .csv()
 }
 
 /// What is compared of both directions.
-const COMPARED: [(&str, fn(&Numbers) -> Option<f64>); 7] = [
-    ("transferred_momentum", |numbers| Some(numbers.momentum)),
-    ("collisions", |numbers| Some(numbers.collisions as f64)),
-    ("first_touch", |numbers| numbers.first.map(|(start, _)| start)),
-    ("first_impulse", |numbers| numbers.first.map(|(_, impulse)| impulse)),
-    ("peak_displacement", |numbers| Some(numbers.displacement)),
-    ("residual_displacement", |numbers| numbers.residual),
-    ("peak_shear", |numbers| Some(numbers.shear)),
+const COMPARED: [(&str, fn(&Row) -> Option<f64>); 7] = [
+    ("transferred_momentum", |row| Some(row.momentum)),
+    ("collisions", |row| Some(row.collisions as f64)),
+    ("first_touch", |row| row.first.map(|(start, _)| start)),
+    ("first_impulse", |row| row.first.map(|(_, impulse)| impulse)),
+    ("peak_displacement", |row| Some(row.displacement)),
+    ("residual_displacement", |row| row.residual),
+    ("peak_shear", |row| Some(row.shear)),
 ];
 
 /// Every number under the reversed motion over the one under the motion as recorded, without signs; empty if there is nothing to divide by.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
-    let ratio = |one: &Both<'_>, (_, number): (&str, fn(&Numbers) -> Option<f64>)| {
-        let [recorded, reversed] = one.0.map(|row| number(&row.numbers));
+    let ratio = |one: &Both<'_>, (_, number): (&str, fn(&Row) -> Option<f64>)| {
+        let [recorded, reversed] = one.0.map(|row| number(row));
         Some((reversed? / recorded?).abs())
     };
     keyed(both(motions, worlds)).columns(COMPARED, |(name, _)| name.into(), ratio).csv()

@@ -74,10 +74,7 @@ impl Shaking {
         settings: &BeyondSettings,
         target: Option<Target>,
     ) -> Result<Self, StudyError> {
-        let read = |record: &RecordUse| {
-            let read = GroundMotion::of(record, base, &motion.name)?;
-            Ok::<_, StudyError>(read.record)
-        };
+        let read = |record: &RecordUse| -> Result<_, StudyError> { Ok(GroundMotion::of(record, base, &motion.name)?.record) };
         let plain = read(&motion.record)?;
         let scaled = target.map(|target| read(&target.on(&motion.record)));
         let origin = motion.record.source.to_string();
@@ -99,8 +96,7 @@ impl Shaking {
                 method: Method::EXACT,
                 ..like.clone()
             };
-            let prepared = motion.shake(&scene, false, None)?;
-            Ok::<_, StudyError>(prepared.record().clone())
+            Ok::<_, StudyError>(motion.shake(&scene, false, None)?.record().clone())
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));

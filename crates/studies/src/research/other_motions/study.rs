@@ -32,9 +32,7 @@ impl BeyondStudy {
         let Some((path, settings)) = StudyFile::listing(files.iter().copied()) else {
             return Ok(None);
         };
-        let (mut study, target) = Self::first(files, (path, settings))?;
-        study.motions.extend(others(settings, path, target)?);
-        Ok(Some(study))
+        Self::of(files, (path, settings), usize::MAX).map(|(study, _)| Some(study))
     }
 
     /// The scenes of a folder of studies under the records of another folder, instead of those that a study lists.
@@ -47,13 +45,12 @@ impl BeyondStudy {
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
         let (path, settings) = StudyFile::listing(&files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
-        let (study, target) = Self::first(&files.iter().collect::<Vec<_>>(), (path, settings))?;
+        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), (path, settings), 1)?;
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
-        let (mut motions, mut left_out) = (Vec::new(), Vec::new());
         let suite = Suite::of(&[records.to_path_buf()], &like.record.declared())?;
-        let out = suite.left_out.iter();
-        left_out.extend(out.map(|one| (one.name.clone(), one.reason.sentence())));
+        let left_out = suite.left_out.iter().map(|one| (one.name.clone(), one.reason.sentence()));
+        let (mut motions, mut left_out) = (Vec::new(), left_out.collect::<Vec<_>>());
         for motion in &suite.motions {
             match Shaking::of_folder(motion, like, settings, target) {
                 Ok(shaking) => motions.push(shaking),
@@ -70,9 +67,9 @@ impl BeyondStudy {
         .any_left()
     }
 
-    /// A list cut down to its first motion, and the strength of that, to which others are scaled.
-    fn first(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings)) -> Result<(Self, Option<Target>), StudyError> {
-        let (motions, target) = first(settings, path)?;
+    /// The first motions of a list, and the strength to which all are scaled.
+    fn of(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings), most: usize) -> Result<(Self, Option<Target>), StudyError> {
+        let (motions, target) = read(settings, path, most)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
         let study = Self {
@@ -120,8 +117,7 @@ impl BeyondStudy {
     /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
     pub fn run(mut self, done: &(dyn Fn() + Sync)) -> Result<Beyond, StudyError> {
         let motions = std::mem::take(&mut self.motions);
-        let changes = self.changes.iter().copied().map(Some);
-        let changes: Vec<_> = std::iter::once(None).chain(changes).collect();
+        let changes: Vec<_> = std::iter::once(None).chain(self.changes.iter().copied().map(Some)).collect();
         let of_motion = |motion: &Shaking| {
             parallel::try_each(&changes, |change| {
                 let world = |reversed: &bool| {
@@ -134,14 +130,10 @@ impl BeyondStudy {
             })
         };
         let ran = parallel::each(&motions, of_motion);
-        let ran = motions.into_iter().zip(ran);
-        let group = |change: &Option<Change>| Group {
-            change: *change,
-            worlds: Vec::new(),
-        };
-        let mut groups: Vec<_> = changes.iter().map(group).collect();
+        let worlds = Vec::new;
+        let mut groups: Vec<_> = changes.iter().map(|&change| Group { change, worlds: worlds() }).collect();
         // Collected first: of several errors, the first in order is reported, not the first in time.
-        for (motion, worlds) in ran {
+        for (motion, worlds) in motions.into_iter().zip(ran) {
             match (worlds, &mut self.left_out) {
                 (Ok(worlds), _) => {
                     self.motions.push(motion);
@@ -170,32 +162,27 @@ impl BeyondStudy {
 /// # Errors
 /// [`StudyError`] for a motion that is not allowed or cannot be read.
 pub(crate) fn motions_of(settings: &BeyondSettings, path: &Path) -> Result<Vec<Shaking>, StudyError> {
-    let (mut motions, target) = first(settings, path)?;
-    motions.extend(others(settings, path, target)?);
-    Ok(motions)
+    read(settings, path, usize::MAX).map(|(motions, _)| motions)
 }
 
-/// The first motion of a list, and its strength, to which others are scaled.
-fn first(settings: &BeyondSettings, path: &Path) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
+/// The first motions of a list, and the strength of the first, to which others are scaled.
+fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
     if let Some((place, found, allowed)) = settings.fault() {
         return Err(StudyError::refused(path, place, found, allowed));
     }
     let base = path.parent().unwrap_or_else(|| Path::new(""));
-    // To scale the first to itself would cost its last digits.
-    let first = Shaking::listed(&settings.motions[0], base, settings, None).map_err(|error| error.in_file(path))?;
-    let target = Target::of(settings, &first).map_err(|error| {
-        let allowed = "a period and damping of which the first motion has a spectrum";
-        StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
-    })?;
-    Ok((vec![first], target))
-}
-
-/// The other motions of a list.
-fn others(settings: &BeyondSettings, path: &Path, target: Option<Target>) -> Result<Vec<Shaking>, StudyError> {
-    let base = path.parent().unwrap_or_else(|| Path::new(""));
-    let read = |motion| Shaking::listed(motion, base, settings, target);
-    let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
-    others.map_err(|error| error.in_file(path))
+    let (mut motions, mut target) = (Vec::new(), None);
+    for motion in settings.motions.iter().take(most) {
+        motions.push(Shaking::listed(motion, base, settings, target).map_err(|error| error.in_file(path))?);
+        // To scale the first to itself would cost its last digits.
+        if let [first] = &motions[..] {
+            target = Target::of(settings, first).map_err(|error| {
+                let allowed = "a period and damping of which the first motion has a spectrum";
+                StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
+            })?;
+        }
+    }
+    Ok((motions, target))
 }
 
 /// A scene of the paper, under its record.

@@ -67,8 +67,13 @@ fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: 
         shapes.push(Shape::text((corner.0 - 0.8, y), number(*value), SMALL, Align::End));
     }
     let middle = (corner.0 + 0.5 * size.0, corner.1 + 0.5 * size.1);
-    shapes.push(Shape::text((middle.0, corner.1 - 9.2), map.x.axis.label(), TEXT, Align::Middle));
-    shapes.push(Shape::upright((corner.0 - 10.4, middle.1), map.y.axis.label(), TEXT, Align::Middle));
+    shapes.push(Shape::text((middle.0, corner.1 - 9.2), map.x.axis.texts().1, TEXT, Align::Middle));
+    shapes.push(Shape::upright(
+        (corner.0 - 10.4, middle.1),
+        map.y.axis.texts().1,
+        TEXT,
+        Align::Middle,
+    ));
 }
 
 /// The worst class of a run's numbers.

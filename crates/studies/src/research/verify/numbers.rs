@@ -1,7 +1,7 @@
 //! What both routes say of a scene, number by number, and how far apart they are.
 
 use super::compared::{Compared, Place, Two};
-use super::meeting::{Largest, Meeting, are_at_once, as_one, matched, parts};
+use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
 use pounding_solver::Pair;
@@ -46,15 +46,9 @@ impl Numbers {
             }
         };
         let touches = |(index, pair): (usize, &Pair)| {
-            let all = outcome.collisions_of(index).map(|one| Meeting {
-                start: one.start,
-                end: parts(&pair.law).then_some(one.end),
-                impulse: one.impulse,
-                lasts: one.end - one.start,
-                peak_force: one.peak_force,
-                uncertainty: one.uncertainty,
-            });
-            all.collect()
+            let all = outcome.collisions_of(index);
+            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), one.uncertainty))
+                .collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
         let floors = (0..prepared.floors().all().len()).map(floor);
@@ -71,15 +65,9 @@ impl Numbers {
         });
         let pairs = prepared.pairs().iter().zip(&response.collisions);
         let touches = pairs.map(|(pair, all)| {
-            let all = all.iter().map(|one| Meeting {
-                start: one.start,
-                end: parts(&pair.law).then_some(one.end),
-                impulse: one.impulse,
-                lasts: one.end - one.start,
-                peak_force: one.peak_force,
-                uncertainty: None,
-            });
-            all.collect()
+            let all = all.iter();
+            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), None))
+                .collect()
         });
         Self::new(prepared, floors.collect(), touches.collect())
     }
@@ -145,12 +133,11 @@ impl Numbers {
                 let place = Place::Touch { pair, touch };
                 all.extend(one.beside(same.map(|same| &second[same]), place, scale));
             }
-            let (n_first, n_second) = (first.len() as f64, second.len() as f64);
             all.push(Two {
                 what: Compared::Touches,
                 place: Place::Pair(pair),
-                first: n_first,
-                second: n_second,
+                first: first.len() as f64,
+                second: second.len() as f64,
                 distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },
             });
         }
@@ -224,12 +211,10 @@ impl OfFloor {
             own(Compared::Displacement, self.displacement, other.displacement),
             own(Compared::Drift, self.drift, other.drift),
             own(Compared::RestoringForce, self.restoring_force, other.restoring_force),
-            two(
-                Compared::LastDisplacement,
-                self.last_displacement,
-                other.last_displacement,
-                self.displacement,
-            ),
+            {
+                let (first, second) = (self.last_displacement, other.last_displacement);
+                two(Compared::LastDisplacement, first, second, self.displacement)
+            },
             two(Compared::Momentum, self.momentum, other.momentum, self.momentum.max(ZERO * largest)),
         ]
     }

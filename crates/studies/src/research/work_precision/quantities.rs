@@ -3,7 +3,6 @@
 use crate::listed::listed;
 use pounding_reference::Response;
 use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
-use pounding_solver::Collision;
 
 listed! {
     /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant contact.
@@ -43,73 +42,44 @@ pub(crate) struct Quantities {
     pub(crate) n_collisions: usize,
 }
 
-/// What a collision gives.
-struct Met {
-    start: f64,
-    impulse: f64,
-    /// Peak force, or the impulse of an impact.
-    peak: f64,
-}
-
-/// What a structure gives.
-struct Moved {
-    momentum: f64,
-    displacement: f64,
-    shear: f64,
-}
-
 impl Quantities {
     /// The quantities of a run of so many structures.
     pub(crate) fn of(outcome: &RunResult, n_structures: usize) -> Self {
-        let RunResult {
-            peaks,
-            collisions,
-            momentum,
-            ..
-        } = outcome;
-        let met = |collision: &Collision| Met {
-            start: collision.start,
-            impulse: collision.impulse,
-            peak: collision.peak_force.unwrap_or(collision.impulse),
-        };
-        let moved = |index| {
-            let peaks = peaks.of(index);
-            Moved {
-                momentum: momentum.of(index),
-                displacement: peaks.displacement.value.abs(),
-                shear: peaks.restoring_force.value.abs(),
-            }
-        };
-        let met: Vec<_> = collisions.all().iter().map(met).collect();
-        Self::new(&met, &(0..n_structures).map(moved).collect::<Vec<_>>())
+        let met = outcome.collisions.all().iter().map(|one| (one.start, one.impulse, one.peak_force));
+        let moved = (0..n_structures).map(|index| {
+            let peaks = outcome.peaks.of(index);
+            [outcome.momentum.of(index), peaks.displacement.value, peaks.restoring_force.value]
+        });
+        Self::new(&met.collect::<Vec<_>>(), moved)
     }
 
     /// The quantities of the second route.
     pub(crate) fn of_second_route(response: &Response) -> Self {
-        let met = response.collisions.iter().flatten().map(|collision| Met {
-            start: collision.start,
-            impulse: collision.impulse,
-            peak: collision.peak_force.unwrap_or(collision.impulse),
-        });
-        let moved = response.structures.iter().map(|structure| Moved {
-            momentum: structure.transferred_momentum,
-            displacement: structure.displacement.value.abs(),
-            shear: structure.restoring_force.value.abs(),
-        });
-        Self::new(&met.collect::<Vec<_>>(), &moved.collect::<Vec<_>>())
+        let met = response
+            .collisions
+            .iter()
+            .flatten()
+            .map(|one| (one.start, one.impulse, one.peak_force));
+        let moved = response.structures.iter();
+        let moved = moved.map(|one| [one.transferred_momentum, one.displacement.value, one.restoring_force.value]);
+        Self::new(&met.collect::<Vec<_>>(), moved)
     }
 
-    fn new(met: &[Met], moved: &[Moved]) -> Self {
-        let first = met.iter().min_by(|one, other| one.start.total_cmp(&other.start));
+    /// Of start, impulse and peak force of every collision, and momentum, peak displacement and peak shear force of every structure.
+    fn new(met: &[(f64, f64, Option<f64>)], moved: impl Iterator<Item = [f64; 3]>) -> Self {
+        let first = met.iter().min_by(|one, other| one.0.total_cmp(&other.0));
+        let peak = met.iter().map(|(_, impulse, force)| force.unwrap_or(*impulse)).reduce(f64::max);
+        let moved: Vec<_> = moved.collect();
         let one = |value: Option<f64>| value.into_iter().collect();
-        let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
+        let all = |which: usize| moved.iter().map(|of| of[which].abs()).collect();
         let values = MethodQuantity::ALL.map(|quantity| match quantity {
-            MethodQuantity::FirstTime => one(first.map(|first| first.start)),
-            MethodQuantity::FirstImpulse => one(first.map(|first| first.impulse)),
-            MethodQuantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
-            MethodQuantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
-            MethodQuantity::Displacement => moved.iter().map(|structure| structure.displacement).collect(),
-            MethodQuantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
+            MethodQuantity::FirstTime => one(first.map(|first| first.0)),
+            MethodQuantity::FirstImpulse => one(first.map(|first| first.1)),
+            MethodQuantity::ContactPeak => one(peak),
+            MethodQuantity::Momentum if met.is_empty() => Vec::new(),
+            MethodQuantity::Momentum => moved.iter().map(|of| of[0]).collect(),
+            MethodQuantity::Displacement => all(1),
+            MethodQuantity::Shear => all(2),
         });
         Self {
             values,
