@@ -77,7 +77,7 @@ impl Studies {
             } else if let Output::Laws(_) = output {
                 Atlas::n_runs(scenes)
             } else if let Output::Extremes(edges) = output {
-                edges.n_cells(self.extent)
+                edges.cells(self.extent).len()
             } else {
                 output.beyond().map_or(0, BeyondSettings::n_usual_cases)
             };

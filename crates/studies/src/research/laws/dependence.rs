@@ -26,10 +26,7 @@ impl Compared<'_> {
 
     /// Least and largest with their laws, of some of the laws.
     fn extremes(&self, wanted: impl Fn(&Entry) -> bool) -> Option<[(&Entry, f64); 2]> {
-        let values = || {
-            let of_law = self.compliant.iter().copied();
-            of_law.filter(|(entry, _)| wanted(entry))
-        };
+        let values = || self.compliant.iter().copied().filter(|(entry, _)| wanted(entry));
         let least = values().min_by(|one, other| one.1.total_cmp(&other.1))?;
         let largest = values().max_by(|one, other| one.1.total_cmp(&other.1))?;
         Some([least, largest])
@@ -51,28 +48,27 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
     let of_scene = |scene: &'a Played| {
         let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())));
         let all: Vec<_> = entries.iter().zip(&scene.outcomes).filter_map(found).collect();
-        let mut items: Vec<Item> = Vec::new();
-        for item in all.iter().flat_map(|(_, items)| items) {
-            if !items.iter().any(|known| known.is_as(item)) {
-                items.push(item.clone());
+        let mut numbers: Vec<Compared<'a>> = Vec::new();
+        for (entry, items) in all {
+            for item in items {
+                let place = numbers.iter().position(|one| one.item.is_as(&item)).unwrap_or(numbers.len());
+                if place == numbers.len() {
+                    numbers.push(Compared {
+                        played: scene,
+                        item: item.clone(),
+                        compliant: Vec::new(),
+                        impulsive: None,
+                    });
+                }
+                let one = &mut numbers[place];
+                if !entry.is_compliant() {
+                    one.impulsive.get_or_insert(item.value);
+                } else if !entry.name().is_elastic() {
+                    one.compliant.push((entry, item.value));
+                }
             }
         }
-        let compared = move |item: Item| {
-            let value = |(entry, items): &(&'a Entry, Vec<Item>)| {
-                let same = items.iter().find(|known| known.is_as(&item))?;
-                Some((*entry, same.value))
-            };
-            let values = || all.iter().filter_map(value);
-            Compared {
-                played: scene,
-                compliant: values()
-                    .filter(|(entry, _)| entry.is_compliant() && !entry.name().is_elastic())
-                    .collect(),
-                impulsive: values().find(|(entry, _)| !entry.is_compliant()).map(|(_, value)| value),
-                item,
-            }
-        };
-        items.into_iter().map(compared)
+        numbers
     };
     let all = played.iter().flat_map(of_scene);
     // An impulsive law has a peak of its own.

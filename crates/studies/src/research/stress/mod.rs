@@ -33,17 +33,17 @@ impl Extremes {
     /// # Errors
     /// [`StudyError::Study`] for a scene or change that does not exist.
     pub fn measure(completed: &Completed, edges: &Edges, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        let cells = edges.cells(&completed.file, extent)?;
+        let cells = edges.cells(extent);
         let measured = parallel::try_each(&cells, |cell| {
-            let (index, _) = cell.scene;
-            let base = &completed.prepared[index];
-            let scene = &completed.file.study.scenes[index];
+            let mut scenes = completed.file.study.scenes.iter().zip(&completed.prepared);
+            let found = scenes.find(|(scene, _)| scene.name == cell.scene);
+            let (scene, base) = found.ok_or_else(|| (format!("\"{}\"", cell.scene), "names of scenes of the study"))?;
             let pushed = cell.pushed(base, scene, edges.time_step_s);
             let measured = pushed.map(|pushed| measure(base, &pushed));
             done();
-            measured
+            measured.map_err(|found| (found, "changes that the scenes take"))
         });
-        let measured = measured.map_err(|found| completed.refuse("output.extremes", found, "changes that the scenes take"))?;
+        let measured = measured.map_err(|(found, allowed)| completed.refuse("output.extremes", found, allowed))?;
         Ok(Self {
             edges: edges.clone(),
             extent,

@@ -12,7 +12,7 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
     let rows = own.flat_map(|(cell, measured)| measured.runs.iter().map(move |run| (cell, run)));
     let mut table = Table::of(rows)
         .column("place", |(cell, _)| cell.place.clone())
-        .column("scene", |(cell, _)| cell.scene.1.clone());
+        .column("scene", |(cell, _)| cell.scene.clone());
     for index in 0..2 {
         let change = move |cell: &Cell| cell.changes.get(index).copied();
         table = table

@@ -26,37 +26,19 @@ struct Line<'a> {
     alone: Option<Vec<Measured>>,
 }
 
-/// Peak displacement and plastic travel of a structure \[m\].
-#[derive(Debug, Clone, Copy)]
-struct Measured {
-    peak: f64,
-    travel: f64,
-}
-
-/// What happens to the middle structure, over what it does alone.
-#[derive(Debug, Clone, Copy)]
-struct Middle {
-    peak: f64,
-    /// Plastic travel; nothing where there is none alone.
-    travel: Option<f64>,
-}
-
 listed! {
-    /// Quantities of it.
+    /// What is measured of a structure \[m\].
     enum Quantity { words: &'static str;
         Peak = "peak displacement",
         Travel = "plastic travel",
     }
 }
 
-impl Quantity {
-    fn of(self, middle: &Middle) -> Option<f64> {
-        match self {
-            Self::Peak => Some(middle.peak),
-            Self::Travel => middle.travel,
-        }
-    }
-}
+/// Every quantity of a structure \[m\].
+type Measured = [f64; Quantity::ALL.len()];
+
+/// Every quantity of the middle structure over that alone; nothing where there is none alone.
+type Middle = [Option<f64>; Quantity::ALL.len()];
 
 /// The layouts under the motions.
 struct Survey<'a> {
@@ -139,21 +121,21 @@ impl Survey<'_> {
                 Some(alone) => alone[place],
                 None => alone(case, &scene)?,
             };
-            let beside = Measured::of(case, &scene, MIDDLE)?;
-            Ok(Middle {
-                peak: beside.peak / alone.peak,
-                travel: (alone.travel > 0.0).then(|| beside.travel / alone.travel),
-            })
+            let beside = measured(case, &scene, MIDDLE)?;
+            let over = |quantity| {
+                let (beside, alone) = (beside[quantity as usize], alone[quantity as usize]);
+                (quantity == Quantity::Peak || alone > 0.0).then(|| beside / alone)
+            };
+            Ok(Quantity::ALL.map(over))
         })
     }
 
     /// The number that is followed over ratios: of the paper's case, or the median of all.
     fn followed(&self, middles: &[Middle], quantity: Quantity, of_paper: bool) -> Option<f64> {
         if of_paper {
-            return quantity.of(&middles[self.papers?]);
+            return middles[self.papers?][quantity as usize];
         }
-        let known = sorted(middles.iter().filter_map(|middle| quantity.of(middle)));
-        quantile(&known, 0.5)
+        quantile(&known(middles, quantity), 0.5)
     }
 
     /// Where what is followed passes one, halved down between the ratios of the grid.
@@ -277,6 +259,11 @@ const COLUMNS: usize = 3;
 const LEAST: f64 = 0.1;
 const MOST: f64 = 10.0;
 
+/// A quantity under all motions that have it, in rising order.
+fn known(middles: &[Middle], quantity: Quantity) -> Vec<f64> {
+    sorted(middles.iter().filter_map(|middle| middle[quantity as usize]))
+}
+
 /// A row of the table: a quantity of a layout at a ratio of stiffnesses.
 struct Cell<'a> {
     line: &'a Line<'a>,
@@ -294,7 +281,7 @@ impl<'a> Cell<'a> {
             ratio,
             quantity,
             middles,
-            known: sorted(middles.iter().filter_map(|one| quantity.of(one))),
+            known: known(middles, quantity),
         }
     }
 }
@@ -327,35 +314,30 @@ fn alone(case: &Case, scene: &Scene) -> Result<Measured, StudyError> {
         contacts: None,
         ..scene.clone()
     };
-    Measured::of(case, &alone, 0)
+    measured(case, &alone, 0)
 }
 
-impl Measured {
-    /// What a structure does in a scene under a motion.
-    fn of(case: &Case, scene: &Scene, place: usize) -> Result<Self, StudyError> {
-        let Structure::Sdof(structure) = &scene.structures[place] else {
-            unreachable!("a row of structures of one storey");
-        };
-        let yields = structure.yield_force_n.is_some();
-        let outcome = case.prepared(scene)?.run(yields.then_some(INTERVAL))?;
-        let plastic = outcome.histories.iter().flat_map(|histories| {
-            let states = histories.of(place).states.iter();
-            states.map(|state| state.displacement - state.restoring_force / structure.stiffness_n_per_m)
-        });
-        let (mut travel, mut before) = (0.0, 0.0);
-        for plastic in plastic {
-            // Where columns are elastic the difference is rounding.
-            let step: f64 = plastic - before;
-            if step.abs() > ROUNDING {
-                travel += step.abs();
-                before = plastic;
-            }
+/// What a structure does in a scene under a motion.
+fn measured(case: &Case, scene: &Scene, place: usize) -> Result<Measured, StudyError> {
+    let Structure::Sdof(structure) = &scene.structures[place] else {
+        unreachable!("a row of structures of one storey");
+    };
+    let yields = structure.yield_force_n.is_some();
+    let outcome = case.prepared(scene)?.run(yields.then_some(INTERVAL))?;
+    let plastic = outcome.histories.iter().flat_map(|histories| {
+        let states = histories.of(place).states.iter();
+        states.map(|state| state.displacement - state.restoring_force / structure.stiffness_n_per_m)
+    });
+    let (mut travel, mut before) = (0.0, 0.0);
+    for plastic in plastic {
+        // Where columns are elastic the difference is rounding.
+        let step: f64 = plastic - before;
+        if step.abs() > ROUNDING {
+            travel += step.abs();
+            before = plastic;
         }
-        Ok(Self {
-            peak: outcome.peaks.of(place).displacement.value.abs(),
-            travel,
-        })
     }
+    Ok([outcome.peaks.of(place).displacement.value.abs(), travel])
 }
 
 /// Changes of the plastic displacement that are none \[m\].
