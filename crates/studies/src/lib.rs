@@ -32,6 +32,7 @@
 //! - [`PapersProgram`] (`program/`): the program that gave the published numbers, with its slips.
 //! - [`Survey`], [`Beyond`], [`Trade`] and [`verify`] (`research/`): surveys, other motions, error against work, random scenes.
 
+mod drivers;
 mod error;
 mod files;
 mod lines;

@@ -1,7 +1,8 @@
 //! What a scene is pushed along: one change of it, by a number.
 
+use super::laws::free_pair;
 use crate::listed::listed;
-use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, reduced_mass};
+use pounding_contact::{Calibration, ContactLaw, LawName};
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
@@ -200,7 +201,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
 
 /// Gives the contacts another restitution.
 fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
-    let pair = pair(scene);
+    let pair = free_pair(&scene.structures, SPEED);
     for contact in scene.contacts.iter_mut().flatten() {
         let name = LawName::from_name(contact.law.name()).ok_or_else(|| format!("no law named {}", contact.law.name()))?;
         let form = contact.law.form(pair.reduced_mass, SPEED);
@@ -229,7 +230,7 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
     let stiffness = usual_stiffness(name);
     let restitution = if name.is_elastic() { 1.0 } else { 0.65 };
-    let pair = pair(scene);
+    let pair = free_pair(&scene.structures, SPEED);
     let asked = (restitution, Calibration::Exact);
     let law = name.calibrated(stiffness, asked, &pair);
     let law = law.map_err(|error| error.to_string())?;
@@ -237,13 +238,4 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
         contact.law = law;
     }
     Ok(())
-}
-
-/// The first two structures as a free pair.
-fn pair(scene: &Scene) -> FreePair {
-    let inverse = |index| sdof(scene, index).map_or(0.0, |sdof| 1.0 / sdof.mass_kg);
-    FreePair {
-        reduced_mass: reduced_mass(inverse(0), inverse(1)),
-        approach_speed: SPEED,
-    }
 }

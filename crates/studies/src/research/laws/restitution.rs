@@ -3,6 +3,7 @@
 use pounding_contact::{FreeImpact, FreePair, LawName};
 
 use super::entry::{Entry, by_name, label, mark, shade};
+use crate::drivers::pairs;
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
 use pounding_scene::{Certificate, parallel};
@@ -19,19 +20,15 @@ pub(super) struct Asked {
 
 /// Asks every law for every e.
 pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
-    let questions: Vec<_> = LawName::ALL
-        .into_iter()
-        .flat_map(|law| settings.restitutions.iter().map(move |e| (law, *e)))
-        .collect();
-    let answer = |&(law, restitution): &(LawName, f64)| {
-        let certificate = settings.certificate(law, restitution);
+    let answer = |&(law, restitution): &(&LawName, &f64)| {
+        let certificate = settings.certificate(*law, *restitution);
         Asked {
-            law,
-            restitution,
+            law: *law,
+            restitution: *restitution,
             outcome: certificate.map_err(|error| error.to_string()),
         }
     };
-    parallel::each(&questions, answer)
+    parallel::each(&pairs(&LawName::ALL, &settings.restitutions), answer)
 }
 
 /// e asked for, and delivered by either calibration.

@@ -2,10 +2,11 @@
 
 use super::entry::{Entry, N_LAWS, by_name};
 use crate::Completed;
+use crate::drivers::{each, pairs};
 use crate::research::work_precision::{MethodQuantity, Quantities};
-use crate::study::laws::AtlasSettings;
-use pounding_contact::{Calibration, FreePair, reduced_mass};
-use pounding_scene::{Scene, Simulation, Structure, parallel};
+use crate::study::laws::{AtlasSettings, free_pair};
+use pounding_contact::Calibration;
+use pounding_scene::{Scene, Simulation};
 use pounding_text::Table;
 
 /// What a scene gives under every law, in their order.
@@ -20,16 +21,8 @@ pub(super) struct Played {
 /// Runs every scene under every law; `done` is called after each run.
 pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
-    let runs: Vec<_> = scenes
-        .iter()
-        .flat_map(|scene| entries.iter().map(move |entry| (scene, entry)))
-        .collect();
-    let run = |&(scene, entry): &(&Scene, &Entry)| {
-        let outcome = run(completed, scene, (entry, settings));
-        done();
-        outcome
-    };
-    let mut outcomes = parallel::each(&runs, run).into_iter();
+    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, (entry, settings));
+    let mut outcomes = each(&pairs(scenes, entries), done, run).into_iter();
     let played = |scene: &Scene| Played {
         scene: scene.name.clone(),
         n_structures: scene.structures.len(),
@@ -49,12 +42,8 @@ fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasS
     let name = entry.name();
     let asked = (settings.restitution(name), Calibration::Exact);
     let neighbours = scene.structures.windows(2);
-    for (contact, pair) in scene.contacts.iter_mut().flatten().zip(neighbours) {
-        let [left, right] = [&pair[0], &pair[1]].map(inverse_mass);
-        let pair = FreePair {
-            reduced_mass: reduced_mass(left, right),
-            approach_speed: settings.approach_speed_m_per_s,
-        };
+    for (contact, two) in scene.contacts.iter_mut().flatten().zip(neighbours) {
+        let pair = free_pair(two, settings.approach_speed_m_per_s);
         let law = name.calibrated(settings.stiffness(name), asked, &pair);
         contact.law = law.map_err(|error| error.to_string())?;
     }
@@ -62,13 +51,6 @@ fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasS
     let outcome = prepared.and_then(|prepared| prepared.run(None));
     let outcome = outcome.map_err(|error| error.to_string())?;
     Ok(Quantities::of(&outcome, scene.structures.len()))
-}
-
-fn inverse_mass(structure: &Structure) -> f64 {
-    match structure {
-        Structure::Sdof(structure) => 1.0 / structure.mass_kg,
-        Structure::Building(_) | Structure::Wall => 0.0,
-    }
 }
 
 /// A number of a scene.

@@ -3,10 +3,11 @@
 use pounding_contact::LawName;
 
 use super::entry::{Entry, N_LAWS, by_name, label};
+use crate::drivers::each;
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
 use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
-use pounding_scene::{Delivered, StepMethod, parallel};
+use pounding_scene::{Delivered, StepMethod};
 use pounding_text::{Cell, Table};
 
 /// What a method delivers under a law at every time step.
@@ -32,11 +33,8 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
     // An impulsive contact has no duration: its steps are those of the first law that has one.
     let durations = || entries.iter().filter_map(|entry| Some(entry.certificate.impact?.duration));
     let usual = durations().next().unwrap_or(1.0);
-    let races: Vec<_> = entries
-        .iter()
-        .enumerate()
-        .flat_map(|(index, entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method)))
-        .collect();
+    let of_entry = |(index, entry): (usize, &Entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method));
+    let races: Vec<_> = entries.iter().enumerate().flat_map(of_entry).collect();
     let ladder = |&(index, method): &(usize, StepMethod)| {
         let certificate = &entries[index].certificate;
         let duration = certificate.impact.map_or(usual, |impact| impact.duration);
@@ -49,15 +47,13 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
                 outcome: delivered.map_err(|error| error.to_string()),
             }
         };
-        let rungs = settings.steps_per_contact.iter().map(rung).collect();
-        done();
         Ladder {
             entry: index,
             method,
-            rungs,
+            rungs: settings.steps_per_contact.iter().map(rung).collect(),
         }
     };
-    parallel::each(&races, ladder)
+    each(&races, done, ladder)
 }
 
 /// How often [`climb`] calls `done`.

@@ -69,20 +69,17 @@ const MOTIONS_PER_FIGURE: usize = 12;
 impl Beyond {
     /// In how many cases each of the paper's claims holds, a column for the paper's scenes and one for each change of them.
     pub fn tallies(&self) -> Vec<ClaimCounts> {
-        let of = |group: &Group| {
+        let of = |(change, counted): (Option<Change>, Vec<Counted>)| {
             let mut claims = Vec::new();
-            for ((index, _), asked) in asked().zip(findings::all(&group.worlds)) {
+            for ((index, _), (_, tally)) in asked().zip(counted) {
                 claims.resize(index, None);
-                claims.push(Some(asked.tally()));
+                claims.push(Some(tally));
             }
-            let of_papers = ClaimCounts::default().column;
-            let column = match group.change {
-                None => of_papers,
-                Some(change) => format!("{of_papers}_{}", change.word()),
-            };
+            let of_change = change.map(|change| format!("_{}", change.word()));
+            let column = ClaimCounts::default().column + &of_change.unwrap_or_default();
             ClaimCounts { column, claims }
         };
-        self.groups.iter().map(of).collect()
+        self.claims().into_iter().map(of).collect()
     }
 
     /// The claims that exact runs can be asked, and in how many cases each holds: of the paper's scenes, and of each change

@@ -65,8 +65,11 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
         .csv()
 }
 
+/// A number of a row, if it has it.
+type Number = fn(&Row) -> Option<f64>;
+
 /// What is compared of both directions.
-const COMPARED: [(&str, fn(&Row) -> Option<f64>); 7] = [
+const COMPARED: [(&str, Number); 7] = [
     ("transferred_momentum", |row| Some(row.momentum)),
     ("collisions", |row| Some(row.collisions as f64)),
     ("first_touch", |row| row.first.map(|(start, _)| start)),
@@ -78,8 +81,8 @@ const COMPARED: [(&str, fn(&Row) -> Option<f64>); 7] = [
 
 /// Every number under the reversed motion over the one under the motion as recorded, without signs; empty if there is nothing to divide by.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
-    let ratio = |one: &Both<'_>, (_, number): (&str, fn(&Row) -> Option<f64>)| {
-        let [recorded, reversed] = one.0.map(|row| number(row));
+    let ratio = |one: &Both<'_>, (_, number): (&str, Number)| {
+        let [recorded, reversed] = one.0.map(number);
         Some((reversed? / recorded?).abs())
     };
     keyed(both(motions, worlds)).columns(COMPARED, |(name, _)| name.into(), ratio).csv()

@@ -72,7 +72,7 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             let point = |(line, both): (usize, &[MotionCase; 2])| {
                 let rows = both[direction].rows.iter().filter(&of_scene);
                 let own = rows.filter(|row| row.structure == kind);
-                let largest = own.filter_map(|row| row.amplification()).max_by(f64::total_cmp)?;
+                let largest = own.filter_map(Row::amplification).max_by(f64::total_cmp)?;
                 let aside = |index: usize, apart: f64| if index == 0 { -apart } else { apart };
                 let [of_direction, of_kind] = APART;
                 let line = line as f64 + aside(direction, of_direction) + aside(rank, of_kind);

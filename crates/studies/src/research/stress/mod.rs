@@ -9,10 +9,10 @@ mod map;
 mod measure;
 mod table;
 
+use crate::drivers::each;
 use crate::files::{Files, drawn, in_folder, made_by};
 use crate::study::stress::{Cell, Edges, Extent};
 use crate::{Completed, StudyError};
-use pounding_scene::parallel;
 use std::path::{Path, PathBuf};
 
 use measure::{Measured, measure};
@@ -34,15 +34,15 @@ impl Extremes {
     /// [`StudyError::Study`] for a scene or change that does not exist.
     pub fn measure(completed: &Completed, edges: &Edges, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let cells = edges.cells(extent);
-        let measured = parallel::try_each(&cells, |cell| {
+        let measured = each(&cells, done, |cell| {
             let mut scenes = completed.file.study.scenes.iter().zip(&completed.prepared);
             let found = scenes.find(|(scene, _)| scene.name == cell.scene);
             let (scene, base) = found.ok_or_else(|| (format!("\"{}\"", cell.scene), "names of scenes of the study"))?;
             let pushed = cell.pushed(base, scene, edges.time_step_s);
-            let measured = pushed.map(|pushed| measure(base, &pushed));
-            done();
-            measured.map_err(|found| (found, "changes that the scenes take"))
+            let pushed = pushed.map_err(|found| (found, "changes that the scenes take"))?;
+            Ok(measure(base, &pushed))
         });
+        let measured = measured.into_iter().collect::<Result<_, _>>();
         let measured = measured.map_err(|(found, allowed)| completed.refuse("output.extremes", found, allowed))?;
         Ok(Self {
             edges: edges.clone(),

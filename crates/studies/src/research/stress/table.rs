@@ -31,7 +31,7 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
             .column(quantity.key(), move |(_, run)| run.numbers[index].class.look().key)
             .column(format!("{}_error", quantity.key()), move |(_, run)| short(run.numbers[index].error));
     }
-    let warned = |run: &Run, of: fn(&Judged) -> bool| {
+    let warned = |run: &Run, of: Test| {
         let quantities = MethodQuantity::ALL.iter().zip(&run.numbers);
         let warned = quantities.filter(|(_, number)| of(number));
         warned.map(|(quantity, _)| quantity.key()).collect::<Vec<_>>().join(" ")
@@ -49,8 +49,10 @@ fn short(value: Option<f64>) -> Text {
     Text::number(value, |value| format!("{value:.1e}"))
 }
 
+type Test = fn(&Judged) -> bool;
+
 /// What numbers are counted.
-const COUNTS: [(&str, fn(&Judged) -> bool); 6] = [
+const COUNTS: [(&str, Test); 6] = [
     ("compared", Judged::is_compared),
     ("false_alarms", Judged::is_false_alarm),
     ("wrong_refusals", Judged::is_wrong_refusal),

@@ -1,6 +1,7 @@
 //! Fragility of pounding: in how many of many random motions structures touch, and drift further than alone.
 
 use super::cases::{Case, rows, with_gap};
+use crate::drivers::pairs;
 use crate::files::{Files, capital, drawn};
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
@@ -47,32 +48,31 @@ struct Count {
     gap: f64,
     pga: f64,
     motions: usize,
-    count: usize,
+    happens: usize,
 }
 
 impl Count {
     fn share(&self) -> f64 {
-        self.count as f64 / self.motions as f64
+        self.happens as f64 / self.motions as f64
     }
 
     fn bounds(&self) -> (f64, f64) {
-        wilson(self.count as u64, self.motions as u64)
+        wilson(self.happens as u64, self.motions as u64)
     }
 }
 
 pub(super) fn files(settings: &Fragility, file: &StudyFile) -> Result<Files, StudyError> {
     let scene = &rows(file, 2)?[0];
     let cases = suite(settings, scene, file)?;
-    let with_pga = |case| settings.pga_m_per_s2.iter().map(move |pga| (case, *pga));
-    let tasks: Vec<(&Case, f64)> = cases.iter().flat_map(with_pga).collect();
-    let found = parallel::try_each(&tasks, |&(case, pga)| outcomes(&case.scaled(pga)?, scene, &settings.gaps_m))?;
+    let tasks = pairs(&cases, &settings.pga_m_per_s2);
+    let found = parallel::try_each(&tasks, |(case, pga)| outcomes(&case.scaled(**pga)?, scene, &settings.gaps_m))?;
     let counts = counts(settings, scene, &found);
     let table = Table::of(&counts)
         .column("event", |one| one.event.clone())
         .column("gap_m", |one| one.gap)
         .column("pga_m_per_s2", |one| one.pga)
         .column("motions", |one| one.motions)
-        .column("count", |one| one.count)
+        .column("count", |one| one.happens)
         .column("probability", |one| one.share())
         .column("from", |one| one.bounds().0)
         .column("to", |one| one.bounds().1)
@@ -133,7 +133,7 @@ fn counts(settings: &Fragility, scene: &Scene, found: &[Vec<Excess>]) -> Vec<Cou
                     gap: *width,
                     pga: *pga,
                     motions: found.len() / n_pga,
-                    count: of_pga.filter(|outcomes| event.happens(&outcomes[gap])).count(),
+                    happens: of_pga.filter(|outcomes| event.happens(&outcomes[gap])).count(),
                 });
             }
         }
@@ -170,7 +170,7 @@ fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
         Panel::shared(capital(&counts[0].event), Axis::over("Probability (–)", 0.0, 1.0), curves)
     };
     // What hardly ever happens has no panel.
-    let happens = |counts: &&[Count]| counts.iter().any(|one| 100 * one.count >= one.motions);
+    let happens = |counts: &&[Count]| counts.iter().any(|one| 100 * one.happens >= one.motions);
     let events = counts.chunks((n_pga * settings.gaps_m.len()).max(1));
     let panels: Vec<Panel> = events.filter(happens).map(panel).collect();
     let strongest = settings.pga_m_per_s2.iter().copied().fold(0.0, f64::max);

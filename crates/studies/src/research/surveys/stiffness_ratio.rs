@@ -1,6 +1,7 @@
 //! What pounding does to the middle of three structures, over the stiffness of the stiff ones: where a finding about it turns over.
 
 use super::cases::{Case, rows, sdof};
+use crate::drivers::pairs;
 use crate::files::{Files, capital, drawn};
 use crate::listed::listed;
 use crate::statistics::{quantile, sorted};
@@ -62,8 +63,9 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
     for &kept in &settings.keeps {
         for scene in scenes {
             let varies = scene.structures[MIDDLE].name() == settings.stiff;
-            let alone = (!varies).then(|| parallel::try_each(cases, |case| alone(case, scene)));
-            let alone = alone.transpose()?;
+            let alone = (!varies)
+                .then(|| parallel::try_each(cases, |case| alone(case, scene)))
+                .transpose()?;
             lines.push(Line { scene, kept, alone });
         }
     }
@@ -74,10 +76,8 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
         cases,
         papers: cases.iter().position(is_papers),
     };
-    let tasks: Vec<(usize, f64)> = (0..lines.len())
-        .flat_map(|line| settings.stiffness_ratios.iter().map(move |ratio| (line, *ratio)))
-        .collect();
-    let found = parallel::try_each(&tasks, |&(line, ratio)| survey.middles(&lines[line], ratio))?;
+    let tasks = pairs(&lines, &settings.stiffness_ratios);
+    let found = parallel::try_each(&tasks, |(line, ratio)| survey.middles(line, **ratio))?;
     let per_line = settings.stiffness_ratios.len();
     let found: Vec<&[Vec<Middle>]> = found.chunks(per_line.max(1)).collect();
     let turns = survey.turns(&lines, &found)?;
@@ -91,9 +91,8 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
 impl Line<'_> {
     fn scene(&self, settings: &StiffnessRatio, ratio: f64) -> Scene {
         let mut scene = self.scene.clone();
-        let is_weak = |structure: &&Structure| structure.name() == settings.weak;
-        let place = self.scene.structures.iter().position(|one| is_weak(&one));
-        let of_weak = place.map_or(1.0, |place| sdof(&mut scene, place).stiffness_n_per_m);
+        let weak = self.scene.structures.iter().position(|one| one.name() == settings.weak);
+        let of_weak = weak.map_or(1.0, |place| sdof(&mut scene, place).stiffness_n_per_m);
         for place in 0..scene.structures.len() {
             if scene.structures[place].name() != settings.stiff {
                 continue;

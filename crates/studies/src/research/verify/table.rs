@@ -19,23 +19,27 @@ pub struct KnownLimit {
 
 /// Failures that are named: everything else that fails is a fault.
 pub const LIMITS: [KnownLimit; 4] = [
-    KnownLimit {
-        kind: "ClosedIn",
-        why: "a row between walls on grounds that travel towards each other has no room: there is no such motion",
-    },
-    KnownLimit {
-        kind: "BouncesWithoutEnd",
-        why: "with e = 1 neighbours that press against each other bounce for ever",
-    },
-    KnownLimit {
-        kind: "NoSeries",
-        why: "compliant neighbours without a gap that begin to press through a contact that begins at the same instant",
-    },
-    KnownLimit {
-        kind: "CrawlsInContact",
-        why: "a damper that grows with 1/v₀ holds neighbours that touched slowly and press against each other",
-    },
+    limit(
+        "ClosedIn",
+        "a row between walls on grounds that travel towards each other has no room: there is no such motion",
+    ),
+    limit(
+        "BouncesWithoutEnd",
+        "with e = 1 neighbours that press against each other bounce for ever",
+    ),
+    limit(
+        "NoSeries",
+        "compliant neighbours without a gap that begin to press through a contact that begins at the same instant",
+    ),
+    limit(
+        "CrawlsInContact",
+        "a damper that grows with 1/v₀ holds neighbours that touched slowly and press against each other",
+    ),
 ];
+
+const fn limit(kind: &'static str, why: &'static str) -> KnownLimit {
+    KnownLimit { kind, why }
+}
 
 /// Scenes of which some have to agree.
 const MANY: usize = 20;
@@ -48,21 +52,17 @@ impl Checked {
     /// Whether nothing speaks against the exact method: both routes agree, rounding explains their distance, the second route has no
     /// answer, or the exact method fails in a way that is [named](LIMITS).
     pub fn is_good(&self) -> bool {
-        use Verdict::{Agrees, ExactRounds, Named, SecondRouteFails, SecondRouteRounds, Unknowable};
-        matches!(
-            self.verdict,
-            Agrees | SecondRouteRounds | ExactRounds | Unknowable | SecondRouteFails | Named
-        )
+        use Verdict::{Disagrees, ExactFails, Hangs, Panics, Refused};
+        ![Disagrees, ExactFails, Refused, Hangs, Panics].contains(&self.verdict)
     }
 
     /// The cause by which scenes are sorted: what they have in common that do not agree.
     pub fn cause(&self) -> String {
-        let worst = self.disagreements.first().map(|one| one.two.what.words().into());
-        self.failure
-            .as_ref()
-            .map(|failure| failure.kind.clone())
-            .or(worst)
-            .unwrap_or_default()
+        let worst = self.disagreements.first();
+        match &self.failure {
+            Some(failure) => failure.kind.clone(),
+            None => worst.map_or(String::new(), |one| one.two.what.words().into()),
+        }
     }
 
     /// What became of the scene, in a line for each thing that is wrong.

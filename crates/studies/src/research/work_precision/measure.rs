@@ -2,6 +2,7 @@
 
 use super::condition::Knowledge;
 use super::quantities::{MethodQuantity, Quantities};
+use crate::drivers::each;
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
 use pounding_scene::{
@@ -138,12 +139,7 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
         let second = crate::second_route(reference.prepared, Fineness::FINE);
         Knowledge::measure(reference, second.ok().as_ref())
     });
-    let outcomes = parallel::each(&runs, |run| {
-        let outcome = run.outcome();
-        done();
-        outcome
-    });
-    let mut outcomes = outcomes.into_iter();
+    let mut outcomes = each(&runs, done, Run::outcome).into_iter();
     let race = |(scene, knowledge): (&Scene, Result<Knowledge, String>)| {
         let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
         let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));

@@ -19,13 +19,13 @@ pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> 
         .min_by_key(|(_, cost)| *cost)
 }
 
-/// What is asked of every method, and the cheapest run of each; `None` of a method that is not among them.
+/// What is asked of every method, and the cheapest run of each that holds it.
 struct Asked<'a> {
     race: &'a Race,
     quantity: &'static str,
     percent: &'static str,
     agreed: String,
-    found: Vec<Option<Option<Run<'a>>>>,
+    found: Vec<Option<Run<'a>>>,
 }
 
 /// A run, and its work.
@@ -33,9 +33,7 @@ type Run<'a> = (&'a Rung, u64);
 
 impl<'a> Asked<'a> {
     fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
-        let found = COMPARED_METHODS
-            .iter()
-            .map(|contender| Some(cheapest(race.of(contender.key)?, &holds)));
+        let found = COMPARED_METHODS.iter().map(|contender| cheapest(race.of(contender.key)?, &holds));
         Self {
             race,
             quantity,
@@ -48,7 +46,7 @@ impl<'a> Asked<'a> {
     /// The cheapest of all.
     fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
         let runs = COMPARED_METHODS.iter().zip(&self.found);
-        runs.filter_map(|(contender, found)| Some((contender, (*found)??)))
+        runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
             .min_by_key(|(_, (_, cost))| *cost)
     }
 }
@@ -88,7 +86,8 @@ pub(super) fn table(races: &[Race]) -> String {
             |method| COMPARED_METHODS[method].key.into(),
             |one, method| {
                 let needed = |(rung, _): Run<'_>| setting(&COMPARED_METHODS[method], rung.setting);
-                one.found[method].map(|found| found.map_or("never".into(), needed))
+                let entrant = one.race.of(COMPARED_METHODS[method].key);
+                entrant.map(|_| one.found[method].map_or("never".into(), needed))
             },
         )
         .csv()

@@ -66,7 +66,7 @@ pub(super) fn collisions(races: &[Race]) -> String {
     }
     let table = Table::of(rows)
         .column("scene", |(race, ..)| race.scene.clone())
-        .column("pair", |(_, pair, ..)| pair.to_string())
+        .column("pair", |(_, pair, ..)| (*pair).clone())
         .column("collision", |(_, _, number, ..)| *number)
         .column("quantity", |(.., which)| ["time", "impulse"][*which])
         .column("unit", |(.., which)| ["s", "N·s"][*which])
@@ -88,8 +88,10 @@ fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Know
         })
 }
 
+type Count = fn(&Measured) -> u64;
+
 /// What is counted of a run.
-const COUNTS: [(&str, fn(&Measured) -> u64); 7] = [
+const COUNTS: [(&str, Count); 7] = [
     ("work", Measured::cost),
     ("steps", |run| run.work.steps),
     ("force_evaluations", |run| run.work.force_evaluations),
