@@ -1,8 +1,8 @@
-//! Work on many things by all threads, told of to whoever waits for it.
+//! Work on many items by all threads, with a call after each.
 
 use pounding_scene::parallel;
 
-/// What `work` makes of every item, in their order; `done` is called after each.
+/// Results of `work` for every item, in their order; `done` is called after each.
 pub(crate) fn each<T: Sync, R: Send>(items: &[T], done: &(dyn Fn() + Sync), work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     parallel::each(items, |item| {
         let made = work(item);

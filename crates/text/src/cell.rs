@@ -100,7 +100,7 @@ struct Column<'a, Row> {
     cell: Box<dyn Fn(&Row) -> Cell + 'a>,
 }
 
-/// Rows, and the columns in which they are written.
+/// A table is rows, and the columns that take their cells from them.
 ///
 /// ```
 /// use pounding_text::{Cell, Table, short};
@@ -145,7 +145,7 @@ impl<'a, Row> Table<'a, Row> {
         self
     }
 
-    /// Returns the table with one column more for each of some keys; `name` and `cell` are told the key.
+    /// Returns the table with one column more for each of some keys; `name` and `cell` get the key.
     #[must_use]
     pub fn columns<Key: Copy + 'a, C: Into<Cell>>(
         self,

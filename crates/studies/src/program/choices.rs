@@ -15,9 +15,11 @@ listed! {
         LastLoad = ["last_load", "of whole steps", "used"],
         /// How long a run lasts: the loads end, and it goes on for as long again, until the motion has died out; or as long as the loads.
         Length = ["length", "runs on", "of loads"],
-        /// Which overlaps of impulsive pairs are impacts: all, so that a pair that parts is pulled together; or those of pairs that approach.
+        /// Which overlaps of impulsive pairs are impacts: all, so that a pair that parts is pulled together; or those of pairs that
+        /// approach.
         Impacts = ["impacts", "of any overlap", "on approach"],
-        /// The velocity of a structure that two pairs hit in one step, as the second pair sees it: after the impact of the first, or before both.
+        /// The velocity of a structure that two pairs hit in one step, as the second pair sees it: after the impact of the first, or before
+        /// both.
         Velocities = ["velocities", "handed on", "before both"],
         /// The force on a structure that two pairs touch in one step: that of the second alone, which replaces the other; or the sum.
         Forces = ["forces", "replaced", "added"],
@@ -59,7 +61,7 @@ impl Program {
         }
     }
 
-    /// Whether a choice, but for the start, is as the paper describes it.
+    /// Whether a choice, except the start, is as the paper describes it.
     pub(crate) const fn is_described(self, choice: Choice) -> bool {
         self.described[choice as usize]
     }

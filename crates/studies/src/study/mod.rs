@@ -8,7 +8,6 @@ pub(crate) mod other_motions;
 pub(crate) mod output;
 pub(crate) mod stress;
 pub(crate) mod surveys;
-pub(crate) mod twin;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

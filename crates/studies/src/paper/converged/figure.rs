@@ -48,7 +48,7 @@ impl Converged {
 /// Tables of totals, a panel each.
 pub(crate) const TOTALS: [(&str, &str); 2] = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
 
-/// Rows of a table, a line of a panel each, and what their numbers are shown over.
+/// Rows of a table, a line of a panel each, and the numbers by which theirs are divided.
 pub(crate) struct Over<'a> {
     table: &'static str,
     rows: Vec<(&'a Value, f64)>,

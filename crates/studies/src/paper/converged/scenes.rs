@@ -18,7 +18,7 @@ struct Part {
     looked_at: Option<f64>,
 }
 
-/// The interval at which the claims look at a study's scenes by a method with a time step: of Tables 2 and 4 at the end alone, of Fig. 15 at all.
+/// Interval of the histories that the claims need of a study's scenes \[s\]: of Tables 2 and 4 the end alone, of Fig. 15 every step.
 fn looked_at(file: &StudyFile) -> Option<f64> {
     match &*file.id {
         "table-2" | "table-4" => Some(AT_THE_END),

@@ -49,7 +49,7 @@ impl Entry {
     }
 }
 
-/// Rows of a table in which each of a law's names stands for itself: the name, and what the row is of.
+/// Rows of a table, one for each name of a law: the name, the law and the row.
 pub(super) fn by_name<T: Clone>(entry: &Entry, rows: impl IntoIterator<Item = T>) -> Vec<(LawName, &Entry, T)> {
     let rows: Vec<T> = rows.into_iter().collect();
     let of_name = |name: &LawName| rows.iter().map(|row| (*name, entry, row.clone())).collect::<Vec<_>>();

@@ -10,12 +10,11 @@
 //! A case is a motion in one direction. A claim of the paper is asked in every case; where nothing touches it does not
 //! apply.
 
+mod figures;
 mod findings;
 mod matrix;
 mod numbers;
-mod response;
 mod shaking;
-mod spectra;
 mod study;
 mod world;
 
@@ -106,7 +105,7 @@ impl Beyond {
         let motions = shaking::table(&self.motions, &self.periods);
         let mut files = Files::from([("motions.csv".into(), motions.into_bytes())]);
         for page in self.pages() {
-            let spectra = spectra::figure(&self.motions[page.clone()], &self.periods);
+            let spectra = figures::spectra(&self.motions[page.clone()], &self.periods);
             files.insert(page_name("spectra", &page), drawn(&spectra, &self.path)?);
         }
         let groups = parallel::try_each(&self.groups, |group| self.of_group(group))?;
@@ -132,7 +131,7 @@ impl Beyond {
         for page in self.pages() {
             let matrix = matrix::drawing(self, group, page.clone());
             files.insert(page_name("claims", &page), drawn(&matrix, &self.path)?);
-            let response = response::figure(self, group, page.clone());
+            let response = figures::response(self, group, page.clone());
             files.insert(page_name("response", &page), drawn(&response, &self.path)?);
         }
         Ok(files)

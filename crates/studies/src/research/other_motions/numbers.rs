@@ -68,7 +68,7 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
 /// A number of a row, if it has it.
 type Number = fn(&Row) -> Option<f64>;
 
-/// What is compared of both directions.
+/// Numbers whose two directions are compared.
 const COMPARED: [(&str, Number); 7] = [
     ("transferred_momentum", |row| Some(row.momentum)),
     ("collisions", |row| Some(row.collisions as f64)),

@@ -49,9 +49,10 @@ fn short(value: Option<f64>) -> Text {
     Text::number(value, |value| format!("{value:.1e}"))
 }
 
+/// Whether a number is counted.
 type Test = fn(&Judged) -> bool;
 
-/// What numbers are counted.
+/// Counts of the summary, with their columns.
 const COUNTS: [(&str, Test); 6] = [
     ("compared", Judged::is_compared),
     ("false_alarms", Judged::is_false_alarm),

@@ -44,7 +44,7 @@ struct Row {
     mixed: [Output; N_INPUTS],
 }
 
-/// What an input is worth for an output, alone and with all others, beside mean and deviation of the output.
+/// Shares of an input in the variance of an output, alone and with all others, with mean and deviation of the output.
 struct Share {
     output: &'static str,
     input: &'static str,
@@ -195,7 +195,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
     })
 }
 
-/// What every input is worth for an output.
+/// Shares of every input in the variance of an output.
 fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
     let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
     let n = values.len() as f64;

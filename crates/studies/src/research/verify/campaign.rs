@@ -63,10 +63,7 @@ impl Campaign {
                 Err(RecvTimeoutError::Disconnected) => break Verdict::Panics,
             }
         };
-        let failure = Failure {
-            kind: stage.words().into(),
-            message: String::new(),
-        };
+        let failure = Failure::new(stage.words().into(), String::new());
         Checked::new(index, scene, verdict, Some(failure))
     }
 }

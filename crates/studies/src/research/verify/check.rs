@@ -145,10 +145,7 @@ impl Checked {
         let residual = residual(balance.residual);
         let failure = match (&broken, &second) {
             (Some(error), _) => Some(Failure::of(error)),
-            (None, Err(error)) if residual.is_none() => Some(Failure {
-                kind: variant(error),
-                message: error.to_string(),
-            }),
+            (None, Err(error)) if residual.is_none() => Some(Failure::new(variant(error), error.to_string())),
             (None, _) => None,
         };
         let verdict = match (&broken, &failure) {
@@ -342,10 +339,11 @@ impl Failure {
         } else {
             variant(error)
         };
-        Self {
-            kind,
-            message: error.to_string(),
-        }
+        Self::new(kind, error.to_string())
+    }
+
+    pub(super) fn new(kind: String, message: String) -> Self {
+        Self { kind, message }
     }
 
     /// What becomes of a scene whose exact run fails so.
@@ -364,7 +362,8 @@ fn variant(error: &impl std::fmt::Debug) -> String {
 /// Rounding that a distance of grounds is forgiven \[m\].
 const ROUNDING: f64 = 1e-9;
 
-/// Whether walls leave a row no room, asked of gaps and grounds alone: false where a run ends because walls close in, and there is room for all that stands between them.
+/// Returns false if a run ends because walls close in, and gaps and grounds leave room for
+/// all that stands between them.
 fn room_explains(prepared: &Simulation, error: &Error) -> bool {
     let Error::Run { source, .. } = error else {
         return true;

@@ -11,7 +11,6 @@ mod pareto;
 mod quantities;
 mod table;
 mod timing;
-mod verdict;
 
 use crate::files::{Files, in_folder};
 use crate::{Completed, StudyError};
@@ -61,7 +60,7 @@ impl Trade {
             ("collisions.csv", table::collisions(&self.races)),
             ("trade.csv", table::runs(&self.races)),
             ("pareto.csv", pareto::table(&self.races)),
-            ("exact-or-stepping.csv", verdict::table(&self.races)),
+            ("exact-or-stepping.csv", pareto::exact_or_stepping(&self.races)),
         ];
         let mut files = in_folder("trade", tables.map(|(name, text)| (name, text.into_bytes())));
         files.extend(in_folder("trade", figures::all(&self.races, &self.path)?));

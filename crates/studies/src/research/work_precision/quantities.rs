@@ -5,7 +5,8 @@ use pounding_reference::Response;
 use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
 
 listed! {
-    /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant contact.
+    /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant
+    /// contact.
     pub(crate) enum MethodQuantity { texts: (&'static str, [&'static str; 2], [&'static str; 2]);
         FirstTime = ("time_of_first_collision", ["Time of first collision"; 2], ["s"; 2]),
         FirstImpulse = ("impulse_of_first_collision", ["Impulse of first collision"; 2], ["N·s"; 2]),
@@ -94,7 +95,8 @@ impl Quantities {
 
     /// Relative distance from other quantities, of the structure where it is largest \[–\].
     ///
-    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
+    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one
+    /// of both; nothing where neither
     /// has one.
     pub(crate) fn distance(&self, truth: &Self, quantity: MethodQuantity) -> Option<f64> {
         let (found, wanted) = (self.values(quantity), truth.values(quantity));

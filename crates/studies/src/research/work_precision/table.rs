@@ -88,9 +88,10 @@ fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Know
         })
 }
 
+/// A count of a run.
 type Count = fn(&Measured) -> u64;
 
-/// What is counted of a run.
+/// Counts of a run, with their columns.
 const COUNTS: [(&str, Count); 7] = [
     ("work", Measured::cost),
     ("steps", |run| run.work.steps),
