@@ -1,6 +1,6 @@
 //! What the race says: every setting, error levels, the least error of everybody, and the figure.
 
-use pounding_studies::{Competitor, WorkPrecision};
+use super::figure::{Competitor, WorkPrecision};
 
 use super::race::{Raced, Run};
 use super::work;

@@ -9,7 +9,7 @@ const WORTHLESS: f64 = 1e1;
 
 /// Who solves the scenes: methods of one of them share a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Competitor {
+pub(super) enum Competitor {
     /// This project.
     Ours,
     /// A loop of a few lines, compiled.
@@ -24,13 +24,13 @@ pub enum Competitor {
 
 /// What a method needs for its error, over its settings.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WorkPrecision {
+pub(super) struct WorkPrecision {
     /// Whose method it is.
-    pub competitor: Competitor,
+    pub(super) competitor: Competitor,
     /// Its name in the legend, after that of its competitor.
-    pub label: String,
+    pub(super) label: String,
     /// CPU time in some unit and relative error of each setting, both > 0.
-    pub points: Vec<(f64, f64)>,
+    pub(super) points: Vec<(f64, f64)>,
 }
 
 impl Competitor {
@@ -62,7 +62,7 @@ impl Competitor {
 ///
 /// # Errors
 /// [`PlotError`] for numbers that cannot be drawn.
-pub fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
+pub(super) fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
     let mut names: Vec<(Competitor, &str)> = Vec::new();
     for one in panels.iter().flat_map(|(_, methods)| methods) {
         let name = (one.competitor, one.label.as_str());

@@ -3,34 +3,33 @@
 //! All floors weigh the same and every storey is as stiff as the structure of one storey in its place, so that the fastest
 //! oscillation, which a time step has to follow, does not grow with the height.
 
-use crate::StudyError;
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::{
-    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, REFERENCE, RIVAL, RecordUse, RunBudget, STANDARD_GRAVITY,
-    Scene, Simulation, Source, Storey, Structure, label_of,
+    Building, COMPARED_METHODS, Columns, Contact, Damping, Error, FileUse, Method, REFERENCE, RIVAL, RecordUse, RunBudget,
+    STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure, label_of,
 };
 use std::f64::consts::PI;
 use std::path::Path;
 
 /// How many buildings of how many storeys stand in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RowSize {
+pub(crate) struct RowSize {
     /// Storeys of each building, > 0.
-    pub storeys: usize,
+    pub(crate) storeys: usize,
     /// Number of buildings, > 0.
-    pub buildings: usize,
+    pub(crate) buildings: usize,
 }
 
 impl RowSize {
     /// Number of floors.
-    pub fn floors(self) -> usize {
+    pub(crate) fn floors(self) -> usize {
         self.storeys * self.buildings
     }
 
     /// A row of as many floors, each a structure of its own.
     #[must_use]
-    pub fn of_one_storey(self) -> Self {
+    pub(crate) fn of_one_storey(self) -> Self {
         Self {
             storeys: 1,
             buildings: self.floors(),
@@ -40,16 +39,16 @@ impl RowSize {
 
 /// What the floors of a row do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Condition {
+pub(crate) struct Condition {
     /// Columns yield; else they are elastic.
-    pub yielding: bool,
+    pub(crate) yielding: bool,
     /// Neighbours stand a hundredth of a millimetre apart and touch; else nothing can touch.
-    pub touching: bool,
+    pub(crate) touching: bool,
 }
 
 impl Condition {
     /// All of them.
-    pub const ALL: [Self; 4] = [
+    pub(crate) const ALL: [Self; 4] = [
         Self::new(false, false),
         Self::new(true, false),
         Self::new(false, true),
@@ -61,7 +60,7 @@ impl Condition {
     }
 
     /// In the words of a table: columns, and contact.
-    pub fn words(self) -> [&'static str; 2] {
+    pub(crate) fn words(self) -> [&'static str; 2] {
         [
             if self.yielding { "yielding" } else { "elastic" },
             if self.touching { "touching" } else { "apart" },
@@ -82,13 +81,13 @@ const YIELDS_AT: f64 = 0.03;
 
 /// A row to be timed.
 #[derive(Debug)]
-pub struct TimedRow {
+pub(crate) struct TimedRow {
     prepared: Simulation,
 }
 
 impl TimedRow {
     /// The methods to be timed, with their names in tables.
-    pub fn methods() -> impl Iterator<Item = (&'static str, Method)> {
+    pub(crate) fn methods() -> impl Iterator<Item = (&'static str, Method)> {
         let timed = |key: &str| METHODS.iter().any(|(name, ..)| *name == key);
         let contenders = COMPARED_METHODS.iter().filter(move |one| timed(one.key));
         contenders.map(|contender| {
@@ -103,8 +102,8 @@ impl TimedRow {
     /// A row of buildings under the first seconds of a record.
     ///
     /// # Errors
-    /// [`StudyError`] when the record cannot be read.
-    pub fn new(size: RowSize, condition: Condition, method: Method, record: &Path) -> Result<Self, StudyError> {
+    /// [`Error`] when the record cannot be read.
+    pub(crate) fn new(size: RowSize, condition: Condition, method: Method, record: &Path) -> Result<Self, Error> {
         let name = format!("{} buildings of {} storeys", size.buildings, size.storeys);
         let building = |index| Structure::Building(building(index, size.storeys, condition.yielding));
         let structures = (0..size.buildings).map(building).collect();
@@ -118,8 +117,8 @@ impl TimedRow {
     /// without steps.
     ///
     /// # Errors
-    /// [`pounding_scene::Error::Run`] when the run ends early.
-    pub fn run(&self) -> Result<Option<f64>, StudyError> {
+    /// [`Error::Run`] when the run ends early.
+    pub(crate) fn run(&self) -> Result<Option<f64>, Error> {
         let work = self.prepared.timed()?;
         let steps = work.steps * self.prepared.floors().facing().len() as u64;
         Ok((steps > 0).then(|| work.touching_steps as f64 / steps as f64))
@@ -129,13 +128,13 @@ impl TimedRow {
 /// A row with equal gaps, or none that can touch, under the first seconds of a record, to be timed.
 ///
 /// # Errors
-/// [`StudyError`] when the record cannot be read.
-pub(super) fn timed_row(
+/// [`Error`] when the record cannot be read.
+pub(crate) fn timed_row(
     (name, structures): (String, Vec<Structure>),
     gap: Option<f64>,
     method: Method,
     (record, duration): (&Path, f64),
-) -> Result<Simulation, StudyError> {
+) -> Result<Simulation, Error> {
     let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
         impact_stiffness: 2.75e9,
         impact_damping_ratio: 0.35,
@@ -156,7 +155,7 @@ pub(super) fn timed_row(
         method,
         budget: RunBudget::default(),
     };
-    Ok(Simulation::new(&scene, Path::new(""))?)
+    Simulation::new(&scene, Path::new(""))
 }
 
 /// Storeys as stiff as a structure of one storey with a period of 0.3 to 0.5 s; the multiples of a prime, modulo another,
@@ -203,15 +202,15 @@ mod tests {
 
 /// What a row cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FloorCost {
+pub(crate) struct FloorCost {
     /// Name of the method in tables.
-    pub method: &'static str,
+    pub(crate) method: &'static str,
     /// What the floors do.
-    pub condition: Condition,
+    pub(crate) condition: Condition,
     /// How many there are.
-    pub size: RowSize,
+    pub(crate) size: RowSize,
     /// Wall time over that of the smallest row of the same method and condition \[–\].
-    pub over_smallest: f64,
+    pub(crate) over_smallest: f64,
 }
 
 /// Methods that are timed, by their names in tables, and their looks.
@@ -230,7 +229,7 @@ const METHODS: [(&str, Shade, Mark); 7] = [
 ///
 /// # Errors
 /// [`PlotError`] for times that cannot be drawn.
-pub fn floor_cost_figure(costs: &[FloorCost], fixed: RowSize, smallest: RowSize) -> Result<Vec<u8>, PlotError> {
+pub(crate) fn floor_cost_figure(costs: &[FloorCost], fixed: RowSize, smallest: RowSize) -> Result<Vec<u8>, PlotError> {
     let mut panels = Vec::new();
     for touching in [false, true] {
         for over_storeys in [true, false] {
