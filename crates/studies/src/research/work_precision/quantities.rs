@@ -1,8 +1,9 @@
-//! What is compared: six quantities and a count.
+//! What is compared: six quantities and a count; and the runs that give them.
 
 use crate::listed::listed;
 use pounding_reference::Response;
-use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
+use pounding_scene::{AT_ONCE, ComparedMethod, Method, RunResult, Scene, Simulation, ZERO, relative_to};
+use pounding_solver::{Ledger, Work};
 
 listed! {
     /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant
@@ -116,5 +117,37 @@ impl Quantities {
         let pairs = found.iter().zip(wanted);
         let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));
         distances.reduce(f64::max)
+    }
+}
+
+/// What a run leaves behind, or why it failed.
+pub(super) type Ended<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
+
+/// A run of one method on one scene, to be done.
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) prepared: &'a Simulation,
+    pub(super) contender: &'static ComparedMethod,
+    pub(super) setting: f64,
+}
+
+impl<'a> Run<'a> {
+    pub(super) fn outcome(&self) -> Ended<'a> {
+        let (outcome, ledger) = self.recorded()?;
+        let quantities = Quantities::of(&outcome, self.scene.structures.len());
+        Ok((quantities, ledger, outcome.work))
+    }
+
+    /// The outcome of the run, and its ledger; fails with the reason where it ends early.
+    ///
+    /// The verdict of the ledger is a column of the table.
+    pub(super) fn recorded(&self) -> Result<(RunResult, Ledger<'a>), String> {
+        let recorded = self.prepared.recorded_by(self.method());
+        recorded.map_err(|error| error.to_string())
+    }
+
+    pub(super) fn method(&self) -> Method {
+        (self.contender.method)(self.setting)
     }
 }

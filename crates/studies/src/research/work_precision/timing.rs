@@ -1,9 +1,9 @@
 //! Which runs are worth timing.
 
 use super::Trade;
-use super::measure::{Entrant, Measured, Run, Rung};
+use super::measure::{Entrant, Measured, Rung};
 use super::pareto::{EXACT, STEPPING, cheapest};
-use super::quantities::MethodQuantity;
+use super::quantities::{MethodQuantity, Run};
 use super::table::setting;
 use crate::{Completed, StudyError, StudyFile};
 use pounding_scene::{REFERENCE, RIVAL, Scene};
