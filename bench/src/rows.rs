@@ -181,25 +181,6 @@ fn building(index: usize, storeys: usize, yields: bool) -> Building {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn reference_all_methods_are_timed() {
-        let names: Vec<_> = TimedRow::methods().map(|(name, _)| name).collect();
-        assert_eq!(names, METHODS.map(|(name, ..)| name));
-    }
-
-    #[test]
-    fn limit_a_tower_of_one_storey_stands_in_the_row_of_one_storey() {
-        let size = RowSize { storeys: 5, buildings: 6 };
-        assert_eq!(size.of_one_storey().floors(), size.floors());
-        let [tower, single] = [5, 1].map(|storeys| building(3, storeys, false));
-        assert_eq!(tower.storeys[0], single.storeys[0]);
-    }
-}
-
 /// What a row cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FloorCost {
@@ -270,4 +251,23 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
         }
     }
     curves
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_all_methods_are_timed() {
+        let names: Vec<_> = TimedRow::methods().map(|(name, _)| name).collect();
+        assert_eq!(names, METHODS.map(|(name, ..)| name));
+    }
+
+    #[test]
+    fn limit_a_tower_of_one_storey_stands_in_the_row_of_one_storey() {
+        let size = RowSize { storeys: 5, buildings: 6 };
+        assert_eq!(size.of_one_storey().floors(), size.floors());
+        let [tower, single] = [5, 1].map(|storeys| building(3, storeys, false));
+        assert_eq!(tower.storeys[0], single.storeys[0]);
+    }
 }

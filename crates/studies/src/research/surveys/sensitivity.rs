@@ -254,3 +254,38 @@ fn figure(found: &[Vec<Share>]) -> Figure {
     let x = Axis::over("Share of the variance (–)", 0.0, 1.0);
     Figure::grid(5.2, 2, x, found.iter().map(panel).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Indices of y = x₁ + 2 x₂ + x₁ x₃ against their closed form: with x uniform on 0 to 1 the variance is
+    /// V₁ = 1.5²/12, V₂ = 4/12, V₃ = 0.5²/12, and V₁₃ = 1/144.
+    #[test]
+    fn reference_indices_of_a_polynomial() {
+        let of = |sample: &Sample| {
+            let mut output = [0.0; N_OUTPUTS];
+            output[0] = sample[0] + 2.0 * sample[1] + sample[0] * sample[2];
+            output
+        };
+        let row = |(a, b): &(Sample, Sample)| {
+            let mixed = std::array::from_fn(|input| {
+                let mut sample = *a;
+                sample[input] = b[input];
+                of(&sample)
+            });
+            Row { a: of(a), b: of(b), mixed }
+        };
+        let rows: Vec<Row> = samples(4096).iter().map(row).collect();
+        let rows: Vec<&Row> = rows.iter().collect();
+        let parts = [2.25 / 12.0, 4.0 / 12.0, 0.25 / 12.0, 0.0];
+        let both = [1.0 / 144.0, 0.0, 1.0 / 144.0, 0.0];
+        let whole: f64 = parts.iter().sum::<f64>() + 1.0 / 144.0;
+        for input in 0..parts.len() {
+            let [first, total] = estimate(&rows, input, 0);
+            let wanted = [parts[input] / whole, (parts[input] + both[input]) / whole];
+            assert!((first - wanted[0]).abs() < 5e-3, "{input}: {first} {wanted:?}");
+            assert!((total - wanted[1]).abs() < 5e-3, "{input}: {total} {wanted:?}");
+        }
+    }
+}

@@ -187,3 +187,26 @@ impl<'a> Gaps<'a> {
             .csv()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Rises;
+
+    #[test]
+    fn reference_rises_of_a_curve_by_hand() {
+        // Falls, rises by half, falls, rises to twice the least, ends lower.
+        let values = [4.0, 2.0, 3.0, 1.5, 1.5, 2.0, 3.0, 0.5];
+        let values: Vec<_> = values.iter().zip(0..).map(|(y, x)| (f64::from(x), *y)).collect();
+        let rises = Rises::of(&values);
+        assert_eq!(rises.stretches, 2);
+        assert_eq!((rises.share, rises.worst), (1.0 + 3.0, (2.0, 3.0, 6.0)));
+    }
+
+    #[test]
+    fn limit_what_falls_has_no_rises() {
+        for values in [&[][..], &[(0.0, 1.0)], &[(0.0, 3.0), (0.5, 3.0), (1.0, 0.0)]] {
+            let rises = Rises::of(values);
+            assert_eq!((rises.stretches, rises.worst.0), (0, 1.0));
+        }
+    }
+}
