@@ -26,6 +26,7 @@
 mod lanes;
 mod measure;
 mod peers;
+mod rows;
 mod savings;
 mod scenes;
 mod setting;

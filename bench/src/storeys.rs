@@ -4,9 +4,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use pounding_scene::Method;
-use pounding_studies::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 
 use crate::measure::{Outcome, Table, in_turn, keep, ratio};
+use crate::rows::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 use crate::setting::RECORD;
 
 const TABLE: Table = Table {

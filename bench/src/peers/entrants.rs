@@ -1,6 +1,6 @@
 //! The programs compared, with their methods and settings.
 
-use pounding_studies::Competitor;
+use super::figure::Competitor;
 
 use super::own::{EXACT, EXACT_LANES, LANES};
 use super::scenes::Kind;

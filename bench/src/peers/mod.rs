@@ -6,6 +6,7 @@
 
 mod entrants;
 mod environment;
+mod figure;
 mod own;
 mod race;
 mod report;
@@ -14,7 +15,7 @@ mod work;
 
 use std::path::Path;
 
-use pounding_studies::work_precision_figure;
+use figure::work_precision_figure;
 
 use crate::measure::{Outcome, Table, keep};
 use environment::Worker;

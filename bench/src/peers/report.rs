@@ -1,6 +1,6 @@
 //! Tables of the comparison: every setting, error levels, the smallest error of each entrant, and the figure.
 
-use pounding_studies::{Competitor, WorkPrecision};
+use super::figure::{Competitor, WorkPrecision};
 
 use super::race::{Raced, Run};
 use super::work;

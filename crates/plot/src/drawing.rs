@@ -160,6 +160,38 @@ impl Shape {
         }
     }
 
+    /// Returns the outline of a rectangle.
+    pub fn outlined(corner: Point, size: Point, pen: Pen) -> Self {
+        Self::Rectangle {
+            corner,
+            size,
+            fill: None,
+            outline: Some(pen),
+        }
+    }
+
+    /// Returns a filled rectangle with an outline.
+    pub fn boxed(corner: Point, size: Point, fill: Fill, pen: Pen) -> Self {
+        Self::Rectangle {
+            corner,
+            size,
+            fill: Some(fill),
+            outline: Some(pen),
+        }
+    }
+
+    /// Returns a text in ink, written upwards.
+    pub fn upright(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
+        Self::Text {
+            at,
+            text: text.into(),
+            points,
+            align,
+            upright: true,
+            shade: Shade::Ink,
+        }
+    }
+
     /// Returns a text in ink, written to the right.
     pub fn text(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
         Self::Text {

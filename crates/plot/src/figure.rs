@@ -30,6 +30,29 @@ impl Default for Figure {
     }
 }
 
+impl Figure {
+    /// Returns a grid of panels, `columns` to a row, over one x axis.
+    pub fn grid(height_in: f64, columns: usize, x: Axis, panels: Vec<Panel>) -> Self {
+        Self {
+            height_in,
+            columns,
+            x,
+            panels,
+        }
+    }
+
+    /// Returns the figure with labels of y axes in its first column alone.
+    #[must_use]
+    pub fn labelled_at_left(mut self) -> Self {
+        for (index, panel) in self.panels.iter_mut().enumerate() {
+            if index % self.columns > 0 {
+                panel.y.label.clear();
+            }
+        }
+        self
+    }
+}
+
 /// An axis has a label with its unit, a range, and a scale.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Axis {
@@ -121,6 +144,26 @@ impl Default for Panel {
             legend: Legend::Above,
             weight: 1.0,
         }
+    }
+}
+
+impl Panel {
+    /// Returns a panel of curves over a y axis, whose legend stands above all panels together with that of the others.
+    pub fn shared(title: impl Into<String>, y: Axis, curves: Vec<Curve>) -> Self {
+        Self {
+            title: title.into(),
+            y,
+            curves,
+            legend: Legend::Shared,
+            ..Self::default()
+        }
+    }
+
+    /// Returns the panel with a line at a value of y.
+    #[must_use]
+    pub fn with_level(mut self, level: f64) -> Self {
+        self.levels.push(level);
+        self
     }
 }
 

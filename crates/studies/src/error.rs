@@ -50,6 +50,24 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// Something in a study's file that is not allowed.
+    pub(crate) fn refused(path: &Path, place: &'static str, found: String, allowed: &'static str) -> Self {
+        Self::Study {
+            path: path.to_path_buf(),
+            place,
+            found,
+            allowed,
+        }
+    }
+
+    /// A study that is missing with all of its scenes.
+    pub(crate) fn no_scene_of(study: &str) -> Self {
+        Self::MissingScene {
+            study: study.into(),
+            scene: "any".into(),
+        }
+    }
+
     /// Names the file that holds a scene, and the line of the field, where the message does not yet.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {

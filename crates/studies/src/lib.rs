@@ -32,8 +32,11 @@
 //! - [`PapersProgram`] (`program/`): the program that gave the published numbers, with its slips.
 //! - [`Survey`], [`Beyond`], [`Trade`] and [`verify`] (`research/`): surveys, other motions, error against work, random scenes.
 
+mod drivers;
 mod error;
+mod files;
 mod lines;
+mod listed;
 mod noise;
 mod paper;
 mod program;
@@ -52,11 +55,8 @@ pub use paper::tables::{Table, Value};
 pub use program::PapersProgram;
 pub use reproduce::{Reproduction, Studies};
 pub use research::examples::Examples;
-pub use research::floor_cost::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 pub use research::laws::Atlas;
 pub use research::other_motions::{Beyond, BeyondStudy, Counted};
-pub use research::peers::{Competitor, WorkPrecision, work_precision_figure};
-pub use research::savings::{Burden, Burdened};
 pub use research::stress::Extremes;
 pub use research::surveys::SurveyStudy;
 pub use research::verify;

@@ -1,16 +1,16 @@
 //! All studies at once: tables, figures, agreement and claims.
 
+use crate::files::Files;
 use crate::paper::converged::{Converged, N_NOISY_RUNS};
 use crate::paper::tables::Value;
 use crate::program::Program;
-use crate::study::output::OwnFolder;
 use crate::{
-    Atlas, Beyond, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes, PublishedValues, StudyError, StudyFile, Table,
-    Trade, agreement_csv, claims, claims_csv, figure_png, paper,
+    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes, Output, PublishedValues,
+    StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv, figure_png, paper,
 };
 use pounding_scene::parallel;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The studies of a folder and the published numbers they are compared with.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ pub struct Studies {
 #[derive(Debug)]
 pub struct Reproduction {
     /// Contents of the results folder by relative path.
-    pub files: BTreeMap<PathBuf, Vec<u8>>,
+    pub files: Files,
     /// Every published number with its computed one.
     pub comparisons: Vec<Comparison>,
     /// The paper's claims, tested.
@@ -71,12 +71,15 @@ impl Studies {
     pub fn n_units(&self) -> usize {
         let units = |file: &StudyFile| {
             let scenes = &file.study.scenes;
-            let runs = match file.study.output.folder() {
-                Some(OwnFolder::Trade(ladder)) => Trade::n_runs(scenes, ladder),
-                Some(OwnFolder::Laws(_)) => Atlas::n_runs(scenes),
-                Some(OwnFolder::Extremes(edges)) => Extremes::n_runs(edges, self.extent),
-                Some(OwnFolder::Beyond(settings)) => settings.n_usual_cases(),
-                Some(OwnFolder::Survey) | None => 0,
+            let output = &file.study.output;
+            let runs = if let Output::Trade(ladder) = output {
+                Trade::n_runs(scenes, ladder)
+            } else if let Output::Laws(_) = output {
+                Atlas::n_runs(scenes)
+            } else if let Output::Extremes(edges) = output {
+                edges.cells(self.extent).len()
+            } else {
+                output.beyond().map_or(0, BeyondSettings::n_usual_cases)
             };
             1 + scenes.len() + runs
         };
@@ -91,12 +94,13 @@ impl Studies {
     /// The first [`StudyError`] in the order of the studies.
     pub fn reproduce(self, done: &(dyn Fn() + Sync)) -> Result<Reproduction, StudyError> {
         let completed = parallel::try_each(&self.files, |file| Completed::run(file.clone(), done))?;
-        let made = parallel::try_each(&completed, |study| {
-            let made = RenderedStudy::of(study, self.extent, done);
-            done();
-            made
-        })?;
-        let (mut files, values) = collected(&completed, made);
+        let made = parallel::try_each(&completed, |study| rendered(study, self.extent, done))?;
+        let (mut files, mut values) = (Files::new(), BTreeMap::new());
+        for (study, (of_table, made)) in completed.iter().zip(made) {
+            let id = &study.file.id;
+            values.insert(id.strip_prefix("table-").unwrap_or(id).to_string(), of_table);
+            files.extend(made);
+        }
         let comparisons = self.published.compare(&values);
         let claims = claims(&completed)?;
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
@@ -107,11 +111,9 @@ impl Studies {
         if let Some(beyond) = beyond {
             files.extend(beyond.files()?);
         }
+        let of_claims = claims_csv(&claims, &without_slips(&completed)?, converged.survivals(), &tallies);
         files.insert("agreement.csv".into(), agreement_csv(&comparisons).into_bytes());
-        files.insert(
-            "claims.csv".into(),
-            claims_csv(&claims, &without_slips(&completed)?, converged.survivals(), &tallies).into_bytes(),
-        );
+        files.insert("claims.csv".into(), of_claims.into_bytes());
         let surprises = self.published.surprises(&comparisons);
         Ok(Reproduction {
             files,
@@ -120,24 +122,6 @@ impl Studies {
             surprises,
         })
     }
-}
-
-/// Files of all studies by their paths, and the numbers of their tables by the names of these.
-fn collected(completed: &[Completed], made: Vec<RenderedStudy>) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
-    let (mut files, mut values) = (BTreeMap::new(), BTreeMap::new());
-    for (study, made) in completed.iter().zip(made) {
-        let id = &study.file.id;
-        if let Some(table) = made.table {
-            files.insert(Path::new("tables").join(id).with_extension("csv"), table.to_csv().into_bytes());
-            let name = id.strip_prefix("table-").unwrap_or(id);
-            values.insert(name.to_string(), table.values);
-        }
-        files.extend(made.folder);
-        if let Some(png) = made.figure {
-            files.insert(Path::new("figures").join(id).with_extension("png"), png);
-        }
-    }
-    (files, values)
 }
 
 /// The claims by the method as the paper describes it.
@@ -155,27 +139,26 @@ fn beyond(completed: &[Completed], done: &(dyn Fn() + Sync)) -> Result<Option<Be
     study.map(|study| study.usual().run(done)).transpose()
 }
 
-/// What one study makes.
-struct RenderedStudy {
-    table: Option<Table>,
-    figure: Option<Vec<u8>>,
-    /// Files of a study with a folder of its own, by their paths.
-    folder: BTreeMap<PathBuf, Vec<u8>>,
-}
-
-impl RenderedStudy {
-    fn of(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        let folder = match study.file.study.output.folder() {
-            Some(OwnFolder::Trade(ladder)) => Trade::measure(study, ladder, done)?.files()?,
-            Some(OwnFolder::Laws(settings)) => Atlas::draw(study, settings, done)?.files()?,
-            Some(OwnFolder::Extremes(edges)) => Extremes::measure(study, edges, extent, done)?.files()?,
-            // After the studies whose claims it tests; surveys run by themselves.
-            Some(OwnFolder::Beyond(_) | OwnFolder::Survey) | None => BTreeMap::new(),
-        };
-        Ok(Self {
-            table: Table::of(study)?,
-            figure: figure_png(study)?,
-            folder,
-        })
+/// What one study makes: the numbers of its table, and its files by their paths.
+fn rendered(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<(Vec<Value>, Files), StudyError> {
+    let output = &study.file.study.output;
+    // Other motions come after the studies whose claims they test; surveys run by themselves.
+    let mut files = if let Output::Trade(ladder) = output {
+        Trade::measure(study, ladder, done)?.files()?
+    } else if let Output::Laws(settings) = output {
+        Atlas::draw(study, settings, done)?.files()?
+    } else if let Output::Extremes(edges) = output {
+        Extremes::measure(study, edges, extent, done)?.files()?
+    } else {
+        Files::new()
+    };
+    let (id, table) = (&study.file.id, Table::of(study)?);
+    if let Some(table) = &table {
+        files.insert(Path::new("tables").join(id).with_extension("csv"), table.to_csv().into_bytes());
     }
+    if let Some(png) = figure_png(study)? {
+        files.insert(Path::new("figures").join(id).with_extension("png"), png);
+    }
+    done();
+    Ok((table.unwrap_or_default().values, files))
 }

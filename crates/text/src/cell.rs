@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
-use crate::visible;
+use crate::{digits, visible};
 
 /// A cell of a table: a text, or a number that is finite.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -71,6 +71,97 @@ impl From<bool> for Cell {
 impl From<usize> for Cell {
     fn from(count: usize) -> Self {
         Self(count.to_string())
+    }
+}
+
+impl From<u64> for Cell {
+    fn from(count: u64) -> Self {
+        Self(count.to_string())
+    }
+}
+
+impl From<f64> for Cell {
+    /// A number with seven significant digits; an empty cell if it is not finite.
+    fn from(value: f64) -> Self {
+        Self::number(value, digits)
+    }
+}
+
+impl<T: Into<Cell>> From<Option<T>> for Cell {
+    /// An empty cell if there is no value.
+    fn from(value: Option<T>) -> Self {
+        value.map_or_else(Self::default, Into::into)
+    }
+}
+
+/// A column of a table: its name, and how to take its cell from a row, so that header and cells cannot part.
+struct Column<'a, Row> {
+    name: Cow<'static, str>,
+    cell: Box<dyn Fn(&Row) -> Cell + 'a>,
+}
+
+/// A table is rows, and the columns that take their cells from them.
+///
+/// ```
+/// use pounding_text::{Cell, Table, short};
+///
+/// let gaps = [("left", 0.03, None), ("right", 0.05, Some(3_usize))];
+/// let table = Table::of(gaps)
+///     .column("pair", |(name, ..)| *name)
+///     .column("gap_mm", |(_, gap, _)| 1e3 * gap)
+///     .column("gap_m", |(_, gap, _)| Cell::number(*gap, short))
+///     .column("collisions", |(.., count)| *count);
+/// assert_eq!(table.csv(), "pair,gap_mm,gap_m,collisions\nleft,30,0.03000,\nright,50,0.05000,3\n");
+/// ```
+pub struct Table<'a, Row> {
+    rows: Vec<Row>,
+    columns: Vec<Column<'a, Row>>,
+}
+
+impl<Row> std::fmt::Debug for Table<'_, Row> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let names: Vec<_> = self.columns.iter().map(|column| &column.name).collect();
+        f.debug_struct("Table").field("columns", &names).finish_non_exhaustive()
+    }
+}
+
+impl<'a, Row> Table<'a, Row> {
+    /// A table without columns.
+    pub fn of(rows: impl IntoIterator<Item = Row>) -> Self {
+        Self {
+            rows: rows.into_iter().collect(),
+            columns: Vec::new(),
+        }
+    }
+
+    /// Returns the table with one column more, whose cells `cell` takes from the rows. Numbers get seven significant digits;
+    /// [`Cell::number`] takes another format.
+    #[must_use]
+    pub fn column<C: Into<Cell>>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
+        self.columns.push(Column {
+            name: name.into(),
+            cell: Box::new(move |row| cell(row).into()),
+        });
+        self
+    }
+
+    /// Returns the table with one column more for each of some keys; `name` and `cell` get the key.
+    #[must_use]
+    pub fn columns<Key: Copy + 'a, C: Into<Cell>>(
+        self,
+        keys: impl IntoIterator<Item = Key>,
+        name: impl Fn(Key) -> String,
+        cell: impl Fn(&Row, Key) -> C + Copy + 'a,
+    ) -> Self {
+        let keys = keys.into_iter();
+        keys.fold(self, |table, key| table.column(name(key), move |row| cell(row, key)))
+    }
+
+    /// The table as CSV: the names of its columns, and a line for each row.
+    pub fn csv(&self) -> String {
+        let header: Vec<&str> = self.columns.iter().map(|column| &*column.name).collect();
+        let cells = |row| self.columns.iter().map(move |column| (column.cell)(row));
+        csv_text(&header, self.rows.iter().map(cells))
     }
 }
 
@@ -166,6 +257,16 @@ mod tests {
         assert_eq!(json_text(name), format!("\"{spelt}\"\n"));
         let read: String = serde_json::from_str(&json_text("\u{9b}\u{7f}\u{202e}")).unwrap();
         assert_eq!(read, "\u{9b}\u{7f}\u{202e}");
+    }
+
+    #[test]
+    fn reference_columns_take_their_cells_from_rows() {
+        let rows = [("a, b", 1.0 / 3.0), ("c", f64::INFINITY)];
+        let table = Table::of(rows)
+            .column("name", |row| row.0)
+            .columns([1, 2], |times| format!("{times} times"), |row, times| f64::from(times) * row.1)
+            .column("none", |_| None::<&str>);
+        assert_eq!(table.csv(), "name,1 times,2 times,none\n\"a, b\",0.3333333,0.6666667,\nc,,,\n");
     }
 
     #[test]

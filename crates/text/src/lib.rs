@@ -25,14 +25,14 @@
 //!
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
-//! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
+//! - [`Table`] of rows in columns, [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
 //! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
 
 mod cell;
 mod refusal;
 mod visible;
 
-pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
+pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
 pub use refusal::{Refusal, refusal_json};
 pub use visible::{message, steers, visible};
 

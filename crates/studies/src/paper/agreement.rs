@@ -1,9 +1,10 @@
 //! Published numbers against computed ones, number by number.
 
 use crate::StudyError;
+use crate::listed::listed;
 use crate::paper::printed::{Printed, PrintedDigits};
-use crate::paper::tables::{Value, to_csv};
-use pounding_text::digits;
+use crate::paper::tables::Value;
+use pounding_text::{Cell, Table};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -14,19 +15,21 @@ pub const REPRODUCED: f64 = 1e-3;
 /// Largest relative difference of a number that counts as close.
 pub const CLOSE: f64 = 3e-2;
 
-/// How a computed number compares with the published one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// Within [`REPRODUCED`]; a published 0 only by a computed 0.
-    Reproduced,
-    /// Within [`CLOSE`].
-    Close,
-    /// Further away, or not computed at all.
-    Differs,
-    /// Published by another work, whose inputs are not known, so that a difference says nothing.
-    #[serde(rename = "not comparable")]
-    NotComparable,
+listed! {
+    /// How a computed number compares with the published one.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Verdict { words: &'static str;
+        /// Within [`REPRODUCED`]; a published 0 only by a computed 0.
+        Reproduced = "reproduced",
+        /// Within [`CLOSE`].
+        Close = "close",
+        /// Further away, or not computed at all.
+        Differs = "differs",
+        /// Published by another work, whose inputs are not known, so that a difference says nothing.
+        #[serde(rename = "not comparable")]
+        NotComparable = "not comparable",
+    }
 }
 
 impl Verdict {
@@ -38,16 +41,6 @@ impl Verdict {
             Self::Close
         } else {
             Self::Differs
-        }
-    }
-
-    /// The verdict in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Reproduced => "reproduced",
-            Self::Close => "close",
-            Self::Differs => "differs",
-            Self::NotComparable => "not comparable",
         }
     }
 }
@@ -127,6 +120,18 @@ pub struct PublishedValues {
 
 type Key<'a> = (&'a str, &'a str, &'a str);
 
+impl Published {
+    fn key(&self) -> Key<'_> {
+        (&self.table, &self.row, &self.quantity)
+    }
+}
+
+impl Reason {
+    fn key(&self) -> Key<'_> {
+        (&self.table, &self.row, &self.quantity)
+    }
+}
+
 impl PublishedValues {
     /// Reads `table-*.csv`, `text.csv` and `reasons.csv` of a folder.
     ///
@@ -156,15 +161,10 @@ impl PublishedValues {
                 found.insert((table, &value.row, &value.quantity), (value.value, value.unit));
             }
         }
-        let reasons: BTreeMap<Key<'_>, &Reason> = self
-            .reasons
-            .iter()
-            .map(|reason| ((&*reason.table, &*reason.row, &*reason.quantity), reason))
-            .collect();
         let compare = |published: &Published| {
-            let key = (&*published.table, &*published.row, &*published.quantity);
+            let key = published.key();
             let computed = found.get(&key).filter(|(_, unit)| *unit == published.unit).map(|(value, _)| *value);
-            let known = reasons.get(&key);
+            let known = self.reasons.iter().find(|reason| reason.key() == key);
             let verdict = match known {
                 Some(reason) if reason.verdict == Verdict::NotComparable => Verdict::NotComparable,
                 _ => computed.map_or(Verdict::Differs, |value| Verdict::of(published.published.value, value)),
@@ -193,10 +193,8 @@ impl PublishedValues {
             ..
         } in comparisons
         {
-            let key = |reason: &&Reason| {
-                (&reason.table, &reason.row, &reason.quantity) == (&published.table, &published.row, &published.quantity)
-            };
-            let known = self.reasons.iter().find(key).map_or(Verdict::Reproduced, |reason| reason.verdict);
+            let known = self.reasons.iter().find(|reason| reason.key() == published.key());
+            let known = known.map_or(Verdict::Reproduced, |reason| reason.verdict);
             let number = format!("table {}, {}, {}", published.table, published.row, published.quantity);
             if known != *verdict {
                 surprises.push(format!(
@@ -216,8 +214,8 @@ impl PublishedValues {
             }
         }
         for reason in &self.reasons {
-            let key = (&reason.table, &reason.row, &reason.quantity);
-            if !self.values.iter().any(|value| (&value.table, &value.row, &value.quantity) == key) {
+            let key = reason.key();
+            if !self.values.iter().any(|value| value.key() == key) {
                 surprises.push(format!("reasons.csv names a number that is not published: {key:?}"));
             }
         }
@@ -227,37 +225,20 @@ impl PublishedValues {
 
 /// The agreement as CSV text.
 pub fn agreement_csv(comparisons: &[Comparison]) -> String {
-    let header = [
-        "table",
-        "row",
-        "quantity",
-        "unit",
-        "published",
-        "computed",
-        "relative_difference",
-        "verdict",
-        "printed_digits",
-        "reason",
-    ]
-    .map(String::from);
-    let row = |comparison: &Comparison| {
-        let published = &comparison.published;
-        let difference = comparison.relative_difference();
-        let difference = difference.map(|difference| format!("{difference:.1e}"));
-        vec![
-            published.table.clone(),
-            published.row.clone(),
-            published.quantity.clone(),
-            published.unit.clone(),
-            published.published.text().into(),
-            comparison.computed.map(digits).unwrap_or_default(),
-            difference.unwrap_or_default(),
-            comparison.verdict.words().into(),
-            comparison.digits.words().into(),
-            comparison.reason.clone(),
-        ]
-    };
-    to_csv(&header, &comparisons.iter().map(row).collect::<Vec<_>>())
+    Table::of(comparisons)
+        .column("table", |one| one.published.table.clone())
+        .column("row", |one| one.published.row.clone())
+        .column("quantity", |one| one.published.quantity.clone())
+        .column("unit", |one| one.published.unit.clone())
+        .column("published", |one| one.published.published.text().to_string())
+        .column("computed", |one| one.computed)
+        .column("relative_difference", |one| {
+            Cell::number(one.relative_difference(), |value| format!("{value:.1e}"))
+        })
+        .column("verdict", |one| one.verdict.words())
+        .column("printed_digits", |one| one.digits.words())
+        .column("reason", |one| one.reason.clone())
+        .csv()
 }
 
 fn read_csv<Row: for<'de> Deserialize<'de>>(path: &Path) -> Result<Vec<Row>, StudyError> {

@@ -3,7 +3,7 @@
 use crate::program::{Choice, Program, Start};
 use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
 use pounding_scene::parallel;
-use pounding_text::to_csv;
+use pounding_text::Table as Text;
 use std::collections::BTreeMap;
 
 /// Tables whose numbers are counted, and the text.
@@ -21,18 +21,13 @@ impl Combination {
         let mut programs = vec![Program::printed(Start::Consistent)];
         for choice in Choice::ALL {
             if choice != Choice::Start {
-                let both = |program| [program, choice.taken_back(program)];
+                let both = |program: Program| [program, program.with_described(choice)];
                 programs = programs.into_iter().flat_map(both).collect();
             }
         }
-        let starts = [
-            None,
-            Some(Start::FirstLoadUsed),
-            Some(Start::FirstLoadSkipped),
-            Some(Start::Consistent),
-        ];
+        let starts = std::iter::once(None).chain(Start::ALL.map(Some));
         let with = |start| programs.iter().map(move |&program| Self { start, program });
-        starts.into_iter().flat_map(with).collect()
+        starts.flat_map(with).collect()
     }
 
     fn of(self, printed: Program) -> Program {
@@ -46,8 +41,8 @@ impl Combination {
     fn words(self, choice: Choice) -> &'static str {
         match (choice, self.start) {
             (Choice::Start, None) => "of each scene",
-            (Choice::Start, Some(start)) => choice.words(Program { start, ..self.program }),
-            (_, _) => choice.words(self.program),
+            (Choice::Start, Some(start)) => start.words(),
+            (_, _) => self.program.words(choice),
         }
     }
 
@@ -72,33 +67,29 @@ impl Combination {
 /// # Errors
 /// [`StudyError`] when scenes do not give what their table shows.
 pub(super) fn combinations(completed: &[Completed], published: &PublishedValues) -> Result<String, StudyError> {
-    let mut header = Choice::ALL.map(Choice::name).to_vec();
-    let counts = COUNTED.map(|table| match table {
+    let all = Combination::all();
+    let compared = parallel::try_each(&all, |combination| combination.compared(completed, published))?;
+    let count = |compared: &[Comparison], table: Option<&str>| {
+        let counted = |one: &&Comparison| table.is_none_or(|table| one.published.table == table);
+        let printed = compared.iter().filter(|one| one.digits != PrintedDigits::Other);
+        printed.filter(counted).count()
+    };
+    let largest = |compared: &[Comparison]| {
+        let totals = compared.iter().filter(|one| ["6", "7"].contains(&&*one.published.table));
+        let differences = totals.filter_map(Comparison::relative_difference);
+        // Infinite where 0 is printed and something touches; those digits are not counted either.
+        differences.filter(|difference| difference.is_finite()).fold(0.0, f64::max)
+    };
+    let name = |table| match table {
         "text" => "digits_of_text".into(),
         table => format!("digits_of_table_{table}"),
-    });
-    header.extend(counts.iter().map(String::as_str));
-    header.extend(["digits_of_all", "largest_difference_of_tables_6_and_7"]);
-    let row = |combination: &Combination| {
-        let compared = combination.compared(completed, published)?;
-        let count = |table: Option<&str>| {
-            let printed = compared
-                .iter()
-                .filter(|one| one.digits != PrintedDigits::Other && table.is_none_or(|table| one.published.table == table));
-            printed.count().to_string()
-        };
-        let totals = compared.iter().filter(|one| ["6", "7"].contains(&&*one.published.table));
-        let largest = totals
-            .filter_map(Comparison::relative_difference)
-            // Infinite where 0 is printed and something touches; those digits are not counted either.
-            .filter(|difference| difference.is_finite())
-            .fold(0.0, f64::max);
-        let mut row = Choice::ALL.map(|choice| combination.words(choice).to_string()).to_vec();
-        row.extend(COUNTED.map(|table| count(Some(table))));
-        row.extend([count(None), format!("{largest:.1e}")]);
-        Ok::<_, StudyError>(row)
     };
-    let rows = parallel::try_each(&Combination::all(), row)?;
-    let header: Vec<_> = header.iter().map(ToString::to_string).collect();
-    Ok(to_csv(&header, &rows))
+    Ok(Text::of(all.iter().zip(&compared))
+        .columns(Choice::ALL, |choice| choice.texts()[0].into(), |(one, _), choice| one.words(choice))
+        .columns(COUNTED, name, |(_, compared), table| count(compared, Some(table)))
+        .column("digits_of_all", |(_, compared)| count(compared, None))
+        .column("largest_difference_of_tables_6_and_7", |(_, compared)| {
+            format!("{:.1e}", largest(compared))
+        })
+        .csv())
 }

@@ -9,9 +9,7 @@ pub(crate) mod printed;
 mod slips;
 pub(crate) mod tables;
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-
+use crate::files::Files;
 use crate::{Completed, PublishedValues, StudyError};
 use converged::Exact;
 
@@ -19,11 +17,7 @@ use converged::Exact;
 ///
 /// # Errors
 /// [`StudyError`] when scenes do not give what their table shows, or the figure cannot be drawn.
-pub(crate) fn files(
-    completed: &[Completed],
-    published: &PublishedValues,
-    exact: Exact<'_>,
-) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+pub(crate) fn files(completed: &[Completed], published: &PublishedValues, exact: Exact<'_>) -> Result<Files, StudyError> {
     let slips = slips::Slips::new(completed, exact, published.values())?;
     let mut files = slips.files()?;
     let combinations = combinations::combinations(completed, published)?;

@@ -1,5 +1,6 @@
 //! Numbers as printed, to the digit.
 
+use crate::listed::listed;
 use serde::Deserialize;
 
 /// A number as printed, whose decimals count.
@@ -44,15 +45,16 @@ impl Printed {
 #[error("found \"{0}\", allowed a decimal number")]
 pub struct NotPrinted(String);
 
-/// Which printed digits a computed number gives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PrintedDigits {
-    /// The printed ones, when it is rounded.
-    Rounded,
-    /// The printed ones, when its further digits are cut off.
-    CutOff,
-    /// Others.
-    Other,
+listed! {
+    /// Which printed digits a computed number gives.
+    pub enum PrintedDigits { words: &'static str;
+        /// The printed ones, when it is rounded.
+        Rounded = "rounded",
+        /// The printed ones, when its further digits are cut off.
+        CutOff = "cut off",
+        /// Others.
+        Other = "no",
+    }
 }
 
 impl PrintedDigits {
@@ -65,15 +67,6 @@ impl PrintedDigits {
             Self::CutOff
         } else {
             Self::Other
-        }
-    }
-
-    /// Whether the printed digits come out, in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Rounded => "rounded",
-            Self::CutOff => "cut off",
-            Self::Other => "no",
         }
     }
 }

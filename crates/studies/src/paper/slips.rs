@@ -1,15 +1,13 @@
 //! What each choice of the paper's program is worth: totals with all of them, without each, without any, and exact.
 
-use crate::paper::converged::{Exact, Quantities, STUDIES, find, quantities};
-use crate::paper::figures::capital;
+use crate::files::{Files, capital, drawn};
+use crate::paper::converged::{Exact, Over, Quantities, STUDIES, TOTALS as TOTALS_SHOWN, find, quantities};
 use crate::paper::tables::Value;
 use crate::program::{Choice, Program};
 use crate::{Completed, Printed, Published, StudyError};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
+use pounding_plot::{Axis, Figure, Mark, Panel, Shade};
 use pounding_scene::parallel;
-use pounding_text::{digits, to_csv};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use pounding_text::Table;
 
 /// Marks of the choices in the figure.
 const MARKS: [Mark; Choice::ALL.len()] = [
@@ -43,7 +41,7 @@ impl<'a> Slips<'a> {
             let again = of_totals.map(|study| study.by_program(change));
             quantities(&again.collect::<Result<Vec<_>, _>>()?)
         };
-        let taken_back = |choice: &Choice| changed(&|program| choice.taken_back(program));
+        let taken_back = |choice: &Choice| changed(&|program| program.with_described(*choice));
         Ok(Self {
             published,
             exact,
@@ -57,7 +55,7 @@ impl<'a> Slips<'a> {
     ///
     /// # Errors
     /// [`StudyError::Plot`] when the figure cannot be drawn.
-    pub(super) fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+    pub(super) fn files(&self) -> Result<Files, StudyError> {
         Ok([
             ("paper/slips.csv".into(), self.table().into_bytes()),
             (FIGURE.into(), self.figure_png()?),
@@ -83,41 +81,38 @@ impl<'a> Slips<'a> {
     }
 
     fn table(&self) -> String {
-        let mut header = ["table", "row", "quantity", "unit", "published", "papers_program"].to_vec();
-        let columns = Choice::ALL.map(|choice| described(choice).replace(' ', "_"));
-        header.extend(columns.iter().map(String::as_str));
-        header.extend(["as_described", "exact_of_loads", "exact"]);
-        let mut rows = Vec::new();
-        for table in TABLES {
-            for row in self.rows(table) {
-                let mut numbers = vec![Some(row.value)];
-                numbers.extend(self.without.iter().map(|values| find(values, table, row)));
-                let last = [&self.described, self.exact.of_loads, self.exact.running_on];
-                numbers.extend(last.map(|values| find(values, table, row)));
-                let published = self.published(table, row).map_or("", Printed::text);
-                let keys = [table, &row.row, &row.quantity, row.unit, published].map(String::from);
-                let cell = |number: Option<f64>| number.map(digits).unwrap_or_default();
-                rows.push(keys.into_iter().chain(numbers.into_iter().map(cell)).collect());
-            }
-        }
-        to_csv(&header.iter().map(ToString::to_string).collect::<Vec<_>>(), &rows)
+        let rows = TABLES.into_iter().flat_map(|table| self.rows(table).map(move |row| (table, row)));
+        let without = Choice::ALL.into_iter().zip(&self.without);
+        let last = [
+            ("as_described", &self.described),
+            ("exact_of_loads", self.exact.of_loads),
+            ("exact", self.exact.running_on),
+        ];
+        Table::of(rows)
+            .column("table", |(table, _)| *table)
+            .column("row", |(_, row)| row.row.clone())
+            .column("quantity", |(_, row)| row.quantity.clone())
+            .column("unit", |(_, row)| row.unit)
+            .column("published", |(table, row)| {
+                self.published(table, row).map(|printed| printed.text().to_string())
+            })
+            .column("papers_program", |(_, row)| row.value)
+            .columns(
+                without,
+                |(choice, _)| described(choice).replace(' ', "_"),
+                |(table, row), (_, values)| find(values, table, row),
+            )
+            .columns(last, |(name, _)| name.into(), |(table, row), (_, values)| find(values, table, row))
+            .csv()
     }
 
     fn figure_png(&self) -> Result<Vec<u8>, StudyError> {
-        let panels = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
-        let figure = Figure {
-            height_in: 4.2,
-            columns: 2,
-            x: Axis::auto("Momentum over the printed one"),
-            panels: panels.map(|(table, title)| self.panel(table, title)).into(),
-        };
-        render_png(&figure).map_err(|source| StudyError::Plot {
-            path: FIGURE.into(),
-            source,
-        })
+        let panels = TOTALS_SHOWN.map(|(table, title)| self.panel(table, title));
+        let x = Axis::auto("Momentum over the printed one");
+        drawn(&Figure::grid(4.2, 2, x, panels.into()), FIGURE.as_ref())
     }
 
-    fn panel(&self, table: &str, title: &str) -> Panel {
+    fn panel(&self, table: &'static str, title: &str) -> Panel {
         let rows = self.rows(table).filter_map(|row| {
             let published = self.published(table, row)?.value;
             // Nothing is a multiple of what structures transfer that nothing touches.
@@ -125,35 +120,22 @@ impl<'a> Slips<'a> {
             let shown = self.without.iter().chain([&self.described]).any(moved);
             (published > 0.0 && shown).then_some((row, published))
         });
-        let rows: Vec<(&Value, f64)> = rows.collect();
-        let points = |values: &Quantities| -> Vec<(f64, f64)> {
-            let of_row = |(y, (row, printed)): (usize, &(&Value, f64))| Some((find(values, table, row)? / printed, y as f64));
-            rows.iter().enumerate().filter_map(of_row).collect()
-        };
-        let curve =
-            |values: &Quantities, shade, mark, words: &str| Curve::new(Kind::Points, shade, points(values)).marked(mark).named(words);
+        let over = Over::new(table, rows);
         let mut curves = Vec::new();
         for ((choice, mark), values) in Choice::ALL.into_iter().zip(MARKS).zip(&self.without) {
-            curves.push(curve(values, Shade::Blue, mark, &capital(&described(choice))));
+            curves.push(over.curve(values, Shade::Blue, mark, &capital(&described(choice))));
         }
-        curves.push(curve(&self.described, Shade::Green, Mark::Disc, "As described"));
-        curves.push(curve(self.exact.running_on, Shade::Ink, Mark::Stroke, "Exact"));
-        curves.push(curve(&self.printed, Shade::Vermilion, Mark::Cross, "Paper's program"));
-        let names = rows.iter().map(|(row, _)| row.row.replace("layout ", ""));
-        Panel {
-            title: title.into(),
-            y: Axis::names(names.collect()),
-            curves,
-            legend: Legend::Shared,
-            ..Panel::default()
-        }
+        curves.push(over.curve(&self.described, Shade::Green, Mark::Disc, "As described"));
+        curves.push(over.curve(self.exact.running_on, Shade::Ink, Mark::Stroke, "Exact"));
+        curves.push(over.curve(&self.printed, Shade::Vermilion, Mark::Cross, "Paper's program"));
+        over.panel(title, curves)
     }
 }
 
 /// A choice as the paper describes it, in words.
 fn described(choice: Choice) -> String {
-    let name = choice.name().replace('_', " ");
-    format!("{name} {}", choice.words(Program::DESCRIBED))
+    let [name, _, described] = choice.texts();
+    format!("{} {described}", name.replace('_', " "))
 }
 
 /// The figure shows rows that some choice moves by more than this \[–\].

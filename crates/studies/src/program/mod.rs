@@ -1,15 +1,16 @@
 //! The program that gave the paper's numbers: a model of somebody's program, and no method to choose.
 
 mod choices;
-mod run;
 mod stepping;
 
 use pounding_contact::ContactLaw;
-use pounding_scene::{Method, Scene, Simulation, Structure};
-use pounding_solver::Pair;
+use pounding_motion::Record;
+use pounding_scene::{Method, RunResult, Scene, Simulation, Structure};
+use pounding_solver::{Clock, Hysteretic, OnRow, Pair, Recorder, Recorders, Row, RunError, TransferredMomentum, Work};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use choices::{Choice, Program, Start};
+use stepping::Run;
 
 /// The choice of the paper's program for a study: it runs those scenes that name the central difference method.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -66,4 +67,54 @@ fn can_run(scene: &Scene, prepared: &Simulation) -> bool {
         && prepared.pairs().iter().all(is_known)
         && scene.method.contact_substeps() == 1
         && scene.method.time_step().is_some_and(divides)
+}
+
+impl Program {
+    /// Runs a scene at the time step of its method; histories with a state every `interval` \[s\] where asked for. It says nothing of
+    /// accelerations of floors.
+    ///
+    /// # Errors
+    /// [`pounding_scene::Error::Run`] when the run diverges.
+    pub(crate) fn run(self, prepared: &Simulation, interval: Option<f64>) -> Result<RunResult, pounding_scene::Error> {
+        prepared.recorded(interval, |recorders| {
+            let Recorders {
+                peaks,
+                collisions,
+                momentum,
+                last,
+                histories,
+                ..
+            } = recorders;
+            let run = ProgramRun {
+                program: self,
+                record: prepared.record(),
+                clock: prepared.clock(),
+                seen: (peaks, collisions, last, histories),
+                momentum,
+            };
+            prepared.on_row(run)?;
+            Ok(Work::default())
+        })
+    }
+}
+
+/// A run of a row by the program.
+struct ProgramRun<'a, R> {
+    program: Program,
+    record: &'a Record,
+    /// The steps that are loaded.
+    clock: Clock,
+    /// Is told what pairs do, each for itself.
+    seen: R,
+    /// Is told the forces that act.
+    momentum: &'a mut TransferredMomentum,
+}
+
+impl<R: Recorder> OnRow for ProgramRun<'_, R> {
+    type Output = Result<(), RunError>;
+
+    fn on<Column: Hysteretic>(mut self, row: &Row<Column>) -> Self::Output {
+        let run = Run::new(self.program, row, self.clock.time_step);
+        run.run(self.record, self.clock, (&mut self.seen, self.momentum))
+    }
 }

@@ -9,7 +9,7 @@ use pounding_solver::{
     Clock, Impact, Pair, Path, Push, Recorder, RestoringForce, Row, RunError, Span, State, Struck, TransferredMomentum, Velocities, Weighed,
 };
 
-use super::choices::{Impacts, Length, MiddleForce, MiddleVelocity, Program, Start};
+use super::choices::{Choice, Program, Start};
 
 /// What the program carries of a structure from step to step.
 struct Body<Memory> {
@@ -80,14 +80,9 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         (seen, momentum): (&mut R, &mut TransferredMomentum),
     ) -> Result<(), RunError> {
         let accelerations = self.program.accelerations(record, loaded);
-        let n_steps = match self.program.length {
-            Length::RunsOn => 2 * loaded.n_steps,
-            Length::OfLoads => loaded.n_steps,
-        };
-        let first = match self.program.start {
-            Start::FirstLoadUsed | Start::Consistent => 0,
-            Start::FirstLoadSkipped => 1,
-        };
+        let times_loads = if self.program.is_described(Choice::Length) { 1 } else { 2 };
+        let n_steps = times_loads * loaded.n_steps;
+        let first = usize::from(self.program.start == Start::FirstLoadSkipped);
         if self.program.start == Start::Consistent {
             for body in &mut self.bodies {
                 body.displacements[0] = -0.5 * self.time_step * self.time_step * accelerations[0];
@@ -174,10 +169,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             };
             let [left, right] = [pair.left(), pair.right()].map(|one| self.seen(one));
             let rate = left - right;
-            let meets = match self.program.impacts {
-                Impacts::AnyOverlap => true,
-                Impacts::OnApproach => rate > 0.0,
-            };
+            let meets = rate > 0.0 || !self.program.is_described(Choice::Impacts);
             if self.deformation(pair, 2) <= 0.0 || !meets {
                 continue;
             }
@@ -212,9 +204,10 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     /// The velocity of a structure that a pair sees at this step \[m/s\].
     fn seen(&self, structure: usize) -> f64 {
         let [before, after] = self.bodies[structure].velocities;
-        match self.program.velocities {
-            MiddleVelocity::HandedOn => after,
-            MiddleVelocity::BeforeBoth => before,
+        if self.program.is_described(Choice::Velocities) {
+            before
+        } else {
+            after
         }
     }
 
@@ -222,10 +215,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn add_force(&mut self, pair: &Pair, force: f64, on: impl Fn(&mut Body<Column::Memory>) -> &mut f64) {
         *on(&mut self.bodies[pair.right()]) += force;
         let left = on(&mut self.bodies[pair.left()]);
-        *left = match self.program.forces {
-            MiddleForce::Replaced => -force,
-            MiddleForce::Added => *left - force,
-        };
+        let kept = if self.program.is_described(Choice::Forces) { *left } else { 0.0 };
+        *left = kept - force;
     }
 
     /// Deformation of a pair \[m\] at the step before, at this one or at the next.
@@ -321,7 +312,6 @@ fn list_pushes<Column: RestoringForce>(
 mod tests {
     use std::path::Path;
 
-    use super::super::choices::{LastLoad, Loads};
     use super::*;
     use crate::StudyFile;
     use pounding_scene::Simulation;
@@ -360,11 +350,7 @@ mod tests {
         assert_eq!(loads(printed, clock(0.01, 2)), [0.12346, -0.1, 0.0]);
         let halves = [0.12346, 0.5 * 0.12346 - 0.5 * 0.1, -0.1, -0.05];
         assert_eq!(loads(printed, clock(0.005, 4)), halves);
-        let used = Program {
-            last_load: LastLoad::Used,
-            loads: Loads::AsRecorded,
-            ..printed
-        };
+        let used = printed.with_described(Choice::LastLoad).with_described(Choice::Loads);
         assert_eq!(loads(used, clock(0.005, 4)).last(), Some(&0.000_004));
     }
 
@@ -380,12 +366,8 @@ mod tests {
             collisions.any(|one| one.impulse < 0.0)
         };
         assert!(pulls(printed));
-        assert!(!pulls(Program {
-            impacts: Impacts::OnApproach,
-            ..printed
-        }));
-        let middle = |forces| run(Program { forces, ..printed }).momentum.of(1);
-        let [replaced, added] = [MiddleForce::Replaced, MiddleForce::Added].map(middle);
+        assert!(!pulls(printed.with_described(Choice::Impacts)));
+        let [replaced, added] = [printed, printed.with_described(Choice::Forces)].map(|program| run(program).momentum.of(1));
         assert!((replaced - 1170.774e3).abs() < 1.0, "{replaced}");
         assert!((added - 1157.182e3).abs() < 1.0, "{added}");
     }

@@ -1,11 +1,12 @@
 //! Scenes with a page of explanation: their figures and tables, made anew with every reproduction.
 
 use crate::StudyError;
-use std::collections::BTreeMap;
+use crate::drivers::each;
+use crate::files::{Files, in_folder};
 use std::path::{Path, PathBuf};
 
 use pounding_report::Report;
-use pounding_scene::{Effects, Scene, Simulation, files_in, parallel};
+use pounding_scene::{Effects, Scene, Simulation, files_in};
 
 /// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
 #[derive(Debug)]
@@ -38,17 +39,14 @@ impl Examples {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of names.
-    pub fn files(&self, done: &(dyn Fn() + Sync)) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let made = parallel::try_each(&self.scenes, |(path, scene)| {
-            let files = of_scene(path, scene).map_err(|error| error.in_file(path));
-            done();
-            files
-        })?;
+    pub fn files(&self, done: &(dyn Fn() + Sync)) -> Result<Files, StudyError> {
+        let of = |(path, scene): &(PathBuf, Scene)| of_scene(path, scene).map_err(|error| error.in_file(path));
+        let made = each(&self.scenes, done, of).into_iter().collect::<Result<Vec<_>, _>>()?;
         Ok(made.into_iter().flatten().collect())
     }
 }
 
-fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+fn of_scene(path: &Path, scene: &Scene) -> Result<Files, StudyError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let prepared = Simulation::new(scene, folder)?;
     let effects = Effects::of(&prepared)?;
@@ -57,7 +55,5 @@ fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, St
     let shown = |name: &str| is_figure(name) || ["impacts.csv", "effects.csv", "animation.svg"].contains(&name);
     let name = path.file_stem().unwrap_or_default();
     let files = report.files().into_iter().filter(|(file, _)| shown(file));
-    Ok(files
-        .map(|(file, bytes)| (Path::new("examples").join(name).join(file), bytes))
-        .collect())
+    Ok(in_folder(Path::new("examples").join(name), files))
 }

@@ -1,11 +1,8 @@
 //! Questions asked beyond the paper.
 
 pub(crate) mod examples;
-pub(crate) mod floor_cost;
 pub(crate) mod laws;
 pub(crate) mod other_motions;
-pub(crate) mod peers;
-pub(crate) mod savings;
 pub(crate) mod stress;
 pub(crate) mod surveys;
 pub mod verify;

@@ -1,48 +1,52 @@
 //! What a scene is pushed along: one change of it, by a number.
 
-use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, reduced_mass};
+use super::laws::free_pair;
+use crate::listed::listed;
+use pounding_contact::{Calibration, ContactLaw, LawName};
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
 use pounding_scene::{Damping, Method, Scene, Sdof, Structure, usual_stiffness};
 
-/// A change of a scene of two structures, by a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Axis {
-    /// Time step over the critical one of the central difference method, 2/ω of the stiffest structure.
-    TimeStep,
-    /// Mass of the left structure over that of the right one; the periods stay.
-    MassRatio,
-    /// Period of the left structure over that of the right one; the masses stay.
-    PeriodRatio,
-    /// Damping ratio of both structures.
-    DampingRatio,
-    /// Gap \[m\].
-    Gap,
-    /// Coefficient of restitution, exactly calibrated.
-    Restitution,
-    /// Number of the contact law in `pounding laws`, from 1 on, exactly calibrated to 0.65, springs without damping as they
-    /// are; with the usual impact stiffness.
-    Law,
-    /// Factor on the impact stiffness of the nonlinear viscoelastic element, with its own damping ratio.
-    ImpactStiffness,
-    /// Factor on the yield forces.
-    YieldForce,
-    /// Factor on the record.
-    RecordScale,
-    /// Ground acceleration of one sample, at a fifth of the run \[m/s²\].
-    Spike,
-    /// Ground acceleration that is added from a fifth of the run on \[m/s²\].
-    Step,
-    /// Number of time steps, without damping.
-    LongRun,
-    /// Gap \[m\] between two structures like the left one.
-    IdenticalNeighbours,
-    /// Number of structures, left and right ones in turn.
-    Row,
-    /// Number of structures like the left one without gaps; the first moves towards them at 0.5 m/s, nothing shakes.
-    Cradle,
+listed! {
+    /// A change of a scene of two structures, by a number: its name in tables, and in figures.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Axis { texts: (&'static str, &'static str);
+        /// Time step over the critical one of the central difference method, 2/ω of the stiffest structure.
+        TimeStep = ("time_step_over_critical", "Time step / (2/ω)"),
+        /// Mass of the left structure over that of the right one; the periods stay.
+        MassRatio = ("mass_ratio", "Mass ratio"),
+        /// Period of the left structure over that of the right one; the masses stay.
+        PeriodRatio = ("period_ratio", "Period ratio"),
+        /// Damping ratio of both structures.
+        DampingRatio = ("damping_ratio", "Damping ratio"),
+        /// Gap \[m\].
+        Gap = ("gap_m", "Gap (m)"),
+        /// Coefficient of restitution, exactly calibrated.
+        Restitution = ("restitution", "Coefficient of restitution"),
+        /// Number of the contact law in `pounding laws`, from 1 on, exactly calibrated to 0.65, springs without damping as they
+        /// are; with the usual impact stiffness.
+        Law = ("law", "Contact law"),
+        /// Factor on the impact stiffness of the nonlinear viscoelastic element, with its own damping ratio.
+        ImpactStiffness = ("impact_stiffness_factor", "Impact stiffness, times"),
+        /// Factor on the yield forces.
+        YieldForce = ("yield_force_factor", "Yield forces, times"),
+        /// Factor on the record.
+        RecordScale = ("record_scale", "Record, times"),
+        /// Ground acceleration of one sample, at a fifth of the run \[m/s²\].
+        Spike = ("spike_m_per_s2", "Spike (m/s²)"),
+        /// Ground acceleration that is added from a fifth of the run on \[m/s²\].
+        Step = ("step_m_per_s2", "Step (m/s²)"),
+        /// Number of time steps, without damping.
+        LongRun = ("undamped_steps", "Undamped steps"),
+        /// Gap \[m\] between two structures like the left one.
+        IdenticalNeighbours = ("gap_of_identical_neighbours_m", "Gap of identical neighbours (m)"),
+        /// Number of structures, left and right ones in turn.
+        Row = ("structures_in_a_row", "Structures in a row"),
+        /// Number of structures like the left one without gaps; the first moves towards them at 0.5 m/s, nothing shakes.
+        Cradle = ("structures_all_touching", "Structures, all touching"),
+    }
 }
 
 /// A scene with its record, on its way to the edge.
@@ -60,46 +64,7 @@ const SPEED: f64 = 0.3;
 impl Axis {
     /// Name in tables.
     pub(crate) fn key(self) -> &'static str {
-        match self {
-            Self::TimeStep => "time_step_over_critical",
-            Self::MassRatio => "mass_ratio",
-            Self::PeriodRatio => "period_ratio",
-            Self::DampingRatio => "damping_ratio",
-            Self::Gap => "gap_m",
-            Self::Restitution => "restitution",
-            Self::Law => "law",
-            Self::ImpactStiffness => "impact_stiffness_factor",
-            Self::YieldForce => "yield_force_factor",
-            Self::RecordScale => "record_scale",
-            Self::Spike => "spike_m_per_s2",
-            Self::Step => "step_m_per_s2",
-            Self::LongRun => "undamped_steps",
-            Self::IdenticalNeighbours => "gap_of_identical_neighbours_m",
-            Self::Row => "structures_in_a_row",
-            Self::Cradle => "structures_all_touching",
-        }
-    }
-
-    /// Label in figures.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::TimeStep => "Time step / (2/ω)",
-            Self::MassRatio => "Mass ratio",
-            Self::PeriodRatio => "Period ratio",
-            Self::DampingRatio => "Damping ratio",
-            Self::Gap => "Gap (m)",
-            Self::Restitution => "Coefficient of restitution",
-            Self::Law => "Contact law",
-            Self::ImpactStiffness => "Impact stiffness, times",
-            Self::YieldForce => "Yield forces, times",
-            Self::RecordScale => "Record, times",
-            Self::Spike => "Spike (m/s²)",
-            Self::Step => "Step (m/s²)",
-            Self::LongRun => "Undamped steps",
-            Self::IdenticalNeighbours => "Gap of identical neighbours (m)",
-            Self::Row => "Structures in a row",
-            Self::Cradle => "Structures, all touching",
-        }
+        self.texts().0
     }
 
     /// Changes a scene.
@@ -107,73 +72,41 @@ impl Axis {
     /// # Errors
     /// What cannot be changed so, in words.
     pub(crate) fn push(self, pushed: &mut Pushed, value: f64) -> Result<(), String> {
-        if sdof(&pushed.scene, 1).is_none() || pushed.scene.contacts.iter().flatten().count() == 0 {
+        let scene = &mut pushed.scene;
+        let contacts = scene.contacts.iter().flatten().count();
+        let (Some(left), Some(right), 1..) = (sdof(scene, 0).cloned(), sdof(scene, 1).cloned(), contacts) else {
             return Err(format!("{}, of a scene without two structures and a contact", self.key()));
-        }
+        };
         match self {
-            Self::Row | Self::Cradle if value < 2.0 => {
-                return Err(format!("{value} {}, allowed 2 or more", self.key()));
-            }
-            Self::YieldForce if sdof(&pushed.scene, 0).is_some_and(|one| one.yield_force_n.is_none()) => {
-                return Err(format!("{}, of elastic structures", self.key()));
-            }
-            Self::RecordScale => pushed.scale(value)?,
-            Self::Spike => {
-                pushed.shake(|index, at, sample| if index == at { value } else { sample })?;
-            }
-            Self::Step => {
-                pushed.shake(|index, at, sample| if index < at { sample } else { sample + value })?;
-            }
-            Self::Restitution => calibrate(&mut pushed.scene, value)?,
-            Self::Law => replace_law(&mut pushed.scene, value)?,
-            Self::ImpactStiffness => stiffen(&mut pushed.scene, value)?,
-            Self::LongRun => {
-                Self::DampingRatio.change(&mut pushed.scene, 0.0);
-                pushed.scene.duration_s = Some(value * pushed.time_step);
-            }
-            Self::Cradle => {
-                Self::Cradle.change(&mut pushed.scene, value);
-                pushed.scale(0.0)?;
-            }
+            Self::Row | Self::Cradle if value < 2.0 => return Err(format!("{value} {}, allowed 2 or more", self.key())),
+            Self::YieldForce if left.yield_force_n.is_none() => return Err(format!("{}, of elastic structures", self.key())),
             Self::TimeStep => {
-                let fastest = pushed.scene.structures.iter().filter_map(Structure::fastest);
+                let fastest = scene.structures.iter().filter_map(Structure::fastest);
                 let critical = fastest.map(|one| 2.0 / one.angular_frequency);
                 pushed.time_step = value * critical.fold(f64::INFINITY, f64::min);
             }
-            Self::MassRatio
-            | Self::PeriodRatio
-            | Self::DampingRatio
-            | Self::Gap
-            | Self::YieldForce
-            | Self::IdenticalNeighbours
-            | Self::Row => self.change(&mut pushed.scene, value),
-        }
-        Ok(())
-    }
-
-    /// The changes that concern structures and contacts alone.
-    fn change(self, scene: &mut Scene, value: f64) {
-        match self {
-            Self::MassRatio => {
-                let right = right(scene).map_or(1.0, |sdof| sdof.mass_kg);
-                first(scene, |left| {
-                    let factor = value * right / left.mass_kg;
-                    left.mass_kg *= factor;
-                    left.stiffness_n_per_m *= factor;
-                });
-            }
-            Self::PeriodRatio => {
-                let right = right(scene).map_or(1.0, Sdof::period);
-                first(scene, |left| {
-                    let factor = left.period() / (value * right);
-                    left.stiffness_n_per_m *= factor * factor;
-                });
-            }
+            Self::MassRatio => first(scene, |left| {
+                let factor = value * right.mass_kg / left.mass_kg;
+                left.mass_kg *= factor;
+                left.stiffness_n_per_m *= factor;
+            }),
+            Self::PeriodRatio => first(scene, |left| {
+                let factor = left.period() / (value * right.period());
+                left.stiffness_n_per_m *= factor * factor;
+            }),
             Self::DampingRatio => each(scene, |sdof| sdof.damping = Damping::Ratio(value)),
             Self::Gap => gaps(scene, value),
-            Self::YieldForce => each(scene, |sdof| {
-                sdof.yield_force_n = sdof.yield_force_n.map(|force| value * force);
-            }),
+            Self::Restitution => calibrate(scene, value)?,
+            Self::Law => replace_law(scene, value)?,
+            Self::ImpactStiffness => stiffen(scene, value)?,
+            Self::YieldForce => each(scene, |sdof| sdof.yield_force_n = sdof.yield_force_n.map(|force| value * force)),
+            Self::RecordScale => pushed.scale(value)?,
+            Self::Spike => pushed.shake(|index, at, sample| if index == at { value } else { sample })?,
+            Self::Step => pushed.shake(|index, at, sample| if index < at { sample } else { sample + value })?,
+            Self::LongRun => {
+                each(scene, |sdof| sdof.damping = Damping::Ratio(0.0));
+                scene.duration_s = Some(value * pushed.time_step);
+            }
             Self::IdenticalNeighbours => {
                 scene.structures[1] = scene.structures[0].clone();
                 gaps(scene, value);
@@ -183,16 +116,10 @@ impl Axis {
                 row(scene, value, |_| 0);
                 gaps(scene, 0.0);
                 first(scene, |left| left.initial_velocity_m_per_s = 0.5);
+                pushed.scale(0.0)?;
             }
-            Self::TimeStep
-            | Self::Restitution
-            | Self::Law
-            | Self::ImpactStiffness
-            | Self::RecordScale
-            | Self::Spike
-            | Self::Step
-            | Self::LongRun => {}
         }
+        Ok(())
     }
 }
 
@@ -232,10 +159,6 @@ impl Pushed {
         self.record = scaled.map_err(|error| error.to_string())?;
         Ok(())
     }
-}
-
-fn right(scene: &Scene) -> Option<&Sdof> {
-    sdof(scene, 1)
 }
 
 fn sdof(scene: &Scene, index: usize) -> Option<&Sdof> {
@@ -278,7 +201,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
 
 /// Gives the contacts another restitution.
 fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
-    let pair = pair(scene);
+    let pair = free_pair(&scene.structures, SPEED);
     for contact in scene.contacts.iter_mut().flatten() {
         let name = LawName::from_name(contact.law.name()).ok_or_else(|| format!("no law named {}", contact.law.name()))?;
         let form = contact.law.form(pair.reduced_mass, SPEED);
@@ -307,7 +230,7 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
     let stiffness = usual_stiffness(name);
     let restitution = if name.is_elastic() { 1.0 } else { 0.65 };
-    let pair = pair(scene);
+    let pair = free_pair(&scene.structures, SPEED);
     let asked = (restitution, Calibration::Exact);
     let law = name.calibrated(stiffness, asked, &pair);
     let law = law.map_err(|error| error.to_string())?;
@@ -315,13 +238,4 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
         contact.law = law;
     }
     Ok(())
-}
-
-/// The first two structures as a free pair.
-fn pair(scene: &Scene) -> FreePair {
-    let inverse = |index| sdof(scene, index).map_or(0.0, |sdof| 1.0 / sdof.mass_kg);
-    FreePair {
-        reduced_mass: reduced_mass(inverse(0), inverse(1)),
-        approach_speed: SPEED,
-    }
 }

@@ -5,8 +5,7 @@ use std::fmt;
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
-use super::twin::building;
-use pounding_scene::{Scene, Structure};
+use pounding_scene::{Building, Columns, Damping, Scene, Sdof, Storey, Structure};
 
 /// A change under which the paper's claims are asked once more.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -70,6 +69,96 @@ impl Change {
         match self {
             Self::Storeys(_) => record,
             Self::Weaker(part) => record.scaled(part).expect("less than a record of finite numbers is finite"),
+        }
+    }
+}
+
+/// The twin of a structure: a building of several storeys in its place.
+///
+/// A twin has the structure's total mass M, natural period, damping ratio and yield force, now of its first storey, so that
+/// it yields at the same base shear. Floors are equal. Stiffness and yield force of the storeys follow the shear of forces
+/// that grow with the height, as codes of design have them: Vᵢ = i + … + n. Then the first mode is a straight line, and all
+/// storeys reach yielding at one drift: no storey is soft or weak by chance. With floors of M/n and K the structure's
+/// stiffness, kᵢ = (K/n) Vᵢ has exactly its period.
+///
+/// Damping is Rayleigh's with the structure's ratio in the first two modes. Gaps and contact laws stay, and hold between all
+/// floors of one level. What differs besides: in the first mode the roof moves 3n/(2n + 1) times as far as the structure
+/// (three storeys: 9/7), and this mode carries 3(n + 1)/(2(2n + 1)) of the mass (6/7).
+fn building(sdof: &Sdof, count: usize) -> Building {
+    // Whole numbers below 1000: exact.
+    let shear = |storey: usize| (storey..=count).sum::<usize>() as f64;
+    let columns = |storey: usize| Columns {
+        stiffness_n_per_m: sdof.stiffness_n_per_m * shear(storey) / count as f64,
+        yield_force_n: sdof.yield_force_n.map(|force| force * shear(storey) / shear(1)),
+        ..sdof.columns()
+    };
+    let storey = |storey: usize| {
+        let height = storey as f64 / count as f64;
+        Storey {
+            mass_kg: sdof.mass_kg / count as f64,
+            height_m: sdof.height_m.map(|height| height / count as f64),
+            columns: columns(storey),
+            initial_displacement_m: height * sdof.initial_displacement_m,
+            initial_velocity_m_per_s: height * sdof.initial_velocity_m_per_s,
+        }
+    };
+    Building {
+        name: sdof.name.clone(),
+        damping: Damping::Ratio(sdof.damping_ratio()),
+        storeys: (1..=count).map(storey).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn structure() -> Sdof {
+        Sdof {
+            name: "weak".into(),
+            mass_kg: 3e5,
+            stiffness_n_per_m: 8.2e6,
+            damping: Damping::Ratio(0.05),
+            yield_force_n: Some(9e5),
+            hardening_ratio: None,
+            bouc_wen: None,
+            height_m: None,
+            initial_displacement_m: 0.0,
+            initial_velocity_m_per_s: 0.0,
+        }
+    }
+
+    #[test]
+    fn limit_a_twin_of_one_storey_is_the_structure() {
+        let sdof = structure();
+        let twin = building(&sdof, 1);
+        assert_eq!(twin.storeys.len(), 1);
+        assert_eq!(twin.storeys[0].columns, sdof.columns());
+        assert_eq!(twin.dampings(), [(sdof.damping_coefficient(), 0.0)]);
+    }
+
+    #[test]
+    fn reference_a_twin_has_mass_period_damping_and_base_yield_force() {
+        let sdof = structure();
+        for count in [2, 3, 7, 20] {
+            let twin = building(&sdof, count);
+            let same = |one: f64, other: f64| assert!((one / other - 1.0).abs() < 1e-12);
+            let modes = twin.modes();
+            same(modes[0].period(), sdof.period());
+            same(modes[0].damping_ratio, 0.05);
+            same(modes[1].damping_ratio, 0.05);
+            let masses = twin.storeys.iter().map(|storey| storey.mass_kg);
+            same(masses.sum(), sdof.mass_kg);
+            let first = &twin.storeys[0].columns;
+            assert_eq!(first.yield_force_n, sdof.yield_force_n);
+            let drift = |columns: &Columns| columns.yield_force_n.expect("they yield") / columns.stiffness_n_per_m;
+            for storey in &twin.storeys {
+                same(drift(&storey.columns), drift(first));
+            }
+            // The shares that the description of a twin states.
+            let n = count as f64;
+            let share = modes[0].effective_mass() / sdof.mass_kg;
+            same(share, 3.0 * (n + 1.0) / (2.0 * (2.0 * n + 1.0)));
         }
     }
 }

@@ -1,8 +1,9 @@
 //! A study whose scenes have run.
 
+use crate::drivers::each;
 use crate::program::Program;
 use crate::{StudyError, StudyFile};
-use pounding_scene::{RunResult, Scene, Simulation, parallel};
+use pounding_scene::{RunResult, Scene, Simulation};
 
 /// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`](crate::Output::Beyond).
 #[derive(Debug)]
@@ -25,28 +26,15 @@ impl Completed {
         if let Some(scene) = file.study.scenes.iter().find(stepless)
             && file.study.output.shows_steps()
         {
-            return Err(StudyError::Study {
-                path: file.path.clone(),
-                place: "scenes.method",
-                found: format!("\"{}\" without a time step", scene.name),
-                allowed: "methods with a time step, of which this output shows something",
-            });
+            let allowed = "methods with a time step, of which this output shows something";
+            return Err(file.refuse("scenes.method", format!("\"{}\" without a time step", scene.name), allowed));
         }
-        let prepared = file
-            .study
-            .scenes
-            .iter()
-            .map(|scene| Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path)))
-            .collect::<Result<Vec<_>, _>>()?;
+        let prepare = |scene| Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path));
+        let prepared = file.study.scenes.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
         let program = file.study.program.as_ref();
         let refusal = program.and_then(|program| program.refusal(&file.study.scenes, &prepared));
         if let Some((found, allowed)) = refusal {
-            return Err(StudyError::Study {
-                path: file.path.clone(),
-                place: "program",
-                found,
-                allowed,
-            });
+            return Err(file.refuse("program", found, allowed));
         }
         // Where a scene asks for an accuracy, tables and figures show the method found for it.
         for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
@@ -72,18 +60,16 @@ impl Completed {
     ) -> Result<Self, StudyError> {
         let keeps_histories = file.study.output.needs_histories();
         let scenes: Vec<_> = prepared.iter().zip(&file.study.scenes).collect();
-        let outcomes = parallel::try_each(&scenes, |(prepared, scene)| {
-            let interval = keeps_histories.then(|| {
-                let of_record = prepared.record().time_step();
-                scene.method.time_step().unwrap_or(of_record)
-            });
+        let outcomes = each(&scenes, done, |(prepared, scene)| {
+            let step = || scene.method.time_step().unwrap_or(prepared.record().time_step());
+            let interval = keeps_histories.then(step);
             let outcome = match file.study.program_of(scene) {
                 Some(program) => change(program).run(prepared, interval),
                 None => prepared.run(interval),
             };
-            done();
             outcome.map_err(|error| error.in_file(&file.path))
-        })?;
+        });
+        let outcomes = outcomes.into_iter().collect::<Result<_, _>>()?;
         Ok(Self { file, prepared, outcomes })
     }
 

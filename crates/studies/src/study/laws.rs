@@ -1,9 +1,9 @@
 //! What the atlas asks of the laws.
 
-use pounding_contact::{Calibration, LawName};
+use pounding_contact::{Calibration, FreePair, LawName, reduced_mass};
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Certificate, CertificateError, CertificateRequest, FreeCollision};
+use pounding_scene::{Certificate, CertificateError, CertificateRequest, FreeCollision, Structure};
 
 /// What the atlas of contact laws asks of each of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,4 +65,17 @@ impl AtlasSettings {
 /// Whether the law has a linear spring.
 pub(crate) fn is_linear(law: LawName) -> bool {
     law.stiffness_unit() == Some("N/m")
+}
+
+/// Neighbours as a free pair of their highest floors, at an approach speed \[m/s\].
+pub(crate) fn free_pair(two: &[Structure], approach_speed: f64) -> FreePair {
+    let inverse_mass = |structure: &Structure| match structure {
+        Structure::Sdof(sdof) => 1.0 / sdof.mass_kg,
+        Structure::Building(building) => building.storeys.last().map_or(0.0, |top| 1.0 / top.mass_kg),
+        Structure::Wall => 0.0,
+    };
+    FreePair {
+        reduced_mass: reduced_mass(inverse_mass(&two[0]), inverse_mass(&two[1])),
+        approach_speed,
+    }
 }

@@ -8,7 +8,6 @@ pub(crate) mod other_motions;
 pub(crate) mod output;
 pub(crate) mod stress;
 pub(crate) mod surveys;
-pub(crate) mod twin;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -17,8 +16,8 @@ use serde::{Deserialize, Serialize};
 
 use pounding_scene::{Scene, read_file};
 
-use crate::StudyError;
 use crate::program::{PapersProgram, Program};
+use crate::{BeyondSettings, StudyError};
 pub use output::Output;
 
 /// Scenes and what to print of them.
@@ -65,12 +64,7 @@ impl StudyFile {
     /// [`StudyError`] naming the file and the field.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let study: Study = read_file(path)?;
-        let refuse = |found: String, allowed| StudyError::Study {
-            path: path.to_path_buf(),
-            place: "scenes",
-            found,
-            allowed,
-        };
+        let refuse = |found, allowed| StudyError::refused(path, "scenes", found, allowed);
         match (study.output.beyond(), study.scenes.len()) {
             (None, 0) => return Err(refuse("none".into(), "one or more scenes")),
             (Some(_), 1..) => {
@@ -100,25 +94,22 @@ impl StudyFile {
             path: folder.to_path_buf(),
             source,
         };
-        let mut paths = Vec::new();
-        for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-            let path = entry.map_err(unreadable)?.path();
-            if path.extension().is_some_and(|extension| extension == "json") {
-                paths.push(path);
-            }
-        }
+        let entries = std::fs::read_dir(folder).map_err(unreadable)?;
+        let paths = entries.map(|entry| Ok(entry.map_err(unreadable)?.path()));
+        let mut paths = paths.collect::<Result<Vec<_>, pounding_scene::Error>>()?;
+        paths.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
         paths.sort();
         paths.iter().map(|path| Self::read(path)).collect()
     }
 
+    /// The study of some that lists ground motions: its file, and the list.
+    pub(crate) fn listing<'a>(files: impl IntoIterator<Item = &'a Self>) -> Option<(&'a Path, &'a BeyondSettings)> {
+        files.into_iter().find_map(|file| Some((&*file.path, file.study.output.beyond()?)))
+    }
+
     /// An error about it.
     pub(crate) fn refuse(&self, place: &'static str, found: String, allowed: &'static str) -> StudyError {
-        StudyError::Study {
-            path: self.path.clone(),
-            place,
-            found,
-            allowed,
-        }
+        StudyError::refused(&self.path, place, found, allowed)
     }
 
     /// Folder that the files named in its scenes are relative to.

@@ -64,39 +64,7 @@ pub enum Output {
     },
 }
 
-/// A study with a folder of its own in the results.
-pub(crate) enum OwnFolder<'a> {
-    Trade(&'a Ladder),
-    Laws(&'a AtlasSettings),
-    Extremes(&'a Edges),
-    Beyond(&'a BeyondSettings),
-    Survey,
-}
-
 impl Output {
-    /// Which folder of its own it has; `None` for a table or figure of the paper.
-    pub(crate) fn folder(&self) -> Option<OwnFolder<'_>> {
-        Some(match self {
-            Self::Trade(ladder) => OwnFolder::Trade(ladder),
-            Self::Laws(settings) => OwnFolder::Laws(settings),
-            Self::Extremes(edges) => OwnFolder::Extremes(edges),
-            Self::Beyond(settings) => OwnFolder::Beyond(settings),
-            Self::Survey(_) => OwnFolder::Survey,
-            Self::StructuresTable
-            | Self::PoundingForcesTable { .. }
-            | Self::FirstCollisionTable
-            | Self::TransferredMomentumTable
-            | Self::TextTable { .. }
-            | Self::Claims
-            | Self::RecordFigure
-            | Self::DisplacementFigure
-            | Self::PoundingFigure
-            | Self::FirstCollisionFigure
-            | Self::LayoutFigure
-            | Self::ShearForceFigure { .. } => return None,
-        })
-    }
-
     /// The ladder of a trade study.
     pub(crate) fn ladder(&self) -> Option<&Ladder> {
         if let Self::Trade(ladder) = self { Some(ladder) } else { None }
@@ -109,44 +77,14 @@ impl Output {
 
     /// Whether the output shows what happened step by step.
     pub(crate) fn needs_histories(&self) -> bool {
-        match self {
-            Self::Claims
-            | Self::PoundingForcesTable { .. }
-            | Self::DisplacementFigure
-            | Self::PoundingFigure
-            | Self::FirstCollisionFigure
-            | Self::ShearForceFigure { .. } => true,
-            Self::StructuresTable
-            | Self::Trade(_)
-            | Self::Laws(_)
-            | Self::Extremes(_)
-            | Self::Beyond(_)
-            | Self::Survey(_)
-            | Self::FirstCollisionTable
-            | Self::TransferredMomentumTable
-            | Self::TextTable { .. }
-            | Self::RecordFigure
-            | Self::LayoutFigure => false,
-        }
+        self.shows_steps() || matches!(self, Self::DisplacementFigure | Self::ShearForceFigure { .. })
     }
 
     /// Whether the output shows what a method did in a step, such as the force of an impact as impulse over time step.
     pub(crate) fn shows_steps(&self) -> bool {
-        match self {
-            Self::Claims | Self::PoundingForcesTable { .. } | Self::PoundingFigure | Self::FirstCollisionFigure => true,
-            Self::DisplacementFigure
-            | Self::ShearForceFigure { .. }
-            | Self::StructuresTable
-            | Self::Trade(_)
-            | Self::Laws(_)
-            | Self::Extremes(_)
-            | Self::Beyond(_)
-            | Self::Survey(_)
-            | Self::FirstCollisionTable
-            | Self::TransferredMomentumTable
-            | Self::TextTable { .. }
-            | Self::RecordFigure
-            | Self::LayoutFigure => false,
-        }
+        matches!(
+            self,
+            Self::Claims | Self::PoundingForcesTable { .. } | Self::PoundingFigure | Self::FirstCollisionFigure
+        )
     }
 }

@@ -1,9 +1,7 @@
 //! Which scenes are pushed where.
 
-use crate::StudyError;
 use serde::{Deserialize, Serialize};
 
-use super::StudyFile;
 use super::axis::{Axis, Pushed};
 use pounding_scene::{Scene, Simulation};
 
@@ -68,8 +66,8 @@ pub enum Extent {
 pub(crate) struct Cell {
     /// Name of the map, or "line".
     pub(crate) place: String,
-    /// Index and name of the scene.
-    pub(crate) scene: (usize, String),
+    /// Name of the scene.
+    pub(crate) scene: String,
     /// The changes.
     pub(crate) changes: Vec<(Axis, f64)>,
     /// Whether the usual part of the grid holds it.
@@ -80,40 +78,21 @@ pub(crate) struct Cell {
 type Taken = (f64, bool);
 
 impl Edges {
-    /// Number of scenes at the edge.
-    pub(crate) fn n_cells(&self, extent: Extent) -> usize {
-        let n = |values: &Values| values.taken(extent).count();
-        let maps = self.maps.iter().map(|map| n(&map.x) * n(&map.y));
-        let lines = self.lines.iter();
-        let lines = lines.map(|line| line.scenes.len() * n(&line.change));
-        maps.chain(lines).sum()
-    }
-
     /// Every scene at the edge, maps before lines.
-    pub(crate) fn cells(&self, file: &StudyFile, extent: Extent) -> Result<Vec<Cell>, StudyError> {
-        let scene = |name: &String| {
-            let scenes = file.study.scenes.iter();
-            let found = scenes.map(|scene| &scene.name).position(|other| other == name);
-            found.map(|index| (index, name.clone())).ok_or_else(|| {
-                let allowed = "names of scenes of the study";
-                file.refuse("output.extremes", format!("\"{name}\""), allowed)
-            })
-        };
+    pub(crate) fn cells(&self, extent: Extent) -> Vec<Cell> {
         let mut cells = Vec::new();
         for map in &self.maps {
-            let scene = scene(&map.scene)?;
             for (y, in_part) in map.y.taken(extent) {
                 cells.extend(map.x.taken(extent).map(|(x, also)| Cell {
                     place: map.name.clone(),
-                    scene: scene.clone(),
+                    scene: map.scene.clone(),
                     changes: vec![(map.x.axis, x), (map.y.axis, y)],
                     in_part: in_part && also,
                 }));
             }
         }
         for line in &self.lines {
-            for name in &line.scenes {
-                let scene = scene(name)?;
+            for scene in &line.scenes {
                 cells.extend(line.change.taken(extent).map(|(value, in_part)| Cell {
                     place: "line".into(),
                     scene: scene.clone(),
@@ -122,16 +101,14 @@ impl Edges {
                 }));
             }
         }
-        Ok(cells)
+        cells
     }
 }
 
 impl Values {
     fn taken(&self, extent: Extent) -> impl Iterator<Item = Taken> {
-        let values = self.values.iter().enumerate();
-        values
-            .map(|(index, value)| (*value, index % 4 == 0))
-            .filter(move |(_, in_part)| *in_part || extent == Extent::Whole)
+        let values = self.values.iter().enumerate().map(|(index, value)| (*value, index % 4 == 0));
+        values.filter(move |(_, in_part)| *in_part || extent == Extent::Whole)
     }
 }
 

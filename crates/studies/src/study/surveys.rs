@@ -1,5 +1,6 @@
 //! What surveys ask.
 
+use crate::listed::listed;
 use serde::{Deserialize, Serialize};
 
 /// What a survey asks.
@@ -116,22 +117,15 @@ pub struct StiffnessRatio {
     pub papers: (String, bool),
 }
 
-/// What stays as stiffness varies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum HeldConstant {
-    /// The mass: the natural period falls as stiffness grows.
-    Mass,
-    /// The natural period: mass grows with stiffness.
-    Period,
-}
-
-impl HeldConstant {
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Mass => "mass",
-            Self::Period => "period",
-        }
+listed! {
+    /// What stays as stiffness varies.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum HeldConstant { word: &'static str;
+        /// The mass: the natural period falls as stiffness grows.
+        Mass = "mass",
+        /// The natural period: mass grows with stiffness.
+        Period = "period",
     }
 }
 

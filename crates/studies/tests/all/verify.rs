@@ -57,7 +57,7 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
         // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
-        let found = |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
+        let found = |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds);
         let apart: Vec<String> = checked.iter().filter(found).flat_map(Checked::lines).collect();
         assert!(apart.is_empty(), "seed {seed}: {apart:#?}");
     }
@@ -141,7 +141,7 @@ fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
     let lost = verdict(1, 67);
-    assert!(matches!(lost, Verdict::Unknowable(_)), "{lost:?}");
+    assert!(matches!(lost, Verdict::Unknowable), "{lost:?}");
     let rounds = verdict(2, 197);
-    assert!(matches!(rounds, Verdict::ExactRounds(_)), "{rounds:?}");
+    assert!(matches!(rounds, Verdict::ExactRounds), "{rounds:?}");
 }

@@ -1,6 +1,6 @@
 //! Claims about two structures: when, how hard and how often they collide (sections 3 and 5).
 
-use super::{Claim, Finding, Law, NOTHING, Runs, change, first_collision, is_slight, momentum, peak_force};
+use super::{Finding, Law, NOTHING, Outcome, Runs, change, first_collision, is_slight, momentum, peak_force};
 use crate::StudyError;
 use pounding_text::digits;
 
@@ -24,7 +24,7 @@ fn side_by_side(first: [Option<(f64, f64)>; 2], unit: &str, decimals: usize) -> 
     }
 }
 
-pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let pair = runs.two_structures(Law::Stereomechanical)?;
     // The force is an impulse over the time step; without one the impulses are compared.
     let step = pair[0].scene.method.time_step();
@@ -33,38 +33,24 @@ pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         Some((time, impulse / step.unwrap_or(1.0)))
     };
     let unit = if step.is_some() { "kN" } else { "kN·s" };
-    let (computed, finding) = side_by_side(pair.map(first), unit, 0);
-    Ok(Claim {
-        claim: "Stereomechanical impact: elastic or nonlinear, the structures first meet at nearly one time and with \
-                nearly one force",
-        place: "3.1",
-        computed,
-        finding,
-    })
+    Ok(side_by_side(pair.map(first), unit, 0))
 }
 
-pub(super) fn same_first_momentum(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn same_first_momentum(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let pair = runs.two_structures(Law::Viscoelastic)?;
-    let (computed, finding) = side_by_side(pair.map(first_collision), "kN·s", 2);
-    Ok(Claim {
-        claim: "Viscoelastic element: elastic or nonlinear, the structures first meet at nearly one time and with \
-                nearly one transferred momentum",
-        place: "3.2",
-        computed,
-        finding,
-    })
+    Ok(side_by_side(pair.map(first_collision), "kN·s", 2))
 }
 
-pub(super) fn four_models(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn four_models(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let mut impulses = Vec::new();
-    for law in Law::BOTH {
+    for law in Law::ALL {
         for run in runs.two_structures(law)? {
             impulses.extend(first_collision(run).map(|(_, impulse)| impulse));
         }
     }
     let low = impulses.iter().copied().fold(f64::INFINITY, f64::min);
     let high = impulses.iter().copied().fold(0.0, f64::max);
-    let (computed, finding) = match impulses.len() {
+    Ok(match impulses.len() {
         0 => (NOTHING.into(), Finding::DoesNotApply),
         4 => (
             format!("{low:.2} to {high:.2} kN·s; the largest is {:.2} times the smallest", high / low),
@@ -74,26 +60,17 @@ pub(super) fn four_models(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             format!("{low:.2} to {high:.2} kN·s in {some} models; {NOTHING} in the others"),
             Finding::DoesNotHold,
         ),
-    };
-    Ok(Claim {
-        claim: "The transferred momentum of the first collision is comparable in all four models",
-        place: "3.3",
-        computed,
-        finding,
     })
 }
 
-pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let explicit = runs.scene("table-5", "viscoelastic elastic")?;
     let newmark = runs.scene("claims", "Newmark, viscoelastic elastic")?;
     let counts = [explicit, newmark].map(|run| run.outcome.collisions.all().len());
     let pairs = explicit.outcome.collisions.all().iter().zip(newmark.outcome.collisions.all());
     let apart = pairs.map(|(a, b)| (a.start - b.start).abs()).fold(0.0, f64::max);
-    Ok(Claim {
-        claim: "The explicit method gives as many collisions, at the same times, as Newmark's method at 0.005 s (tested \
-                against our own run of it)",
-        place: "3.3",
-        computed: format!(
+    Ok((
+        format!(
             "Newmark's method with the inputs of this paper: {} collisions against {}; they begin at most {:.0} ms \
              apart; largest force {:.0} kN against {:.0} kN",
             counts[1],
@@ -102,24 +79,21 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             peak_force(newmark),
             peak_force(explicit)
         ),
-        finding: Finding::of(counts[0] == counts[1] && apart <= SAME_TIME, true),
-    })
+        Finding::of(counts[0] == counts[1] && apart <= SAME_TIME, true),
+    ))
 }
 
-pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let count = |run: super::Run<'_>| run.outcome.collisions.all().len();
-    let mut stated = true;
-    let mut touch = false;
-    let mut computed = Vec::new();
-    for law in Law::BOTH {
+    let (mut stated, mut touch, mut computed) = (true, false, Vec::new());
+    for law in Law::ALL {
         let [elastic, nonlinear] = runs.two_structures(law)?.map(count);
         stated &= elastic > nonlinear;
         touch |= elastic + nonlinear > 0;
         computed.push(format!("{} {elastic} against {nonlinear}", law.name()));
     }
-    let (mut beyond, mut cases) = (0, 0);
-    let mut halved = false;
-    for law in Law::BOTH {
+    let (mut beyond, mut cases, mut halved) = (0, 0, false);
+    for law in Law::ALL {
         for layout in ["A", "B", "C"] {
             let elastic = runs.layout(layout, "elastic", law)?;
             let nonlinear = runs.layout(layout, "nonlinear", law)?;
@@ -132,27 +106,19 @@ pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError>
             }
         }
     }
-    Ok(Claim {
-        claim: "Elastic structures collide more often than nonlinear ones",
-        place: "5",
-        computed: format!(
+    Ok((
+        format!(
             "impulses or contacts of two structures: {}; layouts A, B, C{}: in {beyond} of {cases} cases",
             computed.join(", "),
             if halved { " at the paper's time step and half of it" } else { "" }
         ),
-        finding: if touch {
-            Finding::of(stated, beyond == cases)
-        } else {
-            Finding::DoesNotApply
-        },
-    })
+        Finding::where_touching(touch, stated, beyond == cases),
+    ))
 }
 
-pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let mut holds = true;
-    let mut touch = false;
-    let mut computed = Vec::new();
-    for law in Law::BOTH {
+pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
+    let (mut holds, mut touch, mut computed) = (true, false, Vec::new());
+    for law in Law::ALL {
         let pair = runs.two_structures(law)?;
         touch |= pair.into_iter().any(super::Run::touches);
         let [elastic, nonlinear] = pair;
@@ -169,23 +135,15 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, Study
             digits(nonlinear.scene.duration())
         ));
     }
-    Ok(Claim {
-        claim: "After the first pounding the displacement of the weak structure is larger when nonlinear, and is not \
-                recovered",
-        place: "5",
-        computed: computed.join("; "),
-        finding: if touch { Finding::of(holds, true) } else { Finding::DoesNotApply },
-    })
+    Ok((computed.join("; "), Finding::where_touching(touch, holds, true)))
 }
 
-pub(super) fn order_of_magnitude(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn order_of_magnitude(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let (stereo, visco) = (runs.two_structures(Law::Stereomechanical)?, runs.two_structures(Law::Viscoelastic)?);
     let ratios = [0, 1].map(|index| peak_force(stereo[index]) / peak_force(visco[index]));
     let fine = runs.scene("claims", "two structures elastic, 1.25 ms")?;
-    Ok(Claim {
-        claim: "The viscoelastic element lowers the peak pounding force by an order of magnitude",
-        place: "5",
-        computed: format!(
+    Ok((
+        format!(
             "by a factor of {:.1} elastic, {:.1} nonlinear; the stereomechanical force is an impulse over the time \
              step and grows without bound ({:.0} kN at 10 ms, {:.0} kN at 1.25 ms)",
             ratios[0],
@@ -193,11 +151,11 @@ pub(super) fn order_of_magnitude(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             peak_force(stereo[0]),
             peak_force(fine)
         ),
-        finding: Finding::of(ratios.iter().all(|ratio| *ratio >= 5.0), false),
-    })
+        Finding::of(ratios.iter().all(|ratio| *ratio >= 5.0), false),
+    ))
 }
 
-pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let (stereo, visco) = (runs.two_structures(Law::Stereomechanical)?, runs.two_structures(Law::Viscoelastic)?);
     let (mut first, mut total) = (Vec::new(), Vec::new());
     for (index, name) in ["elastic", "nonlinear"].into_iter().enumerate() {
@@ -215,18 +173,12 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         words.collect::<Vec<_>>().join(", ")
     };
     let about_twenty = |(change, _): &(f64, &str)| (-25.0..=-15.0).contains(change);
-    let (computed, finding) = if first.is_empty() {
+    Ok(if first.is_empty() {
         (NOTHING.into(), Finding::DoesNotApply)
     } else {
         (
             format!("first collision {}; of all {}", words(&first), words(&total)),
             Finding::of(first.iter().all(about_twenty), total.iter().all(about_twenty)),
         )
-    };
-    Ok(Claim {
-        claim: "The viscoelastic element lowers the transferred momentum by about 20 %",
-        place: "5",
-        computed,
-        finding,
     })
 }

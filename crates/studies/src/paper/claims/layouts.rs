@@ -1,6 +1,6 @@
 //! Claims about three structures (sections 4 and 5).
 
-use super::{Claim, Finding, Law, NOTHING, Run, Runs, change, is_slight, momentum, peak_force};
+use super::{Finding, Law, NOTHING, Outcome, Run, Runs, change, is_slight, momentum, peak_force};
 use crate::StudyError;
 
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
@@ -13,27 +13,23 @@ fn coarse_and_fine<'a>(runs: &Runs<'a>) -> Result<[Run<'a>; 2], StudyError> {
     ])
 }
 
-pub(super) fn tangling_in_layout_c(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn tangling_in_layout_c(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let overlaps = coarse_and_fine(runs)?.map(|run| 1e3 * largest_overlap(run));
-    Ok(Claim {
-        claim: "Layout C elastic needs a time step of 0.005 s: at 0.01 s the structures tangle",
-        place: "4.1",
-        computed: format!("largest overlap {:.1} mm at 10 ms, {:.1} mm at 5 ms", overlaps[0], overlaps[1]),
-        finding: Finding::of(overlaps[0] > overlaps[1], true),
-    })
+    Ok((
+        format!("largest overlap {:.1} mm at 10 ms, {:.1} mm at 5 ms", overlaps[0], overlaps[1]),
+        Finding::of(overlaps[0] > overlaps[1], true),
+    ))
 }
 
-pub(super) fn half_step_raises_the_force(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn half_step_raises_the_force(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let forces = coarse_and_fine(runs)?.map(peak_force);
-    Ok(Claim {
-        claim: "Layout C elastic: half the time step gives larger peak pounding forces",
-        place: "4.1",
-        computed: format!("{:.0} kN at 10 ms, {:.0} kN at 5 ms (impulse over time step)", forces[0], forces[1]),
-        finding: Finding::of(forces[1] > forces[0], true),
-    })
+    Ok((
+        format!("{:.0} kN at 10 ms, {:.0} kN at 5 ms (impulse over time step)", forces[0], forces[1]),
+        Finding::of(forces[1] > forces[0], true),
+    ))
 }
 
-pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let [coarse, fine] = coarse_and_fine(runs)?;
     let mut same = true;
     let mut computed = Vec::new();
@@ -47,12 +43,7 @@ pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Claim, Stu
             change(totals[0], totals[1])
         ));
     }
-    Ok(Claim {
-        claim: "Layout C elastic: half the time step leaves the transferred momentum the same",
-        place: "4.1",
-        computed: format!("at 10 and 5 ms: {}", computed.join(", ")),
-        finding: Finding::of(same, true),
-    })
+    Ok((format!("at 10 and 5 ms: {}", computed.join(", ")), Finding::of(same, true)))
 }
 
 /// Largest deformation of any pair over the history \[m\].
@@ -68,26 +59,17 @@ fn largest_overlap(run: Run<'_>) -> f64 {
     largest
 }
 
-/// In how many transferred momenta a comparison of two runs is true.
-struct Counts {
-    /// `[true, of how many]` at the paper's time step, and at half of it where the method has one.
-    at_steps: Vec<[usize; 2]>,
-    /// Whether anything was transferred in any of the runs.
-    touch: bool,
-}
-
-/// Counts over layouts and structures; `is_true` gives nothing for two momenta that it is not about.
-fn count(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f64) -> Option<bool>) -> Result<Counts, StudyError> {
-    let mut counts = Counts {
-        at_steps: Vec::new(),
-        touch: false,
-    };
+/// In how many transferred momenta, over layouts and structures, a comparison of two runs is true; `is_true` gives nothing for two momenta
+/// that it is not about.
+fn counted(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f64) -> Option<bool>) -> Result<Outcome, StudyError> {
+    // `[true, of how many]` at the paper's time step, and at half of it where the method has one.
+    let (mut counts, mut touch) = (Vec::new(), false);
     for layout in LAYOUTS {
         for [a, b] in sides {
             let (a, b) = (runs.layout(layout, a.0, a.1)?, runs.layout(layout, b.0, b.1)?);
-            counts.at_steps.resize(a.len(), [0; 2]);
-            for ((a, b), [stated, of]) in a.into_iter().zip(b).zip(&mut counts.at_steps) {
-                counts.touch |= a.touches() || b.touches();
+            counts.resize(a.len(), [0; 2]);
+            for ((a, b), [stated, of]) in a.into_iter().zip(b).zip(&mut counts) {
+                touch |= a.touches() || b.touches();
                 for structure in 0..a.scene.structures.len() {
                     let truth = is_true(momentum(a, structure), momentum(b, structure));
                     *stated += usize::from(truth == Some(true));
@@ -96,20 +78,9 @@ fn count(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f64)
             }
         }
     }
-    Ok(counts)
-}
-
-/// A comparison where something touches at least one of two structures; nothing is neither more nor less than nothing.
-fn compared(one: f64, other: f64, truth: bool) -> Option<bool> {
-    (one > 0.0 || other > 0.0).then_some(truth)
-}
-
-/// The finding and its sentence from such counts.
-fn finding(counts: &Counts) -> (String, Finding) {
-    if !counts.touch {
-        return (NOTHING.into(), Finding::DoesNotApply);
+    if !touch {
+        return Ok((NOTHING.into(), Finding::DoesNotApply));
     }
-    let counts = &counts.at_steps;
     let words = if let [[stated, of], [half, of_half]] = counts[..] {
         format!("true of {stated} of {of} transferred momenta at the paper's time steps, of {half} of {of_half} at half of them")
     } else {
@@ -117,48 +88,32 @@ fn finding(counts: &Counts) -> (String, Finding) {
         format!("true of {stated} of {of} transferred momenta")
     };
     let all = |[stated, of]: &[usize; 2]| stated == of;
-    let finding = Finding::of(counts.iter().take(1).all(all), counts.iter().all(all));
-    (words, finding)
+    Ok((words, Finding::of(counts.iter().take(1).all(all), counts.iter().all(all))))
 }
 
-pub(super) fn less_momentum_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let sides = Law::BOTH.map(|law| [("elastic", law), ("nonlinear", law)]);
-    let (computed, finding) = finding(&count(runs, &sides, |elastic, nonlinear| {
-        compared(elastic, nonlinear, nonlinear < elastic)
-    })?);
-    Ok(Claim {
-        claim: "Nonlinear structures transfer less momentum than elastic ones",
-        place: "4.1",
-        computed,
-        finding,
-    })
+/// A comparison where something touches at least one of two structures; nothing is neither more nor less than nothing.
+fn compared(one: f64, other: f64, truth: bool) -> Option<bool> {
+    (one > 0.0 || other > 0.0).then_some(truth)
 }
 
-pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let sides = [Law::BOTH.map(|law| ("elastic", law))];
-    let (computed, finding) = finding(&count(runs, &sides, |stereo, visco| compared(stereo, visco, stereo > visco))?);
-    Ok(Claim {
-        claim: "Elastic structures: the stereomechanical approach transfers more momentum than the viscoelastic element",
-        place: "4.2, 4.3",
-        computed,
-        finding,
-    })
+pub(super) fn less_momentum_when_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
+    let sides = Law::ALL.map(|law| [("elastic", law), ("nonlinear", law)]);
+    counted(runs, &sides, |elastic, nonlinear| compared(elastic, nonlinear, nonlinear < elastic))
 }
 
-pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let sides = [Law::BOTH.map(|law| ("nonlinear", law))];
+pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
+    let sides = [Law::ALL.map(|law| ("elastic", law))];
+    counted(runs, &sides, |stereo, visco| compared(stereo, visco, stereo > visco))
+}
+
+pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
+    let sides = [Law::ALL.map(|law| ("nonlinear", law))];
     // Nothing is the same as nothing.
     let same = |stereo: f64, visco: f64| Some((stereo - visco).abs() == 0.0 || is_slight(stereo, visco));
-    let (computed, finding) = finding(&count(runs, &sides, same)?);
-    Ok(Claim {
-        claim: "Nonlinear structures: both contact models transfer the same momentum (read as within 20 %)",
-        place: "4.2, 4.3",
-        computed,
-        finding,
-    })
+    counted(runs, &sides, same)
 }
 
-pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     // Rounding of u − f/k is far below this, yielding far above.
     const YIELDS: f64 = 1e-9;
     let travelled = |scene: &str, weak: usize| -> Result<(f64, usize), StudyError> {
@@ -181,34 +136,29 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     for scene in ["layout C, stereomechanical", "layout C, viscoelastic"] {
         touch |= runs.scene("figure-15", scene)?.touches();
     }
-    Ok(Claim {
-        claim: "Between two stiff structures (layout C) the nonlinear incursions of the weak one decrease (read as plastic \
-                travel; beyond that, their number)",
-        place: "4.3, Fig. 15",
-        computed: format!(
+    // Columns that do not yield alone cannot yield less.
+    Ok((
+        format!(
             "alone {}; in layout C {} (stereomechanical), {} (viscoelastic)",
             words(free),
             words(stereo),
             words(visco)
         ),
-        // Columns that do not yield alone cannot yield less.
-        finding: if touch && free.1 > 0 {
-            Finding::of(stereo.0 < free.0 && visco.0 < free.0, stereo.1 < free.1 && visco.1 < free.1)
-        } else {
-            Finding::DoesNotApply
-        },
-    })
+        Finding::where_touching(
+            touch && free.1 > 0,
+            stereo.0 < free.0 && visco.0 < free.0,
+            stereo.1 < free.1 && visco.1 < free.1,
+        ),
+    ))
 }
 
-pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let peak = |run: Run<'_>| {
         let displacement = |index| 1e3 * run.peak_displacement(index).abs();
         (0..run.scene.structures.len()).map(displacement).fold(0.0, f64::max)
     };
-    let mut largest_in_b = Vec::new();
-    let mut cases = 0;
-    let mut computed = Vec::new();
-    for law in Law::BOTH {
+    let (mut largest_in_b, mut cases, mut computed) = (Vec::new(), 0, Vec::new());
+    for law in Law::ALL {
         for behaviour in ["elastic", "nonlinear"] {
             let of_layout = |layout| runs.layout(layout, behaviour, law);
             let [a, b, c] = LAYOUTS.map(of_layout);
@@ -228,7 +178,7 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     }
     let half = |largest: &usize| format!(", at half the time steps in {largest} of {cases}");
     let at_half = largest_in_b.get(1).map(half);
-    let (computed, finding) = match largest_in_b.first() {
+    Ok(match largest_in_b.first() {
         None => (NOTHING.into(), Finding::DoesNotApply),
         Some(largest) => (
             format!(
@@ -238,12 +188,5 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             ),
             Finding::of(*largest == cases, largest_in_b.iter().all(|largest| *largest == cases)),
         ),
-    };
-    Ok(Claim {
-        claim: "The stiff structure between two weak ones (layout B) is the least favourable layout by maximum \
-                displacement",
-        place: "5",
-        computed,
-        finding,
     })
 }

@@ -8,31 +8,31 @@ mod layouts;
 mod run;
 mod settings;
 mod survival;
-mod tally;
 
-use crate::paper::tables::to_csv;
+use crate::listed::listed;
 use crate::{Completed, StudyError};
+use pounding_text::Table;
 use std::collections::BTreeMap;
 
 pub(crate) use run::Run;
 pub use survival::Survival;
 pub(crate) use survival::{asked, survivals, verdicts};
-pub use tally::ClaimCount;
 
 /// Relative difference that still counts as almost the same.
 const SLIGHT: f64 = 0.20;
 
-/// Whether a claim holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Finding {
-    /// In the paper's scenes, and in the further ones that `computed` names, if any.
-    Holds,
-    /// In the scenes, quantities and time steps of the paper, but not beyond them.
-    HoldsOnlyAsStated,
-    /// Not even in the paper's own scenes.
-    DoesNotHold,
-    /// Neither: it is about what does not happen in these runs, such as pounding where nothing touches.
-    DoesNotApply,
+listed! {
+    /// Whether a claim holds.
+    pub enum Finding { words: &'static str;
+        /// In the paper's scenes, and in the further ones that `computed` names, if any.
+        Holds = "holds",
+        /// In the scenes, quantities and time steps of the paper, but not beyond them.
+        HoldsOnlyAsStated = "holds only as stated",
+        /// Not even in the paper's own scenes.
+        DoesNotHold = "does not hold",
+        /// Neither: it is about what does not happen in these runs, such as pounding where nothing touches.
+        DoesNotApply = "does not apply",
+    }
 }
 
 impl Finding {
@@ -44,14 +44,9 @@ impl Finding {
         }
     }
 
-    /// The finding in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsOnlyAsStated => "holds only as stated",
-            Self::DoesNotHold => "does not hold",
-            Self::DoesNotApply => "does not apply",
-        }
+    /// The same where something touches; else it does not apply.
+    fn where_touching(touch: bool, as_stated: bool, beyond: bool) -> Self {
+        if touch { Self::of(as_stated, beyond) } else { Self::DoesNotApply }
     }
 
     /// Whether the claim holds, be it only as stated.
@@ -76,8 +71,24 @@ pub struct Claim {
     pub finding: Finding,
 }
 
-/// Tests one claim.
-type Test = fn(&Runs<'_>) -> Result<Claim, StudyError>;
+/// What was computed for a claim, and whether it holds.
+type Outcome = (String, Finding);
+
+/// A claim of the paper in our words, its section, whether exact runs can be asked, and what tests it.
+struct Test(&'static str, &'static str, Asked, fn(&Runs<'_>) -> Result<Outcome, StudyError>);
+
+impl Test {
+    fn run(&self, runs: &Runs<'_>) -> Result<Claim, StudyError> {
+        let Self(claim, place, _, test) = *self;
+        let (computed, finding) = test(runs)?;
+        Ok(Claim {
+            claim,
+            place,
+            computed,
+            finding,
+        })
+    }
+}
 
 /// Whether exact runs have something to say to a claim.
 #[derive(Debug, Clone, Copy)]
@@ -92,49 +103,49 @@ use Asked::{Exactly, Not};
 /// What the paper's own time step does cannot be asked of a method without one.
 const TIME_STEP: Asked = Not("it is about the time step, and the exact method has none");
 
-/// The claims.
-const TESTS: [(Test, Asked); 20] = [
-    (settings::stability, TIME_STEP),
-    (settings::time_step, TIME_STEP),
-    (settings::damping_ratios, Not("it is about what goes into the runs")),
-    (settings::restitution, Not("it is about the contact law, and tested exactly")),
-    (
-        collisions::same_first_impact,
-        Exactly("Stereomechanical: first collision alike,\nelastic or nonlinear"),
-    ),
-    (
-        collisions::same_first_momentum,
-        Exactly("Viscoelastic: first collision alike,\nelastic or nonlinear"),
-    ),
-    (collisions::four_models, Exactly("First impulse comparable\nin all four models")),
-    (collisions::as_newmark, Not("it compares two stepping methods")),
-    (collisions::fewer_when_nonlinear, Exactly("More collisions\nwhen elastic")),
-    (
-        collisions::displacement_not_recovered,
-        Exactly("Weak structure goes further when\nnonlinear, and does not come back"),
-    ),
-    (
-        collisions::order_of_magnitude,
-        Not("the stereomechanical force is an impulse over the time step and has no limit"),
-    ),
-    (
-        collisions::slight_reduction,
-        Exactly("Viscoelastic element lowers\nthe momentum by about 20 %"),
-    ),
-    (layouts::tangling_in_layout_c, TIME_STEP),
-    (layouts::half_step_raises_the_force, TIME_STEP),
-    (layouts::half_step_keeps_the_momentum, TIME_STEP),
-    (layouts::less_momentum_when_nonlinear, Exactly("Less momentum\nwhen nonlinear")),
-    (
-        layouts::more_momentum_stereomechanical,
-        Exactly("Elastic: more momentum with\nstereomechanical impact"),
-    ),
-    (
-        layouts::same_momentum_nonlinear,
-        Exactly("Nonlinear: same momentum\nwith either contact model"),
-    ),
-    (layouts::fewer_incursions, Exactly("Layout C: weak structure\nyields less")),
-    (layouts::least_favourable, Exactly("Layout B has the largest\ndisplacement")),
+/// The claims, in few words what exact runs can be asked of them, and what tests each.
+#[rustfmt::skip]
+const TESTS: [Test; 20] = [
+    Test("The stability limit T > πΔt is no constraint at a time step of 0.01 s", "2",
+        TIME_STEP, settings::stability),
+    Test("A time step of 0.01 s is small enough for accurate results", "2",
+        TIME_STEP, settings::time_step),
+    Test("Both structures have a damping ratio of 5 % (Table 1)", "2, Table 1",
+        Not("it is about what goes into the runs"), settings::damping_ratios),
+    Test("The impact damping ratio 0.35 belongs to the restitution 0.65", "3.2",
+        Not("it is about the contact law, and tested exactly"), settings::restitution),
+    Test("Stereomechanical impact: elastic or nonlinear, the structures first meet at nearly one time and with nearly one force", "3.1",
+        Exactly("Stereomechanical: first collision alike,\nelastic or nonlinear"), collisions::same_first_impact),
+    Test("Viscoelastic element: elastic or nonlinear, the structures first meet at nearly one time and with nearly one transferred momentum", "3.2",
+        Exactly("Viscoelastic: first collision alike,\nelastic or nonlinear"), collisions::same_first_momentum),
+    Test("The transferred momentum of the first collision is comparable in all four models", "3.3",
+        Exactly("First impulse comparable\nin all four models"), collisions::four_models),
+    Test("The explicit method gives as many collisions, at the same times, as Newmark's method at 0.005 s (tested against our own run of it)", "3.3",
+        Not("it compares two stepping methods"), collisions::as_newmark),
+    Test("Elastic structures collide more often than nonlinear ones", "5",
+        Exactly("More collisions\nwhen elastic"), collisions::fewer_when_nonlinear),
+    Test("After the first pounding the displacement of the weak structure is larger when nonlinear, and is not recovered", "5",
+        Exactly("Weak structure goes further when\nnonlinear, and does not come back"), collisions::displacement_not_recovered),
+    Test("The viscoelastic element lowers the peak pounding force by an order of magnitude", "5",
+        Not("the stereomechanical force is an impulse over the time step and has no limit"), collisions::order_of_magnitude),
+    Test("The viscoelastic element lowers the transferred momentum by about 20 %", "5",
+        Exactly("Viscoelastic element lowers\nthe momentum by about 20 %"), collisions::slight_reduction),
+    Test("Layout C elastic needs a time step of 0.005 s: at 0.01 s the structures tangle", "4.1",
+        TIME_STEP, layouts::tangling_in_layout_c),
+    Test("Layout C elastic: half the time step gives larger peak pounding forces", "4.1",
+        TIME_STEP, layouts::half_step_raises_the_force),
+    Test("Layout C elastic: half the time step leaves the transferred momentum the same", "4.1",
+        TIME_STEP, layouts::half_step_keeps_the_momentum),
+    Test("Nonlinear structures transfer less momentum than elastic ones", "4.1",
+        Exactly("Less momentum\nwhen nonlinear"), layouts::less_momentum_when_nonlinear),
+    Test("Elastic structures: the stereomechanical approach transfers more momentum than the viscoelastic element", "4.2, 4.3",
+        Exactly("Elastic: more momentum with\nstereomechanical impact"), layouts::more_momentum_stereomechanical),
+    Test("Nonlinear structures: both contact models transfer the same momentum (read as within 20 %)", "4.2, 4.3",
+        Exactly("Nonlinear: same momentum\nwith either contact model"), layouts::same_momentum_nonlinear),
+    Test("Between two stiff structures (layout C) the nonlinear incursions of the weak one decrease (read as plastic travel; beyond that, their number)", "4.3, Fig. 15",
+        Exactly("Layout C: weak structure\nyields less"), layouts::fewer_incursions),
+    Test("The stiff structure between two weak ones (layout B) is the least favourable layout by maximum displacement", "5",
+        Exactly("Layout B has the largest\ndisplacement"), layouts::least_favourable),
 ];
 
 /// Tests every claim on the completed studies.
@@ -143,7 +154,7 @@ const TESTS: [(Test, Asked); 20] = [
 /// [`StudyError::MissingScene`] when a study or scene that a claim needs is not there.
 pub fn claims(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     let runs = Runs::new(completed);
-    TESTS.iter().map(|(test, _)| test(&runs)).collect()
+    TESTS.iter().map(|test| test.run(&runs)).collect()
 }
 
 /// In how many cases of other ground motions, and changed scenes, claims hold: a column of a table.
@@ -167,40 +178,24 @@ impl Default for ClaimCounts {
 
 /// The claims as CSV text: by the paper's program, and by the method that it describes, without slips.
 pub fn claims_csv(claims: &[Claim], without_slips: &[Claim], survivals: &[Survival], beyond: &[ClaimCounts]) -> String {
-    let mut header = [
-        "claim",
-        "where",
-        "computed",
-        "verdict",
-        "computed_without_slips",
-        "verdict_without_slips",
-        "computed_exactly",
-        "verdict_exactly",
-        "survives_perturbation",
-    ]
-    .map(String::from)
-    .to_vec();
-    header.extend(beyond.iter().map(|tallies| tallies.column.clone()));
-    let row = |(index, ((claim, described), survival)): (usize, ((&Claim, &Claim), &Survival))| {
-        let [exactly, found, perturbation] = survival.cells();
-        let mut row = vec![
-            claim.claim.into(),
-            claim.place.into(),
-            claim.computed.clone(),
-            claim.finding.words().into(),
-            described.computed.clone(),
-            described.finding.words().into(),
-            exactly,
-            found,
-            perturbation,
-        ];
-        let tally = |tallies: &ClaimCounts| tallies.claims.get(index).copied().flatten();
-        row.extend(beyond.iter().map(|tallies| survival.beyond(tally(tallies))));
-        row
-    };
-    let claims = claims.iter().zip(without_slips);
-    let rows = claims.zip(survivals).enumerate().map(row);
-    to_csv(&header, &rows.collect::<Vec<_>>())
+    let rows = claims.iter().zip(without_slips).zip(survivals).enumerate();
+    let tally = |tallies: &ClaimCounts, index: usize| tallies.claims.get(index).copied().flatten();
+    Table::of(rows)
+        .column("claim", |(_, ((claim, _), _))| claim.claim)
+        .column("where", |(_, ((claim, _), _))| claim.place)
+        .column("computed", |(_, ((claim, _), _))| claim.computed.clone())
+        .column("verdict", |(_, ((claim, _), _))| claim.finding.words())
+        .column("computed_without_slips", |(_, ((_, described), _))| described.computed.clone())
+        .column("verdict_without_slips", |(_, ((_, described), _))| described.finding.words())
+        .column("computed_exactly", |(_, (_, survival))| survival.cells()[0].clone())
+        .column("verdict_exactly", |(_, (_, survival))| survival.cells()[1].clone())
+        .column("survives_perturbation", |(_, (_, survival))| survival.cells()[2].clone())
+        .columns(
+            beyond,
+            |tallies| tallies.column.clone(),
+            |(index, (_, survival)), tallies| survival.beyond(tally(tallies, *index)),
+        )
+        .csv()
 }
 
 /// The completed studies by name.
@@ -213,11 +208,7 @@ impl<'a> Runs<'a> {
     }
 
     fn study(&self, study: &str) -> Result<&'a Completed, StudyError> {
-        let missing = || StudyError::MissingScene {
-            study: study.into(),
-            scene: "any".into(),
-        };
-        self.0.get(study).copied().ok_or_else(missing)
+        self.0.get(study).copied().ok_or_else(|| StudyError::no_scene_of(study))
     }
 
     fn scene(&self, study: &str, scene: &str) -> Result<Run<'a>, StudyError> {
@@ -233,17 +224,14 @@ impl<'a> Runs<'a> {
 
     /// Two structures elastic and nonlinear, of Table 2 (stereomechanical) or 4 (viscoelastic).
     fn two_structures(&self, law: Law) -> Result<[Run<'a>; 2], StudyError> {
-        let study = match law {
-            Law::Stereomechanical => "table-2",
-            Law::Viscoelastic => "table-4",
-        };
+        let [_, study, _] = law.texts();
         Ok([self.scene(study, "elastic")?, self.scene(study, "nonlinear")?])
     }
 
     /// A layout of Table 6 (stereomechanical) or 7 (viscoelastic); of a method with a time step the same with half of it too.
     fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<Run<'a>>, StudyError> {
         let name = format!("layout {layout} {behaviour}");
-        let run = self.scene(law.table(), &name)?;
+        let run = self.scene(law.texts()[2], &name)?;
         if run.scene.method.time_step().is_none() {
             return Ok(vec![run]);
         }
@@ -252,28 +240,17 @@ impl<'a> Runs<'a> {
     }
 }
 
-/// The two contact models of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Law {
-    Stereomechanical,
-    Viscoelastic,
+listed! {
+    /// The two contact models of the paper: their names, and the studies of two structures and of layouts.
+    enum Law { texts: [&'static str; 3];
+        Stereomechanical = ["stereomechanical", "table-2", "table-6"],
+        Viscoelastic = ["viscoelastic", "table-4", "table-7"],
+    }
 }
 
 impl Law {
-    const BOTH: [Self; 2] = [Self::Stereomechanical, Self::Viscoelastic];
-
     fn name(self) -> &'static str {
-        match self {
-            Self::Stereomechanical => "stereomechanical",
-            Self::Viscoelastic => "viscoelastic",
-        }
-    }
-
-    fn table(self) -> &'static str {
-        match self {
-            Self::Stereomechanical => "table-6",
-            Self::Viscoelastic => "table-7",
-        }
+        self.texts()[0]
     }
 }
 
@@ -304,4 +281,44 @@ fn change(from: f64, to: f64) -> f64 {
 
 fn is_slight(from: f64, to: f64) -> bool {
     (to / from - 1.0).abs() <= SLIGHT
+}
+
+/// In how many cases a claim holds.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct ClaimCount {
+    /// How many cases there are.
+    pub cases: usize,
+    /// In how many of them it holds, be it only as stated.
+    pub holds: usize,
+    /// In how many of these only as stated.
+    pub only_as_stated: usize,
+    /// In how many it does not apply.
+    pub does_not_apply: usize,
+}
+
+impl ClaimCount {
+    /// Counts findings.
+    pub(crate) fn of(findings: impl Iterator<Item = Finding>) -> Self {
+        findings.fold(Self::default(), |tally, finding| Self {
+            cases: tally.cases + 1,
+            holds: tally.holds + usize::from(finding.holds()),
+            only_as_stated: tally.only_as_stated + usize::from(finding == Finding::HoldsOnlyAsStated),
+            does_not_apply: tally.does_not_apply + usize::from(finding == Finding::DoesNotApply),
+        })
+    }
+
+    /// In how many cases it does not hold though it applies.
+    pub fn does_not_hold(&self) -> usize {
+        self.cases - self.holds - self.does_not_apply
+    }
+
+    /// The counts in words.
+    pub fn words(&self) -> String {
+        let holds = format!("in {} of {} cases", self.holds, self.cases);
+        match self.does_not_apply {
+            0 => holds,
+            1 => format!("{holds}; 1 does not apply"),
+            many => format!("{holds}; {many} do not apply"),
+        }
+    }
 }

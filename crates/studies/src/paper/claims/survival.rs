@@ -1,6 +1,7 @@
 //! Which claims hold of exact runs, and of exact runs under noisy records.
 
-use super::{Asked, Claim, ClaimCount, Finding, Runs, TESTS};
+use super::{Asked, Claim, ClaimCount, Finding, Runs, TESTS, Test};
+use crate::files::yes_or_no;
 use crate::{Completed, StudyError};
 
 /// Share of the noisy records in which a claim must hold to survive \[–\].
@@ -38,20 +39,17 @@ impl Survival {
                 n_holds,
                 n_noisy,
             } => {
-                let word = |yes| if yes { "yes" } else { "no" };
                 let share = *n_holds as f64 / *n_noisy as f64;
                 let perturbed = if *n_noisy == 0 {
                     "not asked: no noisy records".into()
                 } else {
-                    format!("{}: in {n_holds} of {n_noisy} runs", word(share >= ENOUGH))
+                    format!("{}: in {n_holds} of {n_noisy} runs", yes_or_no(share >= ENOUGH))
                 };
                 [computed.clone(), finding.words().into(), perturbed]
             }
         }
     }
-}
 
-impl Survival {
     /// In how many cases of other ground motions the claim holds, in words.
     pub(super) fn beyond(&self, tally: Option<ClaimCount>) -> String {
         match (self, tally) {
@@ -64,7 +62,7 @@ impl Survival {
 
 /// The claims that exact runs can be asked: their places among all, and what they say in few words, in lines.
 pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
-    let words = |(index, (_, asked)): (usize, &(super::Test, Asked))| match *asked {
+    let words = |(index, Test(_, _, asked, _)): (usize, &Test)| match *asked {
         Asked::Exactly(words) => Some((index, words)),
         Asked::Not(_) => None,
     };
@@ -77,8 +75,8 @@ pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
 /// [`StudyError::MissingScene`] when a scene that a claim needs is not there.
 pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyError> {
     let runs = Runs::new(exact);
-    let verdict = |(test, asked): &(super::Test, Asked)| match asked {
-        Asked::Exactly(_) => test(&runs).map(Some),
+    let verdict = |test: &Test| match test.2 {
+        Asked::Exactly(_) => test.run(&runs).map(Some),
         Asked::Not(_) => Ok(None),
     };
     TESTS.iter().map(verdict).collect()
@@ -86,7 +84,7 @@ pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyE
 
 /// What became of every claim: of the exact runs, and of noisy ones.
 pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -> Vec<Survival> {
-    let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].1) {
+    let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].2) {
         (Some(verdict), _) => {
             let holds = |run: &&Vec<Option<Claim>>| run[index].as_ref().is_some_and(|run| run.finding.holds());
             Survival::Asked {

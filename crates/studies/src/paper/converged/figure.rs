@@ -3,8 +3,9 @@
 use super::quantities::{Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
 use crate::StudyError;
+use crate::files::drawn;
 use crate::paper::tables::Value;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
 use pounding_text::digits;
 
 /// Which of the levels of noise is drawn: 1 %, as the bands of the smaller ones are narrower than the marks.
@@ -19,60 +20,58 @@ impl Converged {
     /// # Errors
     /// [`StudyError::Plot`] when it cannot be drawn.
     pub(super) fn figure_png(&self, published: &Quantities) -> Result<Vec<u8>, StudyError> {
-        let panels = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
-        let figure = Figure {
-            height_in: 5.4,
-            columns: 2,
-            x: Axis::auto("Transferred momentum over the exact one"),
-            panels: panels.map(|(table, title)| self.panel(table, title, published)).into(),
-        };
-        render_png(&figure).map_err(|source| StudyError::Plot {
-            path: super::FIGURE.into(),
-            source,
-        })
+        let panels = TOTALS.map(|(table, title)| self.panel(table, title, published));
+        let x = Axis::auto("Transferred momentum over the exact one");
+        drawn(&Figure::grid(5.4, 2, x, panels.into()), super::FIGURE.as_ref())
     }
 
-    fn panel(&self, table: &str, title: &str, published: &Quantities) -> Panel {
+    fn panel(&self, table: &'static str, title: &str, published: &Quantities) -> Panel {
         // Nothing is a multiple of what structures transfer that nothing touches.
         let rows = self.exact.get(table).into_iter().flatten().filter(|row| row.value > 0.0);
-        let rows: Vec<&Value> = rows.collect();
-        let points = |values: &Quantities| -> Vec<(f64, f64)> {
-            let of_row = |(y, row): (usize, &&Value)| Some((find(values, table, row)? / row.value, y as f64));
-            rows.iter().enumerate().filter_map(of_row).collect()
+        let over = Over::new(table, rows.map(|row| (row, row.value)));
+        let bar = |(y, (row, value)): (usize, &(&Value, f64))| {
+            let (low, high) = self.band(LEVEL, table, row)?;
+            Some((low / value, high / value, y as f64))
         };
-        let bars: Vec<_> = rows
-            .iter()
-            .enumerate()
-            .filter_map(|(y, row)| {
-                let (low, high) = self.band(LEVEL, table, row)?;
-                Some((low / row.value, high / row.value, y as f64))
-            })
-            .collect();
-        let mut curves =
-            vec![Curve::bars(Shade::Grey, &bars).named(format!("Exact, noise of {} %: 5 to 95 %", digits(100.0 * LEVELS[LEVEL])))];
+        let bars: Vec<_> = over.rows.iter().enumerate().filter_map(bar).collect();
+        let noise = format!("Exact, noise of {} %: 5 to 95 %", digits(100.0 * LEVELS[LEVEL]));
+        let mut curves = vec![Curve::bars(Shade::Grey, &bars).named(noise)];
         for ((values, step), mark) in self.finer.iter().zip(TIME_STEPS).zip(MARKS) {
-            curves.push(
-                Curve::new(Kind::Points, Shade::Blue, points(values))
-                    .marked(mark)
-                    .named(format!("Δt = {} ms", digits(1e3 * step))),
-            );
+            curves.push(over.curve(values, Shade::Blue, mark, &format!("Δt = {} ms", digits(1e3 * step))));
         }
-        curves.push(
-            Curve::new(Kind::Points, Shade::Vermilion, points(published))
-                .marked(Mark::Cross)
-                .named("Published"),
-        );
-        curves.push(
-            Curve::new(Kind::Points, Shade::Ink, points(&self.exact))
-                .marked(Mark::Stroke)
-                .named("Exact"),
-        );
-        Panel {
-            title: title.into(),
-            y: Axis::names(rows.iter().map(|row| row.row.replace("layout ", "")).collect()),
-            curves,
-            legend: Legend::Shared,
-            ..Panel::default()
+        curves.push(over.curve(published, Shade::Vermilion, Mark::Cross, "Published"));
+        curves.push(over.curve(&self.exact, Shade::Ink, Mark::Stroke, "Exact"));
+        over.panel(title, curves)
+    }
+}
+
+/// Tables of totals, a panel each.
+pub(crate) const TOTALS: [(&str, &str); 2] = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
+
+/// Rows of a table, a line of a panel each, and the numbers by which theirs are divided.
+pub(crate) struct Over<'a> {
+    table: &'static str,
+    rows: Vec<(&'a Value, f64)>,
+}
+
+impl<'a> Over<'a> {
+    pub(crate) fn new(table: &'static str, rows: impl Iterator<Item = (&'a Value, f64)>) -> Self {
+        Self {
+            table,
+            rows: rows.collect(),
         }
+    }
+
+    /// Numbers of the rows as marks.
+    pub(crate) fn curve(&self, values: &Quantities, shade: Shade, mark: Mark, name: &str) -> Curve {
+        let point = |(y, (row, over)): (usize, &(&Value, f64))| Some((find(values, self.table, row)? / over, y as f64));
+        let points = self.rows.iter().enumerate().filter_map(point);
+        Curve::new(Kind::Points, shade, points.collect()).marked(mark).named(name)
+    }
+
+    /// A panel with a line for each row.
+    pub(crate) fn panel(&self, title: &str, curves: Vec<Curve>) -> Panel {
+        let names = self.rows.iter().map(|(row, _)| row.row.replace("layout ", ""));
+        Panel::shared(title, Axis::names(names.collect()), curves)
     }
 }

@@ -10,13 +10,13 @@ mod quantities;
 mod scenes;
 mod tables;
 
+use crate::files::Files;
 use crate::noise::Noise;
 use crate::paper::claims::{Claim, Survival, survivals, verdicts};
 use crate::{Completed, Output, PublishedValues, StudyError, StudyFile};
 use pounding_scene::{Method, parallel};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
 
+pub(crate) use figure::{Over, TOTALS};
 pub(crate) use quantities::{Quantities, find, quantities};
 pub(crate) use scenes::Scenes;
 
@@ -132,11 +132,11 @@ impl Converged {
     ///
     /// # Errors
     /// [`StudyError::Plot`] when the figure cannot be drawn.
-    pub(crate) fn files(&self, completed: &[Completed], published: &PublishedValues) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+    pub(crate) fn files(&self, completed: &[Completed], published: &PublishedValues) -> Result<Files, StudyError> {
         let published = quantities::published(published.values(), late(completed));
         let name = |table: &str| format!("tables/converged-{table}.csv").into();
         let table = |table| (name(table), self.table(table, &published).into_bytes());
-        let mut files: BTreeMap<PathBuf, _> = ["2", "4", "5", "6", "7"].map(table).into();
+        let mut files: Files = ["2", "4", "5", "6", "7"].map(table).into();
         files.insert(FIGURE.into(), self.figure_png(&published)?);
         Ok(files)
     }

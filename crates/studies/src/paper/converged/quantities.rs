@@ -81,12 +81,17 @@ fn two_structures(study: &Completed, table: &'static str, law: &str, found: &mut
         });
         let meetings = joined(parts);
         let values = found.entry(table).or_default();
-        values.push(value(&scene.name, MEETINGS, "1", meetings.len() as f64));
-        values.push(value(&scene.name, "transferred momentum", "kN·s", outcome.momentum.of(0) / 1e3));
+        values.push(Value::new(&*scene.name, MEETINGS, "1", meetings.len() as f64));
+        values.push(Value::new(
+            &*scene.name,
+            "transferred momentum",
+            "kN·s",
+            outcome.momentum.of(0) / 1e3,
+        ));
         of_meetings(&scene.name, &meetings, values);
         if let Some(first) = outcome.collisions.all().first() {
             let row = format!("{law} {}", scene.name);
-            let first = value(&row, "impulse of first collision", "kN·s", first.impulse / 1e3);
+            let first = Value::new(row, "impulse of first collision", "kN·s", first.impulse / 1e3);
             found.entry("5").or_default().push(first);
         }
     }
@@ -95,20 +100,11 @@ fn two_structures(study: &Completed, table: &'static str, law: &str, found: &mut
 fn of_meetings(scene: &str, meetings: &[Meeting], values: &mut Vec<Value>) {
     for (meeting, number) in meetings.iter().zip(1..) {
         let row = format!("{scene} {number}");
-        values.push(value(&row, "start", "s", meeting.start));
-        values.push(value(&row, "impulse", "kN·s", meeting.impulse));
+        values.push(Value::new(&*row, "start", "s", meeting.start));
+        values.push(Value::new(&*row, "impulse", "kN·s", meeting.impulse));
         if let Some(force) = meeting.peak_force {
-            values.push(value(&row, "peak force", "kN", force));
+            values.push(Value::new(&*row, "peak force", "kN", force));
         }
-    }
-}
-
-fn value(row: &str, quantity: &str, unit: &'static str, value: f64) -> Value {
-    Value {
-        row: row.into(),
-        quantity: quantity.into(),
-        unit,
-        value,
     }
 }
 
@@ -133,7 +129,7 @@ pub(super) fn published(printed: &[Published], late: f64) -> Quantities {
     }
     for table in ["5", "6", "7"] {
         let of_table = printed.iter().filter(|printed| printed.table == table);
-        let values = of_table.map(|printed| value(&printed.row, &printed.quantity, "kN·s", printed.published.value));
+        let values = of_table.map(|printed| Value::new(&*printed.row, &*printed.quantity, "kN·s", printed.published.value));
         found.insert(table, values.collect());
     }
     found

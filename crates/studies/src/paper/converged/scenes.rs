@@ -14,38 +14,21 @@ pub(crate) struct Scenes(Vec<Part>);
 struct Part {
     file: StudyFile,
     prepared: Vec<Simulation>,
-    looked_at: LookedAt,
+    /// Interval of the histories that are kept, if anybody looks at them \[s\]; at most a run.
+    looked_at: Option<f64>,
 }
 
-/// The instants at which histories are kept for those who look at them.
-#[derive(Debug, Clone, Copy)]
-enum LookedAt {
-    Never,
-    End,
-    /// An interval \[s\].
-    Every(f64),
-}
-
-impl LookedAt {
-    /// What the claims look at: of Tables 2 and 4 the end alone, of Fig. 15 all.
-    fn of(id: &str, scenes: &[Scene]) -> Self {
-        let step = scenes.first().and_then(|scene| scene.method.time_step());
-        match (id, step) {
-            ("table-2" | "table-4", _) => Self::End,
-            ("figure-15", Some(step)) => Self::Every(step),
-            _ => Self::Never,
-        }
-    }
-
-    /// Interval of the histories \[s\] of a run of this duration \[s\].
-    fn interval(self, duration: f64) -> Option<f64> {
-        match self {
-            Self::Never => None,
-            Self::End => Some(duration),
-            Self::Every(interval) => Some(interval),
-        }
+/// Interval of the histories that the claims need of a study's scenes \[s\]: of Tables 2 and 4 the end alone, of Fig. 15 every step.
+fn looked_at(file: &StudyFile) -> Option<f64> {
+    match &*file.id {
+        "table-2" | "table-4" => Some(AT_THE_END),
+        "figure-15" => file.study.scenes.first()?.method.time_step(),
+        _ => None,
     }
 }
+
+/// An interval of histories that is longer than any run \[s\].
+const AT_THE_END: f64 = f64::INFINITY;
 
 impl Scenes {
     /// The scenes of the studies of these names, with the method that `method` makes of theirs.
@@ -55,10 +38,7 @@ impl Scenes {
     pub(crate) fn of(files: &[&StudyFile], studies: &[&str], method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
         let part = |id: &&str| {
             let file = files.iter().find(|file| file.id == **id);
-            let file = file.ok_or_else(|| StudyError::MissingScene {
-                study: (*id).into(),
-                scene: "any".into(),
-            })?;
+            let file = file.ok_or_else(|| StudyError::no_scene_of(id))?;
             Part::of((*file).clone(), &method)
         };
         studies.iter().map(part).collect::<Result<_, _>>().map(Self)
@@ -97,15 +77,24 @@ impl Scenes {
 }
 
 impl Part {
+    /// The scenes of a study, prepared in their order.
+    fn prepared(
+        file: StudyFile,
+        looked_at: Option<f64>,
+        mut prepare: impl FnMut(usize, &Scene) -> Result<Simulation, pounding_scene::Error>,
+    ) -> Result<Self, StudyError> {
+        let scenes = file.study.scenes.iter().enumerate();
+        let prepared = scenes.map(|(index, scene)| prepare(index, scene)).collect::<Result<_, _>>();
+        let prepared = prepared.map_err(|error| error.in_file(&file.path))?;
+        Ok(Self { file, prepared, looked_at })
+    }
+
     fn of(mut file: StudyFile, method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
-        let looked_at = LookedAt::of(&file.id, &file.study.scenes);
+        let (looked_at, base) = (looked_at(&file), file.base().to_path_buf());
         for scene in &mut file.study.scenes {
             scene.method = method(scene.method);
         }
-        let prepare = |scene: &Scene| Simulation::new(scene, file.base());
-        let prepared = file.study.scenes.iter().map(prepare).collect::<Result<_, _>>();
-        let prepared = prepared.map_err(|error| error.in_file(&file.path))?;
-        Ok(Self { file, prepared, looked_at })
+        Self::prepared(file, looked_at, |_, scene| Simulation::new(scene, &*base))
     }
 
     fn shaken(&self, record: &Record, turned: impl Fn(&Scene) -> Scene) -> Result<Self, StudyError> {
@@ -113,34 +102,21 @@ impl Part {
         for scene in &mut file.study.scenes {
             *scene = turned(scene);
         }
-        let pairs = self.prepared.iter().zip(&file.study.scenes);
-        let prepared = pairs.map(|(prepared, scene)| prepared.variant(scene, record.clone()));
-        let prepared = prepared.collect::<Result<_, _>>();
-        let looked_at = match self.looked_at {
-            LookedAt::Never | LookedAt::End => LookedAt::End,
-            LookedAt::Every(interval) => LookedAt::Every(interval),
-        };
-        Ok(Self {
-            prepared: prepared.map_err(|error| error.in_file(&file.path))?,
-            file,
-            looked_at,
+        let looked_at = self.looked_at.unwrap_or(AT_THE_END);
+        Self::prepared(file, Some(looked_at), |index, scene| {
+            self.prepared[index].variant(scene, record.clone())
         })
     }
 
     fn running_on(&self) -> Result<Self, StudyError> {
         let mut file = self.file.clone();
-        let pairs = self.prepared.iter().zip(&mut file.study.scenes);
-        let prepared = pairs.map(|(prepared, scene)| {
-            let duration = prepared.duration();
-            scene.duration_s = Some(2.0 * duration);
-            let record = ended(prepared.record(), duration);
+        for (scene, prepared) in file.study.scenes.iter_mut().zip(&self.prepared) {
+            scene.duration_s = Some(2.0 * prepared.duration());
+        }
+        Self::prepared(file, self.looked_at, |index, scene| {
+            let prepared = &self.prepared[index];
+            let record = ended(prepared.record(), prepared.duration());
             prepared.variant(scene, record.map_err(|error| in_scene(scene, error.into()))?)
-        });
-        let prepared = prepared.collect::<Result<_, _>>();
-        Ok(Self {
-            prepared: prepared.map_err(|error| error.in_file(&self.file.path))?,
-            looked_at: self.looked_at,
-            file,
         })
     }
 
@@ -152,7 +128,7 @@ impl Part {
             }
         }
         let run = |scene: &Simulation| {
-            let interval = self.looked_at.interval(scene.duration());
+            let interval = self.looked_at.map(|interval| interval.min(scene.duration()));
             if let Some(program) = self.file.study.program_of(scene.scene()) {
                 return program.run(scene, interval);
             }
@@ -167,8 +143,7 @@ impl Part {
             };
             scene.run_unjudged(asked)
         };
-        let outcomes = prepared.iter().map(run);
-        let outcomes = outcomes.collect::<Result<_, _>>();
+        let outcomes = prepared.iter().map(run).collect::<Result<_, _>>();
         Ok(Completed {
             outcomes: outcomes.map_err(|error| error.in_file(&self.file.path))?,
             file: self.file.clone(),
@@ -180,9 +155,8 @@ impl Part {
 /// A record that ends after so long \[s\], and is zero a sample later.
 fn ended(record: &Record, duration: f64) -> Result<Record, RecordError> {
     let step = record.time_step();
-    let is_shaken = |index: &usize| *index as f64 * step <= duration * (1.0 + 1e-9);
-    let samples = record.samples().iter().enumerate();
-    let samples = samples.take_while(|(index, _)| is_shaken(index));
+    let is_shaken = |(index, _): &(usize, &f64)| *index as f64 * step <= duration * (1.0 + 1e-9);
+    let samples = record.samples().iter().enumerate().take_while(is_shaken);
     let samples = samples.map(|(_, sample)| *sample).chain([0.0]).collect();
     Record::new(step, samples, record.source())
 }

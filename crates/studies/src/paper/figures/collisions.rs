@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use pounding_solver::{Collision, State};
 
 use super::histories::time_axis;
-use super::{capital, label, points};
+use super::{label, points};
 use crate::Completed;
+use crate::files::capital;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, minus, sparse_markers};
 use pounding_scene::{RunResult, Scene};
 use pounding_text::digits;
@@ -18,22 +19,16 @@ const ROOM: f64 = 0.08;
 pub(super) fn pounding(completed: &Completed) -> Figure {
     let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
     let markers = sparse_markers(collisions(scene, outcome).map(|one| one.start).collect());
-    Figure {
-        height_in: 4.6,
-        x: time_axis(scene),
-        panels: vec![
-            Panel {
-                title: completed.file.study.title.clone(),
-                markers: markers.clone(),
-                ..displacement_panel(scene, outcome)
-            },
-            Panel {
-                markers,
-                ..force_panel(scene, outcome)
-            },
-        ],
-        ..Figure::default()
-    }
+    let above = Panel {
+        title: completed.file.study.title.clone(),
+        markers: markers.clone(),
+        ..displacement_panel(scene, outcome)
+    };
+    let below = Panel {
+        markers,
+        ..force_panel(scene, outcome)
+    };
+    Figure::grid(4.6, 1, time_axis(scene), vec![above, below])
 }
 
 /// Displacements, each structure shifted by the gaps to its left: curves that meet are structures that touch.
@@ -58,11 +53,8 @@ fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     }
     let heights = curves.iter().flat_map(|curve: &Curve| &curve.points).map(|point| point.1);
     let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
-    let narrow = scene
-        .contacts
-        .iter()
-        .flatten()
-        .any(|contact| 1e3 * contact.gap_m < ROOM * (high - low));
+    let is_narrow = |gap: f64| 1e3 * gap < ROOM * (high - low);
+    let narrow = scene.contacts.iter().flatten().any(|contact| is_narrow(contact.gap_m));
     if narrow {
         notes.clear();
     }
@@ -80,11 +72,8 @@ fn force_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     let forces = forces(scene, outcome);
     let peak = forces.iter().flatten().copied().fold((0.0, 0.0), largest);
     let (unit, factor) = unit(peak.1);
-    let curves = forces
-        .iter()
-        .enumerate()
-        .map(|(index, points)| Curve::new(kind(scene), Shade::nth(index), in_unit(points, factor)))
-        .collect();
+    let curve = |(index, points): (usize, &Vec<_>)| Curve::new(kind(scene), Shade::nth(index), in_unit(points, factor));
+    let curves = forces.iter().enumerate().map(curve).collect();
     let decimals = if unit == "MN" { 2 } else { 0 };
     let at = (peak.0, factor * peak.1);
     let text = minus(&format!("{:.decimals$} {unit} at {:.2} s", at.1, at.0));
@@ -190,10 +179,6 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
             ..Panel::default()
         }
     };
-    Figure {
-        height_in: 4.8,
-        columns: 2,
-        x: Axis::over("Time (s)", range.0, range.1),
-        panels: completed.runs().zip(0..).map(panel).collect(),
-    }
+    let x = Axis::over("Time (s)", range.0, range.1);
+    Figure::grid(4.8, 2, x, completed.runs().zip(0..).map(panel).collect())
 }

@@ -1,6 +1,7 @@
 //! Figures of quantities over time: the record, displacements, shear forces.
 
-use super::{capital, label, points};
+use super::{label, points};
+use crate::files::capital;
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
 use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};
@@ -23,34 +24,29 @@ fn title(completed: &Completed, panel: usize) -> String {
 pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let sign = if scene.record.reversed { -1.0 } else { 1.0 };
     let in_g = |acceleration: f64| sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2);
-    let shown: Vec<_> = record
-        .samples()
-        .iter()
-        .enumerate()
-        .map(|(i, sample)| (i as f64 * record.time_step(), in_g(*sample)))
-        .take_while(|(time, _)| *time <= scene.duration())
-        .collect();
-    let peak = shown.iter().copied().fold(
-        (0.0, 0.0),
-        |peak: (f64, f64), point| {
-            if point.1.abs() > peak.1.abs() { point } else { peak }
-        },
-    );
+    let shown = record.samples().iter().enumerate();
+    let shown = shown.map(|(i, sample)| (i as f64 * record.time_step(), in_g(*sample)));
+    let shown: Vec<_> = shown.take_while(|(time, _)| *time <= scene.duration()).collect();
+    let farther = |peak: (f64, f64), point: (f64, f64)| if point.1.abs() > peak.1.abs() { point } else { peak };
+    let peak = shown.iter().copied().fold((0.0, 0.0), farther);
     let text = minus(&format!("{:.3} g at {:.2} s", peak.1, peak.0));
-    Figure {
-        height_in: 2.8,
-        x: time_axis(scene),
-        panels: vec![Panel {
-            y: Axis::auto("Ground acceleration (g)"),
-            levels: vec![0.0],
-            notes: vec![Note::new(peak, text)],
-            curves: vec![
-                Curve::new(Kind::Thin, Shade::Blue, shown),
-                Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
-            ],
-            ..Panel::default()
-        }],
-        ..Figure::default()
+    let curves = vec![
+        Curve::new(Kind::Thin, Shade::Blue, shown),
+        Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
+    ];
+    let panel = over_time(String::new(), "Ground acceleration (g)", curves, vec![Note::new(peak, text)]);
+    Figure::grid(2.8, 1, time_axis(scene), vec![panel])
+}
+
+/// A quantity over time, with a line at zero.
+fn over_time(title: String, label: &str, curves: Vec<Curve>, notes: Vec<Note>) -> Panel {
+    Panel {
+        title,
+        y: Axis::auto(label),
+        levels: vec![0.0],
+        notes,
+        curves,
+        ..Panel::default()
     }
 }
 
@@ -62,17 +58,11 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
         let at = (peak.time, 1e3 * peak.value);
         let text = minus(&format!("{:.1} mm at {:.2} s", at.1, at.0));
         let history = points(outcome, index, |state| 1e3 * state.displacement);
-        Panel {
-            title: title(completed, index),
-            y: Axis::auto("Displacement (mm)"),
-            levels: vec![0.0],
-            notes: vec![Note::new(at, text)],
-            curves: vec![
-                Curve::new(Kind::Line, Shade::nth(index), history).named(label(structure)),
-                Curve::new(Kind::Points, Shade::nth(index), vec![at]),
-            ],
-            ..Panel::default()
-        }
+        let curves = vec![
+            Curve::new(Kind::Line, Shade::nth(index), history).named(label(structure)),
+            Curve::new(Kind::Points, Shade::nth(index), vec![at]),
+        ];
+        over_time(title(completed, index), "Displacement (mm)", curves, vec![Note::new(at, text)])
     };
     Figure {
         x: time_axis(scene),
@@ -97,17 +87,10 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
     let allowed = "the name of a structure of every scene";
     let place = "output.shear_force_figure.structure";
     let curves = curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
-    let panel = |(panel, front): (usize, &Curve)| Panel {
-        title: title(completed, panel),
-        y: Axis::auto("Shear force (kN)"),
-        levels: vec![0.0],
-        curves: vec![curves[0].clone(), front.clone()],
-        ..Panel::default()
+    let panel = |(panel, front): (usize, &Curve)| {
+        let both = vec![curves[0].clone(), front.clone()];
+        over_time(title(completed, panel), "Shear force (kN)", both, Vec::new())
     };
-    Ok(Figure {
-        height_in: 5.0,
-        x: time_axis(&completed.file.study.scenes[0]),
-        panels: curves.iter().skip(1).enumerate().map(panel).collect(),
-        ..Figure::default()
-    })
+    let panels = curves.iter().skip(1).enumerate().map(panel).collect();
+    Ok(Figure::grid(5.0, 1, time_axis(&completed.file.study.scenes[0]), panels))
 }

@@ -1,6 +1,6 @@
 //! The rows of scenes, drawn: masses on columns, gaps between them.
 
-use super::capital;
+use crate::files::capital;
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape};
 use pounding_scene::{Scene, Sdof, Structure};
 
@@ -40,14 +40,11 @@ fn is_heavy(structure: &Sdof) -> bool {
 }
 
 fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
-    let halves: Vec<f64> = scene
-        .structures
-        .iter()
-        .map(|structure| match structure {
-            Structure::Sdof(sdof) => size(sdof).0,
-            Structure::Building(_) | Structure::Wall => 2.0,
-        })
-        .collect();
+    let half = |structure: &Structure| match structure {
+        Structure::Sdof(sdof) => size(sdof).0,
+        Structure::Building(_) | Structure::Wall => 2.0,
+    };
+    let halves: Vec<f64> = scene.structures.iter().map(half).collect();
     let width = 2.0 * halves.iter().sum::<f64>() + GAP * (halves.len() - 1) as f64;
     let mut x = middle - 0.5 * width;
     ground(x - 3.0, x + width + 3.0, shapes);
@@ -81,18 +78,16 @@ fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
     let pen = if is_heavy(structure) { 3.0 } else { 1.2 };
     let leg = half - 1.6;
     for side in [-leg, leg] {
-        shapes.push(Shape::line(
-            (x + side, GROUND),
-            (x + side, GROUND + COLUMN - 0.5 * mass),
-            Pen::solid(Shade::Ink, pen),
-        ));
+        let (foot, top) = ((x + side, GROUND), (x + side, GROUND + COLUMN - 0.5 * mass));
+        shapes.push(Shape::line(foot, top, Pen::solid(Shade::Ink, pen)));
     }
-    shapes.push(Shape::Rectangle {
-        corner: (x - half, GROUND + COLUMN - 0.5 * mass),
-        size: (2.0 * half, mass),
-        fill: Some(Fill::solid(shade)),
-        outline: Some(Pen::solid(Shade::Ink, 0.8)),
-    });
+    let corner = (x - half, GROUND + COLUMN - 0.5 * mass);
+    shapes.push(Shape::boxed(
+        corner,
+        (2.0 * half, mass),
+        Fill::solid(shade),
+        Pen::solid(Shade::Ink, 0.8),
+    ));
     let line = |row: f64, text: String, points| Shape::text((x, GROUND - 4.6 - 3.6 * row), text, points, Align::Middle);
     shapes.push(line(0.0, capital(&structure.name), TEXT));
     shapes.push(line(1.0, format!("{:.0} t", structure.mass_kg / 1e3), TEXT - 1.5));
@@ -103,11 +98,8 @@ fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
 fn gap(from: f64, gap: f64, shapes: &mut Vec<Shape>) {
     let (top, pen) = (GROUND + COLUMN + 8.0, Pen::solid(Shade::Ink, 0.5));
     for x in [from, from + GAP] {
-        shapes.push(Shape::line(
-            (x, GROUND + COLUMN + 5.2),
-            (x, top + 1.0),
-            Pen::solid(Shade::Grey, 0.5),
-        ));
+        let grey = Pen::solid(Shade::Grey, 0.5);
+        shapes.push(Shape::line((x, GROUND + COLUMN + 5.2), (x, top + 1.0), grey));
     }
     shapes.push(Shape::Arrow {
         from: (from, top),

@@ -4,8 +4,8 @@ mod collisions;
 mod histories;
 mod layouts;
 
+use crate::files::{capital, drawn};
 use crate::{Completed, Output, StudyError};
-use pounding_plot::{PlotError, render_png};
 use pounding_scene::{RunResult, Structure};
 use pounding_solver::State;
 
@@ -14,32 +14,23 @@ use pounding_solver::State;
 /// # Errors
 /// [`StudyError`] when the scenes do not give what the figure shows.
 pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> {
-    let png = match &completed.file.study.output {
-        Output::RecordFigure => {
-            let scene = &completed.file.study.scenes[0];
-            render_png(&histories::record(scene, completed.prepared[0].record()))
-        }
-        Output::DisplacementFigure => render_png(&histories::displacements(completed)),
-        Output::PoundingFigure => render_png(&collisions::pounding(completed)),
-        Output::FirstCollisionFigure => render_png(&collisions::first_collisions(completed)),
-        Output::LayoutFigure => render_png(&layouts::drawing(&completed.file.study.scenes)),
-        Output::ShearForceFigure { structure } => render_png(&histories::shear_forces(completed, structure)?),
-        Output::StructuresTable
-        | Output::PoundingForcesTable { .. }
-        | Output::FirstCollisionTable
-        | Output::TransferredMomentumTable
-        | Output::TextTable { .. }
-        | Output::Trade(_)
-        | Output::Laws(_)
-        | Output::Extremes(_)
-        | Output::Beyond(_)
-        | Output::Survey(_)
-        | Output::Claims => return Ok(None),
+    let (output, scenes) = (&completed.file.study.output, &completed.file.study.scenes);
+    let figure = if let Output::RecordFigure = output {
+        histories::record(&scenes[0], completed.prepared[0].record())
+    } else if let Output::DisplacementFigure = output {
+        histories::displacements(completed)
+    } else if let Output::PoundingFigure = output {
+        collisions::pounding(completed)
+    } else if let Output::FirstCollisionFigure = output {
+        collisions::first_collisions(completed)
+    } else if let Output::ShearForceFigure { structure } = output {
+        histories::shear_forces(completed, structure)?
+    } else if let Output::LayoutFigure = output {
+        return drawn(&layouts::drawing(scenes), &completed.file.path).map(Some);
+    } else {
+        return Ok(None);
     };
-    png.map(Some).map_err(|source: PlotError| StudyError::Plot {
-        path: completed.file.path.clone(),
-        source,
-    })
+    drawn(&figure, &completed.file.path).map(Some)
 }
 
 /// Name of a structure with its period, for a legend.
@@ -51,15 +42,6 @@ fn label(structure: &Structure) -> String {
         }
         Structure::Wall => "Wall".into(),
     }
-}
-
-/// A name with its first letter large.
-pub(crate) fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters
-        .next()
-        .map(|first| first.to_uppercase().chain(letters).collect())
-        .unwrap_or_default()
 }
 
 /// A quantity of one structure over time, as points.

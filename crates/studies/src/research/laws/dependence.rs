@@ -1,13 +1,12 @@
 //! Which numbers of a scene depend on the law, and which do not.
 
-use super::entry::{Entry, key, label, mark, shade};
+use super::entry::{Entry, label, mark, shade};
 use super::scenes::{Item, Played, items};
-use crate::paper::figures::capital;
+use crate::files::capital;
 use crate::research::work_precision::MethodQuantity;
 use crate::study::laws::is_linear;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_text::Table;
 
 /// One number of a scene under all laws that deliver the same e.
 struct Compared<'a> {
@@ -27,10 +26,7 @@ impl Compared<'_> {
 
     /// Least and largest with their laws, of some of the laws.
     fn extremes(&self, wanted: impl Fn(&Entry) -> bool) -> Option<[(&Entry, f64); 2]> {
-        let values = || {
-            let of_law = self.compliant.iter().copied();
-            of_law.filter(|(entry, _)| wanted(entry))
-        };
+        let values = || self.compliant.iter().copied().filter(|(entry, _)| wanted(entry));
         let least = values().min_by(|one, other| one.1.total_cmp(&other.1))?;
         let largest = values().max_by(|one, other| one.1.total_cmp(&other.1))?;
         Some([least, largest])
@@ -52,28 +48,27 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
     let of_scene = |scene: &'a Played| {
         let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())));
         let all: Vec<_> = entries.iter().zip(&scene.outcomes).filter_map(found).collect();
-        let mut items: Vec<Item> = Vec::new();
-        for item in all.iter().flat_map(|(_, items)| items) {
-            if !items.iter().any(|known| known.is_as(item)) {
-                items.push(item.clone());
+        let mut numbers: Vec<Compared<'a>> = Vec::new();
+        for (entry, items) in all {
+            for item in items {
+                let place = numbers.iter().position(|one| one.item.is_as(&item)).unwrap_or(numbers.len());
+                if place == numbers.len() {
+                    numbers.push(Compared {
+                        played: scene,
+                        item: item.clone(),
+                        compliant: Vec::new(),
+                        impulsive: None,
+                    });
+                }
+                let one = &mut numbers[place];
+                if !entry.is_compliant() {
+                    one.impulsive.get_or_insert(item.value);
+                } else if !entry.name().is_elastic() {
+                    one.compliant.push((entry, item.value));
+                }
             }
         }
-        let compared = move |item: Item| {
-            let value = |(entry, items): &(&'a Entry, Vec<Item>)| {
-                let same = items.iter().find(|known| known.is_as(&item))?;
-                Some((*entry, same.value))
-            };
-            let values = || all.iter().filter_map(value);
-            Compared {
-                played: scene,
-                compliant: values()
-                    .filter(|(entry, _)| entry.is_compliant() && !entry.name().is_elastic())
-                    .collect(),
-                impulsive: values().find(|(entry, _)| !entry.is_compliant()).map(|(_, value)| value),
-                item,
-            }
-        };
-        items.into_iter().map(compared)
+        numbers
     };
     let all = played.iter().flat_map(of_scene);
     // An impulsive law has a peak of its own.
@@ -95,49 +90,33 @@ fn depends(spread: Option<f64>) -> &'static str {
 
 /// How far apart the laws are in every number of every scene.
 pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
-    let header = [
-        "scene",
-        "quantity",
-        "structure",
-        "unit",
-        "laws",
-        "least",
-        "law_of_least",
-        "largest",
-        "law_of_largest",
-        "depends_on_law",
-        "spread",
-        "spread_of_linear_springs",
-        "spread_of_hertz_springs",
-        "stereomechanical",
-        "stereomechanical_over_mean",
-    ];
-    let row = |compared: &Compared<'_>| {
-        let item = &compared.item;
-        let spread = |spread: Option<f64>| spread.map_or_else(String::new, digits);
-        let mut row = vec![
-            compared.played.scene.clone(),
-            item.quantity.into(),
-            item.structure.map_or_else(String::new, |n| n.to_string()),
-            item.unit.into(),
-            compared.compliant.len().to_string(),
-        ];
-        let of_all = compared.spread(|_| true);
-        let one_of_them = of_all.is_none_or(|spread| spread > 0.0);
-        for (entry, value) in compared.extremes(|_| true).into_iter().flatten() {
-            let law = one_of_them.then(|| key(entry.name()));
-            row.extend([digits(value), law.unwrap_or_default()]);
-        }
-        row.extend([depends(of_all).into(), spread(of_all)]);
-        row.push(spread(compared.spread(|entry| is_linear(entry.name()))));
-        row.push(spread(compared.spread(|entry| !is_linear(entry.name()))));
-        let ratio = compared.impulsive.map(|value| value / compared.mean());
-        row.push(compared.impulsive.map_or_else(String::new, digits));
-        row.push(ratio.filter(|ratio| ratio.is_finite()).map_or_else(String::new, digits));
-        row
+    let linear = |entry: &Entry| is_linear(entry.name());
+    // Where all give one number, none of them stands out.
+    let law = |compared: &Compared<'_>, which: usize| {
+        let differ = compared.spread(|_| true).is_none_or(|spread| spread > 0.0);
+        compared
+            .extremes(|_| true)
+            .filter(|_| differ)
+            .map(|both| both[which].0.name().name())
     };
-    let rows: Vec<_> = compare(played, entries).iter().map(row).collect();
-    to_csv(&header.map(String::from), &rows)
+    let extreme = |compared: &Compared<'_>, which: usize| compared.extremes(|_| true).map(|both| both[which].1);
+    Table::of(compare(played, entries))
+        .column("scene", |one| one.played.scene.clone())
+        .column("quantity", |one| one.item.quantity)
+        .column("structure", |one| one.item.structure)
+        .column("unit", |one| one.item.unit)
+        .column("laws", |one| one.compliant.len())
+        .column("least", |one| extreme(one, 0))
+        .column("law_of_least", |one| law(one, 0))
+        .column("largest", |one| extreme(one, 1))
+        .column("law_of_largest", |one| law(one, 1))
+        .column("depends_on_law", |one| depends(one.spread(|_| true)))
+        .column("spread", |one| one.spread(|_| true))
+        .column("spread_of_linear_springs", |one| one.spread(linear))
+        .column("spread_of_hertz_springs", |one| one.spread(|entry| !linear(entry)))
+        .column("stereomechanical", |one| one.impulsive)
+        .column("stereomechanical_over_mean", |one| one.impulsive.map(|value| value / one.mean()))
+        .csv()
 }
 
 /// Panels, and their heights.
@@ -152,24 +131,15 @@ const SHOWN: [(MethodQuantity, f64); 4] = [
 pub(super) fn figure(played: &[Played], entries: &[Entry]) -> Figure {
     let all = compare(played, entries);
     let panel = |(quantity, weight): (MethodQuantity, f64)| {
-        let shown = |compared: &&Compared<'_>| compared.item.quantity == quantity.key();
-        let rows: Vec<_> = all.iter().filter(shown).collect();
-        let names = rows.iter().map(|compared| name(compared)).collect();
+        let rows: Vec<_> = all.iter().filter(|compared| compared.item.quantity == quantity.key()).collect();
+        let names = Axis::names(rows.iter().map(|compared| name(compared)).collect());
         Panel {
-            title: quantity.words(true).into(),
-            y: Axis::names(names),
-            curves: curves(&rows, entries),
-            legend: Legend::Shared,
             weight,
-            ..Panel::default()
+            ..Panel::shared(quantity.words(true), names, curves(&rows, entries))
         }
     };
-    Figure {
-        height_in: 8.8,
-        columns: 2,
-        x: Axis::auto("Over the mean of the compliant laws"),
-        panels: SHOWN.into_iter().map(panel).collect(),
-    }
+    let x = Axis::auto("Over the mean of the compliant laws");
+    Figure::grid(8.8, 2, x, SHOWN.into_iter().map(panel).collect())
 }
 
 fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {

@@ -1,6 +1,6 @@
 //! The laws under comparison, and how figures show them.
 
-use pounding_contact::LawName;
+use pounding_contact::{ContactLaw, LawName};
 
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Mark, Shade};
@@ -38,20 +38,22 @@ impl Entry {
         self.names[0]
     }
 
+    /// The law.
+    pub(super) fn law(&self) -> ContactLaw {
+        self.certificate.law
+    }
+
     /// Whether it has a force over time.
     pub(super) fn is_compliant(&self) -> bool {
         self.certificate.law.is_compliant()
     }
-
-    /// Rows of a table, once for each name.
-    pub(super) fn rows(&self, row: impl Fn(String) -> Vec<Vec<String>>) -> impl Iterator<Item = Vec<String>> {
-        self.names.iter().flat_map(move |name| row(key(*name)))
-    }
 }
 
-/// Name of a law in tables.
-pub(super) fn key(law: LawName) -> String {
-    law.name().into()
+/// Rows of a table, one for each name of a law: the name, the law and the row.
+pub(super) fn by_name<T: Clone>(entry: &Entry, rows: impl IntoIterator<Item = T>) -> Vec<(LawName, &Entry, T)> {
+    let rows: Vec<T> = rows.into_iter().collect();
+    let of_name = |name: &LawName| rows.iter().map(|row| (*name, entry, row.clone())).collect::<Vec<_>>();
+    entry.names.iter().flat_map(of_name).collect()
 }
 
 /// Name of a law in figures.

@@ -3,12 +3,11 @@
 use pounding_contact::{Clamp, ContactLaw, LawName};
 use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders, State};
 
-use super::entry::{Entry, label, shade};
+use super::entry::{Entry, by_name, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
 use pounding_scene::{CollisionError, FreeCollision, parallel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_text::Table;
 
 /// Points of a history, from touch to parting.
 const N_POINTS: u32 = 500;
@@ -79,51 +78,37 @@ impl Impact {
 
 /// Duration, extremes and clamp of every law.
 pub(super) fn table(entries: &[Entry], impacts: &[Option<Impact>], settings: &AtlasSettings) -> String {
-    let header = [
-        "law",
-        "restitution",
-        "duration_s",
-        "max_deformation_m",
-        "peak_force_n",
-        "impulse_n_s",
-        "would_pull",
-        "clamped_from_s",
-        "deformation_at_clamp_m",
-    ];
-    let mut rows = Vec::new();
-    for (entry, impact) in entries.iter().zip(impacts) {
-        let found = &entry.certificate;
-        let (e, speed) = (found.by_exact, settings.approach_speed_m_per_s);
-        let mut cells = vec![digits(e)];
-        cells.extend(match &found.impact {
-            Some(free) => [free.duration, free.max_deformation, free.peak_force].map(digits),
-            None => [const { String::new() }; 3],
-        });
-        cells.push(digits(found.impulse));
-        let clamp = found.law.clamp();
-        cells.push(
-            match clamp {
-                Clamp::Never => "never",
-                Clamp::DrivenApart => "driven apart",
-                Clamp::EveryCollision => "every collision",
-            }
-            .into(),
-        );
-        cells.extend(match (impact, &found.impact) {
-            (Some(impact), Some(free)) if clamp == Clamp::EveryCollision => {
-                // From there on the pair flies apart at e v₀.
-                let flight = free.duration - impact.force_duration;
-                [impact.force_duration, e * speed * flight].map(digits)
-            }
-            _ => [const { String::new() }; 2],
-        });
-        rows.extend(entry.rows(|name| {
-            let mut row = vec![name];
-            row.extend(cells.iter().cloned());
-            vec![row]
-        }));
-    }
-    to_csv(&header.map(String::from), &rows)
+    let rows = entries
+        .iter()
+        .zip(impacts)
+        .flat_map(|(entry, impact)| by_name(entry, [impact.as_ref()]));
+    let free = |entry: &Entry| entry.certificate.impact;
+    // From there on the pair flies apart at e v₀.
+    let clamped = |entry: &Entry, impact: Option<&Impact>| {
+        let (impact, free) = impact.zip(free(entry)).filter(|_| entry.law().clamp() == Clamp::EveryCollision)?;
+        let flight = free.duration - impact.force_duration;
+        let speed = entry.certificate.by_exact * settings.approach_speed_m_per_s;
+        Some((impact.force_duration, speed * flight))
+    };
+    Table::of(rows)
+        .column("law", |(name, ..)| name.name())
+        .column("restitution", |(_, entry, _)| entry.certificate.by_exact)
+        .column("duration_s", |(_, entry, _)| free(entry).map(|free| free.duration))
+        .column("max_deformation_m", |(_, entry, _)| free(entry).map(|free| free.max_deformation))
+        .column("peak_force_n", |(_, entry, _)| free(entry).map(|free| free.peak_force))
+        .column("impulse_n_s", |(_, entry, _)| entry.certificate.impulse)
+        .column("would_pull", |(_, entry, _)| match entry.law().clamp() {
+            Clamp::Never => "never",
+            Clamp::DrivenApart => "driven apart",
+            Clamp::EveryCollision => "every collision",
+        })
+        .column("clamped_from_s", |(_, entry, impact)| {
+            clamped(entry, *impact).map(|clamped| clamped.0)
+        })
+        .column("deformation_at_clamp_m", |(_, entry, impact)| {
+            clamped(entry, *impact).map(|clamped| clamped.1)
+        })
+        .csv()
 }
 
 /// Force over deformation.
@@ -156,13 +141,7 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
     let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| law.is_elastic());
     let peak = springs.iter().chain(&damped).flat_map(|(_, curve)| &curve.points);
     let peak = peak.map(|point| point.1).fold(0.0, f64::max);
-    let panel = |title: &str, curves| Panel {
-        title: title.into(),
-        y: Axis::over("Force (MN)", 0.0, 1.05 * peak),
-        curves,
-        legend: Legend::Shared,
-        ..Panel::default()
-    };
+    let panel = |title: &str, curves| Panel::shared(title, Axis::over("Force (MN)", 0.0, 1.05 * peak), curves);
     let of_law = |(law, curve): &(LawName, Curve)| {
         let same = springs.iter().filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
         let behind = same.map(|(_, spring)| Curve {
@@ -181,13 +160,5 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
     }
     let both = springs.iter().map(|(law, curve)| curve.clone().named(label(*law)));
     panels.push(panel("Linear and Hertz spring", both.collect()));
-    for panel in panels.iter_mut().skip(1).step_by(2) {
-        panel.y.label.clear();
-    }
-    Figure {
-        height_in: 8.2,
-        columns: 2,
-        x: Axis::auto(x),
-        panels,
-    }
+    Figure::grid(8.2, 2, Axis::auto(x), panels).labelled_at_left()
 }

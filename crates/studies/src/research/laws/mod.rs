@@ -11,12 +11,12 @@ mod restitution;
 mod scenes;
 mod time_step;
 
+use crate::files::{Files, drawn, in_folder};
 use crate::study::laws::AtlasSettings;
 use crate::{Completed, StudyError};
-use pounding_plot::{Figure, render_png};
+use pounding_plot::Figure;
 use pounding_scene::{CertificateError, Scene};
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use entry::Entry;
 
@@ -66,21 +66,14 @@ impl Atlas {
     ///
     /// # Errors
     /// [`StudyError::Plot`] for a figure that cannot be drawn.
-    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let mut files: BTreeMap<&str, Vec<u8>> = BTreeMap::new();
-        for (name, text) in self.tables() {
-            files.insert(name, text.into_bytes());
-        }
-        for (name, figure) in self.figures() {
-            let png = render_png(&figure).map_err(|source| StudyError::Plot {
-                path: self.path.clone(),
-                source,
-            })?;
-            files.insert(name, png);
-        }
-        let folder = Path::new("laws");
-        let files = files.into_iter();
-        Ok(files.map(|(name, bytes)| (folder.join(name), bytes)).collect())
+    pub fn files(&self) -> Result<Files, StudyError> {
+        let figures = self
+            .figures()
+            .into_iter()
+            .map(|(name, figure)| Ok((name, drawn(&figure, &self.path)?)));
+        let tables = self.tables().into_iter().map(|(name, text)| Ok((name, text.into_bytes())));
+        let files: Vec<_> = tables.chain(figures).collect::<Result<_, StudyError>>()?;
+        Ok(in_folder("laws", files))
     }
 
     fn tables(&self) -> [(&'static str, String); 6] {

@@ -2,12 +2,12 @@
 
 use pounding_contact::{FreeImpact, FreePair, LawName};
 
-use super::entry::{Entry, key, label, mark, shade};
+use super::entry::{Entry, by_name, label, mark, shade};
+use crate::drivers::pairs;
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
 use pounding_scene::{Certificate, parallel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_text::{Cell, Table};
 
 /// What a law delivers when it is asked for an e.
 #[derive(Debug)]
@@ -20,70 +20,52 @@ pub(super) struct Asked {
 
 /// Asks every law for every e.
 pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
-    let questions: Vec<_> = LawName::ALL
-        .into_iter()
-        .flat_map(|law| settings.restitutions.iter().map(move |e| (law, *e)))
-        .collect();
-    let answer = |&(law, restitution): &(LawName, f64)| {
-        let certificate = settings.certificate(law, restitution);
+    let answer = |&(law, restitution): &(&LawName, &f64)| {
+        let certificate = settings.certificate(*law, *restitution);
         Asked {
-            law,
-            restitution,
+            law: *law,
+            restitution: *restitution,
             outcome: certificate.map_err(|error| error.to_string()),
         }
     };
-    parallel::each(&questions, answer)
+    parallel::each(&pairs(&LawName::ALL, &settings.restitutions), answer)
 }
 
 /// e asked for, and delivered by either calibration.
 pub(super) fn table(asked: &[Asked]) -> String {
-    let header = [
-        "law",
-        "restitution_asked",
-        "delivered_by_literature_calibration",
-        "delivered_by_exact_calibration",
-        "failed",
-    ];
-    let row = |asked: &Asked| {
-        let (formula, exact, failed) = match &asked.outcome {
-            Ok(found) => (
-                found.by_formula.map_or_else(String::new, digits),
-                format!("{:.12}", found.by_exact),
-                String::new(),
-            ),
-            Err(reason) => (String::new(), String::new(), reason.clone()),
-        };
-        let e = digits(asked.restitution);
-        vec![key(asked.law), e, formula, exact, failed]
-    };
-    to_csv(&header.map(String::from), &asked.iter().map(row).collect::<Vec<_>>())
+    let found = |asked: &Asked| asked.outcome.as_ref().ok().map(|found| (found.by_formula, found.by_exact));
+    Table::of(asked)
+        .column("law", |asked| asked.law.name())
+        .column("restitution_asked", |asked| asked.restitution)
+        .column("delivered_by_literature_calibration", |asked| {
+            found(asked).and_then(|found| found.0)
+        })
+        .column("delivered_by_exact_calibration", |asked| {
+            Cell::number(found(asked).map(|found| found.1), |e| format!("{e:.12}"))
+        })
+        .column("failed", |asked| asked.outcome.as_ref().err().cloned())
+        .csv()
 }
 
 /// e delivered at other approach speeds, with the damping that is exact at one of them.
 pub(super) fn speeds(entries: &[Entry], settings: &AtlasSettings) -> String {
-    let header = ["law", "approach_speed_m_per_s", "delivered"];
-    let mut rows = Vec::new();
-    for entry in entries {
-        let law = &entry.certificate.law;
-        let delivered = |speed: f64| {
+    let of_entry = |entry| {
+        let law = &Entry::law(entry);
+        let delivered = |approach_speed: &f64| {
             let pair = FreePair {
-                approach_speed: speed,
+                approach_speed: *approach_speed,
                 ..settings.collision().free_pair()
             };
             let integrated = FreeImpact::of(law, &pair).map(|impact| impact.restitution);
-            integrated.or_else(|| law.restitution())
+            (*approach_speed, integrated.or_else(|| law.restitution()))
         };
-        let found: Vec<_> = settings
-            .approach_speeds_m_per_s
-            .iter()
-            .map(|speed| (*speed, delivered(*speed).map_or_else(String::new, digits)))
-            .collect();
-        rows.extend(entry.rows(|name| {
-            let row = |(speed, found): &(f64, String)| vec![name.clone(), digits(*speed), found.clone()];
-            found.iter().map(row).collect()
-        }));
-    }
-    to_csv(&header.map(String::from), &rows)
+        by_name(entry, settings.approach_speeds_m_per_s.iter().map(delivered))
+    };
+    Table::of(entries.iter().flat_map(of_entry))
+        .column("law", |(name, ..)| name.name())
+        .column("approach_speed_m_per_s", |(.., (speed, _))| *speed)
+        .column("delivered", |(.., (_, delivered))| *delivered)
+        .csv()
 }
 
 /// How far off is shown: what is further off is told apart above.
@@ -91,36 +73,21 @@ const OFF: (f64, f64) = (-0.06, 0.18);
 
 /// e delivered by the literature's formulas against e asked for; below, how far that is off.
 pub(super) fn figure(asked: &[Asked]) -> Figure {
-    let labels = |text: &'static str| [text, ""].into_iter();
     let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [("Linear springs", &is_linear), ("Hertz springs", &|law| !is_linear(law))];
-    let delivered = families.iter().zip(labels("Restitution delivered"));
-    let delivered = delivered.map(|((title, wanted), label)| {
-        let diagonal = Curve::new(Kind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]);
-        let mut curves = vec![diagonal.named("As asked")];
-        curves.extend(self::curves(asked, wanted, |_, found| found));
+    let delivered = families.map(|(title, wanted)| {
+        let diagonal = Curve::new(Kind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
+        let curves = [diagonal].into_iter().chain(curves(asked, wanted, |_, found| found));
         Panel {
-            title: (*title).into(),
-            y: Axis::over(label, 0.0, 1.0),
-            curves,
-            legend: Legend::Shared,
             weight: 1.6,
-            ..Panel::default()
+            ..Panel::shared(title, Axis::over("Restitution delivered", 0.0, 1.0), curves.collect())
         }
     });
-    let off = families.iter().zip(labels("Delivered − asked for"));
-    let off = off.map(|((_, wanted), label)| Panel {
-        y: Axis::over(label, OFF.0, OFF.1),
-        curves: curves(asked, wanted, |e, found| found - e),
-        levels: vec![0.0],
-        legend: Legend::Shared,
-        ..Panel::default()
+    let off = families.map(|(_, wanted)| {
+        let y = Axis::over("Delivered − asked for", OFF.0, OFF.1);
+        Panel::shared("", y, curves(asked, wanted, |e, found| found - e)).with_level(0.0)
     });
-    Figure {
-        height_in: 6.6,
-        columns: 2,
-        x: Axis::over("Restitution asked for", 0.0, 1.0),
-        panels: delivered.chain(off).collect(),
-    }
+    let panels = delivered.into_iter().chain(off).collect();
+    Figure::grid(6.6, 2, Axis::over("Restitution asked for", 0.0, 1.0), panels).labelled_at_left()
 }
 
 /// A curve for each law that has a formula, of e asked for and delivered.

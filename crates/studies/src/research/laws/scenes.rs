@@ -1,13 +1,13 @@
 //! The paper's scenes under every law.
 
-use super::entry::{Entry, N_LAWS};
+use super::entry::{Entry, N_LAWS, by_name};
 use crate::Completed;
+use crate::drivers::{each, pairs};
 use crate::research::work_precision::{MethodQuantity, Quantities};
-use crate::study::laws::AtlasSettings;
-use pounding_contact::{Calibration, FreePair, reduced_mass};
-use pounding_scene::{Scene, Simulation, Structure, parallel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use crate::study::laws::{AtlasSettings, free_pair};
+use pounding_contact::Calibration;
+use pounding_scene::{Scene, Simulation};
+use pounding_text::Table;
 
 /// What a scene gives under every law, in their order.
 #[derive(Debug)]
@@ -21,16 +21,8 @@ pub(super) struct Played {
 /// Runs every scene under every law; `done` is called after each run.
 pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
-    let runs: Vec<_> = scenes
-        .iter()
-        .flat_map(|scene| entries.iter().map(move |entry| (scene, entry)))
-        .collect();
-    let run = |&(scene, entry): &(&Scene, &Entry)| {
-        let outcome = run(completed, scene, (entry, settings));
-        done();
-        outcome
-    };
-    let mut outcomes = parallel::each(&runs, run).into_iter();
+    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, (entry, settings));
+    let mut outcomes = each(&pairs(scenes, entries), done, run).into_iter();
     let played = |scene: &Scene| Played {
         scene: scene.name.clone(),
         n_structures: scene.structures.len(),
@@ -50,12 +42,8 @@ fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasS
     let name = entry.name();
     let asked = (settings.restitution(name), Calibration::Exact);
     let neighbours = scene.structures.windows(2);
-    for (contact, pair) in scene.contacts.iter_mut().flatten().zip(neighbours) {
-        let [left, right] = [&pair[0], &pair[1]].map(inverse_mass);
-        let pair = FreePair {
-            reduced_mass: reduced_mass(left, right),
-            approach_speed: settings.approach_speed_m_per_s,
-        };
+    for (contact, two) in scene.contacts.iter_mut().flatten().zip(neighbours) {
+        let pair = free_pair(two, settings.approach_speed_m_per_s);
         let law = name.calibrated(settings.stiffness(name), asked, &pair);
         contact.law = law.map_err(|error| error.to_string())?;
     }
@@ -63,13 +51,6 @@ fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasS
     let outcome = prepared.and_then(|prepared| prepared.run(None));
     let outcome = outcome.map_err(|error| error.to_string())?;
     Ok(Quantities::of(&outcome, scene.structures.len()))
-}
-
-fn inverse_mass(structure: &Structure) -> f64 {
-    match structure {
-        Structure::Sdof(structure) => 1.0 / structure.mass_kg,
-        Structure::Building(_) | Structure::Wall => 0.0,
-    }
 }
 
 /// A number of a scene.
@@ -95,18 +76,14 @@ const COUNT: &str = "number_of_collisions";
 
 /// The numbers of a scene under a law, in the order of tables.
 pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
-    let item = |quantity: MethodQuantity, (value, number): (&f64, usize)| {
-        let of_row = found.values(quantity).len() == 1;
-        Item {
+    let of_quantity = |quantity: MethodQuantity| {
+        let values = found.values(quantity);
+        values.iter().zip(1..).map(move |(value, number)| Item {
             quantity: quantity.key(),
-            structure: (!of_row).then_some(number),
+            structure: (values.len() > 1).then_some(number),
             unit: quantity.unit(compliant),
             value: *value,
-        }
-    };
-    let values = |quantity: MethodQuantity| {
-        let numbered = found.values(quantity).iter().zip(1..);
-        numbered.map(move |value| item(quantity, value))
+        })
     };
     let count = Item {
         quantity: COUNT,
@@ -114,44 +91,33 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
         unit: "1",
         value: found.n_collisions as f64,
     };
-    let items = MethodQuantity::ALL.into_iter().flat_map(values);
-    items.chain([count]).collect()
+    MethodQuantity::ALL.into_iter().flat_map(of_quantity).chain([count]).collect()
 }
 
 /// Every number of every scene under every law.
-pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
-    let header = ["scene", "law", "restitution", "quantity", "structure", "unit", "value", "failed"];
-    let mut rows = Vec::new();
-    for scene in played {
-        for (entry, outcome) in entries.iter().zip(&scene.outcomes) {
-            rows.extend(entry.rows(|law| {
-                let e = digits(entry.certificate.by_exact);
-                let start = [scene.scene.clone(), law, e];
-                let row = |cells: [String; 5]| start.iter().cloned().chain(cells).collect();
-                cells(outcome, entry).into_iter().map(row).collect()
-            }));
-        }
-    }
-    to_csv(&header.map(String::from), &rows)
-}
-
-/// Quantity, structure, unit, value and why there is none.
-fn cells(outcome: &Result<Quantities, String>, entry: &Entry) -> Vec<[String; 5]> {
-    let cells = |item: Item| {
-        [
-            item.quantity.into(),
-            item.structure.map_or_else(String::new, |n| n.to_string()),
-            item.unit.into(),
-            digits(item.value),
-            String::new(),
-        ]
+pub(super) fn table<'a>(played: &'a [Played], entries: &'a [Entry]) -> String {
+    let of_run = |(scene, entry, outcome): (&'a Played, &'a Entry, &Result<Quantities, String>)| {
+        let items: Vec<Result<Item, String>> = match outcome {
+            Ok(found) => items(found, entry.is_compliant()).into_iter().map(Ok).collect(),
+            Err(reason) => vec![Err(reason.clone())],
+        };
+        by_name(entry, items.into_iter().map(move |item| (scene, item)))
     };
-    match outcome {
-        Ok(found) => items(found, entry.is_compliant()).into_iter().map(cells).collect(),
-        Err(reason) => {
-            let mut row = [const { String::new() }; 5];
-            row[4].clone_from(reason);
-            vec![row]
-        }
-    }
+    let of_scene = |scene: &'a Played| {
+        entries
+            .iter()
+            .zip(&scene.outcomes)
+            .map(move |(entry, outcome)| (scene, entry, outcome))
+    };
+    let item = |item: &Result<Item, String>| item.clone().ok();
+    Table::of(played.iter().flat_map(of_scene).flat_map(of_run))
+        .column("scene", |(.., (scene, _))| scene.scene.clone())
+        .column("law", |(name, ..)| name.name())
+        .column("restitution", |(_, entry, _)| entry.certificate.by_exact)
+        .column("quantity", |(.., (_, one))| item(one).map(|one| one.quantity))
+        .column("structure", |(.., (_, one))| item(one).and_then(|one| one.structure))
+        .column("unit", |(.., (_, one))| item(one).map(|one| one.unit))
+        .column("value", |(.., (_, one))| item(one).map(|one| one.value))
+        .column("failed", |(.., (_, one))| one.as_ref().err().cloned())
+        .csv()
 }

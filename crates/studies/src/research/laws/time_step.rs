@@ -2,13 +2,13 @@
 
 use pounding_contact::LawName;
 
-use super::entry::{Entry, N_LAWS, label};
+use super::entry::{Entry, N_LAWS, by_name, label};
+use crate::drivers::each;
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
-use pounding_scene::{Delivered, StepMethod, parallel};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_scene::{Delivered, StepMethod};
+use pounding_text::{Cell, Table};
 
 /// What a method delivers under a law at every time step.
 #[derive(Debug)]
@@ -33,11 +33,8 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
     // An impulsive contact has no duration: its steps are those of the first law that has one.
     let durations = || entries.iter().filter_map(|entry| Some(entry.certificate.impact?.duration));
     let usual = durations().next().unwrap_or(1.0);
-    let races: Vec<_> = entries
-        .iter()
-        .enumerate()
-        .flat_map(|(index, entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method)))
-        .collect();
+    let of_entry = |(index, entry): (usize, &Entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method));
+    let races: Vec<_> = entries.iter().enumerate().flat_map(of_entry).collect();
     let ladder = |&(index, method): &(usize, StepMethod)| {
         let certificate = &entries[index].certificate;
         let duration = certificate.impact.map_or(usual, |impact| impact.duration);
@@ -50,15 +47,13 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
                 outcome: delivered.map_err(|error| error.to_string()),
             }
         };
-        let rungs = settings.steps_per_contact.iter().map(rung).collect();
-        done();
         Ladder {
             entry: index,
             method,
-            rungs,
+            rungs: settings.steps_per_contact.iter().map(rung).collect(),
         }
     };
-    parallel::each(&races, ladder)
+    each(&races, done, ladder)
 }
 
 /// How often [`climb`] calls `done`.
@@ -69,50 +64,28 @@ pub(super) fn n_ladders() -> usize {
 
 /// Least and largest e of every method at every time step.
 pub(super) fn table(entries: &[Entry], ladders: &[Ladder]) -> String {
-    let header = [
-        "law",
-        "method",
-        "steps_per_contact",
-        "time_step_s",
-        "least_delivered",
-        "largest_delivered",
-        "largest_error",
-        "failed",
-    ];
-    let mut rows = Vec::new();
-    for (index, entry) in entries.iter().enumerate() {
-        let own = ladders.iter().filter(|ladder| ladder.entry == index);
-        let cells: Vec<_> = own.flat_map(|ladder| cells(entry, ladder)).collect();
-        rows.extend(entry.rows(|name| {
-            let row = |cells: &Vec<String>| {
-                let mut row = vec![name.clone()];
-                row.extend(cells.iter().cloned());
-                row
-            };
-            cells.iter().map(row).collect()
-        }));
-    }
-    to_csv(&header.map(String::from), &rows)
-}
-
-fn cells(entry: &Entry, ladder: &Ladder) -> Vec<Vec<String>> {
-    let row = |rung: &Rung| {
-        let steps = if entry.is_compliant() {
-            digits(rung.steps_per_contact)
-        } else {
-            String::new()
-        };
-        let mut row = vec![ladder.method.name().into(), steps, digits(rung.time_step)];
-        row.extend(match &rung.outcome {
-            Ok(found) => {
-                let [least, largest] = found.range.map(digits);
-                [least, largest, format!("{:.2e}", found.error), String::new()]
-            }
-            Err(reason) => [String::new(), String::new(), String::new(), reason.clone()],
-        });
-        row
+    let of_entry = |(index, entry)| {
+        let own = ladders.iter().filter(move |ladder| ladder.entry == index);
+        by_name(
+            entry,
+            own.flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder.method, rung))),
+        )
     };
-    ladder.rungs.iter().map(row).collect()
+    let found = |rung: &Rung| rung.outcome.as_ref().ok().map(|found| (found.range, found.error));
+    Table::of(entries.iter().enumerate().flat_map(of_entry))
+        .column("law", |(name, ..)| name.name())
+        .column("method", |(.., (method, _))| method.name())
+        .column("steps_per_contact", |(_, entry, (_, rung))| {
+            entry.is_compliant().then_some(rung.steps_per_contact)
+        })
+        .column("time_step_s", |(.., (_, rung))| rung.time_step)
+        .column("least_delivered", |(.., (_, rung))| found(rung).map(|(range, _)| range[0]))
+        .column("largest_delivered", |(.., (_, rung))| found(rung).map(|(range, _)| range[1]))
+        .column("largest_error", |(.., (_, rung))| {
+            Cell::number(found(rung).map(|found| found.1), |error| format!("{error:.2e}"))
+        })
+        .column("failed", |(.., (_, rung))| rung.outcome.as_ref().err().cloned())
+        .csv()
 }
 
 /// Laws of the figure: one of each kind of damper.
@@ -138,27 +111,12 @@ pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSett
             let [least, largest] = found.range;
             if wanted - least > largest - wanted { least } else { largest }
         };
-        let panel = |title: &str, y, point: &dyn Fn(&Delivered) -> f64| Panel {
-            title: title.into(),
-            y,
-            curves: curves(ladders, index, point),
-            legend: Legend::Shared,
-            ..Panel::default()
-        };
         let e = Axis::over("Restitution", 0.0, 1.2);
-        panels.push(Panel {
-            levels: vec![settings.restitution],
-            ..panel(label(law), e, &furthest)
-        });
+        panels.push(Panel::shared(label(law), e, curves(ladders, index, &furthest)).with_level(settings.restitution));
         let error = Axis::over("Largest error", LEAST, 3.0).log();
-        panels.push(panel("", error, &|found| found.error.max(LEAST)));
+        panels.push(Panel::shared("", error, curves(ladders, index, &|found| found.error.max(LEAST))));
     }
-    Figure {
-        height_in: 8.6,
-        columns: 2,
-        x: Axis::auto("Time steps per contact").log(),
-        panels,
-    }
+    Figure::grid(8.6, 2, Axis::auto("Time steps per contact").log(), panels)
 }
 
 fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&Delivered) -> f64) -> Vec<Curve> {

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::{Beyond, Case, Group, findings, short};
+use crate::files::capital;
 use crate::paper::claims::{Finding, asked as claims_asked};
-use crate::paper::figures::capital;
 use pounding_plot::{Align, Drawing, Fill, Pen, Point, Shade, Shape};
 
 /// Width and height of a cell, and the distance of two motions \[mm\].
@@ -60,7 +60,8 @@ pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> 
         && motions.contains(&motion)
     {
         let left = left_of(motion - motions.start) + f64::from(u8::from(reversed)) * CELL.0;
-        frame((left, bottom), (CELL.0, top - bottom), &mut shapes);
+        let size = (CELL.0, top - bottom);
+        shapes.push(Shape::outlined((left, bottom), size, Pen::solid(Shade::Ink, 1.2)));
     }
     let changed = group.change.map(|change| format!("{}; ", capital(&change.to_string())));
     let framed = match beyond.papers {
@@ -83,14 +84,7 @@ fn heading(name: &str, (left, top): Point, shapes: &mut Vec<Shape>) {
         let x = left + (direction as f64 + 0.5) * CELL.0;
         shapes.push(Shape::text((x, top + 2.4), arrow, TEXT, Align::Middle));
     }
-    shapes.push(Shape::Text {
-        at: (left + CELL.0, top + ARROWS),
-        text: short(name),
-        points: TEXT,
-        align: Align::Start,
-        upright: true,
-        shade: Shade::Ink,
-    });
+    shapes.push(Shape::upright((left + CELL.0, top + ARROWS), short(name), TEXT, Align::Start));
 }
 
 /// The words of a claim, in lines about a height.
@@ -111,39 +105,20 @@ fn cell(finding: Finding, corner: Point, shapes: &mut Vec<Shape>) {
         Finding::DoesNotHold => (Shade::Vermilion, 0.55, "×"),
         Finding::DoesNotApply => (Shade::Mist, 0.6, "–"),
     };
-    shapes.push(Shape::Rectangle {
-        corner,
-        size: CELL,
-        fill: Some(Fill { shade, opacity }),
-        outline: Some(Pen::solid(Shade::White, 1.0)),
-    });
+    let fill = Fill { shade, opacity };
+    shapes.push(Shape::boxed(corner, CELL, fill, Pen::solid(Shade::White, 1.0)));
     let middle = (corner.0 + 0.5 * CELL.0, corner.1 + 0.5 * CELL.1);
     shapes.push(Shape::text(middle, sign, TEXT, Align::Middle));
 }
 
-fn frame(corner: Point, size: Point, shapes: &mut Vec<Shape>) {
-    shapes.push(Shape::Rectangle {
-        corner,
-        size,
-        fill: None,
-        outline: Some(Pen::solid(Shade::Ink, 1.2)),
-    });
-}
-
 /// What the cells and arrows mean.
 fn legend(words: String, shapes: &mut Vec<Shape>) {
-    let entries = [
-        (Finding::Holds, "holds", 20.0),
-        (Finding::HoldsOnlyAsStated, "holds only as stated", 42.0),
-        (Finding::DoesNotHold, "does not hold", 32.0),
-        (Finding::DoesNotApply, "does not apply", 0.0),
-    ];
     let mut x = MARGIN + 2.0;
-    for (finding, words, width) in entries {
+    for (finding, width) in Finding::ALL.into_iter().zip([20.0, 42.0, 32.0, 0.0]) {
         let corner = (x, FOOT - 9.6);
         cell(finding, corner, shapes);
         let at = (x + CELL.0 + 1.6, corner.1 + 0.5 * CELL.1);
-        shapes.push(Shape::text(at, words, SMALL, Align::Start));
+        shapes.push(Shape::text(at, finding.words(), SMALL, Align::Start));
         x += width;
     }
     let at = (MARGIN + 2.0, 1.6);

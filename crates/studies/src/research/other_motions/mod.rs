@@ -10,25 +10,22 @@
 //! A case is a motion in one direction. A claim of the paper is asked in every case; where nothing touches it does not
 //! apply.
 
+mod figures;
 mod findings;
 mod matrix;
 mod numbers;
-mod response;
 mod shaking;
-mod spectra;
 mod study;
 mod world;
 
 use crate::StudyError;
+use crate::files::{Files, drawn, in_folder, made_by};
 use crate::paper::claims::{ClaimCount, ClaimCounts, asked};
 use crate::study::change::Change;
-use pounding_plot::{PlotError, render_png, writable};
+use pounding_plot::writable;
 use pounding_scene::parallel;
-use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-
-use sha2::{Digest, Sha256};
+use std::path::PathBuf;
 
 use shaking::Shaking;
 pub use study::BeyondStudy;
@@ -71,20 +68,17 @@ const MOTIONS_PER_FIGURE: usize = 12;
 impl Beyond {
     /// In how many cases each of the paper's claims holds, a column for the paper's scenes and one for each change of them.
     pub fn tallies(&self) -> Vec<ClaimCounts> {
-        let of = |group: &Group| {
+        let of = |(change, counted): (Option<Change>, Vec<Counted>)| {
             let mut claims = Vec::new();
-            for ((index, _), asked) in asked().zip(findings::all(&group.worlds)) {
+            for ((index, _), (_, tally)) in asked().zip(counted) {
                 claims.resize(index, None);
-                claims.push(Some(asked.tally()));
+                claims.push(Some(tally));
             }
-            let of_papers = ClaimCounts::default().column;
-            let column = match group.change {
-                None => of_papers,
-                Some(change) => format!("{of_papers}_{}", change.word()),
-            };
+            let of_change = change.map(|change| format!("_{}", change.word()));
+            let column = ClaimCounts::default().column + &of_change.unwrap_or_default();
             ClaimCounts { column, claims }
         };
-        self.groups.iter().map(of).collect()
+        self.claims().into_iter().map(of).collect()
     }
 
     /// The claims that exact runs can be asked, and in how many cases each holds: of the paper's scenes, and of each change
@@ -107,58 +101,46 @@ impl Beyond {
     ///
     /// # Errors
     /// [`StudyError::Plot`] for a figure that cannot be drawn.
-    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let folder = Path::new("beyond");
+    pub fn files(&self) -> Result<Files, StudyError> {
         let motions = shaking::table(&self.motions, &self.periods);
-        let mut files = BTreeMap::from([(folder.join("motions.csv"), motions.into_bytes())]);
-        for pages in self.pages() {
-            let spectra = spectra::figure(&self.motions[pages.clone()], &self.periods);
-            let name = folder.join(page_name("spectra", &pages));
-            files.insert(name, self.drawn(render_png(&spectra))?);
+        let mut files = Files::from([("motions.csv".into(), motions.into_bytes())]);
+        for page in self.pages() {
+            let spectra = figures::spectra(&self.motions[page.clone()], &self.periods);
+            files.insert(page_name("spectra", &page), drawn(&spectra, &self.path)?);
         }
-        let groups = parallel::each(&self.groups, |group| self.of_group(group));
+        let groups = parallel::try_each(&self.groups, |group| self.of_group(group))?;
         for (group, made) in self.groups.iter().zip(groups) {
-            let folder = match group.change {
-                None => folder.to_path_buf(),
-                Some(change) => folder.join(change.word()),
-            };
-            let made = made?.into_iter();
-            files.extend(made.map(|(name, bytes)| (folder.join(name), bytes)));
+            files.extend(in_folder(group.change.map_or("", Change::word), made));
         }
-        Ok(files)
+        Ok(in_folder("beyond", files))
     }
 
     /// Tables and figures of a group by their names.
-    fn of_group(&self, group: &Group) -> Result<BTreeMap<String, Vec<u8>>, StudyError> {
+    fn of_group(&self, group: &Group) -> Result<Files, StudyError> {
         let (motions, worlds) = (&self.motions, &group.worlds);
-        let mut files: BTreeMap<String, Vec<u8>> = [
+        let tables = [
             ("scenes.csv", numbers::table(motions, worlds)),
             ("direction.csv", numbers::directions(motions, worlds)),
             ("claims.csv", self.findings(group)),
             ("verdicts.csv", findings::verdicts(motions, worlds)),
-        ]
-        .map(|(name, text)| (name.into(), text.into_bytes()))
-        .into();
+        ];
+        let mut files = in_folder("", tables.map(|(name, text)| (name, text.into_bytes())));
         if group.change.is_some_and(Change::is_long) {
-            files.insert("made-by.txt".into(), made_by(&files).into_bytes());
+            files.insert("made-by.txt".into(), made_by("cargo xtask beyond", &files));
         }
-        for pages in self.pages() {
-            let matrix = matrix::drawing(self, group, pages.clone());
-            let response = response::figure(self, group, pages.clone());
-            let claims = self.drawn(render_png(&matrix))?;
-            files.insert(page_name("claims", &pages), claims);
-            let response = self.drawn(render_png(&response))?;
-            files.insert(page_name("response", &pages), response);
+        for page in self.pages() {
+            let matrix = matrix::drawing(self, group, page.clone());
+            files.insert(page_name("claims", &page), drawn(&matrix, &self.path)?);
+            let response = figures::response(self, group, page.clone());
+            files.insert(page_name("response", &page), drawn(&response, &self.path)?);
         }
         Ok(files)
     }
 
     /// The claims of a group; of changed scenes beside those of the paper's.
     fn findings(&self, group: &Group) -> String {
-        let (changed, plain) = (group.change.is_some(), &self.groups[0].worlds);
-        let plain = changed.then(|| findings::all(plain));
-        let all = findings::all(&group.worlds);
-        findings::table(&self.motions, &all, (plain, self.papers))
+        let plain = group.change.is_some().then(|| findings::all(&self.groups[0].worlds));
+        findings::table(&self.motions, &findings::all(&group.worlds), (plain, self.papers))
     }
 
     /// The motions of every page of a figure.
@@ -167,27 +149,13 @@ impl Beyond {
         let starts = (0..all).step_by(MOTIONS_PER_FIGURE);
         starts.map(move |from| from..all.min(from + MOTIONS_PER_FIGURE))
     }
-
-    fn drawn(&self, png: Result<Vec<u8>, PlotError>) -> Result<Vec<u8>, StudyError> {
-        png.map_err(|source| StudyError::Plot {
-            path: self.path.clone(),
-            source,
-        })
-    }
-}
-
-/// The command that makes tables which `reproduce` does not, and the hashes by which the committed ones are known to be its.
-fn made_by(tables: &BTreeMap<String, Vec<u8>>) -> String {
-    let line = |(name, text): (&String, &Vec<u8>)| format!("SHA-256 of {name}: {:x}\n", Sha256::digest(text));
-    let lines: String = tables.iter().map(line).collect();
-    format!("cargo xtask beyond\n{lines}")
 }
 
 /// Name of a figure of some of the motions.
-fn page_name(figure: &str, motions: &Range<usize>) -> String {
+fn page_name(figure: &str, motions: &Range<usize>) -> PathBuf {
     match motions.start / MOTIONS_PER_FIGURE {
-        0 => format!("{figure}.png"),
-        page => format!("{figure}-{}.png", page + 1),
+        0 => format!("{figure}.png").into(),
+        page => format!("{figure}-{}.png", page + 1).into(),
     }
 }
 

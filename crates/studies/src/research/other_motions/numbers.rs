@@ -1,116 +1,89 @@
 //! The numbers of every scene, and what the direction alone changes in them.
 
 use super::shaking::Shaking;
-use super::world::{MotionCase, Numbers, Row};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use super::world::{MotionCase, Row};
+use crate::files::direction;
+use pounding_text::Table;
 
-/// Columns that say which structure of which scene.
-const KEYS: [&str; 5] = ["table", "scene", "structure", "name", "motion"];
-
-/// A direction in words.
-pub(super) fn direction(reversed: bool) -> &'static str {
-    if reversed { "reversed" } else { "as recorded" }
+/// A structure of a scene under a motion.
+trait Keys {
+    fn keys(&self) -> (&Row, &Shaking);
 }
 
-fn keys(row: &Row, motion: &Shaking) -> Vec<String> {
-    vec![
-        row.table.clone(),
-        row.scene.clone(),
-        row.number.to_string(),
-        row.structure.clone(),
-        motion.name.clone(),
-    ]
+/// A table with the columns that say which structure of which scene under which motion.
+fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
+    Table::of(rows)
+        .column("table", |one: &One| one.keys().0.table.clone())
+        .column("scene", |one| one.keys().0.scene.clone())
+        .column("structure", |one| one.keys().0.number)
+        .column("name", |one| one.keys().0.structure.clone())
+        .column("motion", |one| one.keys().1.name.clone())
+}
+
+/// Under a motion in one direction.
+struct Directed<'a>(&'a Row, &'a Shaking, bool);
+
+impl Keys for Directed<'_> {
+    fn keys(&self) -> (&Row, &Shaking) {
+        (self.0, self.1)
+    }
+}
+
+/// Under a motion as recorded and reversed.
+struct Both<'a>([&'a Row; 2], &'a Shaking);
+
+impl Keys for Both<'_> {
+    fn keys(&self) -> (&Row, &Shaking) {
+        (self.0[0], self.1)
+    }
 }
 
 /// Rows of the same structure under every motion stand together.
-fn structures(worlds: &[[MotionCase; 2]]) -> std::ops::Range<usize> {
-    0..worlds.first().map_or(0, |[world, _]| world.rows.len())
+fn both<'a>(motions: &'a [Shaking], worlds: &'a [[MotionCase; 2]]) -> impl Iterator<Item = Both<'a>> {
+    let structures = 0..worlds.first().map_or(0, |[world, _]| world.rows.len());
+    structures.flat_map(move |structure| {
+        let of_motion = move |(motion, both): (_, &'a [MotionCase; 2])| Both(both.each_ref().map(|world| &world.rows[structure]), motion);
+        motions.iter().zip(worlds).map(of_motion)
+    })
 }
 
 /// A row per scene, structure, motion and direction.
 pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
-    let mut header = KEYS.to_vec();
-    header.extend([
-        "direction",
-        "transferred_momentum_kn_s",
-        "collisions",
-        "first_touch_s",
-        "first_impulse_kn_s",
-        "peak_displacement_mm",
-        "alone_mm",
-        "over_alone",
-        "residual_displacement_mm",
-        "peak_shear_kn",
-    ]);
-    let mut rows = Vec::new();
-    for structure in structures(worlds) {
-        for (motion, world) in motions.iter().zip(worlds) {
-            for (world, reversed) in world.iter().zip([false, true]) {
-                let row = &world.rows[structure];
-                let mut cells = keys(row, motion);
-                cells.push(direction(reversed).into());
-                cells.extend(printed(&row.numbers));
-                rows.push(cells);
-            }
-        }
-    }
-    to_csv(&header.into_iter().map(String::from).collect::<Vec<_>>(), &rows)
+    let directed = both(motions, worlds)
+        .flat_map(|Both([recorded, reversed], motion)| [Directed(recorded, motion, false), Directed(reversed, motion, true)]);
+    keyed(directed)
+        .column("direction", |one| direction(one.2))
+        .column("transferred_momentum_kn_s", |one| one.0.momentum / 1e3)
+        .column("collisions", |one| one.0.collisions)
+        .column("first_touch_s", |one| one.0.first.map(|(start, _)| start))
+        .column("first_impulse_kn_s", |one| one.0.first.map(|(_, impulse)| impulse / 1e3))
+        .column("peak_displacement_mm", |one| 1e3 * one.0.displacement)
+        .column("alone_mm", |one| 1e3 * one.0.alone)
+        .column("over_alone", |one| one.0.amplification())
+        .column("residual_displacement_mm", |one| one.0.residual.map(|residual| 1e3 * residual))
+        .column("peak_shear_kn", |one| one.0.shear / 1e3)
+        .csv()
 }
 
-fn printed(numbers: &Numbers) -> [String; 9] {
-    let known = |number: Option<f64>| number.map_or_else(String::new, digits);
-    [
-        digits(numbers.momentum / 1e3),
-        numbers.collisions.to_string(),
-        known(numbers.first.map(|(start, _)| start)),
-        known(numbers.first.map(|(_, impulse)| impulse / 1e3)),
-        digits(1e3 * numbers.displacement),
-        digits(1e3 * numbers.alone),
-        known(numbers.amplification()),
-        known(numbers.residual.map(|residual| 1e3 * residual)),
-        digits(numbers.shear / 1e3),
-    ]
-}
+/// A number of a row, if it has it.
+type Number = fn(&Row) -> Option<f64>;
 
-/// Every number under the reversed motion over the one under the motion as recorded, without signs; empty where there is
-/// nothing to divide by.
+/// Numbers whose two directions are compared.
+const COMPARED: [(&str, Number); 7] = [
+    ("transferred_momentum", |row| Some(row.momentum)),
+    ("collisions", |row| Some(row.collisions as f64)),
+    ("first_touch", |row| row.first.map(|(start, _)| start)),
+    ("first_impulse", |row| row.first.map(|(_, impulse)| impulse)),
+    ("peak_displacement", |row| Some(row.displacement)),
+    ("residual_displacement", |row| row.residual),
+    ("peak_shear", |row| Some(row.shear)),
+];
+
+/// Every number under the reversed motion over the one under the motion as recorded, without signs; empty if there is nothing to divide by.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
-    let mut header = KEYS.to_vec();
-    header.extend([
-        "transferred_momentum",
-        "collisions",
-        "first_touch",
-        "first_impulse",
-        "peak_displacement",
-        "residual_displacement",
-        "peak_shear",
-    ]);
-    let mut rows = Vec::new();
-    for structure in structures(worlds) {
-        for (motion, [recorded, reversed]) in motions.iter().zip(worlds) {
-            let row = &recorded.rows[structure];
-            let (one, other) = (&row.numbers, &reversed.rows[structure].numbers);
-            let mut cells = keys(row, motion);
-            cells.extend(ratios(one, other).map(|ratio| ratio.map_or_else(String::new, digits)));
-            rows.push(cells);
-        }
-    }
-    to_csv(&header.into_iter().map(String::from).collect::<Vec<_>>(), &rows)
-}
-
-fn ratios(recorded: &Numbers, reversed: &Numbers) -> [Option<f64>; 7] {
-    let quantities: [fn(&Numbers) -> Option<f64>; 7] = [
-        |numbers| Some(numbers.momentum),
-        |numbers| Some(numbers.collisions as f64),
-        |numbers| numbers.first.map(|(start, _)| start),
-        |numbers| numbers.first.map(|(_, impulse)| impulse),
-        |numbers| Some(numbers.displacement),
-        |numbers| numbers.residual,
-        |numbers| Some(numbers.shear),
-    ];
-    quantities.map(|quantity| {
-        let ratio = quantity(reversed)? / quantity(recorded)?;
-        ratio.is_finite().then(|| ratio.abs())
-    })
+    let ratio = |one: &Both<'_>, (_, number): (&str, Number)| {
+        let [recorded, reversed] = one.0.map(number);
+        Some((reversed? / recorded?).abs())
+    };
+    keyed(both(motions, worlds)).columns(COMPARED, |(name, _)| name.into(), ratio).csv()
 }

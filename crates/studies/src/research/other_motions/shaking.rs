@@ -4,8 +4,7 @@ use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
 use pounding_motion::Record;
 use pounding_scene::{GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_text::Table;
 use std::path::Path;
 
 /// Damping ratio of the spectral accelerations that are shown \[–\].
@@ -34,14 +33,12 @@ impl Target {
     /// # Errors
     /// [`SpectrumError`] for a spectral acceleration that cannot be computed.
     pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, SpectrumError> {
-        let Some(strength) = settings.scaled_by else {
-            return Ok(None);
+        let value = |strength| match strength {
+            Strength::Pga => Ok(first.record.peak().1.abs()),
+            Strength::Sa { period_s, damping_ratio } => sa(&first.record, period_s, damping_ratio),
         };
-        let value = match strength {
-            Strength::Pga => first.record.peak().1.abs(),
-            Strength::Sa { period_s, damping_ratio } => sa(&first.record, period_s, damping_ratio)?,
-        };
-        Ok(Some(Self(strength, value)))
+        let target = settings.scaled_by.map(|strength| Ok(Self(strength, value(strength)?)));
+        target.transpose()
     }
 
     /// In the words of a scene; `gravity` is what one g is worth \[m/s²\].
@@ -77,10 +74,7 @@ impl Shaking {
         settings: &BeyondSettings,
         target: Option<Target>,
     ) -> Result<Self, StudyError> {
-        let read = |record: &RecordUse| {
-            let read = GroundMotion::of(record, base, &motion.name)?;
-            Ok::<_, StudyError>(read.record)
-        };
+        let read = |record: &RecordUse| -> Result<_, StudyError> { Ok(GroundMotion::of(record, base, &motion.name)?.record) };
         let plain = read(&motion.record)?;
         let scaled = target.map(|target| read(&target.on(&motion.record)));
         let origin = motion.record.source.to_string();
@@ -102,8 +96,7 @@ impl Shaking {
                 method: Method::EXACT,
                 ..like.clone()
             };
-            let prepared = motion.shake(&scene, false, None)?;
-            Ok::<_, StudyError>(prepared.record().clone())
+            Ok::<_, StudyError>(motion.shake(&scene, false, None)?.record().clone())
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));
@@ -152,44 +145,27 @@ fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, SpectrumError> 
 
 /// What each motion is, with its spectral accelerations at some periods \[s\]; what cannot be computed stays empty.
 pub(super) fn table(motions: &[Shaking], periods: &[f64]) -> String {
-    let mut header = [
-        "motion",
-        "origin",
-        "scaled_by",
-        "time_step_s",
-        "record_s",
-        "run_s",
-        "pga_m_per_s2",
-        "pgv_m_per_s",
-        "pgd_m",
-        "arias_intensity_m_per_s",
-        "d5_95_s",
-        "mean_period_s",
-    ]
-    .map(String::from)
-    .to_vec();
-    let of_period = |period: &f64| format!("sa_{period:.2}_s_m_per_s2");
-    header.extend(periods.iter().map(of_period));
-    let row = |motion: &Shaking| {
-        let heard = motion.heard();
-        let measures = heard.measures();
-        let length = measures.d5_95.map(|interval| interval.duration());
-        let mut row = vec![motion.name.clone(), motion.origin.clone()];
-        let numbers = [
-            motion.factor,
-            heard.time_step(),
-            motion.record.duration(),
-            motion.duration,
-            measures.pga,
-            measures.pgv,
-            measures.pgd,
-            measures.arias,
-        ];
-        row.extend(numbers.map(digits));
-        let spectral = periods.iter().map(|period| sa(&heard, *period, DAMPING).ok());
-        let known = [length, heard.mean_period()].into_iter().chain(spectral);
-        row.extend(known.map(|number| number.map_or_else(String::new, digits)));
-        row
+    let measured = |motion| {
+        let heard = Shaking::heard(motion);
+        (motion, heard.measures(), heard)
     };
-    to_csv(&header, &motions.iter().map(row).collect::<Vec<_>>())
+    Table::of(motions.iter().map(measured))
+        .column("motion", |(motion, ..)| motion.name.clone())
+        .column("origin", |(motion, ..)| motion.origin.clone())
+        .column("scaled_by", |(motion, ..)| motion.factor)
+        .column("time_step_s", |(.., heard)| heard.time_step())
+        .column("record_s", |(motion, ..)| motion.record.duration())
+        .column("run_s", |(motion, ..)| motion.duration)
+        .column("pga_m_per_s2", |(_, measures, _)| measures.pga)
+        .column("pgv_m_per_s", |(_, measures, _)| measures.pgv)
+        .column("pgd_m", |(_, measures, _)| measures.pgd)
+        .column("arias_intensity_m_per_s", |(_, measures, _)| measures.arias)
+        .column("d5_95_s", |(_, measures, _)| measures.d5_95.map(|interval| interval.duration()))
+        .column("mean_period_s", |(.., heard)| heard.mean_period())
+        .columns(
+            periods.iter().copied(),
+            |period| format!("sa_{period:.2}_s_m_per_s2"),
+            |(.., heard), period| sa(heard, period, DAMPING).ok(),
+        )
+        .csv()
 }

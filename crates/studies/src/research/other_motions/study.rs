@@ -29,14 +29,10 @@ impl BeyondStudy {
     /// # Errors
     /// [`StudyError`] for a study that is missing, and for a motion that is not allowed or cannot be read.
     pub fn listed(files: &[&StudyFile]) -> Result<Option<Self>, StudyError> {
-        let lists = |file: &&StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
-        let Some((path, settings)) = files.iter().find_map(lists) else {
+        let Some((path, settings)) = StudyFile::listing(files.iter().copied()) else {
             return Ok(None);
         };
-        let (mut study, target) = Self::first(files, (path, &settings))?;
-        let others = others(&settings, &study.path, target)?;
-        study.motions.extend(others);
-        Ok(Some(study))
+        Self::of(files, (path, settings), usize::MAX).map(|(study, _)| Some(study))
     }
 
     /// The scenes of a folder of studies under the records of another folder, instead of those that a study lists.
@@ -48,23 +44,15 @@ impl BeyondStudy {
     /// [`StudyError`] for studies that cannot be read, for a folder that cannot be, and where no motion is left.
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
-        let lists = |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
-        let Some((path, settings)) = files.iter().find_map(lists) else {
-            return Err(StudyError::MissingScene {
-                study: "beyond".into(),
-                scene: "any".into(),
-            });
-        };
-        let files: Vec<&StudyFile> = files.iter().collect();
-        let (study, target) = Self::first(&files, (path, &settings))?;
+        let (path, settings) = StudyFile::listing(&files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
+        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), (path, settings), 1)?;
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
-        let (mut motions, mut left_out) = (Vec::new(), Vec::new());
         let suite = Suite::of(&[records.to_path_buf()], &like.record.declared())?;
-        let out = suite.left_out.iter();
-        left_out.extend(out.map(|one| (one.name.clone(), one.reason.sentence())));
+        let left_out = suite.left_out.iter().map(|one| (one.name.clone(), one.reason.sentence()));
+        let (mut motions, mut left_out) = (Vec::new(), left_out.collect::<Vec<_>>());
         for motion in &suite.motions {
-            match Shaking::of_folder(motion, like, &settings, target) {
+            match Shaking::of_folder(motion, like, settings, target) {
                 Ok(shaking) => motions.push(shaking),
                 Err(error) => left_out.push((motion.name.clone(), error.to_string())),
             }
@@ -79,14 +67,14 @@ impl BeyondStudy {
         .any_left()
     }
 
-    /// A list cut down to its first motion, and the strength of that, to which others are scaled.
-    fn first(files: &[&StudyFile], (path, settings): (PathBuf, &BeyondSettings)) -> Result<(Self, Option<Target>), StudyError> {
-        let (motions, target) = first(settings, &path)?;
+    /// The first motions of a list, and the strength to which all are scaled.
+    fn of(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings), most: usize) -> Result<(Self, Option<Target>), StudyError> {
+        let (motions, target) = read(settings, path, most)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
         let study = Self {
             papers: papers(settings, &scenes),
-            path,
+            path: path.to_path_buf(),
             scenes,
             motions,
             changes: settings.changes.clone(),
@@ -102,12 +90,13 @@ impl BeyondStudy {
         }
         let first = self.left_out.iter().flatten().next();
         let reason = first.map(|(name, reason)| format!("; the first, {name}: {reason}"));
-        Err(StudyError::Study {
-            path: self.path,
-            place: "records",
-            found: format!("none that shakes the scenes{}", reason.unwrap_or_default()),
-            allowed: "one or more horizontal ground accelerations",
-        })
+        let found = format!("none that shakes the scenes{}", reason.unwrap_or_default());
+        Err(StudyError::refused(
+            &self.path,
+            "records",
+            found,
+            "one or more horizontal ground accelerations",
+        ))
     }
 
     /// Without the changes of the scenes that take long.
@@ -128,8 +117,7 @@ impl BeyondStudy {
     /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
     pub fn run(mut self, done: &(dyn Fn() + Sync)) -> Result<Beyond, StudyError> {
         let motions = std::mem::take(&mut self.motions);
-        let changes = self.changes.iter().copied().map(Some);
-        let changes: Vec<_> = std::iter::once(None).chain(changes).collect();
+        let changes: Vec<_> = std::iter::once(None).chain(self.changes.iter().copied().map(Some)).collect();
         let of_motion = |motion: &Shaking| {
             parallel::try_each(&changes, |change| {
                 let world = |reversed: &bool| {
@@ -142,14 +130,10 @@ impl BeyondStudy {
             })
         };
         let ran = parallel::each(&motions, of_motion);
-        let ran = motions.into_iter().zip(ran);
-        let group = |change: &Option<Change>| Group {
-            change: *change,
-            worlds: Vec::new(),
-        };
-        let mut groups: Vec<_> = changes.iter().map(group).collect();
+        let worlds = Vec::new;
+        let mut groups: Vec<_> = changes.iter().map(|&change| Group { change, worlds: worlds() }).collect();
         // Collected first: of several errors, the first in order is reported, not the first in time.
-        for (motion, worlds) in ran {
+        for (motion, worlds) in motions.into_iter().zip(ran) {
             match (worlds, &mut self.left_out) {
                 (Ok(worlds), _) => {
                     self.motions.push(motion);
@@ -178,53 +162,33 @@ impl BeyondStudy {
 /// # Errors
 /// [`StudyError`] for a motion that is not allowed or cannot be read.
 pub(crate) fn motions_of(settings: &BeyondSettings, path: &Path) -> Result<Vec<Shaking>, StudyError> {
-    let (mut motions, target) = first(settings, path)?;
-    motions.extend(others(settings, path, target)?);
-    Ok(motions)
+    read(settings, path, usize::MAX).map(|(motions, _)| motions)
 }
 
-/// The first motion of a list, and its strength, to which others are scaled.
-fn first(settings: &BeyondSettings, path: &Path) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
-    let refused = |(place, found, allowed)| StudyError::Study {
-        path: path.to_path_buf(),
-        place,
-        found,
-        allowed,
-    };
-    if let Some(fault) = settings.fault() {
-        return Err(refused(fault));
+/// The first motions of a list, and the strength of the first, to which others are scaled.
+fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
+    if let Some((place, found, allowed)) = settings.fault() {
+        return Err(StudyError::refused(path, place, found, allowed));
     }
     let base = path.parent().unwrap_or_else(|| Path::new(""));
-    let first = settings.motions.first().map(|motion| {
+    let (mut motions, mut target) = (Vec::new(), None);
+    for motion in settings.motions.iter().take(most) {
+        motions.push(Shaking::listed(motion, base, settings, target).map_err(|error| error.in_file(path))?);
         // To scale the first to itself would cost its last digits.
-        Shaking::listed(motion, base, settings, None).map_err(|error| error.in_file(path))
-    });
-    let motions: Vec<Shaking> = first.into_iter().collect::<Result<_, _>>()?;
-    let mut target = None;
-    if let Some(first) = motions.first() {
-        target = Target::of(settings, first).map_err(|error| {
-            let allowed = "a period and damping of which the first motion has a spectrum";
-            refused(("output.beyond.scaled_by", error.to_string(), allowed))
-        })?;
+        if let [first] = &motions[..] {
+            target = Target::of(settings, first).map_err(|error| {
+                let allowed = "a period and damping of which the first motion has a spectrum";
+                StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
+            })?;
+        }
     }
     Ok((motions, target))
-}
-
-/// The other motions of a list.
-fn others(settings: &BeyondSettings, path: &Path, target: Option<Target>) -> Result<Vec<Shaking>, StudyError> {
-    let base = path.parent().unwrap_or_else(|| Path::new(""));
-    let read = |motion| Shaking::listed(motion, base, settings, target);
-    let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
-    others.map_err(|error| error.in_file(path))
 }
 
 /// A scene of the paper, under its record.
 fn papers_scene(scenes: &Scenes) -> Result<&Scene, StudyError> {
     let first = scenes.prepared().next().map(Simulation::scene);
-    first.ok_or_else(|| StudyError::MissingScene {
-        study: STUDIES[0].into(),
-        scene: "any".into(),
-    })
+    first.ok_or_else(|| StudyError::no_scene_of(STUDIES[0]))
 }
 
 /// The listed motion and the direction that are those of the paper's scenes.

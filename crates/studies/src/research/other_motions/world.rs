@@ -26,12 +26,6 @@ pub(super) struct Row {
     /// Number from the left, from 1.
     pub(super) number: usize,
     pub(super) structure: String,
-    pub(super) numbers: Numbers,
-}
-
-/// The numbers of one structure.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Numbers {
     /// Transferred momentum \[N·s\].
     pub(super) momentum: f64,
     /// Peak displacement with its sign, of a building that of its roof \[m\].
@@ -48,23 +42,10 @@ pub(super) struct Numbers {
     pub(super) first: Option<(f64, f64)>,
 }
 
-impl Numbers {
+impl Row {
     /// Peak displacement over that without pounding; nothing for what does not move alone.
     pub(super) fn amplification(&self) -> Option<f64> {
         (self.alone > 0.0).then(|| self.displacement.abs() / self.alone)
-    }
-}
-
-/// The scene that runs in place of a scene of the paper: the one place where the row, or what it is built of, may become
-/// another one. Its name stays: by it the claims find their scenes.
-fn turned(scene: &Scene, shaking: &Shaking, change: Option<Change>) -> Scene {
-    let scene = Scene {
-        duration_s: Some(shaking.duration),
-        ..scene.clone()
-    };
-    match change {
-        None => scene,
-        Some(change) => change.of_scene(scene),
     }
 }
 
@@ -74,12 +55,18 @@ impl MotionCase {
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
     pub(super) fn new(scenes: &Scenes, (shaking, reversed): (&Shaking, bool), change: Option<Change>) -> Result<Self, StudyError> {
-        let record = shaking.directed(reversed);
+        let directed = shaking.directed(reversed);
         let record = match change {
-            None => record,
-            Some(change) => change.of_record(record),
+            None => directed,
+            Some(change) => change.of_record(directed),
         };
-        let runs = scenes.shaken(&record, |scene| turned(scene, shaking, change))?.run(None)?;
+        // The one place where the row, or what it is built of, may become another one.
+        let turned = |scene: &Scene| {
+            let mut scene = scene.clone();
+            scene.duration_s = Some(shaking.duration);
+            change.into_iter().fold(scene, |scene, change| change.of_scene(scene))
+        };
+        let runs = scenes.shaken(&record, turned)?.run(None)?;
         let mut alone = Alone {
             record: &record,
             known: Vec::new(),
@@ -102,33 +89,23 @@ fn of_scene((study, index): (&Completed, usize), prepared: &Simulation, alone: &
     let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
     let id = &study.file.id;
     let row = |(place, structure): (usize, &Structure)| {
+        let (collisions, first) = run.collisions(place);
+        let yields = structure.yield_forces().iter().any(Option::is_some);
         Ok(Row {
             table: id.strip_prefix("table-").unwrap_or(id).into(),
             scene: scene.name.clone(),
             number: place + 1,
             structure: structure.name().into(),
-            numbers: Numbers {
-                alone: alone.displacement(prepared, structure)?,
-                ..numbers(run, place, structure)
-            },
+            momentum: run.momentum(place),
+            displacement: run.peak_displacement(place),
+            alone: alone.displacement(prepared, structure)?,
+            shear: run.peak_shear(place),
+            residual: run.residual(place).filter(|_| yields),
+            collisions,
+            first,
         })
     };
     scene.structures.iter().enumerate().map(row).collect()
-}
-
-/// All but the displacement alone.
-fn numbers(run: Run<'_>, place: usize, structure: &Structure) -> Numbers {
-    let (collisions, first) = run.collisions(place);
-    let yields = structure.yield_forces().iter().any(Option::is_some);
-    Numbers {
-        momentum: run.momentum(place),
-        displacement: run.peak_displacement(place),
-        alone: 0.0,
-        shear: run.peak_shear(place),
-        residual: run.residual(place).filter(|_| yields),
-        collisions,
-        first,
-    }
 }
 
 /// Structures standing alone, each run once.

@@ -1,7 +1,8 @@
 //! What becomes of a number at the edge.
 
+use crate::listed::listed;
+use pounding_plot::{Fill, Shade};
 use pounding_scene::DOUBTFUL;
-use strum::EnumCount;
 
 /// Error up to which a number is exact to tolerance \[–\].
 const EXACT: f64 = 1e-6;
@@ -16,42 +17,55 @@ const _: () = assert!(
     "a threshold of warnings between what is good and what is wrong"
 );
 
-/// What becomes of a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-pub(super) enum Class {
-    /// Within 1e-6 of the exact run.
-    ExactToTolerance,
-    /// Within 1 %.
-    Accurate,
-    /// Further off, but by less than 10 % or with a warning.
-    Degraded,
-    /// The scene is refused before it runs.
-    Refused,
-    /// The run ends with an error, or its verdict is that a law of mechanics is broken.
-    Caught,
-    /// More than 10 % off without a word.
-    SilentlyWrong,
-    /// There is no exact run to compare with; the program says so, where it measures errors.
-    NoReference,
-    /// A number of the exact run that the second route cannot follow.
-    NotVerified,
-    /// Neither run has the number: nothing touches.
-    Nothing,
+/// How a class is shown.
+pub(super) struct Look {
+    /// Name in tables.
+    pub(super) key: &'static str,
+    /// Name in figures.
+    pub(super) words: &'static str,
+    pub(super) fill: Fill,
+    /// A letter by which it is read in grey.
+    pub(super) letter: &'static str,
+    /// Place from good to bad.
+    pub(super) rank: usize,
+}
+
+const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, opacity): (Shade, f64), letter: &'static str) -> Look {
+    let fill = Fill { shade, opacity };
+    Look {
+        key,
+        words,
+        fill,
+        letter,
+        rank,
+    }
+}
+
+listed! {
+    /// What becomes of a number.
+    pub(super) enum Class { look: Look;
+        /// Within 1e-6 of the exact run.
+        ExactToTolerance = look(1, ("exact_to_tolerance", "exact to 1e-6"), (Shade::Blue, 0.75), ""),
+        /// Within 1 %.
+        Accurate = look(2, ("accurate", "within 1 %"), (Shade::Blue, 0.3), ""),
+        /// Further off, but by less than 10 % or with a warning.
+        Degraded = look(3, ("degraded", "degraded"), (Shade::Amber, 0.6), "d"),
+        /// The scene is refused before it runs.
+        Refused = look(4, ("refused", "refused"), (Shade::Mist, 1.0), "r"),
+        /// The run ends with an error, or its verdict is that a law of mechanics is broken.
+        Caught = look(5, ("diverged_and_caught", "diverged, caught"), (Shade::Vermilion, 0.7), "c"),
+        /// More than 10 % off without a word.
+        SilentlyWrong = look(8, ("silently_wrong", "silently wrong"), (Shade::Ink, 1.0), ""),
+        /// There is no exact run to compare with; the program says so, where it measures errors.
+        NoReference = look(6, ("no_reference", "no exact run"), (Shade::White, 1.0), "–"),
+        /// A number of the exact run that the second route cannot follow.
+        NotVerified = look(7, ("not_verified", "not verified"), (Shade::White, 1.0), "?"),
+        /// Neither run has the number: nothing touches.
+        Nothing = look(0, ("nothing_touches", "nothing touches"), (Shade::White, 1.0), ""),
+    }
 }
 
 impl Class {
-    pub(super) const ALL: [Self; Self::COUNT] = [
-        Self::ExactToTolerance,
-        Self::Accurate,
-        Self::Degraded,
-        Self::Refused,
-        Self::Caught,
-        Self::SilentlyWrong,
-        Self::NoReference,
-        Self::NotVerified,
-        Self::Nothing,
-    ];
-
     /// The class of a number that a run printed, with or without a warning.
     pub(super) fn of(error: Option<f64>, warned: bool) -> Self {
         match error {
@@ -60,36 +74,6 @@ impl Class {
             Some(error) if error <= ACCURATE => Self::Accurate,
             Some(error) if error <= WRONG || warned => Self::Degraded,
             Some(_) => Self::SilentlyWrong,
-        }
-    }
-
-    /// Name in tables.
-    pub(super) fn key(self) -> &'static str {
-        match self {
-            Self::ExactToTolerance => "exact_to_tolerance",
-            Self::Accurate => "accurate",
-            Self::Degraded => "degraded",
-            Self::Refused => "refused",
-            Self::Caught => "diverged_and_caught",
-            Self::SilentlyWrong => "silently_wrong",
-            Self::NoReference => "no_reference",
-            Self::NotVerified => "not_verified",
-            Self::Nothing => "nothing_touches",
-        }
-    }
-
-    /// Name in figures.
-    pub(super) fn words(self) -> &'static str {
-        match self {
-            Self::ExactToTolerance => "exact to 1e-6",
-            Self::Accurate => "within 1 %",
-            Self::Degraded => "degraded",
-            Self::Refused => "refused",
-            Self::Caught => "diverged, caught",
-            Self::SilentlyWrong => "silently wrong",
-            Self::NoReference => "no exact run",
-            Self::NotVerified => "not verified",
-            Self::Nothing => "nothing touches",
         }
     }
 }

@@ -72,6 +72,17 @@ impl Judged {
         self.error.is_some() && self.is_printed()
     }
 
+    /// A number without warnings.
+    fn plain(class: Class, error: Option<f64>) -> Self {
+        Self {
+            class,
+            error,
+            warned: false,
+            unmeasured: class,
+            warned_unmeasured: false,
+        }
+    }
+
     fn is_good(&self) -> bool {
         self.error.is_some_and(|error| error <= ACCURATE)
     }
@@ -83,44 +94,36 @@ impl Judged {
 
 /// Runs every method on a scene; `base` lends what does not change.
 pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
+    let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> Run| {
+        let methods = StepMethod::differing(impulsive).map(of_method);
+        let runs = std::iter::once(first).chain(methods).collect();
+        Measured { runs }
+    };
     let exact = match base.variant(&pushed.scene, pushed.record.clone()) {
         Ok(prepared) => prepared,
         // The scene is refused whatever the method.
         Err(error) => {
-            let reason = error.to_string();
-            let run = |method| Run::all(method, None, Class::Refused, reason.clone());
-            let impulsive = is_impulsive(base);
-            let methods = StepMethod::differing(impulsive).map(|method| run(method.name()));
-            return Measured {
-                runs: std::iter::once(run("exact")).chain(methods).collect(),
-            };
+            let run = |method| Run::all(method, None, Class::Refused, error.to_string());
+            return all(run("exact"), is_impulsive(base), &|method| run(method.name()));
         }
     };
-    let (reference, residual) = match exact.audited(None) {
+    let (first, reference) = match exact.audited(None) {
         Ok(Audited {
             outcome,
             broken: None,
             balance,
-        }) => (Ok(outcome), Some(balance.residual)),
-        Ok(Audited { broken: Some(broken), .. }) => (Err(broken), None),
-        Err(error) => (Err(error), None),
+        }) => {
+            let by_second_route = Run {
+                residual: Some(balance.residual),
+                ..of_exact(&exact, &outcome)
+            };
+            (by_second_route, Some(outcome))
+        }
+        Ok(Audited { broken: Some(error), .. }) | Err(error) => (Run::all("exact", None, Class::Caught, error.to_string()), None),
     };
-    let by_second_route = Run {
-        residual,
-        ..of_exact(&exact, reference.as_ref().ok())
-    };
-    let methods = StepMethod::differing(is_impulsive(&exact)).map(|method| {
-        let scheme = method.at(pushed.time_step);
-        of_method(&exact, method.name(), scheme, reference.as_ref().ok())
-    });
-    Measured {
-        runs: std::iter::once(match &reference {
-            Ok(_) => by_second_route,
-            Err(error) => Run::all("exact", None, Class::Caught, error.to_string()),
-        })
-        .chain(methods)
-        .collect(),
-    }
+    all(first, is_impulsive(&exact), &|method| {
+        of_method(&exact, method.name(), method.at(pushed.time_step), reference.as_ref())
+    })
 }
 
 fn is_impulsive(prepared: &Simulation) -> bool {
@@ -128,38 +131,25 @@ fn is_impulsive(prepared: &Simulation) -> bool {
 }
 
 /// The exact run by the second route.
-fn of_exact(exact: &Simulation, reference: Option<&RunResult>) -> Run {
+fn of_exact(exact: &Simulation, reference: &RunResult) -> Run {
     let n = exact.scene().structures.len();
+    let not_verified = |reason: String| Run::all("exact", None, Class::NotVerified, reason);
     if n > MOST_OF_SECOND_ROUTE {
-        let reason = format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}");
-        return Run::all("exact", None, Class::NotVerified, reason);
+        return not_verified(format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}"));
     }
-    if reference.is_some_and(hits_at_once) {
-        let reason = "several pairs hit at one instant, which rounding of the second route takes apart";
-        return Run::all("exact", None, Class::NotVerified, reason.into());
+    if hits_at_once(reference) {
+        return not_verified("several pairs hit at one instant, which rounding of the second route takes apart".into());
     }
-    let known = reference.map(|reference| {
-        let own = Quantities::of(reference, n);
-        let second = crate::second_route(exact, Fineness::FINE);
-        second.map(|second| (own, Quantities::of_second_route(&second)))
-    });
-    match known {
-        Some(Ok((own, second))) => Run {
+    let own = Quantities::of(reference, n);
+    match crate::second_route(exact, Fineness::FINE) {
+        Ok(second) => Run {
             numbers: MethodQuantity::ALL.map(|quantity| {
-                let error = own.distance(&second, quantity);
-                let class = Class::of(error, false);
-                Judged {
-                    class,
-                    error,
-                    warned: false,
-                    unmeasured: class,
-                    warned_unmeasured: false,
-                }
+                let error = own.distance(&Quantities::of_second_route(&second), quantity);
+                Judged::plain(Class::of(error, false), error)
             }),
             ..Run::all("exact", None, Class::Nothing, String::new())
         },
-        Some(Err(error)) => Run::all("exact", None, Class::NotVerified, error.to_string()),
-        None => Run::all("exact", None, Class::NotVerified, String::new()),
+        Err(error) => not_verified(error.to_string()),
     }
 }
 
@@ -251,17 +241,10 @@ fn number(quantity: MethodQuantity, compliant: bool) -> Quantity {
 impl Run {
     /// A run without numbers of its own.
     fn all(method: &'static str, time_step: Option<f64>, class: Class, reason: String) -> Self {
-        let judged = Judged {
-            class,
-            error: None,
-            warned: false,
-            unmeasured: class,
-            warned_unmeasured: false,
-        };
         Self {
             method,
             time_step,
-            numbers: [judged; MethodQuantity::ALL.len()],
+            numbers: [Judged::plain(class, None); MethodQuantity::ALL.len()],
             residual: None,
             reason,
         }

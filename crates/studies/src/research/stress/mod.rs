@@ -9,13 +9,11 @@ mod map;
 mod measure;
 mod table;
 
+use crate::drivers::each;
+use crate::files::{Files, drawn, in_folder, made_by};
 use crate::study::stress::{Cell, Edges, Extent};
 use crate::{Completed, StudyError};
-use pounding_scene::parallel;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-use sha2::{Digest, Sha256};
 
 use measure::{Measured, measure};
 
@@ -35,17 +33,17 @@ impl Extremes {
     /// # Errors
     /// [`StudyError::Study`] for a scene or change that does not exist.
     pub fn measure(completed: &Completed, edges: &Edges, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        let cells = edges.cells(&completed.file, extent)?;
-        let measured = parallel::try_each(&cells, |cell| {
-            let (index, _) = cell.scene;
-            let base = &completed.prepared[index];
-            let scene = &completed.file.study.scenes[index];
+        let cells = edges.cells(extent);
+        let measured = each(&cells, done, |cell| {
+            let mut scenes = completed.file.study.scenes.iter().zip(&completed.prepared);
+            let found = scenes.find(|(scene, _)| scene.name == cell.scene);
+            let (scene, base) = found.ok_or_else(|| (format!("\"{}\"", cell.scene), "names of scenes of the study"))?;
             let pushed = cell.pushed(base, scene, edges.time_step_s);
-            let measured = pushed.map(|pushed| measure(base, &pushed));
-            done();
-            measured
+            let pushed = pushed.map_err(|found| (found, "changes that the scenes take"))?;
+            Ok(measure(base, &pushed))
         });
-        let measured = measured.map_err(|found| completed.refuse("output.extremes", found, "changes that the scenes take"))?;
+        let measured = measured.into_iter().collect::<Result<_, _>>();
+        let measured = measured.map_err(|(found, allowed)| completed.refuse("output.extremes", found, allowed))?;
         Ok(Self {
             edges: edges.clone(),
             extent,
@@ -55,48 +53,25 @@ impl Extremes {
         })
     }
 
-    /// Number of times that [`Self::measure`] calls `done`.
-    pub(crate) fn n_runs(edges: &Edges, extent: Extent) -> usize {
-        edges.n_cells(extent)
-    }
-
     /// Tables and figures by their path in the results folder; of a part of the grid its cells alone.
     ///
     /// # Errors
     /// [`StudyError::Plot`] for a figure that cannot be drawn.
-    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let folder = Path::new("extremes");
-        let part = table::cells(&self.cells, &self.measured, |cell| cell.in_part);
-        let mut files = BTreeMap::from([(folder.join(PART), part.into_bytes())]);
-        if self.extent == Extent::Part {
-            return Ok(files);
+    pub fn files(&self) -> Result<Files, StudyError> {
+        let (cells, measured) = (&self.cells, &self.measured);
+        let part = table::cells(cells, measured, |cell| cell.in_part).into_bytes();
+        let mut files = Files::new();
+        if self.extent == Extent::Whole {
+            files.insert("cells.csv".into(), table::cells(cells, measured, |_| true).into_bytes());
+            files.insert("summary.csv".into(), table::summary(measured).into_bytes());
+            files.insert("made-by.txt".into(), made_by("cargo xtask reproduce --all", &files));
+            for map in &self.edges.maps {
+                let png = drawn(&map::drawing(map, cells, measured), &self.path)?;
+                files.insert(Path::new(&map.name).with_extension("png"), png);
+            }
         }
-        let cells = table::cells(&self.cells, &self.measured, |_| true);
-        let summary = table::summary(&self.measured);
-        files.insert(folder.join("made-by.txt"), made_by(&cells, &summary).into_bytes());
-        files.insert(folder.join("cells.csv"), cells.into_bytes());
-        files.insert(folder.join("summary.csv"), summary.into_bytes());
-        for map in &self.edges.maps {
-            let png = map::png(map, &self.cells, &self.measured);
-            let png = png.map_err(|source| StudyError::Plot {
-                path: self.path.clone(),
-                source,
-            })?;
-            files.insert(folder.join(&map.name).with_extension("png"), png);
-        }
-        Ok(files)
+        // The table of the part of the grid that is usually run.
+        files.insert("part/cells.csv".into(), part);
+        Ok(in_folder("extremes", files))
     }
-}
-
-/// The table of the part of the grid that is usually run.
-const PART: &str = "part/cells.csv";
-
-/// The command that makes the whole, and the hashes by which the committed tables are known to be its.
-fn made_by(cells: &str, summary: &str) -> String {
-    let hash = |text: &str| Sha256::digest(text.as_bytes());
-    format!(
-        "cargo xtask reproduce --all\nSHA-256 of cells.csv: {:x}\nSHA-256 of summary.csv: {:x}\n",
-        hash(cells),
-        hash(summary)
-    )
 }

@@ -2,7 +2,7 @@
 
 use crate::research::other_motions::motions_of;
 use crate::{BeyondSettings, StudyError, StudyFile};
-use pounding_scene::{GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure, parallel};
+use pounding_scene::{GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure};
 use std::path::Path;
 
 /// A ground motion in one direction, and how long it shakes \[s\].
@@ -10,8 +10,8 @@ use std::path::Path;
 pub(super) struct Case {
     pub(super) name: String,
     pub(super) reversed: bool,
-    motion: SharedMotion,
-    duration: f64,
+    pub(super) motion: SharedMotion,
+    pub(super) duration: f64,
 }
 
 impl Case {
@@ -20,33 +20,22 @@ impl Case {
     /// # Errors
     /// [`StudyError`] for a motion that cannot be read.
     pub(super) fn listed(settings: &BeyondSettings, path: &Path) -> Result<Vec<Self>, StudyError> {
-        let both = |motion| [false, true].map(|reversed| (reversed, Clone::clone(motion)));
-        let motions = motions_of(settings, path)?;
-        let cases = motions.iter().flat_map(both).map(|(reversed, motion)| {
-            let record = motion.directed(reversed);
-            Self {
-                name: motion.name,
-                reversed,
-                duration: motion.duration,
-                motion: GroundMotion {
-                    record,
+        let cases = motions_of(settings, path)?.into_iter().flat_map(|shaking| {
+            [false, true].map(|reversed| {
+                let motion = GroundMotion {
+                    record: shaking.directed(reversed),
                     scale: 1.0,
                     origin: None,
+                };
+                Self {
+                    name: shaking.name.clone(),
+                    reversed,
+                    motion: motion.into(),
+                    duration: shaking.duration,
                 }
-                .into(),
-            }
+            })
         });
         Ok(cases.collect())
-    }
-
-    /// A motion as it is, of which two of the longest periods of a scene are waited for.
-    pub(super) fn of_motion(name: String, motion: SharedMotion, duration: f64) -> Self {
-        Self {
-            name,
-            reversed: false,
-            motion,
-            duration,
-        }
     }
 
     /// The same, every acceleration multiplied by a factor.
@@ -60,10 +49,6 @@ impl Case {
             source,
         })?;
         Ok(Self { motion, ..self.clone() })
-    }
-
-    pub(super) fn direction(&self) -> &'static str {
-        if self.reversed { "reversed" } else { "as recorded" }
     }
 
     /// A scene under this motion, by the exact method.
@@ -106,11 +91,10 @@ impl Response {
     pub(super) fn of(outcome: &RunResult, n_structures: usize) -> Self {
         let all = outcome.collisions.all();
         let peak = |index| outcome.peaks.of(index).displacement.value.abs();
-        let forces = all.iter().filter_map(|one| one.peak_force);
         Self {
             peaks: (0..n_structures).map(peak).collect(),
             impulse: all.iter().map(|one| one.impulse).sum(),
-            force: forces.fold(0.0, f64::max),
+            force: all.iter().filter_map(|one| one.peak_force).fold(0.0, f64::max),
             collisions: all.len(),
         }
     }
@@ -123,9 +107,7 @@ impl Response {
 pub(super) fn sdof(scene: &mut Scene, index: usize) -> &mut Sdof {
     match &mut scene.structures[index] {
         Structure::Sdof(sdof) => sdof,
-        Structure::Building(_) | Structure::Wall => {
-            unreachable!("a row of structures of one storey")
-        }
+        Structure::Building(_) | Structure::Wall => unreachable!("a row of structures of one storey"),
     }
 }
 
@@ -141,18 +123,13 @@ pub(super) fn set_period(sdof: &mut Sdof, period: f64) {
 /// [`StudyError::Study`] for another scene.
 pub(super) fn rows(file: &StudyFile, n_structures: usize) -> Result<&[Scene], StudyError> {
     let scenes = &file.study.scenes;
-    let fits = |scene: &&Scene| {
-        let of_one_storey = |structure: &Structure| matches!(structure, Structure::Sdof(_));
-        scene.structures.len() == n_structures && scene.structures.iter().all(of_one_storey) && scene.contacts.is_some()
-    };
+    let of_one_storey = |structure: &Structure| matches!(structure, Structure::Sdof(_));
+    let fits =
+        |scene: &&Scene| scene.structures.len() == n_structures && scene.structures.iter().all(of_one_storey) && scene.contacts.is_some();
+    let allowed = "rows of structures of one storey with contacts, as many as the survey needs";
     match scenes.iter().find(|scene| !fits(scene)) {
         None => Ok(scenes),
-        Some(other) => Err(StudyError::Study {
-            path: file.path.clone(),
-            place: "scenes",
-            found: format!("\"{}\"", other.name),
-            allowed: "rows of structures of one storey with contacts, as many as the survey needs",
-        }),
+        Some(other) => Err(file.refuse("scenes", format!("\"{}\"", other.name), allowed)),
     }
 }
 
@@ -163,9 +140,4 @@ pub(super) fn with_gap(scene: &Scene, gap: f64) -> Scene {
         contact.gap_m = gap;
     }
     scene
-}
-
-/// What a function makes of everything, in the order of it, or the first error in that order.
-pub(super) fn each<T: Sync, R: Send>(all: &[T], make: impl Fn(&T) -> Result<R, StudyError> + Send + Sync) -> Result<Vec<R>, StudyError> {
-    parallel::try_each(all, make)
 }

@@ -1,13 +1,13 @@
 //! Fragility of pounding: in how many of many random motions structures touch, and drift further than alone.
 
-use super::cases::{Case, each, rows, with_gap};
-use super::{Files, csv, drawn};
-use crate::paper::figures::capital;
+use super::cases::{Case, rows, with_gap};
+use crate::drivers::pairs;
+use crate::files::{Files, capital, drawn};
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, wilson};
-use pounding_text::digits;
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, parallel, wilson};
+use pounding_text::{Table, digits};
 
 /// What one motion does at one intensity and gap: peak displacements over those alone, where the pair touches.
 type Excess = Option<[f64; 2]>;
@@ -21,6 +21,12 @@ enum Event {
 }
 
 impl Event {
+    fn all(settings: &Fragility) -> impl Iterator<Item = Self> {
+        let limits = settings.amplifications.iter();
+        let drifts = limits.flat_map(|limit| [0, 1].map(|index| Self::Drift(index, *limit)));
+        std::iter::once(Self::Touch).chain(drifts)
+    }
+
     fn happens(self, outcome: &Excess) -> bool {
         match self {
             Self::Touch => outcome.is_some(),
@@ -28,54 +34,75 @@ impl Event {
         }
     }
 
-    fn words(self, names: [&str; 2]) -> String {
+    fn words(self, scene: &Scene) -> String {
         match self {
             Self::Touch => "touching".into(),
-            Self::Drift(structure, limit) => {
-                format!("{} drifts > {} of alone", names[structure], digits(limit))
-            }
+            Self::Drift(structure, limit) => format!("{} drifts > {} of alone", scene.structures[structure].name(), digits(limit)),
         }
+    }
+}
+
+/// In how many motions an event happens at a gap \[m\] and an intensity \[m/s²\].
+struct Count {
+    event: String,
+    gap: f64,
+    pga: f64,
+    motions: usize,
+    happens: usize,
+}
+
+impl Count {
+    fn share(&self) -> f64 {
+        self.happens as f64 / self.motions as f64
+    }
+
+    fn bounds(&self) -> (f64, f64) {
+        wilson(self.happens as u64, self.motions as u64)
     }
 }
 
 pub(super) fn files(settings: &Fragility, file: &StudyFile) -> Result<Files, StudyError> {
     let scene = &rows(file, 2)?[0];
     let cases = suite(settings, scene, file)?;
-    let tasks: Vec<(&Case, f64)> = cases
-        .iter()
-        .flat_map(|case| settings.pga_m_per_s2.iter().map(move |pga| (case, *pga)))
-        .collect();
-    let found = each(&tasks, |&(case, pga)| outcomes(&case.scaled(pga)?, scene, &settings.gaps_m))?;
-    let counts = Counts {
-        settings,
-        names: [0, 1].map(|index| scene.structures[index].name()),
-        found,
-    };
+    let tasks = pairs(&cases, &settings.pga_m_per_s2);
+    let found = parallel::try_each(&tasks, |(case, pga)| outcomes(&case.scaled(**pga)?, scene, &settings.gaps_m))?;
+    let counts = counts(settings, scene, &found);
+    let table = Table::of(&counts)
+        .column("event", |one| one.event.clone())
+        .column("gap_m", |one| one.gap)
+        .column("pga_m_per_s2", |one| one.pga)
+        .column("motions", |one| one.motions)
+        .column("count", |one| one.happens)
+        .column("probability", |one| one.share())
+        .column("from", |one| one.bounds().0)
+        .column("to", |one| one.bounds().1)
+        .csv();
     Ok(Files::from([
-        ("fragility.csv".into(), counts.table()),
-        ("fragility.png".into(), drawn(&counts.figure(), file)?),
+        ("fragility.csv".into(), table.into_bytes()),
+        ("fragility.png".into(), drawn(&figure(settings, &counts), &file.path)?),
     ]))
 }
 
 /// The motions with a peak of 1 m/s².
 fn suite(settings: &Fragility, scene: &Scene, file: &StudyFile) -> Result<Vec<Case>, StudyError> {
     let Source::Generated(Generated::Stochastic(motion)) = &scene.record.source else {
-        return Err(StudyError::Study {
-            path: file.path.clone(),
-            place: "scenes.record",
-            found: scene.record.source.to_string(),
-            allowed: "`generated`, `stochastic`, whose seed makes further motions",
-        });
+        let allowed = "`generated`, `stochastic`, whose seed makes further motions";
+        return Err(file.refuse("scenes.record", scene.record.source.to_string(), allowed));
     };
     let seeds: Vec<u64> = (0..settings.motions).map(|index| motion.seed + index).collect();
-    each(&seeds, |&seed| {
+    parallel::try_each(&seeds, |&seed| {
         let mut motion = motion.clone();
         (motion.seed, motion.pga_m_per_s2) = (seed, 1.0);
         let record = RecordUse::of(Source::Generated(Generated::Stochastic(motion)));
         let name = format!("motion {seed}");
         let motion = GroundMotion::of(&record, file.base(), &name)?;
-        let duration = scene.duration_under(motion.record.duration());
-        Ok(Case::of_motion(name, motion.into(), duration))
+        Ok(Case {
+            name,
+            reversed: false,
+            // Two of the longest periods of the scene are waited for.
+            duration: scene.duration_under(motion.record.duration()),
+            motion: motion.into(),
+        })
     })
 }
 
@@ -93,104 +120,60 @@ fn outcomes(case: &Case, scene: &Scene, gaps: &[f64]) -> Result<Vec<Excess>, Stu
     gaps.iter().map(outcome).collect()
 }
 
-struct Counts<'a> {
-    settings: &'a Fragility,
-    names: [&'a str; 2],
-    /// For every motion and intensity the outcomes of all gaps.
-    found: Vec<Vec<Excess>>,
+/// Every event at every gap and intensity; `found` has the outcomes of all gaps for every motion and intensity.
+fn counts(settings: &Fragility, scene: &Scene, found: &[Vec<Excess>]) -> Vec<Count> {
+    let n_pga = settings.pga_m_per_s2.len();
+    let mut counts = Vec::new();
+    for event in Event::all(settings) {
+        for (gap, width) in settings.gaps_m.iter().enumerate() {
+            for (index, pga) in settings.pga_m_per_s2.iter().enumerate() {
+                let of_pga = found.iter().skip(index).step_by(n_pga);
+                counts.push(Count {
+                    event: event.words(scene),
+                    gap: *width,
+                    pga: *pga,
+                    motions: found.len() / n_pga,
+                    happens: of_pga.filter(|outcomes| event.happens(&outcomes[gap])).count(),
+                });
+            }
+        }
+    }
+    counts
 }
 
-impl Counts<'_> {
-    fn events(&self) -> Vec<Event> {
-        let limits = self.settings.amplifications.iter();
-        let drifts = limits.flat_map(|limit| [0, 1].map(|index| Event::Drift(index, *limit)));
-        std::iter::once(Event::Touch).chain(drifts).collect()
-    }
+/// Colours and marks of the gaps.
+const LOOKS: [(Shade, Mark); 5] = [
+    (Shade::Ink, Mark::Disc),
+    (Shade::Blue, Mark::Square),
+    (Shade::Vermilion, Mark::Triangle),
+    (Shade::Green, Mark::Diamond),
+    (Shade::Grey, Mark::Inverted),
+];
 
-    /// In how many motions it happens at an intensity and a gap, by their places.
-    fn count(&self, event: Event, pga: usize, gap: usize) -> usize {
-        let of_pga = self.found.iter().skip(pga);
-        let of_pga = of_pga.step_by(self.settings.pga_m_per_s2.len());
-        of_pga.filter(|outcomes| event.happens(&outcomes[gap])).count()
-    }
-
-    fn n(&self) -> usize {
-        self.found.len() / self.settings.pga_m_per_s2.len().max(1)
-    }
-
-    /// A row per event, gap and intensity.
-    fn table(&self) -> Vec<u8> {
-        let header = ["event", "gap_m", "pga_m_per_s2", "motions", "count", "probability", "from", "to"];
-        let mut rows = Vec::new();
-        for event in self.events() {
-            for (gap, width) in self.settings.gaps_m.iter().enumerate() {
-                for (index, pga) in self.settings.pga_m_per_s2.iter().enumerate() {
-                    let count = self.count(event, index, gap);
-                    let (from, to) = wilson(count as u64, self.n() as u64);
-                    let mut row = vec![event.words(self.names), digits(*width), digits(*pga)];
-                    row.extend([self.n(), count].map(|count| count.to_string()));
-                    let share = count as f64 / self.n() as f64;
-                    row.extend([share, from, to].map(digits));
-                    rows.push(row);
-                }
-            }
-        }
-        csv(&header, &rows)
-    }
-
-    /// A panel per event: curves of gaps over intensity, with bounds.
-    fn figure(&self) -> Figure {
-        const LOOKS: [(Shade, Mark); 5] = [
-            (Shade::Ink, Mark::Disc),
-            (Shade::Blue, Mark::Square),
-            (Shade::Vermilion, Mark::Triangle),
-            (Shade::Green, Mark::Diamond),
-            (Shade::Grey, Mark::Inverted),
-        ];
-        let panel = |(index, event): (usize, Event)| {
-            let mut curves = Vec::new();
-            for ((gap, width), (shade, mark)) in self.settings.gaps_m.iter().enumerate().zip(LOOKS) {
-                let mut line = Vec::new();
-                let (mut lower, mut upper) = (Vec::new(), Vec::new());
-                for (place, pga) in self.settings.pga_m_per_s2.iter().enumerate() {
-                    let count = self.count(event, place, gap);
-                    let (from, to) = wilson(count as u64, self.n() as u64);
-                    line.push((*pga, count as f64 / self.n() as f64));
-                    lower.push((*pga, from));
-                    upper.push((*pga, to));
-                }
-                curves.extend([lower, upper].map(|bound| Curve::new(Kind::Thin, shade, bound)));
-                let name = format!("gap {} mm", digits(1e3 * width));
-                curves.push(Curve::new(Kind::Line, shade, line).marked(mark).named(name));
-            }
-            Panel {
-                title: capital(&event.words(self.names)),
-                y: Axis::over(if index % 2 == 0 { "Probability (–)" } else { "" }, 0.0, 1.0),
-                curves,
-                legend: Legend::Shared,
-                ..Panel::default()
-            }
+/// A panel per event: curves of gaps over intensity, with bounds.
+fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
+    let n_pga = settings.pga_m_per_s2.len().max(1);
+    let of_gap = |(counts, (shade, mark)): (&[Count], (Shade, Mark))| {
+        let curve = |kind, value: fn(&Count) -> f64| {
+            let points = counts.iter().map(|one| (one.pga, value(one)));
+            Curve::new(kind, shade, points.collect())
         };
-        // What hardly ever happens has no panel.
-        let happens = |event: &Event| {
-            let gaps = 0..self.settings.gaps_m.len();
-            let most = gaps.flat_map(|gap| {
-                let intensities = 0..self.settings.pga_m_per_s2.len();
-                intensities.map(move |pga| self.count(*event, pga, gap))
-            });
-            100 * most.max().unwrap_or(0) >= self.n()
-        };
-        let events = self.events().into_iter().filter(happens);
-        let panels: Vec<Panel> = events.enumerate().map(panel).collect();
-        Figure {
-            height_in: 0.7 + 2.5 * panels.len().div_ceil(2) as f64,
-            columns: 2,
-            x: Axis::over("Peak ground acceleration (m/s²)", 0.0, self.strongest()),
-            panels,
-        }
-    }
-
-    fn strongest(&self) -> f64 {
-        self.settings.pga_m_per_s2.iter().copied().fold(0.0, f64::max)
-    }
+        let name = format!("gap {} mm", digits(1e3 * counts[0].gap));
+        [
+            curve(Kind::Thin, |one| one.bounds().0),
+            curve(Kind::Thin, |one| one.bounds().1),
+            curve(Kind::Line, Count::share).marked(mark).named(name),
+        ]
+    };
+    let panel = |counts: &[Count]| {
+        let curves = counts.chunks(n_pga).zip(LOOKS).flat_map(of_gap).collect();
+        Panel::shared(capital(&counts[0].event), Axis::over("Probability (–)", 0.0, 1.0), curves)
+    };
+    // What hardly ever happens has no panel.
+    let happens = |counts: &&[Count]| counts.iter().any(|one| 100 * one.happens >= one.motions);
+    let events = counts.chunks((n_pga * settings.gaps_m.len()).max(1));
+    let panels: Vec<Panel> = events.filter(happens).map(panel).collect();
+    let strongest = settings.pga_m_per_s2.iter().copied().fold(0.0, f64::max);
+    let x = Axis::over("Peak ground acceleration (m/s²)", 0.0, strongest);
+    Figure::grid(0.7 + 2.5 * panels.len().div_ceil(2) as f64, 2, x, panels).labelled_at_left()
 }

@@ -106,7 +106,7 @@ impl Heat {
                 self.numbers(corner, side, column == 0, row + 1 == self.rows.len(), &mut shapes);
             }
             let at = (3.2, bottom + 0.5 * side);
-            shapes.push(upright(at, &self.y));
+            shapes.push(Shape::upright(at, &*self.y, TEXT, Align::Middle));
             scale(WIDTH - SCALE + 3.0, bottom + side, of_row, &mut shapes);
         }
         let middle = left + 0.5 * (WIDTH - left - SCALE);
@@ -132,12 +132,7 @@ impl Heat {
                 shapes.push(spot((at.0 + 0.5 * cell, at.1 + 0.5 * cell)));
             }
         }
-        shapes.push(Shape::Rectangle {
-            corner,
-            size: (side, side),
-            fill: None,
-            outline: Some(Pen::solid(Shade::Ink, 0.6)),
-        });
+        shapes.push(Shape::outlined(corner, (side, side), Pen::solid(Shade::Ink, 0.6)));
     }
 
     /// Ticks, with numbers on the left and below where asked for.
@@ -176,12 +171,7 @@ fn scale(x: f64, top: f64, row: &HeatRow, shapes: &mut Vec<Shape>) {
     for class in 0..n_classes {
         let (fill, dot) = row.classes.look(class);
         let corner = (x, top - (n_classes - class) as f64 * STEP.1);
-        shapes.push(Shape::Rectangle {
-            corner,
-            size: STEP,
-            fill: Some(fill),
-            outline: Some(Pen::solid(Shade::Grey, 0.4)),
-        });
+        shapes.push(Shape::boxed(corner, STEP, fill, Pen::solid(Shade::Grey, 0.4)));
         if dot {
             shapes.push(spot((corner.0 + 0.5 * STEP.0, corner.1 + 0.5 * STEP.1)));
         }
@@ -196,16 +186,5 @@ fn spot(centre: (f64, f64)) -> Shape {
         radius: DOT,
         fill: Some(Fill::solid(Shade::White)),
         outline: None,
-    }
-}
-
-fn upright(at: (f64, f64), text: &str) -> Shape {
-    Shape::Text {
-        at,
-        text: text.into(),
-        points: TEXT,
-        align: Align::Middle,
-        upright: true,
-        shade: Shade::Ink,
     }
 }

@@ -13,48 +13,64 @@ mod required_gap;
 mod sensitivity;
 mod spectra;
 mod stiffness_ratio;
-mod survey_study;
 
+use crate::files::{Files, in_folder, made_by};
 use crate::study::surveys::Survey;
-use crate::{StudyError, StudyFile};
-use pounding_plot::{Picture, render_png};
-use std::collections::BTreeMap;
+use crate::{Output, StudyError, StudyFile};
 
 use cases::Case;
-pub use survey_study::SurveyStudy;
 
-/// Tables and figures by their names.
-type Files = BTreeMap<String, Vec<u8>>;
+/// A study that asks a [`Survey`], with the ground motions of the study that lists them.
+#[derive(Debug)]
+pub struct SurveyStudy {
+    file: StudyFile,
+    survey: Survey,
+    cases: Vec<Case>,
+}
 
-impl Survey {
-    /// Runs the survey under the motions of a list where it takes them from there.
+impl SurveyStudy {
+    /// The surveys among some studies, in their order.
+    ///
+    /// # Errors
+    /// [`StudyError`] where no study lists ground motions, or one of them cannot be read.
+    pub fn all(files: &[StudyFile]) -> Result<Vec<Self>, StudyError> {
+        let (path, settings) = StudyFile::listing(files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
+        let cases = Case::listed(settings, path)?;
+        let of = |file: &StudyFile| {
+            let Output::Survey(survey) = &file.study.output else {
+                return None;
+            };
+            Some(Self {
+                file: file.clone(),
+                survey: survey.clone(),
+                cases: cases.clone(),
+            })
+        };
+        Ok(files.iter().filter_map(of).collect())
+    }
+
+    /// Name of the study, and of its folder of results.
+    pub fn id(&self) -> &str {
+        &self.file.id
+    }
+
+    /// Runs the survey: tables and figures by their path in the results folder, with the command and the hashes by which
+    /// committed tables are known to be its.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the runs.
-    fn files(&self, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
-        match self {
-            Self::RequiredGap(settings) => required_gap::files(settings, file, cases),
-            Self::PoundingSpectra(settings) => spectra::files(settings, file, cases),
-            Self::Fragility(settings) => fragility::files(settings, file),
-            Self::StiffnessRatio(settings) => stiffness_ratio::files(settings, file, cases),
-            Self::Sensitivity(settings) => sensitivity::files(settings, file, cases),
-        }
+    pub fn run(&self) -> Result<Files, StudyError> {
+        let (file, cases) = (&self.file, &self.cases);
+        let files = match &self.survey {
+            Survey::RequiredGap(settings) => required_gap::files(settings, file, cases),
+            Survey::PoundingSpectra(settings) => spectra::files(settings, file, cases),
+            Survey::Fragility(settings) => fragility::files(settings, file),
+            Survey::StiffnessRatio(settings) => stiffness_ratio::files(settings, file, cases),
+            Survey::Sensitivity(settings) => sensitivity::files(settings, file, cases),
+        };
+        let mut files = files.map_err(|error| error.in_file(&file.path))?;
+        let made_by = made_by(&format!("cargo xtask studies {}", self.id()), &files);
+        files.insert("made-by.txt".into(), made_by);
+        Ok(in_folder(self.id(), files))
     }
-}
-
-/// A picture as PNG.
-///
-/// # Errors
-/// [`StudyError::Plot`] for one that cannot be drawn.
-fn drawn(picture: &impl Picture, file: &StudyFile) -> Result<Vec<u8>, StudyError> {
-    render_png(picture).map_err(|source| StudyError::Plot {
-        path: file.path.clone(),
-        source,
-    })
-}
-
-/// A table as CSV text.
-fn csv(header: &[&str], rows: &[Vec<String>]) -> Vec<u8> {
-    let header: Vec<String> = header.iter().map(ToString::to_string).collect();
-    pounding_text::to_csv(&header, rows).into_bytes()
 }

@@ -4,16 +4,15 @@
 //! (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259): first order by their Table 2 (b), total by M. J. W. Jansen
 //! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
 
-use super::cases::{Case, each, rows, sdof, with_gap};
-use super::{Files, csv, drawn};
-use crate::paper::figures::capital;
+use super::cases::{Case, rows, sdof, with_gap};
+use crate::files::{Files, capital, drawn};
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, FreePair, LawName};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{Damping, Scene};
-use pounding_text::digits;
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_scene::{Damping, Scene, parallel};
+use pounding_text::Table;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 use sobol::Sobol;
@@ -45,6 +44,15 @@ struct Row {
     mixed: [Output; N_INPUTS],
 }
 
+/// Shares of an input in the variance of an output, alone and with all others, with mean and deviation of the output.
+struct Share {
+    output: &'static str,
+    input: &'static str,
+    mean: f64,
+    deviation: f64,
+    indices: [Index; 2],
+}
+
 /// An index with its 95 % bounds.
 #[derive(Debug, Clone, Copy)]
 struct Index {
@@ -61,19 +69,16 @@ pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) ->
         template,
         cases: &cases[..2 * n_motions],
     };
-    let rows = each(&samples(settings.samples), |(a, b)| asked.row(a, b))?;
+    let rows = parallel::try_each(&samples(settings.samples), |(a, b)| asked.row(a, b))?;
     let inputs: Vec<usize> = (0..N_INPUTS)
         .filter(|input| settings.vary_motion || INPUTS[*input] != "motion")
         .collect();
-    let found: Vec<Vec<[Index; 2]>> = (0..N_OUTPUTS)
-        .map(|output| {
-            let of = |input: &usize| indices(&rows, *input, output, settings.bootstrap);
-            inputs.iter().map(of).collect()
-        })
+    let found: Vec<Vec<Share>> = (0..N_OUTPUTS)
+        .map(|output| shares(&rows, &inputs, output, settings.bootstrap))
         .collect();
     Ok(Files::from([
-        ("indices.csv".into(), table(&rows, &inputs, &found)),
-        ("indices.png".into(), drawn(&figure(&inputs, &found), file)?),
+        ("indices.png".into(), drawn(&figure(&found), &file.path)?),
+        ("indices.csv".into(), table(rows.len(), found.into_iter().flatten()).into_bytes()),
     ]))
 }
 
@@ -190,71 +195,64 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
     })
 }
 
-/// A row per output and input.
-fn table(rows: &[Row], inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Vec<u8> {
-    let header = [
-        "output",
-        "input",
-        "samples",
-        "mean",
-        "standard_deviation",
-        "first_order",
-        "first_order_from",
-        "first_order_to",
-        "total",
-        "total_from",
-        "total_to",
-    ];
-    let mut lines = Vec::new();
-    for (output, of_output) in found.iter().enumerate() {
-        let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
-        let n = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / n;
-        let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
-        for (input, [first, total]) in inputs.iter().zip(of_output) {
-            let mut line = vec![OUTPUTS[output].to_string(), INPUTS[*input].to_string(), rows.len().to_string()];
-            let numbers = [mean, variance.sqrt()].into_iter();
-            let numbers = numbers.chain([first.value, first.bounds.0, first.bounds.1]);
-            line.extend(numbers.chain([total.value, total.bounds.0, total.bounds.1]).map(digits));
-            lines.push(line);
-        }
-    }
-    csv(&header, &lines)
+/// Shares of every input in the variance of an output.
+fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
+    let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
+    let share = |input: &usize| Share {
+        output: OUTPUTS[output],
+        input: INPUTS[*input],
+        mean,
+        deviation: variance.sqrt(),
+        indices: indices(rows, *input, output, repetitions),
+    };
+    inputs.iter().map(share).collect()
 }
 
+/// A row per output and input.
+fn table(samples: usize, shares: impl Iterator<Item = Share>) -> String {
+    let mut table = Table::of(shares)
+        .column("output", |one| one.output)
+        .column("input", |one| one.input)
+        .column("samples", |_| samples)
+        .column("mean", |one| one.mean)
+        .column("standard_deviation", |one| one.deviation);
+    for (order, key) in ["first_order", "total"].into_iter().enumerate() {
+        table = table
+            .column(key, move |one| one.indices[order].value)
+            .column(format!("{key}_from"), move |one| one.indices[order].bounds.0)
+            .column(format!("{key}_to"), move |one| one.indices[order].bounds.1);
+    }
+    table.csv()
+}
+
+/// Both indices in the figure, and how far from the line of their input they stand.
+const LOOKS: [(&str, Shade, Mark, f64); 2] = [
+    ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
+    ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
+];
+
 /// A panel per output: of every input a bar to its first-order index and a mark at its total one, with bounds.
-fn figure(inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Figure {
-    let names: Vec<String> = inputs.iter().map(|input| INPUTS[*input].into()).collect();
-    let panel = |(output, of_output): (usize, &Vec<[Index; 2]>)| {
+fn figure(found: &[Vec<Share>]) -> Figure {
+    let panel = |shares: &Vec<Share>| {
         let mut curves = Vec::new();
-        let looks = [
-            ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
-            ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
-        ];
-        for (order, (name, shade, mark, aside)) in looks.into_iter().enumerate() {
+        for (order, (name, shade, mark, aside)) in LOOKS.into_iter().enumerate() {
             let mut points = Vec::new();
-            for (line, both) in of_output.iter().enumerate() {
-                let (Index { value, bounds }, y) = (both[order], line as f64 + aside);
+            for (line, share) in shares.iter().enumerate() {
+                let (Index { value, bounds }, y) = (share.indices[order], line as f64 + aside);
                 let span = [bounds.0, bounds.1].map(|bound| (bound.clamp(0.0, 1.0), y));
                 curves.push(Curve::new(Kind::Line, shade, span.into()));
                 points.push((value.clamp(0.0, 1.0), y));
             }
             curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
         }
-        Panel {
-            title: capital(OUTPUTS[output]),
-            y: Axis::names(names.clone()),
-            curves,
-            legend: Legend::Shared,
-            ..Panel::default()
-        }
+        let names = shares.iter().map(|share| share.input.into());
+        Panel::shared(capital(shares[0].output), Axis::names(names.collect()), curves)
     };
-    Figure {
-        height_in: 5.2,
-        columns: 2,
-        x: Axis::over("Share of the variance (–)", 0.0, 1.0),
-        panels: found.iter().enumerate().map(panel).collect(),
-    }
+    let x = Axis::over("Share of the variance (–)", 0.0, 1.0);
+    Figure::grid(5.2, 2, x, found.iter().map(panel).collect())
 }
 
 #[cfg(test)]

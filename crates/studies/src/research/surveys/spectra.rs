@@ -1,14 +1,14 @@
 //! Spectra of pounding: what two elastic structures do to each other, over both periods.
 
-use super::cases::{Case, Response, each, rows, sdof, set_period, with_gap};
+use super::cases::{Case, Response, rows, sdof, set_period, with_gap};
 use super::heat::{Classes, Heat, HeatRow};
-use super::{Files, csv, drawn};
+use crate::files::{Files, drawn};
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::PoundingSpectra;
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Method, STANDARD_GRAVITY, Scene};
+use pounding_scene::{Method, STANDARD_GRAVITY, Scene, parallel};
 use pounding_solver::SimultaneousImpacts;
-use pounding_text::digits;
+use pounding_text::{Cell as Text, Table, digits};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -53,7 +53,7 @@ pub(super) fn files(settings: &PoundingSpectra, file: &StudyFile, cases: &[Case]
     let template = &rows(file, 2)?[0];
     let wanted = |case: &&Case| settings.motions.contains(&case.name);
     let cases: Vec<&Case> = cases.iter().filter(wanted).collect();
-    let alone = each(&cases, |case| {
+    let alone = parallel::try_each(&cases, |case| -> Result<_, StudyError> {
         let of_period = |period: &f64| {
             let mut scene = Scene {
                 structures: template.structures[..1].to_vec(),
@@ -72,15 +72,15 @@ pub(super) fn files(settings: &PoundingSpectra, file: &StudyFile, cases: &[Case]
         alone,
     };
     let cells = spectra.cells();
-    let found = each(&cells, |cell| spectra.numbers(*cell))?;
+    let found = parallel::try_each(&cells, |cell| spectra.numbers(*cell))?;
     let mut files = Files::from([
-        ("spectra.csv".into(), spectra.table(&cells, &found)),
-        ("digits.csv".into(), spectra.check(&cells, &found)?),
+        ("spectra.csv".into(), spectra.table(&cells, &found).into_bytes()),
+        ("digits.csv".into(), spectra.check(&cells, &found)?.into_bytes()),
     ]);
     for &mass_ratio in &settings.mass_ratios {
         let heat = spectra.heat(&cells, &found, mass_ratio);
         let name = format!("mass-ratio-{}.png", digits(mass_ratio));
-        files.insert(name, drawn(&heat.drawing(), file)?);
+        files.insert(name.into(), drawn(&heat.drawing(), &file.path)?);
     }
     Ok(files)
 }
@@ -137,34 +137,22 @@ impl Spectra<'_> {
     }
 
     /// A row per pair, gap and ratio of masses.
-    fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Vec<u8> {
-        let mut header: Vec<String> = [
-            "mass_ratio",
-            "gap_over_srss",
-            "left_period_s",
-            "right_period_s",
-            "cases",
-            "touching_cases",
-        ]
-        .map(String::from)
-        .to_vec();
-        for key in KEYS {
-            header.extend([format!("{key}_median"), format!("{key}_largest")]);
-        }
-        let row = |(cell, numbers): (&Cell, &Vec<Numbers>)| {
-            let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
-            let periods = [cell.left, cell.right].map(|index| self.settings.periods_s[index]);
-            let mut row: Vec<String> = [cell.mass_ratio, cell.gap, periods[0], periods[1]].map(digits).into();
-            row.extend([numbers.len(), touching].map(|count| count.to_string()));
-            for quantity in 0..KEYS.len() {
-                let values = of_quantity(numbers, quantity);
-                let known = [0.5, 1.0].map(|part| quantile(&values, part).unwrap_or(0.0));
-                row.extend(known.map(digits));
+    fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> String {
+        let periods = &self.settings.periods_s;
+        let mut table = Table::of(cells.iter().zip(found))
+            .column("mass_ratio", |(cell, _)| cell.mass_ratio)
+            .column("gap_over_srss", |(cell, _)| cell.gap)
+            .column("left_period_s", |(cell, _)| periods[cell.left])
+            .column("right_period_s", |(cell, _)| periods[cell.right])
+            .column("cases", |(_, numbers)| numbers.len())
+            .column("touching_cases", |(_, numbers)| touching(numbers));
+        for (quantity, key) in KEYS.into_iter().enumerate() {
+            for (part, name) in [(0.5, "median"), (1.0, "largest")] {
+                let value = move |numbers: &[Numbers]| quantile(&of_quantity(numbers, quantity), part).unwrap_or(0.0);
+                table = table.column(format!("{key}_{name}"), move |(_, numbers)| value(numbers));
             }
-            row
-        };
-        let rows: Vec<_> = cells.iter().zip(found).map(row).collect();
-        pounding_text::to_csv(&header, &rows).into_bytes()
+        }
+        table.csv()
     }
 
     fn heat(&self, cells: &[Cell], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
@@ -180,9 +168,8 @@ impl Spectra<'_> {
                 .zip(found)
                 .filter(|(cell, _)| cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq());
             let value = |(_, numbers): (&Cell, &Vec<Numbers>)| {
-                let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
                 let value = quantile(&of_quantity(numbers, quantity), 0.5)?;
-                (2 * touching >= numbers.len()).then_some(value)
+                (2 * touching(numbers) >= numbers.len()).then_some(value)
             };
             own.map(value).collect()
         };
@@ -206,7 +193,7 @@ impl Spectra<'_> {
 
     /// Some runs once more, with a tolerance ten thousand times as large and a record larger by 10⁻¹²: how far the numbers
     /// move, relative to themselves.
-    fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<Vec<u8>, StudyError> {
+    fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
         const TOLERANCE: f64 = 1e-12;
         const SLIGHT: f64 = 1e-12;
         let mut random = Pcg64::new(1, 1);
@@ -214,7 +201,7 @@ impl Spectra<'_> {
         let chosen: Vec<(usize, usize)> = (0..self.settings.checked)
             .map(|_| (below(cells.len()), below(self.cases.len())))
             .collect();
-        let moved = each(&chosen, |&(index, case)| {
+        let moved = parallel::try_each(&chosen, |&(index, case)| -> Result<_, StudyError> {
             let cell = cells[index];
             let mut scene = self.scene(cell, case);
             let prepared = self.cases[case].scaled(1.0 + SLIGHT)?.prepared(&scene)?;
@@ -229,24 +216,22 @@ impl Spectra<'_> {
                 .map(|(again, before)| if before == 0.0 { again } else { (again / before - 1.0).abs() })
                 .collect::<Vec<f64>>())
         })?;
-        let header = ["quantity", "runs", "median", "quantile_95", "largest"];
-        let row = |(quantity, key): (usize, &str)| {
-            let moves = sorted(moved.iter().map(|moves| moves[quantity]));
-            let mut row = vec![key.to_string(), moves.len().to_string()];
-            let known = [0.5, 0.95, 1.0].map(|part| quantile(&moves, part));
-            // Two digits: the last ones are rounding, which other machines may not share.
-            row.extend(known.map(|part| format!("{:.0e}", part.unwrap_or(0.0))));
-            row
-        };
-        let rows: Vec<_> = KEYS.into_iter().enumerate().map(row).collect();
-        Ok(csv(&header, &rows))
+        let moves = |(quantity, key)| (key, sorted(moved.iter().map(|moves: &Vec<f64>| moves[quantity])));
+        // Two digits: the last ones are rounding, which other machines may not share.
+        let part = |moves: &[f64], part| Text::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
+        Ok(Table::of(KEYS.into_iter().enumerate().map(moves))
+            .column("quantity", |(key, _)| *key)
+            .column("runs", |(_, moves)| moves.len())
+            .column("median", |(_, moves)| part(moves, 0.5))
+            .column("quantile_95", |(_, moves)| part(moves, 0.95))
+            .column("largest", |(_, moves)| part(moves, 1.0))
+            .csv())
     }
 }
 
-impl Numbers {
-    fn touch(&self) -> bool {
-        self.0[1] > 0.0
-    }
+/// In how many cases the pair touches.
+fn touching(numbers: &[Numbers]) -> usize {
+    numbers.iter().filter(|numbers| numbers.0[1] > 0.0).count()
 }
 
 /// A quantity of all cases in rising order.

@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
-use super::check::{Checked, Verdict};
+use super::check::{Checked, Failure, Verdict};
+use super::compared::Stage;
 use super::generator;
-use super::stage::Stage;
 use pounding_scene::{Scene, parallel};
 
 /// Random scenes, each run by both routes.
@@ -30,14 +30,10 @@ impl Campaign {
     /// Runs scenes, in their order whatever the number of threads; `done` is called after each.
     pub fn run(&self, scenes: &[usize], done: &(dyn Fn(&Checked) + Sync)) -> Vec<Checked> {
         parallel::each(scenes, |&index| {
-            let checked = self.watched(index);
+            let checked = self.check(index, &self.scene(index), &self.studies);
             done(&checked);
             checked
         })
-    }
-
-    fn watched(&self, index: usize) -> Checked {
-        self.check(index, &self.scene(index), &self.studies)
     }
 
     /// Runs a scene, which need not be the campaign's, in a thread of its own, which is told to stop, and left behind, where it does not
@@ -56,19 +52,19 @@ impl Campaign {
             sender.send(Message::Ends(Box::new(checked))).ok();
         });
         let mut stage = Stage::Exact;
-        loop {
+        let verdict = loop {
             match receiver.recv_timeout(self.patience) {
                 Ok(Message::Begins(next)) => stage = next,
                 Ok(Message::Ends(checked)) => return *checked,
                 Err(RecvTimeoutError::Timeout) => {
                     stop.store(true, Ordering::Relaxed);
-                    return Checked::new(index, scene, Verdict::Hangs(stage));
+                    break Verdict::Hangs;
                 }
-                Err(RecvTimeoutError::Disconnected) => {
-                    return Checked::new(index, scene, Verdict::Panics(stage));
-                }
+                Err(RecvTimeoutError::Disconnected) => break Verdict::Panics,
             }
-        }
+        };
+        let failure = Failure::new(stage.words().into(), String::new());
+        Checked::new(index, scene, verdict, Some(failure))
     }
 }
 

@@ -4,72 +4,65 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::class::{Class, rests};
-use super::compared::{Compared, Place, Two};
+use super::compared::{ALLOWED, Compared, Place, Stage, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
 use super::meeting::SAME;
 use super::numbers::Numbers;
-use super::room;
-use super::stage::{ALLOWED, Stage};
+use crate::listed::listed;
 use pounding_reference::Fineness;
-use pounding_scene::{Audited, Scene, Simulation};
-use pounding_solver::Pair;
+use pounding_scene::{Audited, Error, Scene, Simulation};
+use pounding_solver::{Pair, RunError};
 
 /// Residual of the energy of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;
 
 /// Other settings of the second route, under which its own rounding is another one.
-const OTHERWISE: [Fineness; 4] = [
+const OTHERWISE: [Fineness; 4] = [fine(1e-14, 7), fine(1e-13, 5), fine(1e-14, 4), fine(1e-13, 9)];
+
+const fn fine(tolerance: f64, steps_per_sample: u32) -> Fineness {
     Fineness {
-        tolerance: 1e-14,
-        steps_per_sample: 7,
-    },
-    Fineness {
-        tolerance: 1e-13,
-        steps_per_sample: 5,
-    },
-    Fineness {
-        tolerance: 1e-14,
-        steps_per_sample: 4,
-    },
-    Fineness {
-        tolerance: 1e-13,
-        steps_per_sample: 9,
-    },
-];
+        tolerance,
+        steps_per_sample,
+    }
+}
+
 /// A distance up to so many times what a route differs from itself, in the few ways that are tried, is its own rounding.
 const OWN: f64 = 3.0;
 
-/// What becomes of a scene.
-#[derive(Debug, Clone)]
-pub enum Verdict {
-    /// All numbers are as close as is allowed.
-    Agrees,
-    /// Some are not: of every kind the one that is furthest off, the worst kind first.
-    Disagrees(Vec<Disagreement>),
-    /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
-    SecondRouteRounds(Vec<Disagreement>),
-    /// Some are not, but changes of the data as small as rounding move the exact run by as much: it rounds over many touches.
-    ExactRounds(Vec<Disagreement>),
-    /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
-    Unknowable(Vec<Disagreement>),
-    /// The exact run fails.
-    ExactFails(Failure),
-    /// The second route fails on a scene that the exact method runs.
-    SecondRouteFails(Failure),
-    /// The scene cannot be prepared.
-    Refused(Failure),
-    /// It does not end in time; in which part of the work.
-    Hangs(Stage),
-    /// A fault of the program stopped it.
-    Panics(Stage),
+listed! {
+    /// What becomes of a scene.
+    pub enum Verdict { words: &'static str;
+        /// All numbers are as close as is allowed.
+        Agrees = "agree",
+        /// Some are not.
+        Disagrees = "disagree",
+        /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
+        SecondRouteRounds = "second rounds",
+        /// Some are not, but changes of the data as small as rounding move the exact run by as much: it rounds over many touches.
+        ExactRounds = "exact rounds",
+        /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
+        Unknowable = "ill-conditioned",
+        /// The exact run fails in a way that is [named](super::LIMITS).
+        Named = "named limit",
+        /// The exact run fails.
+        ExactFails = "exact fails",
+        /// The second route fails on a scene that the exact method runs.
+        SecondRouteFails = "second fails",
+        /// The scene cannot be prepared.
+        Refused = "refused",
+        /// It does not end in time.
+        Hangs = "hang",
+        /// A fault of the program stopped it.
+        Panics = "panic",
+    }
 }
 
-/// Why a run failed.
+/// Why a scene has no numbers to compare.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Failure {
-    /// Name of the kind of error, as the library calls it.
+    /// Name of the kind of error, as the library calls it; the part of the work that does not end, or panics.
     pub kind: String,
-    /// The error in words.
+    /// The error in words, if there is one.
     pub message: String,
 }
 
@@ -95,6 +88,10 @@ pub struct Checked {
     pub classes: Vec<Class>,
     /// What becomes of it.
     pub verdict: Verdict,
+    /// What is further off than is allowed: of every kind of number the one that is furthest off, the worst kind first.
+    pub disagreements: Vec<Disagreement>,
+    /// Why there are no numbers, if a run failed.
+    pub failure: Option<Failure>,
     /// Residual of the energy of the exact run \[–\], where it ended.
     pub residual: Option<f64>,
     /// Largest distance of every kind of number, in the order of [`Compared::ALL`], where both runs ended and agree.
@@ -108,12 +105,14 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Of a scene of which nothing is known but its classes.
-    pub(super) fn new(index: usize, scene: &Scene, verdict: Verdict) -> Self {
+    /// Of a scene that has no numbers to compare, unless they follow.
+    pub(super) fn new(index: usize, scene: &Scene, verdict: Verdict, failure: Option<Failure>) -> Self {
         Self {
             index,
             classes: Class::of(scene),
             verdict,
+            disagreements: Vec::new(),
+            failure,
             residual: None,
             largest: [0.0; Compared::ALL.len()],
             grazes: 0,
@@ -125,41 +124,45 @@ impl Checked {
     /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins, and `stop` ends
     /// its exact runs.
     pub(super) fn run((index, scene): (usize, &Scene), base: &Path, (begin, stop): (&dyn Fn(Stage), &'static AtomicBool)) -> Self {
-        let ended = |verdict| Self::new(index, scene, verdict);
+        let failed = |verdict, failure| Self::new(index, scene, verdict, Some(failure));
         begin(Stage::Exact);
         let prepared = match Simulation::new(scene, stopped_by(base, stop)) {
             Ok(prepared) => prepared,
-            Err(error) => return ended(Verdict::Refused(Failure::of(&error))),
+            Err(error) => return failed(Verdict::Refused, Failure::of(&error)),
         };
         let Audited { outcome, broken, balance } = match prepared.audited(None) {
             Ok(audited) => audited,
             Err(error) => {
                 let mut failure = Failure::of(&error);
-                if !room::is_explained(&prepared, &error) {
+                if !room_explains(&prepared, &error) {
                     failure.kind += ", with room left";
                 }
-                return ended(Verdict::ExactFails(failure));
+                return failed(failure.verdict(), failure);
             }
+        };
+        begin(Stage::SecondRoute);
+        let second = crate::second_route(&prepared, Fineness::FINE);
+        let residual = residual(balance.residual);
+        let failure = match (&broken, &second) {
+            (Some(error), _) => Some(Failure::of(error)),
+            (None, Err(error)) if residual.is_none() => Some(Failure::new(variant(error), error.to_string())),
+            (None, _) => None,
+        };
+        let verdict = match (&broken, &failure) {
+            (Some(_), Some(failure)) => failure.verdict(),
+            (None, Some(_)) => Verdict::SecondRouteFails,
+            (_, None) => Verdict::Disagrees,
         };
         let mut checked = Self {
             residual: Some(balance.residual),
             touches: outcome.collisions.all().len(),
-            ..ended(Verdict::Agrees)
+            ..Self::new(index, scene, verdict, failure)
         };
         if rests(&prepared, &outcome) {
             checked.classes.push(Class::Rests);
         }
-        begin(Stage::SecondRoute);
-        let second = crate::second_route(&prepared, Fineness::FINE);
-        let residual = residual(balance.residual);
-        checked.verdict = match (broken, second) {
-            (Some(error), _) => Verdict::ExactFails(Failure::of(&error)),
-            (None, Err(_)) if residual.is_some() => Verdict::Disagrees(residual.into_iter().collect()),
-            (None, Err(error)) => Verdict::SecondRouteFails(Failure {
-                kind: variant(&error),
-                message: error.to_string(),
-            }),
-            (None, Ok(second)) => {
+        match second {
+            Ok(second) if broken.is_none() => {
                 let exact = Numbers::of_exact(&prepared, &outcome);
                 let second = Numbers::of_second_route(&prepared, &second);
                 let data = Data {
@@ -168,9 +171,11 @@ impl Checked {
                     base,
                     stop,
                 };
-                checked.compare(&data, (exact, second, residual), begin)
+                checked.compare(&data, (exact, second, residual), begin);
             }
-        };
+            Ok(_) => {}
+            Err(_) => checked.disagreements = residual.into_iter().filter(|_| broken.is_none()).collect(),
+        }
         checked
     }
 
@@ -179,7 +184,7 @@ impl Checked {
         data: &Data<'_>,
         (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
         begin: &dyn Fn(Stage),
-    ) -> Verdict {
+    ) {
         self.grazes = exact.without_grazes(&mut second);
         let all = exact.beside(&second);
         let close = |two: &Two| two.distance <= ALLOWED;
@@ -211,26 +216,19 @@ impl Checked {
             let held = own.filter(|one| !one.is_wrong() && one.two.distance.is_finite());
             *largest = held.map(|one| one.two.distance).fold(0.0, f64::max);
         }
-        let wrong: Vec<_> = judged.iter().filter(|one| one.is_wrong()).collect();
-        let wrong = worst(&wrong);
+        let of = |test: &dyn Fn(&Disagreement) -> bool| worst(&judged.iter().filter(|one| test(one)).copied().collect::<Vec<_>>());
+        let wrong = of(&Disagreement::is_wrong);
         let firm = wrong.iter().any(|one| one.two.distance > OWN * one.own);
-        let unknown = judged
-            .iter()
-            .filter(|one| one.two.distance > ALLOWED && one.explained.is_infinite());
-        let unknown = worst(&unknown.collect::<Vec<_>>());
-        let rounded = judged.iter().filter(|one| one.two.distance > one.allowed);
-        let rounded = worst(&rounded.collect::<Vec<_>>());
-        if firm {
-            Verdict::Disagrees(wrong)
-        } else if !wrong.is_empty() {
-            Verdict::SecondRouteRounds(wrong)
-        } else if !unknown.is_empty() {
-            Verdict::Unknowable(unknown)
-        } else if !rounded.is_empty() {
-            Verdict::ExactRounds(rounded)
-        } else {
-            Verdict::Agrees
-        }
+        let kinds = [
+            (if firm { Verdict::Disagrees } else { Verdict::SecondRouteRounds }, wrong),
+            (
+                Verdict::Unknowable,
+                of(&|one| one.two.distance > ALLOWED && one.explained.is_infinite()),
+            ),
+            (Verdict::ExactRounds, of(&|one| one.two.distance > one.allowed)),
+        ];
+        let found = kinds.into_iter().find(|(_, found)| !found.is_empty());
+        (self.verdict, self.disagreements) = found.unwrap_or((Verdict::Agrees, Vec::new()));
     }
 }
 
@@ -244,11 +242,7 @@ impl Disagreement {
 fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
     let moves = |one: &&Disagreement| one.two.what == Compared::Start && one.explained > SAME;
     let mut untold: Vec<_> = judged.iter().filter(moves).map(|one| one.two.place).collect();
-    let pairs = untold.iter().filter_map(|place| match *place {
-        Place::Touch { pair, .. } => Some(Place::Pair(pair)),
-        Place::Floor(_) | Place::Pair(_) | Place::Run => None,
-    });
-    let pairs: Vec<_> = pairs.collect();
+    let pairs: Vec<_> = untold.iter().filter_map(|place| Some(Place::Pair(place.touch()?.0))).collect();
     untold.extend(pairs);
     for one in judged {
         if one.two.distance.is_infinite() && untold.contains(&one.two.place) {
@@ -264,10 +258,7 @@ fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Dis
     let wrong = judged
         .iter()
         .filter(|one| one.is_wrong() && one.two.distance.is_infinite() == lacks);
-    let wrong = wrong.filter_map(|one| match one.two.place {
-        Place::Touch { pair, touch } => Some((pair, touch)),
-        Place::Floor(_) | Place::Pair(_) | Place::Run => None,
-    });
+    let wrong = wrong.filter_map(|one| one.two.place.touch());
     let Some((pair, time)) = exact.first_of(wrong, second) else {
         return Vec::new();
     };
@@ -325,12 +316,11 @@ fn residual(residual: f64) -> Option<Disagreement> {
 }
 
 /// Of every kind the number that is furthest off, the worst kind first.
-fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
+fn worst(all: &[Disagreement]) -> Vec<Disagreement> {
     let off = |one: &Disagreement| one.two.distance / one.allowed;
     let of = |what: Compared| {
-        let own = all.iter().filter(|one| one.two.what == what);
-        own.map(|one| **one)
-            .reduce(|worst, next| if off(&next) > off(&worst) { next } else { worst })
+        let own = all.iter().filter(|one| one.two.what == what).copied();
+        own.reduce(|worst, next| if off(&next) > off(&worst) { next } else { worst })
     };
     let mut found: Vec<_> = Compared::ALL.into_iter().filter_map(of).collect();
     found.sort_by(|one, other| off(other).total_cmp(&off(one)));
@@ -338,20 +328,27 @@ fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
 }
 
 impl Failure {
-    fn of(error: &pounding_scene::Error) -> Self {
-        let kind = if let pounding_scene::Error::Run { source, .. } = error {
+    /// Of an error of the exact run.
+    fn of(error: &Error) -> Self {
+        let kind = if let Error::Run { source, .. } = error {
             variant(source)
-        } else if let pounding_scene::Error::Broken { source, .. } = error {
+        } else if let Error::Broken { source, .. } = error {
             variant(source)
-        } else if let pounding_scene::Error::Scene { source, .. } = error {
+        } else if let Error::Scene { source, .. } = error {
             variant(source)
         } else {
             variant(error)
         };
-        Self {
-            kind,
-            message: error.to_string(),
-        }
+        Self::new(kind, error.to_string())
+    }
+
+    pub(super) fn new(kind: String, message: String) -> Self {
+        Self { kind, message }
+    }
+
+    /// What becomes of a scene whose exact run fails so.
+    fn verdict(&self) -> Verdict {
+        if self.is_known() { Verdict::Named } else { Verdict::ExactFails }
     }
 }
 
@@ -360,4 +357,39 @@ fn variant(error: &impl std::fmt::Debug) -> String {
     let text = format!("{error:?}");
     let end = text.find(|one: char| !one.is_alphanumeric());
     text[..end.unwrap_or(text.len())].into()
+}
+
+/// Rounding that a distance of grounds is forgiven \[m\].
+const ROUNDING: f64 = 1e-9;
+
+/// Returns false if a run ends because walls close in, and gaps and grounds leave room for
+/// all that stands between them.
+fn room_explains(prepared: &Simulation, error: &Error) -> bool {
+    let Error::Run { source, .. } = error else {
+        return true;
+    };
+    let RunError::ClosedIn { time, .. } = source else {
+        return true;
+    };
+    let walls = prepared.walls();
+    (0..walls.len()).any(|node| walls[node] && leaves_no_room(prepared, &walls, (node, *time)))
+}
+
+/// Whether a wall has come as close to the next one on its right as the gaps of impulsive contacts between them allow.
+fn leaves_no_room(prepared: &Simulation, walls: &[bool], (wall, time): (usize, f64)) -> bool {
+    let Some(travel) = prepared.travel() else {
+        return false;
+    };
+    let (mut node, mut room) = (wall, 0.0);
+    let right_of = |node: usize| {
+        let mut pairs = prepared.pairs().iter();
+        pairs.find(|pair| pair.left() == node && !pair.law.is_compliant())
+    };
+    while let Some(pair) = right_of(node) {
+        (node, room) = (pair.right(), room + pair.gap());
+        if walls[node] {
+            return travel.opening([wall, node], time).displacement >= room - ROUNDING;
+        }
+    }
+    false
 }

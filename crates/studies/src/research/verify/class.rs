@@ -1,171 +1,101 @@
 //! What is in a scene: classes by which a campaign counts.
 
+use crate::listed::listed;
 use pounding_scene::{Columns, Contact, Generated, RunResult, Scene, Source, Structure};
-use strum::EnumCount;
 
-/// Something that a scene has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
-pub enum Class {
-    /// All contacts are impulsive.
-    Impulsive,
-    /// All contacts have forces over time.
-    Compliant,
-    /// Some are impulsive and some not.
-    BothContacts,
-    /// All structures have one storey.
-    OneStorey,
-    /// Some building has several.
-    Storeys,
-    /// Columns that never yield.
-    Elastic,
-    /// Columns that yield at one point.
-    Sharp,
-    /// Columns that yield smoothly.
-    Smooth,
-    /// A wall at one end.
-    OneWall,
-    /// Walls at both.
-    TwoWalls,
-    /// A ground motion that travels.
-    Arrivals,
-    /// A gap of 0.
-    NoGap,
-    /// A restitution of 0.
-    Plastic,
-    /// A restitution of 1.
-    Lossless,
-    /// Contacts at some levels alone.
-    SomeLevels,
-    /// A structure that moves at the start.
-    Moving,
-    /// Neighbours that come to rest against each other.
-    Rests,
-    /// A record.
-    Record,
-    /// Random shaking.
-    Stochastic,
-    /// A pulse.
-    Pulse,
-    /// Harmonic shaking.
-    Harmonic,
+listed! {
+    /// Something that a scene has: its name, and which scenes have it.
+    pub enum Class { texts: (&'static str, fn(&Scene) -> bool);
+        /// All contacts are impulsive.
+        Impulsive = ("impulsive contacts", |scene| contacts(scene).all(|one| !one.law.is_compliant())),
+        /// All contacts have forces over time.
+        Compliant = ("compliant contacts", |scene| contacts(scene).all(|one| one.law.is_compliant())),
+        /// Some are impulsive and some not.
+        BothContacts = ("both kinds of contact", |scene| !Class::Impulsive.is_of(scene) && !Class::Compliant.is_of(scene)),
+        /// All structures have one storey.
+        OneStorey = ("one storey each", |scene| !Class::Storeys.is_of(scene)),
+        /// Some building has several.
+        Storeys = ("several storeys", |scene| scene.structures.iter().any(|one| columns(one).len() > 1)),
+        /// Columns that never yield.
+        Elastic = ("elastic columns", |scene| all_columns(scene).any(|one| one.yield_force_n.is_none())),
+        /// Columns that yield at one point.
+        Sharp = ("yielding columns", |scene| all_columns(scene).any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none())),
+        /// Columns that yield smoothly.
+        Smooth = ("Bouc–Wen columns", |scene| all_columns(scene).any(|one| one.bouc_wen.is_some())),
+        /// A wall at one end.
+        OneWall = ("a wall at one end", |scene| n_walls(scene) == 1),
+        /// Walls at both.
+        TwoWalls = ("walls at both ends", |scene| n_walls(scene) == 2),
+        /// A ground motion that travels.
+        Arrivals = ("arrivals", |scene| scene.arrivals_s.is_some()),
+        /// A gap of 0.
+        NoGap = ("a gap of 0", |scene| contacts(scene).any(|one| one.gap_m <= 0.0)),
+        /// A restitution of 0.
+        Plastic = ("e = 0", |scene| has_restitution(scene, 0.0)),
+        /// A restitution of 1.
+        Lossless = ("e = 1", |scene| has_restitution(scene, 1.0)),
+        /// Contacts at some levels alone.
+        SomeLevels = ("chosen levels", |scene| contacts(scene).any(|one| one.levels.is_some())),
+        /// A structure that moves at the start.
+        Moving = ("moving at the start", |scene| scene.structures.iter().any(moves)),
+        /// Neighbours that come to rest against each other, which is known once the scene has run.
+        Rests = ("coming to rest", |_| false),
+        /// A record.
+        Record = ("a record", |scene| matches!(scene.record.source, Source::File(_))),
+        /// Random shaking.
+        Stochastic = ("random shaking", |scene| matches!(scene.record.source, Source::Generated(Generated::Stochastic(_)))),
+        /// A pulse.
+        Pulse = ("a pulse", |scene| matches!(scene.record.source, Source::Generated(Generated::Ricker { .. } | Generated::HalfSine { .. }))),
+        /// Harmonic shaking.
+        Harmonic = ("harmonic shaking", |scene| matches!(scene.record.source, Source::Generated(Generated::Harmonic { .. }))),
+    }
 }
 
 impl Class {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::Impulsive,
-        Self::Compliant,
-        Self::BothContacts,
-        Self::OneStorey,
-        Self::Storeys,
-        Self::Elastic,
-        Self::Sharp,
-        Self::Smooth,
-        Self::OneWall,
-        Self::TwoWalls,
-        Self::Arrivals,
-        Self::NoGap,
-        Self::Plastic,
-        Self::Lossless,
-        Self::SomeLevels,
-        Self::Moving,
-        Self::Rests,
-        Self::Record,
-        Self::Stochastic,
-        Self::Pulse,
-        Self::Harmonic,
-    ];
-
     /// Its name in text.
     pub fn words(self) -> &'static str {
-        match self {
-            Self::Impulsive => "impulsive contacts",
-            Self::Compliant => "compliant contacts",
-            Self::BothContacts => "both kinds of contact",
-            Self::OneStorey => "one storey each",
-            Self::Storeys => "several storeys",
-            Self::Elastic => "elastic columns",
-            Self::Sharp => "yielding columns",
-            Self::Smooth => "Bouc–Wen columns",
-            Self::OneWall => "a wall at one end",
-            Self::TwoWalls => "walls at both ends",
-            Self::Arrivals => "arrivals",
-            Self::NoGap => "a gap of 0",
-            Self::Plastic => "e = 0",
-            Self::Lossless => "e = 1",
-            Self::SomeLevels => "chosen levels",
-            Self::Moving => "moving at the start",
-            Self::Rests => "coming to rest",
-            Self::Record => "a record",
-            Self::Stochastic => "random shaking",
-            Self::Pulse => "a pulse",
-            Self::Harmonic => "harmonic shaking",
-        }
+        self.texts().0
+    }
+
+    fn is_of(self, scene: &Scene) -> bool {
+        self.texts().1(scene)
     }
 
     /// Those of a scene; whether neighbours come to rest is known once it has run.
     pub(super) fn of(scene: &Scene) -> Vec<Self> {
-        let contacts = || scene.contacts.iter().flatten();
-        let impulsive = contacts().filter(|one| !one.law.is_compliant()).count();
-        let restitution = |e: f64| {
-            let of = |one: &Contact| one.law.impulsive().map(|law| law.restitution);
-            contacts().filter_map(of).any(|one| one.total_cmp(&e).is_eq())
-        };
-        let walls = scene.structures.iter();
-        let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();
-        let columns = columns(scene);
-        let storeys = scene.structures.iter().any(|one| match one {
-            Structure::Building(building) => building.storeys.len() > 1,
-            Structure::Sdof(_) | Structure::Wall => false,
-        });
-        let has = [
-            (Self::Impulsive, impulsive == contacts().count()),
-            (Self::Compliant, impulsive == 0),
-            (Self::BothContacts, impulsive > 0 && impulsive < contacts().count()),
-            (Self::OneStorey, !storeys),
-            (Self::Storeys, storeys),
-            (Self::Elastic, columns.iter().any(|one| one.yield_force_n.is_none())),
-            (
-                Self::Sharp,
-                columns.iter().any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none()),
-            ),
-            (Self::Smooth, columns.iter().any(|one| one.bouc_wen.is_some())),
-            (Self::OneWall, walls == 1),
-            (Self::TwoWalls, walls == 2),
-            (Self::Arrivals, scene.arrivals_s.is_some()),
-            (Self::NoGap, contacts().any(|one| one.gap_m <= 0.0)),
-            (Self::Plastic, restitution(0.0)),
-            (Self::Lossless, restitution(1.0)),
-            (Self::SomeLevels, contacts().any(|one| one.levels.is_some())),
-            (Self::Moving, scene.structures.iter().any(moves)),
-        ];
-        let motion = match &scene.record.source {
-            Source::File(_) => Self::Record,
-            Source::Generated(Generated::Stochastic(_)) => Self::Stochastic,
-            Source::Generated(Generated::Harmonic { .. }) => Self::Harmonic,
-            Source::Generated(Generated::Ricker { .. } | Generated::HalfSine { .. }) => Self::Pulse,
-        };
-        let found = has.into_iter().filter_map(|(class, is)| is.then_some(class));
-        found.chain([motion]).collect()
+        Self::ALL.into_iter().filter(|class| class.is_of(scene)).collect()
     }
 }
 
-fn columns(scene: &Scene) -> Vec<Columns> {
-    let of = |one: &Structure| match one {
+fn contacts(scene: &Scene) -> impl Iterator<Item = &Contact> {
+    scene.contacts.iter().flatten()
+}
+
+fn has_restitution(scene: &Scene, restitution: f64) -> bool {
+    let mut laws = contacts(scene).filter_map(|one| one.law.impulsive());
+    laws.any(|law| law.restitution.total_cmp(&restitution).is_eq())
+}
+
+fn n_walls(scene: &Scene) -> usize {
+    scene.structures.iter().filter(|one| matches!(one, Structure::Wall)).count()
+}
+
+fn all_columns(scene: &Scene) -> impl Iterator<Item = Columns> {
+    scene.structures.iter().flat_map(columns)
+}
+
+fn columns(structure: &Structure) -> Vec<Columns> {
+    match structure {
         Structure::Sdof(sdof) => vec![sdof.columns()],
         Structure::Building(building) => building.storeys.iter().map(|one| one.columns).collect(),
         Structure::Wall => Vec::new(),
-    };
-    scene.structures.iter().flat_map(of).collect()
+    }
 }
 
 fn moves(structure: &Structure) -> bool {
     match structure {
         Structure::Sdof(sdof) => sdof.initial_velocity_m_per_s != 0.0,
-        Structure::Building(building) => {
-            let mut storeys = building.storeys.iter();
-            storeys.any(|one| one.initial_velocity_m_per_s != 0.0)
-        }
+        Structure::Building(building) => building.storeys.iter().any(|one| one.initial_velocity_m_per_s != 0.0),
         Structure::Wall => false,
     }
 }

@@ -1,65 +1,47 @@
-//! The kinds of numbers that are compared, and two of a kind.
+//! The kinds of numbers that are compared, two of a kind, and the parts of the work on a scene.
 
-use strum::EnumCount;
+use crate::listed::listed;
 
-/// A kind of number that is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
-pub enum Compared {
-    /// Peak displacement of a floor, relative to it.
-    Displacement,
-    /// Peak drift of a storey, relative to it.
-    Drift,
-    /// Peak restoring force of a storey, relative to it.
-    RestoringForce,
-    /// Displacement of a floor at the end, relative to its peak.
-    LastDisplacement,
-    /// Transferred momentum of a floor, relative to it.
-    Momentum,
-    /// Instant at which a touch begins \[s\].
-    Start,
-    /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
-    End,
-    /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself where it is not slight.
-    Impulse,
-    /// Peak force of a touch, by the same rule.
-    PoundingForce,
-    /// How many touches a pair has; the distance of unlike numbers is infinite.
-    Touches,
-    /// What the ledger of the exact run leaves unexplained \[–\].
-    Residual,
+/// Distance of the routes that is always allowed: relative \[–\], of instants \[s\].
+pub const ALLOWED: f64 = 1e-12;
+
+listed! {
+    /// A part of the work on a scene.
+    pub enum Stage { words: &'static str;
+        /// The exact run.
+        Exact = "the exact run",
+        /// The second route.
+        SecondRoute = "the second route",
+        /// Exact runs under records near the scene's.
+        Condition = "the exact runs for the condition",
+    }
 }
 
-impl Compared {
-    /// All of them.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::Displacement,
-        Self::Drift,
-        Self::RestoringForce,
-        Self::LastDisplacement,
-        Self::Momentum,
-        Self::Start,
-        Self::End,
-        Self::Impulse,
-        Self::PoundingForce,
-        Self::Touches,
-        Self::Residual,
-    ];
-
-    /// Its name in text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Displacement => "peak displacement",
-            Self::Drift => "peak drift",
-            Self::RestoringForce => "peak restoring force",
-            Self::LastDisplacement => "last displacement",
-            Self::Momentum => "transferred momentum",
-            Self::Start => "start of a touch (s)",
-            Self::End => "end of a touch (s)",
-            Self::Impulse => "impulse",
-            Self::PoundingForce => "pounding force",
-            Self::Touches => "number of touches",
-            Self::Residual => "residual of the energy",
-        }
+listed! {
+    /// A kind of number that is compared.
+    pub enum Compared { words: &'static str;
+        /// Peak displacement of a floor, relative to it.
+        Displacement = "peak displacement",
+        /// Peak drift of a storey, relative to it.
+        Drift = "peak drift",
+        /// Peak restoring force of a storey, relative to it.
+        RestoringForce = "peak restoring force",
+        /// Displacement of a floor at the end, relative to its peak.
+        LastDisplacement = "last displacement",
+        /// Transferred momentum of a floor, relative to it.
+        Momentum = "transferred momentum",
+        /// Instant at which a touch begins \[s\].
+        Start = "start of a touch (s)",
+        /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
+        End = "end of a touch (s)",
+        /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself where it is not slight.
+        Impulse = "impulse",
+        /// Peak force of a touch, by the same rule.
+        PoundingForce = "pounding force",
+        /// How many touches a pair has; the distance of unlike numbers is infinite.
+        Touches = "number of touches",
+        /// What the ledger of the exact run leaves unexplained \[–\].
+        Residual = "residual of the energy",
     }
 }
 
@@ -79,6 +61,16 @@ pub enum Place {
     Pair(usize),
     /// The run.
     Run,
+}
+
+impl Place {
+    /// The pair, and the number of the touch, if it is one.
+    pub(super) fn touch(self) -> Option<(usize, usize)> {
+        match self {
+            Self::Touch { pair, touch } => Some((pair, touch)),
+            Self::Floor(_) | Self::Pair(_) | Self::Run => None,
+        }
+    }
 }
 
 /// A number of two runs.

@@ -3,10 +3,9 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::compared::Two;
+use super::compared::{ALLOWED, Stage, Two};
 use super::numbers::Numbers;
 use super::random::Random;
-use super::stage::{ALLOWED, Stage};
 use super::written::rewritten;
 use crate::research::work_precision::{Known, under};
 use pounding_motion::Record;

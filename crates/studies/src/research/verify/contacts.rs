@@ -1,6 +1,7 @@
 //! What lies between the neighbours of a random row: gaps, laws, levels.
 
-use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, Stereomechanical, reduced_mass};
+use crate::study::laws::{free_pair, is_linear};
+use pounding_contact::{Calibration, ContactLaw, LawName, Stereomechanical};
 
 use super::random::Random;
 use pounding_scene::{Contact, Structure};
@@ -72,29 +73,13 @@ fn law(random: &mut Random, style: Style, two: &[Structure]) -> ContactLaw {
     }
     // The first of all is the impulsive one.
     let name = random.one_of(&LawName::ALL[1..]);
-    let linear = name.stiffness_unit() == Some("N/m");
-    let stiffness = if linear {
-        random.log_within(1e7, 2e9)
-    } else {
-        random.log_within(1e8, 1e10)
-    };
-    let pair = FreePair {
-        reduced_mass: reduced_mass(inverse_mass(&two[0]), inverse_mass(&two[1])),
-        approach_speed: SPEED,
-    };
+    let (low, high) = if is_linear(name) { (1e7, 2e9) } else { (1e8, 1e10) };
+    let stiffness = random.log_within(low, high);
+    let pair = free_pair(two, SPEED);
     let restitution = random.within(0.1, 1.0);
     let calibrated = |e: f64| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
     // Springs without damping take 1 alone.
     calibrated(restitution)
         .or_else(|_| calibrated(1.0))
         .expect("stiffness and restitution are in range")
-}
-
-/// Of the highest floor, 0 of a wall \[1/kg\].
-fn inverse_mass(structure: &Structure) -> f64 {
-    match structure {
-        Structure::Sdof(sdof) => 1.0 / sdof.mass_kg,
-        Structure::Building(building) => building.storeys.last().map_or(0.0, |top| 1.0 / top.mass_kg),
-        Structure::Wall => 0.0,
-    }
 }

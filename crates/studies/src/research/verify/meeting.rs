@@ -1,9 +1,10 @@
 //! What a run says of a touch, and the same touch in another run.
 
-use pounding_contact::{Clamp, ContactLaw};
+use pounding_contact::Clamp;
 
 use super::compared::{Compared, Place, Two};
 use pounding_scene::relative_to;
+use pounding_solver::Pair;
 
 /// What a run says of a touch.
 #[derive(Debug, Clone, Copy)]
@@ -91,11 +92,6 @@ impl Largest {
     }
 }
 
-/// Whether neighbours part when their law's force ends.
-pub(super) fn parts(law: &ContactLaw) -> bool {
-    law.clamp() == Clamp::Never
-}
-
 /// Part of a touch out of rest in which its force may still be rounding: the cube root of 1e-13 of the forces, which the second route
 /// does not tell from none, where it grows with the cube of time.
 const LEAVES_ZERO: f64 = 5e-5;
@@ -104,6 +100,20 @@ const LEAVES_ZERO: f64 = 5e-5;
 const ROUNDING: f64 = 1e-12;
 
 impl Meeting {
+    /// A touch of a pair between two instants \[s\], with its impulse \[N·s\] and force \[N\].
+    pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], (impulse, peak_force): (f64, Option<f64>), uncertainty: Option<f64>) -> Self {
+        // Neighbours part when the force of their law ends only where nothing clamps it.
+        let parts = pair.law.clamp() == Clamp::Never;
+        Self {
+            start,
+            end: parts.then_some(end),
+            impulse,
+            peak_force,
+            lasts: end - start,
+            uncertainty,
+        }
+    }
+
     /// Takes a touch that follows at once as part of this one; an impact has no force.
     fn add(&mut self, next: &Self) {
         let (one, other) = (self.peak_force, next.peak_force);

@@ -13,17 +13,13 @@ mod condition;
 mod contacts;
 mod generator;
 mod meeting;
-mod motions;
 mod numbers;
 mod random;
-mod room;
-mod stage;
 mod table;
 mod written;
 
 pub use campaign::Campaign;
 pub use check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 pub use class::Class;
-pub use compared::{Compared, Place, Two};
-pub use stage::{ALLOWED, Stage};
+pub use compared::{ALLOWED, Compared, Place, Stage, Two};
 pub use table::{KnownLimit, LIMITS, Summary};

@@ -1,7 +1,7 @@
 //! What both routes say of a scene, number by number, and how far apart they are.
 
 use super::compared::{Compared, Place, Two};
-use super::meeting::{Largest, Meeting, are_at_once, as_one, matched, parts};
+use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
 use pounding_solver::Pair;
@@ -10,15 +10,17 @@ use pounding_solver::Pair;
 /// its first touch are differences of far larger forces.
 const SLIGHT: f64 = 1e-6;
 
-/// What a run says of a floor.
-#[derive(Debug, Clone, Copy, Default)]
-struct OfFloor {
-    displacement: f64,
-    drift: f64,
-    restoring_force: f64,
-    last_displacement: f64,
-    momentum: f64,
-}
+/// What a run says of a floor: its number of every kind of [`OF_FLOORS`].
+type OfFloor = [f64; OF_FLOORS.len()];
+
+/// The kinds of numbers that floors have, as the first of [`Compared::ALL`].
+const OF_FLOORS: [Compared; 5] = [
+    Compared::Displacement,
+    Compared::Drift,
+    Compared::RestoringForce,
+    Compared::LastDisplacement,
+    Compared::Momentum,
+];
 
 /// Everything that is compared of a run.
 #[derive(Debug, Clone)]
@@ -37,24 +39,20 @@ impl Numbers {
     pub(super) fn of_exact(prepared: &Simulation, outcome: &RunResult) -> Self {
         let floor = |index| {
             let peaks = outcome.peaks.of(index);
-            OfFloor {
-                displacement: peaks.displacement.value.abs(),
-                drift: peaks.drift().value.abs(),
-                restoring_force: peaks.restoring_force.value.abs(),
-                last_displacement: outcome.last.of(index).displacement,
-                momentum: outcome.momentum.of(index),
-            }
+            let peaks = [peaks.displacement, peaks.drift(), peaks.restoring_force].map(|peak| peak.value.abs());
+            let [displacement, drift, force] = peaks;
+            [
+                displacement,
+                drift,
+                force,
+                outcome.last.of(index).displacement,
+                outcome.momentum.of(index),
+            ]
         };
         let touches = |(index, pair): (usize, &Pair)| {
-            let all = outcome.collisions_of(index).map(|one| Meeting {
-                start: one.start,
-                end: parts(&pair.law).then_some(one.end),
-                impulse: one.impulse,
-                lasts: one.end - one.start,
-                peak_force: one.peak_force,
-                uncertainty: one.uncertainty,
-            });
-            all.collect()
+            let all = outcome.collisions_of(index);
+            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), one.uncertainty))
+                .collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
         let floors = (0..prepared.floors().all().len()).map(floor);
@@ -62,24 +60,15 @@ impl Numbers {
     }
 
     pub(super) fn of_second_route(prepared: &Simulation, response: &Response) -> Self {
-        let floors = response.structures.iter().map(|one| OfFloor {
-            displacement: one.displacement.value.abs(),
-            drift: one.drift.value.abs(),
-            restoring_force: one.restoring_force.value.abs(),
-            last_displacement: one.end_displacement,
-            momentum: one.transferred_momentum,
+        let floors = response.structures.iter().map(|one| {
+            let [displacement, drift, force] = [&one.displacement, &one.drift, &one.restoring_force].map(|peak| peak.value.abs());
+            [displacement, drift, force, one.end_displacement, one.transferred_momentum]
         });
         let pairs = prepared.pairs().iter().zip(&response.collisions);
         let touches = pairs.map(|(pair, all)| {
-            let all = all.iter().map(|one| Meeting {
-                start: one.start,
-                end: parts(&pair.law).then_some(one.end),
-                impulse: one.impulse,
-                lasts: one.end - one.start,
-                peak_force: one.peak_force,
-                uncertainty: None,
-            });
-            all.collect()
+            let all = all.iter();
+            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), None))
+                .collect()
         });
         Self::new(prepared, floors.collect(), touches.collect())
     }
@@ -112,22 +101,33 @@ impl Numbers {
 
     /// Magnitude of the largest displacement \[m\].
     pub(super) fn largest_displacement(&self) -> f64 {
-        let displacements = self.floors.iter().map(|floor| floor.displacement);
-        displacements.fold(0.0, f64::max)
+        self.floors.iter().map(|[displacement, ..]| *displacement).fold(0.0, f64::max)
     }
 
     /// Every number of this run beside that of another one of the same scene.
     pub(super) fn beside(&self, other: &Self) -> Vec<Two> {
         let mut all = Vec::new();
-        let momenta = self.floors.iter().map(|floor| floor.momentum);
-        let largest = momenta.fold(0.0, f64::max);
+        let largest = self.floors.iter().map(|[.., momentum]| *momentum).fold(0.0, f64::max);
         for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
-            let mut numbers = first.beside(second, Place::Floor(index), largest);
-            if self.pinched[index] || other.pinched[index] {
-                let [.., momentum] = &mut numbers;
-                momentum.distance = 0.0;
+            let pinched = self.pinched[index] || other.pinched[index];
+            let place = Place::Floor(index);
+            for (what, (&first_value, &second_value)) in OF_FLOORS.into_iter().zip(first.iter().zip(second)) {
+                let scale = if what == Compared::LastDisplacement {
+                    first[0]
+                } else if what == Compared::Momentum {
+                    first_value.max(ZERO * largest)
+                } else {
+                    first_value.abs()
+                };
+                let apart = relative_to(second_value, first_value, scale.max(NOTHING));
+                all.push(Two {
+                    what,
+                    place,
+                    first: first_value,
+                    second: second_value,
+                    distance: if what == Compared::Momentum && pinched { 0.0 } else { apart },
+                });
             }
-            all.extend(numbers);
         }
         for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
             let largest = Largest::of(first);
@@ -145,12 +145,11 @@ impl Numbers {
                 let place = Place::Touch { pair, touch };
                 all.extend(one.beside(same.map(|same| &second[same]), place, scale));
             }
-            let (n_first, n_second) = (first.len() as f64, second.len() as f64);
             all.push(Two {
                 what: Compared::Touches,
                 place: Place::Pair(pair),
-                first: n_first,
-                second: n_second,
+                first: first.len() as f64,
+                second: second.len() as f64,
                 distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },
             });
         }
@@ -209,28 +208,3 @@ impl Numbers {
 
 /// A magnitude, in any SI unit, that is none: a row that cannot move is left with 1e-105 m by iteration.
 const NOTHING: f64 = 1e-60;
-
-impl OfFloor {
-    fn beside(&self, other: &Self, place: Place, largest: f64) -> [Two; 5] {
-        let two = |what, first: f64, second: f64, scale: f64| Two {
-            what,
-            place,
-            first,
-            second,
-            distance: relative_to(second, first, scale.max(NOTHING)),
-        };
-        let own = |what, first: f64, second: f64| two(what, first, second, first.abs());
-        [
-            own(Compared::Displacement, self.displacement, other.displacement),
-            own(Compared::Drift, self.drift, other.drift),
-            own(Compared::RestoringForce, self.restoring_force, other.restoring_force),
-            two(
-                Compared::LastDisplacement,
-                self.last_displacement,
-                other.last_displacement,
-                self.displacement,
-            ),
-            two(Compared::Momentum, self.momentum, other.momentum, self.momentum.max(ZERO * largest)),
-        ]
-    }
-}

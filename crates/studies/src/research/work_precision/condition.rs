@@ -1,7 +1,6 @@
 //! How far the results of a scene move with its record, and whether the two routes are as close as that allows.
 
-use super::quantities::{MethodQuantity, Quantities};
-use super::run::Run;
+use super::quantities::{MethodQuantity, Quantities, Run};
 use crate::noise::Noise;
 use pounding_reference::Response;
 use pounding_scene::{Simulation, parallel, relative};

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use super::measure::{Entrant, Race, Rung};
 use super::quantities::MethodQuantity;
-use crate::paper::figures::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, render_png};
+use crate::files::{capital, drawn};
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
 
 /// Scenes with a figure of their own; all others share two.
 const OWN: &str = "two structures, ";
@@ -41,16 +41,8 @@ pub(super) fn all(races: &[Race], path: &Path) -> Result<Vec<(String, Vec<u8>)>,
     }
     figures.push(("layouts-transferred-momentum.png".into(), figure(layouts)));
     figures.push(("free-impact-and-uncoupled.png".into(), figure(others)));
-    let drawn = figures.into_iter().filter(|(_, figure)| !figure.panels.is_empty());
-    drawn
-        .map(|(name, figure)| {
-            let png = render_png(&figure).map_err(|source| StudyError::Plot {
-                path: path.to_path_buf(),
-                source,
-            })?;
-            Ok((name, png))
-        })
-        .collect()
+    let shown = figures.into_iter().filter(|(_, figure)| !figure.panels.is_empty());
+    shown.map(|(name, figure)| Ok((name, drawn(&figure, path)?))).collect()
 }
 
 fn file_name(scene: &str) -> String {
@@ -58,32 +50,16 @@ fn file_name(scene: &str) -> String {
 }
 
 /// Panels side by side with one y axis.
-fn figure(mut panels: Vec<Panel>) -> Figure {
-    let rows = panels.len().div_ceil(COLUMNS);
-    for (index, panel) in panels.iter_mut().enumerate() {
-        if index % COLUMNS > 0 {
-            panel.y.label.clear();
-        }
-    }
-    Figure {
-        height_in: 1.1 + 1.9 * rows as f64,
-        columns: COLUMNS,
-        x: Axis::auto("Work (evaluations + pieces)").log(),
-        panels,
-    }
+fn figure(panels: Vec<Panel>) -> Figure {
+    let height_in = 1.1 + 1.9 * panels.len().div_ceil(COLUMNS) as f64;
+    Figure::grid(height_in, COLUMNS, Axis::auto("Work (evaluations + pieces)").log(), panels).labelled_at_left()
 }
 
 fn panel(race: &Race, quantity: MethodQuantity, [title, error]: [&str; 2]) -> Panel {
     let mut curves: Vec<_> = race.entrants.iter().filter_map(|entrant| curve(entrant, quantity)).collect();
     // Hollow marks over solid ones, so that both are seen.
     curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
-    Panel {
-        title: title.into(),
-        y: Axis::over(error, ROUNDING, WORTHLESS).log(),
-        curves,
-        legend: Legend::Shared,
-        ..Panel::default()
-    }
+    Panel::shared(title, Axis::over(error, ROUNDING, WORTHLESS).log(), curves)
 }
 
 fn curve(entrant: &Entrant, quantity: MethodQuantity) -> Option<Curve> {

@@ -1,11 +1,11 @@
 //! The runs.
 
 use super::condition::Knowledge;
-use super::quantities::{MethodQuantity, Quantities};
-use super::run::{Ended, Run};
+use super::quantities::{Ended, MethodQuantity, Quantities, Run};
+use crate::drivers::each;
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
-use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant, parallel};
+use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, Structure, cost, entries, is_compliant, parallel};
 use pounding_solver::{Ledger, Work};
 
 /// All runs of one scene.
@@ -86,20 +86,14 @@ impl Measured {
 }
 
 impl Race {
-    /// Distance of the two routes to the truth \[–\]; nothing where there is nothing to compare.
-    pub(crate) fn distance(&self, quantity: MethodQuantity) -> Option<f64> {
-        self.knowledge.of(quantity).map(|known| known.distance)
-    }
-
     /// Digits on which the two routes agree, 0 to 16.
     pub(crate) fn digits(&self, quantity: MethodQuantity) -> Option<u32> {
-        self.distance(quantity).map(digits)
+        self.knowledge.of(quantity).map(|known| digits(known.distance))
     }
 
     /// The fewest digits on which the two routes agree, of all quantities.
     pub(crate) fn fewest_digits(&self) -> Option<u32> {
-        let digits = MethodQuantity::ALL.into_iter().filter_map(|quantity| self.digits(quantity));
-        digits.min()
+        MethodQuantity::ALL.into_iter().filter_map(|quantity| self.digits(quantity)).min()
     }
 
     /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
@@ -127,60 +121,42 @@ fn digits(distance: f64) -> u32 {
 /// Runs every method on every scene.
 pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
-    let runs: Vec<_> = scenes
-        .iter()
-        .zip(&completed.prepared)
-        .flat_map(|(scene, prepared)| {
-            entries(scene, ladder).map(move |(contender, setting)| Run {
-                scene,
-                prepared,
-                contender,
-                setting,
-            })
+    let of_scene = |(scene, prepared)| {
+        entries(scene, ladder).map(move |(contender, setting)| Run {
+            scene,
+            prepared,
+            contender,
+            setting,
         })
-        .collect();
+    };
+    let runs: Vec<_> = scenes.iter().zip(&completed.prepared).flat_map(of_scene).collect();
     let finest = ladder.tolerances[ladder.tolerances.len() - 1];
     let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
     let references: Vec<_> = runs.iter().filter(is_reference).collect();
-    let known = parallel::each(&references, |run| knowledge(run));
-    let outcomes = parallel::each(&runs, |run| {
-        let outcome = run.outcome();
-        done();
-        outcome
+    let known = parallel::each(&references, |reference| {
+        let second = crate::second_route(reference.prepared, Fineness::FINE);
+        Knowledge::measure(reference, second.ok().as_ref())
     });
-    let mut outcomes = outcomes.into_iter();
-    scenes
-        .iter()
-        .zip(known)
-        .map(|(scene, knowledge)| {
-            let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
-            let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
-            race.map_err(|found| {
-                let found = format!("\"{}\": {found}", scene.name);
-                completed.refuse("scenes", found, "scenes that the exact method can run")
-            })
+    let mut outcomes = each(&runs, done, Run::outcome).into_iter();
+    let race = |(scene, knowledge): (&Scene, Result<Knowledge, String>)| {
+        let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
+        let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
+        race.map_err(|found| {
+            let found = format!("\"{}\": {found}", scene.name);
+            completed.refuse("scenes", found, "scenes that the exact method can run")
         })
-        .collect()
-}
-
-/// How well the results of the reference are known; fails with the reason where it fails.
-fn knowledge(reference: &Run<'_>) -> Result<Knowledge, String> {
-    let second = crate::second_route(reference.prepared, Fineness::FINE);
-    Knowledge::measure(reference, second.ok().as_ref())
+    };
+    scenes.iter().zip(known).map(race).collect()
 }
 
 impl Race {
     /// Measures the runs of a scene; fails with the reason where the reference failed.
     fn new(scene: &Scene, rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>, knowledge: Knowledge) -> Result<Self, String> {
         let reference = rungs.iter().rfind(|((contender, _), _)| contender.key == REFERENCE);
-        let truth = match reference {
-            Some((_, Ok((truth, ledger, _)))) => {
-                ledger.verdict().map_err(|broken| broken.to_string())?;
-                (truth.clone(), ledger.clone())
-            }
-            Some((_, Err(reason))) => return Err(reason.clone()),
-            None => unreachable!("the reference is among the contenders"),
-        };
+        let (_, reference) = reference.expect("the reference is among the contenders");
+        let (truth, ledger, _) = reference.as_ref().map_err(Clone::clone)?;
+        ledger.verdict().map_err(|broken| broken.to_string())?;
+        let truth = (truth.clone(), ledger.clone());
         let distances = MethodQuantity::ALL.map(|quantity| Some(knowledge.of(quantity)?.distance));
         let mut entrants: Vec<Entrant> = Vec::new();
         for ((contender, setting), outcome) in rungs {
@@ -194,13 +170,10 @@ impl Race {
                 }),
             }
         }
+        let pair = |pair: &[Structure]| format!("{} – {}", pair[0].name(), pair[1].name());
         Ok(Self {
             scene: scene.name.clone(),
-            pairs: scene
-                .structures
-                .windows(2)
-                .map(|pair| format!("{} – {}", pair[0].name(), pair[1].name()))
-                .collect(),
+            pairs: scene.structures.windows(2).map(pair).collect(),
             compliant: is_compliant(scene),
             truth: truth.0,
             knowledge,

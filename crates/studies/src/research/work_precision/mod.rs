@@ -9,15 +9,13 @@ mod figures;
 mod measure;
 mod pareto;
 mod quantities;
-mod run;
 mod table;
 mod timing;
-mod verdict;
 
+use crate::files::{Files, in_folder};
 use crate::{Completed, StudyError};
-use pounding_scene::{Ladder, entries};
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use pounding_scene::{Ladder, Scene, entries};
+use std::path::PathBuf;
 
 pub(crate) use condition::{Known, under};
 use measure::Race;
@@ -48,7 +46,7 @@ impl Trade {
     }
 
     /// Number of times that [`Self::measure`] calls `done`.
-    pub(crate) fn n_runs(scenes: &[pounding_scene::Scene], ladder: &Ladder) -> usize {
+    pub(crate) fn n_runs(scenes: &[Scene], ladder: &Ladder) -> usize {
         scenes.iter().map(|scene| entries(scene, ladder).count()).sum()
     }
 
@@ -56,21 +54,16 @@ impl Trade {
     ///
     /// # Errors
     /// [`StudyError::Plot`] for a figure that cannot be drawn.
-    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
-        let folder = Path::new("trade");
-        let mut files = BTreeMap::new();
-        for (name, text) in [
+    pub fn files(&self) -> Result<Files, StudyError> {
+        let tables = [
             ("reference.csv", table::references(&self.races)),
             ("collisions.csv", table::collisions(&self.races)),
             ("trade.csv", table::runs(&self.races)),
             ("pareto.csv", pareto::table(&self.races)),
-            ("exact-or-stepping.csv", verdict::table(&self.races)),
-        ] {
-            files.insert(folder.join(name), text.into_bytes());
-        }
-        for (name, png) in figures::all(&self.races, &self.path)? {
-            files.insert(folder.join(name), png);
-        }
+            ("exact-or-stepping.csv", pareto::exact_or_stepping(&self.races)),
+        ];
+        let mut files = in_folder("trade", tables.map(|(name, text)| (name, text.into_bytes())));
+        files.extend(in_folder("trade", figures::all(&self.races, &self.path)?));
         Ok(files)
     }
 }
@@ -89,7 +82,7 @@ fn check(completed: &Completed, ladder: &Ladder) -> Result<(), StudyError> {
             "one or more falling numbers of 1e-3 to 1e-16",
         ));
     }
-    let fits = |scene: &pounding_scene::Scene, time_step: f64| {
+    let fits = |scene: &Scene, time_step: f64| {
         let steps = scene.duration() / time_step;
         (steps - steps.round()).abs() <= 1e-6 && steps < 1e9
     };

@@ -1,10 +1,12 @@
-//! Which method is cheapest for an error.
+//! Which method is cheapest for an error, and whether the exact method is the cheaper one: its error of 1e-6 against 1 % of the central
+//! difference method.
 
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
 use super::table::{agreed, setting};
-use pounding_scene::{COMPARED_METHODS, holding};
-use pounding_text::to_csv;
+use crate::files::yes_or_no;
+use pounding_scene::{COMPARED_METHODS, ComparedMethod, EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, holding, price};
+use pounding_text::{Cell, Table};
 
 /// Errors asked for \[–\], with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
@@ -19,60 +21,171 @@ pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> 
         .min_by_key(|(_, cost)| *cost)
 }
 
+/// A question to every method, and the cheapest run of each that answers it.
+struct Asked<'a> {
+    race: &'a Race,
+    quantity: &'static str,
+    percent: &'static str,
+    agreed: String,
+    found: Vec<Option<Run<'a>>>,
+}
+
+/// A run, and its work.
+type Run<'a> = (&'a Rung, u64);
+
+impl<'a> Asked<'a> {
+    fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
+        let found = COMPARED_METHODS.iter().map(|contender| cheapest(race.of(contender.key)?, &holds));
+        Self {
+            race,
+            quantity,
+            percent,
+            agreed,
+            found: found.collect(),
+        }
+    }
+
+    /// The cheapest of all.
+    fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
+        let runs = COMPARED_METHODS.iter().zip(&self.found);
+        runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
+            .min_by_key(|(_, (_, cost))| *cost)
+    }
+}
+
 /// For every scene, quantity and error the cheapest method, and the setting that each method needs.
 pub(super) fn table(races: &[Race]) -> String {
-    let header = [
-        "scene",
-        "quantity",
-        "allowed_error_percent",
-        "agreed_digits",
-        "cheapest_method",
-        "cheapest_setting",
-        "cheapest_work",
-    ];
-    let methods = COMPARED_METHODS.iter().map(|contender| contender.key);
-    let header: Vec<_> = header.into_iter().chain(methods).map(String::from).collect();
     let mut rows = Vec::new();
     for race in races {
         for quantity in MethodQuantity::ALL {
             if race.truth.values(quantity).is_empty() {
                 continue;
             }
-            for (allowed, percent) in ALLOWED {
-                let within = |error: f64| error <= allowed;
-                let agreed = agreed(race.digits(quantity));
-                let asked = [quantity.key().into(), percent.into(), agreed];
-                rows.push(row(race, asked, |measured| measured.error(quantity).is_some_and(within)));
-            }
+            rows.extend(ALLOWED.map(|(allowed, percent)| {
+                let asked = (quantity.key(), percent, agreed(race.digits(quantity)));
+                Asked::of(race, asked, |measured| {
+                    measured.error(quantity).is_some_and(|error| error <= allowed)
+                })
+            }));
         }
         if race.truth.n_collisions > 0 {
-            let asked = ["number_of_collisions".into(), "0".into(), race.agreed_count().into()];
-            rows.push(row(race, asked, |measured| measured.same_count));
+            let asked = ("number_of_collisions", "0", race.agreed_count().into());
+            rows.push(Asked::of(race, asked, |measured| measured.same_count));
         }
     }
-    to_csv(&header, &rows)
+    Table::of(rows)
+        .column("scene", |one| one.race.scene.clone())
+        .column("quantity", |one| one.quantity)
+        .column("allowed_error_percent", |one| one.percent)
+        .column("agreed_digits", |one| one.agreed.clone())
+        .column("cheapest_method", |one| one.best().map_or("never", |(contender, _)| contender.key))
+        .column("cheapest_setting", |one| {
+            one.best().map(|(contender, (rung, _))| setting(contender, rung.setting))
+        })
+        .column("cheapest_work", |one| one.best().map(|(_, (_, cost))| cost))
+        .columns(
+            0..COMPARED_METHODS.len(),
+            |method| COMPARED_METHODS[method].key.into(),
+            |one, method| {
+                let needed = |(rung, _): Run<'_>| setting(&COMPARED_METHODS[method], rung.setting);
+                let entrant = one.race.of(COMPARED_METHODS[method].key);
+                entrant.map(|_| one.found[method].map_or("never".into(), needed))
+            },
+        )
+        .csv()
 }
 
-fn row(race: &Race, asked: [String; 3], holds: impl Fn(&Measured) -> bool) -> Vec<String> {
-    let found: Vec<_> = COMPARED_METHODS
-        .iter()
-        .map(|contender| Some((contender, cheapest(race.of(contender.key)?, &holds))))
-        .collect();
-    let best = found
-        .iter()
-        .flatten()
-        .filter_map(|(contender, found)| Some((contender, (*found)?)))
-        .min_by_key(|(_, (_, cost))| *cost);
-    let mut row = vec![race.scene.clone()];
-    row.extend(asked);
-    row.extend(match best {
-        Some((contender, (rung, cost))) => [contender.key.into(), setting(contender, rung.setting), cost.to_string()],
-        None => ["never".into(), String::new(), String::new()],
-    });
-    row.extend(found.into_iter().map(|entrant| match entrant {
-        Some((contender, Some((rung, _)))) => setting(contender, rung.setting),
-        Some((_, None)) => "never".into(),
-        None => String::new(),
-    }));
-    row
+/// Error asked of the exact method \[–\].
+pub(super) const EXACT: f64 = 1e-6;
+/// Error asked of the central difference method \[–\].
+pub(super) const STEPPING: f64 = 1e-2;
+
+/// What a method needs for an error.
+struct Need {
+    setting: String,
+    work: u64,
+    /// In force evaluations of equal time.
+    price: u64,
+}
+
+impl Need {
+    fn of(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Self> {
+        let entrant = race.of(key)?;
+        let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
+        Some(Self {
+            setting: setting(entrant.contender, rung.setting),
+            work,
+            price: price(rung.outcome.as_ref().ok()?.work),
+        })
+    }
+}
+
+/// What both methods need for their errors of some quantities.
+struct Both<'a> {
+    scene: &'a str,
+    quantity: &'static str,
+    exact: Option<Need>,
+    stepping: Option<Need>,
+}
+
+impl<'a> Both<'a> {
+    fn of(race: &'a Race, quantity: &'static str, quantities: &[MethodQuantity]) -> Self {
+        Self {
+            scene: &race.scene,
+            quantity,
+            exact: Need::of(race, REFERENCE, quantities, EXACT),
+            stepping: Need::of(race, RIVAL, quantities, STEPPING),
+        }
+    }
+
+    /// Ratio of the exact method's need to that of the other.
+    fn ratio(&self, of: fn(&Need) -> u64) -> Option<f64> {
+        Some(of(self.exact.as_ref()?) as f64 / of(self.stepping.as_ref()?) as f64)
+    }
+
+    fn needs_less(&self) -> bool {
+        self.ratio(|need| need.work).map_or(self.exact.is_some(), |ratio| ratio < 1.0)
+    }
+
+    fn why(&self) -> String {
+        match (self.ratio(|need| need.work), self.ratio(|need| need.price)) {
+            (Some(work), _) if work >= 1.0 => {
+                "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample".into()
+            }
+            (_, Some(time)) if time >= 1.0 => format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations"),
+            (Some(_), _) => String::new(),
+            (None, _) if self.exact.is_none() => "the exact method does not reach 1e-6".into(),
+            (None, _) => "the central difference method does not hold 1 % on this ladder".into(),
+        }
+    }
+}
+
+/// For every scene and quantity, and for all of them at once, what either method needs.
+pub(super) fn exact_or_stepping<'a>(races: &'a [Race]) -> String {
+    let of_race = |race: &'a Race| {
+        let mut present = MethodQuantity::ALL.to_vec();
+        present.retain(|quantity| !race.truth.values(*quantity).is_empty());
+        let mut rows: Vec<_> = present
+            .iter()
+            .map(|quantity| Both::of(race, quantity.key(), &[*quantity]))
+            .collect();
+        rows.push(Both::of(race, "all", &present));
+        rows
+    };
+    let setting = |need: &Option<Need>| need.as_ref().map_or("never".to_string(), |need| need.setting.clone());
+    let work = |need: &Option<Need>| need.as_ref().map(|need| need.work);
+    let ratio = |ratio: Option<f64>| Cell::number(ratio, |ratio| format!("{ratio:.3}"));
+    let time = format!("time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece");
+    Table::of(races.iter().flat_map(of_race))
+        .column("scene", |one| one.scene.to_string())
+        .column("quantity", |one| one.quantity)
+        .column("exact_tolerance_for_1e-6", |one| setting(&one.exact))
+        .column("exact_work", |one| work(&one.exact))
+        .column("central_difference_time_step_for_1_percent", |one| setting(&one.stepping))
+        .column("central_difference_work", |one| work(&one.stepping))
+        .column("work_of_exact_over_central_difference", |one| ratio(one.ratio(|need| need.work)))
+        .column("exact_needs_less_work", |one| yes_or_no(one.needs_less()))
+        .column(time, |one| ratio(one.ratio(|need| need.price)))
+        .column("why", Both::why)
+        .csv()
 }

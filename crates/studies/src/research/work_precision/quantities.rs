@@ -1,65 +1,37 @@
-//! What is compared: six quantities and a count.
+//! What is compared: six quantities and a count; and the runs that give them.
 
+use crate::listed::listed;
 use pounding_reference::Response;
-use pounding_scene::{AT_ONCE, RunResult, ZERO, relative_to};
-use pounding_solver::Collision;
-use strum::EnumCount;
+use pounding_scene::{AT_ONCE, ComparedMethod, Method, RunResult, Scene, Simulation, ZERO, relative_to};
+use pounding_solver::{Ledger, Work};
 
-/// A quantity in which methods are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-pub(crate) enum MethodQuantity {
-    FirstTime,
-    FirstImpulse,
-    Momentum,
-    ContactPeak,
-    Displacement,
-    Shear,
+listed! {
+    /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant
+    /// contact.
+    pub(crate) enum MethodQuantity { texts: (&'static str, [&'static str; 2], [&'static str; 2]);
+        FirstTime = ("time_of_first_collision", ["Time of first collision"; 2], ["s"; 2]),
+        FirstImpulse = ("impulse_of_first_collision", ["Impulse of first collision"; 2], ["N·s"; 2]),
+        Momentum = ("transferred_momentum", ["Transferred momentum"; 2], ["N·s"; 2]),
+        ContactPeak = ("peak_pounding_force_or_impulse", ["Peak impulse", "Peak pounding force"], ["N·s", "N"]),
+        Displacement = ("peak_displacement", ["Peak displacement"; 2], ["m"; 2]),
+        Shear = ("peak_shear_force", ["Peak shear force"; 2], ["N"; 2]),
+    }
 }
 
 impl MethodQuantity {
-    pub(crate) const ALL: [Self; Self::COUNT] = [
-        Self::FirstTime,
-        Self::FirstImpulse,
-        Self::Momentum,
-        Self::ContactPeak,
-        Self::Displacement,
-        Self::Shear,
-    ];
-
     /// Name in tables.
     pub(crate) fn key(self) -> &'static str {
-        match self {
-            Self::FirstTime => "time_of_first_collision",
-            Self::FirstImpulse => "impulse_of_first_collision",
-            Self::Momentum => "transferred_momentum",
-            Self::ContactPeak => "peak_pounding_force_or_impulse",
-            Self::Displacement => "peak_displacement",
-            Self::Shear => "peak_shear_force",
-        }
+        self.texts().0
     }
 
     /// Name in figures; a compliant contact has a peak force, an impulsive one a peak impulse.
     pub(crate) fn words(self, compliant: bool) -> &'static str {
-        match self {
-            Self::FirstTime => "Time of first collision",
-            Self::FirstImpulse => "Impulse of first collision",
-            Self::Momentum => "Transferred momentum",
-            Self::ContactPeak if compliant => "Peak pounding force",
-            Self::ContactPeak => "Peak impulse",
-            Self::Displacement => "Peak displacement",
-            Self::Shear => "Peak shear force",
-        }
+        self.texts().1[usize::from(compliant)]
     }
 
     /// SI unit.
     pub(crate) fn unit(self, compliant: bool) -> &'static str {
-        match self {
-            Self::FirstTime => "s",
-            Self::ContactPeak if compliant => "N",
-            Self::FirstImpulse | Self::Momentum | Self::ContactPeak => "N·s",
-            Self::Displacement => "m",
-            Self::Shear => "N",
-        }
+        self.texts().2[usize::from(compliant)]
     }
 }
 
@@ -72,73 +44,44 @@ pub(crate) struct Quantities {
     pub(crate) n_collisions: usize,
 }
 
-/// What a collision gives.
-struct Met {
-    start: f64,
-    impulse: f64,
-    /// Peak force, or the impulse of an impact.
-    peak: f64,
-}
-
-/// What a structure gives.
-struct Moved {
-    momentum: f64,
-    displacement: f64,
-    shear: f64,
-}
-
 impl Quantities {
     /// The quantities of a run of so many structures.
     pub(crate) fn of(outcome: &RunResult, n_structures: usize) -> Self {
-        let RunResult {
-            peaks,
-            collisions,
-            momentum,
-            ..
-        } = outcome;
-        let met = |collision: &Collision| Met {
-            start: collision.start,
-            impulse: collision.impulse,
-            peak: collision.peak_force.unwrap_or(collision.impulse),
-        };
-        let moved = |index| {
-            let peaks = peaks.of(index);
-            Moved {
-                momentum: momentum.of(index),
-                displacement: peaks.displacement.value.abs(),
-                shear: peaks.restoring_force.value.abs(),
-            }
-        };
-        let met: Vec<_> = collisions.all().iter().map(met).collect();
-        Self::new(&met, &(0..n_structures).map(moved).collect::<Vec<_>>())
+        let met = outcome.collisions.all().iter().map(|one| (one.start, one.impulse, one.peak_force));
+        let moved = (0..n_structures).map(|index| {
+            let peaks = outcome.peaks.of(index);
+            [outcome.momentum.of(index), peaks.displacement.value, peaks.restoring_force.value]
+        });
+        Self::new(&met.collect::<Vec<_>>(), moved)
     }
 
     /// The quantities of the second route.
     pub(crate) fn of_second_route(response: &Response) -> Self {
-        let met = response.collisions.iter().flatten().map(|collision| Met {
-            start: collision.start,
-            impulse: collision.impulse,
-            peak: collision.peak_force.unwrap_or(collision.impulse),
-        });
-        let moved = response.structures.iter().map(|structure| Moved {
-            momentum: structure.transferred_momentum,
-            displacement: structure.displacement.value.abs(),
-            shear: structure.restoring_force.value.abs(),
-        });
-        Self::new(&met.collect::<Vec<_>>(), &moved.collect::<Vec<_>>())
+        let met = response
+            .collisions
+            .iter()
+            .flatten()
+            .map(|one| (one.start, one.impulse, one.peak_force));
+        let moved = response.structures.iter();
+        let moved = moved.map(|one| [one.transferred_momentum, one.displacement.value, one.restoring_force.value]);
+        Self::new(&met.collect::<Vec<_>>(), moved)
     }
 
-    fn new(met: &[Met], moved: &[Moved]) -> Self {
-        let first = met.iter().min_by(|one, other| one.start.total_cmp(&other.start));
+    /// Of start, impulse and peak force of every collision, and momentum, peak displacement and peak shear force of every structure.
+    fn new(met: &[(f64, f64, Option<f64>)], moved: impl Iterator<Item = [f64; 3]>) -> Self {
+        let first = met.iter().min_by(|one, other| one.0.total_cmp(&other.0));
+        let peak = met.iter().map(|(_, impulse, force)| force.unwrap_or(*impulse)).reduce(f64::max);
+        let moved: Vec<_> = moved.collect();
         let one = |value: Option<f64>| value.into_iter().collect();
-        let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
+        let all = |which: usize| moved.iter().map(|of| of[which].abs()).collect();
         let values = MethodQuantity::ALL.map(|quantity| match quantity {
-            MethodQuantity::FirstTime => one(first.map(|first| first.start)),
-            MethodQuantity::FirstImpulse => one(first.map(|first| first.impulse)),
-            MethodQuantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
-            MethodQuantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
-            MethodQuantity::Displacement => moved.iter().map(|structure| structure.displacement).collect(),
-            MethodQuantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
+            MethodQuantity::FirstTime => one(first.map(|first| first.0)),
+            MethodQuantity::FirstImpulse => one(first.map(|first| first.1)),
+            MethodQuantity::ContactPeak => one(peak),
+            MethodQuantity::Momentum if met.is_empty() => Vec::new(),
+            MethodQuantity::Momentum => moved.iter().map(|of| of[0]).collect(),
+            MethodQuantity::Displacement => all(1),
+            MethodQuantity::Shear => all(2),
         });
         Self {
             values,
@@ -153,7 +96,8 @@ impl Quantities {
 
     /// Relative distance from other quantities, of the structure where it is largest \[–\].
     ///
-    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
+    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one
+    /// of both; nothing where neither
     /// has one.
     pub(crate) fn distance(&self, truth: &Self, quantity: MethodQuantity) -> Option<f64> {
         let (found, wanted) = (self.values(quantity), truth.values(quantity));
@@ -173,5 +117,37 @@ impl Quantities {
         let pairs = found.iter().zip(wanted);
         let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));
         distances.reduce(f64::max)
+    }
+}
+
+/// What a run leaves behind, or why it failed.
+pub(super) type Ended<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
+
+/// A run of one method on one scene, to be done.
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) prepared: &'a Simulation,
+    pub(super) contender: &'static ComparedMethod,
+    pub(super) setting: f64,
+}
+
+impl<'a> Run<'a> {
+    pub(super) fn outcome(&self) -> Ended<'a> {
+        let (outcome, ledger) = self.recorded()?;
+        let quantities = Quantities::of(&outcome, self.scene.structures.len());
+        Ok((quantities, ledger, outcome.work))
+    }
+
+    /// The outcome of the run, and its ledger; fails with the reason where it ends early.
+    ///
+    /// The verdict of the ledger is a column of the table.
+    pub(super) fn recorded(&self) -> Result<(RunResult, Ledger<'a>), String> {
+        let recorded = self.prepared.recorded_by(self.method());
+        recorded.map_err(|error| error.to_string())
+    }
+
+    pub(super) fn method(&self) -> Method {
+        (self.contender.method)(self.setting)
     }
 }

@@ -1,183 +1,154 @@
 //! The runs and the references as CSV.
 
 use super::condition::Known;
-use super::measure::{Race, Rung};
+use super::measure::{Measured, Race, Rung};
 use super::quantities::MethodQuantity;
+use crate::files::yes_or_no;
 use pounding_scene::{ComparedMethod, Knob};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_text::{Table, digits};
+
+/// A number of the truth.
+struct Reference<'a> {
+    race: &'a Race,
+    quantity: &'static str,
+    structure: Option<usize>,
+    unit: &'static str,
+    value: String,
+    agreed: String,
+    known: Option<Known>,
+}
 
 /// The value of every quantity.
 pub(super) fn references(races: &[Race]) -> String {
-    let header = [
-        "scene",
-        "quantity",
-        "structure",
-        "unit",
-        "value",
-        "agreed_digits",
-        "distance_of_routes",
-        "condition_number",
-        "allowed_distance",
-        "within",
-    ];
     let mut rows = Vec::new();
     for race in races {
         for quantity in MethodQuantity::ALL {
             let values = race.truth.values(quantity);
-            for (value, number) in values.iter().zip(1..) {
-                let structure = if values.len() == 1 { String::new() } else { format!("{number}") };
-                let mut row = vec![
-                    race.scene.clone(),
-                    quantity.key().into(),
-                    structure,
-                    quantity.unit(race.compliant).into(),
-                    format!("{value:.14e}"),
-                    agreed(race.digits(quantity)),
-                ];
-                let known = race.knowledge.of(quantity);
-                row.extend(known.into_iter().flat_map(|known| known_as(known, race)));
-                rows.push(row);
-            }
+            rows.extend(values.iter().zip(1..).map(|(value, number)| Reference {
+                race,
+                quantity: quantity.key(),
+                structure: (values.len() > 1).then_some(number),
+                unit: quantity.unit(race.compliant),
+                value: format!("{value:.14e}"),
+                agreed: agreed(race.digits(quantity)),
+                known: race.knowledge.of(quantity),
+            }));
         }
-        let mut row = vec![
-            race.scene.clone(),
-            "number_of_collisions".into(),
-            String::new(),
-            "1".into(),
-            race.truth.n_collisions.to_string(),
-            race.agreed_count().into(),
-        ];
-        row.resize(header.len(), String::new());
-        rows.push(row);
+        rows.push(Reference {
+            race,
+            quantity: "number_of_collisions",
+            structure: None,
+            unit: "1",
+            value: race.truth.n_collisions.to_string(),
+            agreed: race.agreed_count().into(),
+            known: None,
+        });
     }
-    to_csv(&header.map(String::from), &rows)
+    let table = Table::of(rows)
+        .column("scene", |one| one.race.scene.clone())
+        .column("quantity", |one| one.quantity)
+        .column("structure", |one| one.structure)
+        .column("unit", |one| one.unit)
+        .column("value", |one| one.value.clone())
+        .column("agreed_digits", |one| one.agreed.clone());
+    known_as(table, |one| Some((one.known?, one.race))).csv()
 }
 
 /// Time and impulse of every collision, and how well they are known.
 pub(super) fn collisions(races: &[Race]) -> String {
-    let header = [
-        "scene",
-        "pair",
-        "collision",
-        "quantity",
-        "unit",
-        "value",
-        "distance_of_routes",
-        "condition_number",
-        "allowed_distance",
-        "within",
-    ];
-    let quantities = [("time", "s"), ("impulse", "N·s")];
     let mut rows = Vec::new();
     for race in races {
         for (pair, met) in race.pairs.iter().zip(&race.knowledge.pairs) {
-            for (number, meeting) in (1..).zip(met) {
-                for (which, (name, unit)) in quantities.iter().enumerate() {
-                    let mut row = vec![
-                        race.scene.clone(),
-                        pair.clone(),
-                        format!("{number}"),
-                        (*name).into(),
-                        (*unit).into(),
-                        format!("{:.14e}", meeting.values[which]),
-                    ];
-                    row.extend(known_as(meeting.known[which], race));
-                    rows.push(row);
-                }
+            for (number, meeting) in (1_usize..).zip(met) {
+                rows.extend([0, 1].map(|which| (race, pair, number, meeting, which)));
             }
         }
     }
-    to_csv(&header.map(String::from), &rows)
+    let table = Table::of(rows)
+        .column("scene", |(race, ..)| race.scene.clone())
+        .column("pair", |(_, pair, ..)| (*pair).clone())
+        .column("collision", |(_, _, number, ..)| *number)
+        .column("quantity", |(.., which)| ["time", "impulse"][*which])
+        .column("unit", |(.., which)| ["s", "N·s"][*which])
+        .column("value", |(.., meeting, which)| format!("{:.14e}", meeting.values[*which]));
+    known_as(table, |(race, .., meeting, which)| Some((meeting.known[*which], race))).csv()
 }
 
 /// How well a result is known, as four columns.
-fn known_as(known: Known, race: &Race) -> [String; 4] {
-    [
-        error(Some(known.distance)),
-        error(Some(known.condition)),
-        error(Some(known.allowed(race.compliant))),
-        if known.holds(race.compliant) { "yes" } else { "no" }.into(),
-    ]
+fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Known, &Race)> + Copy + 'a) -> Table<'a, Row> {
+    let number = move |row: &Row, of: fn(Known, &Race) -> f64| known(row).map(|(known, race)| error(Some(of(known, race))));
+    table
+        .column("distance_of_routes", move |row| number(row, |known, _| known.distance))
+        .column("condition_number", move |row| number(row, |known, _| known.condition))
+        .column("allowed_distance", move |row| {
+            number(row, |known, race| known.allowed(race.compliant))
+        })
+        .column("within", move |row| {
+            known(row).map(|(known, race)| yes_or_no(known.holds(race.compliant)))
+        })
+}
+
+/// A count of a run.
+type Count = fn(&Measured) -> u64;
+
+/// Counts of a run, with their columns.
+const COUNTS: [(&str, Count); 7] = [
+    ("work", Measured::cost),
+    ("steps", |run| run.work.steps),
+    ("force_evaluations", |run| run.work.force_evaluations),
+    ("newton_iterations", |run| run.work.newton_iterations),
+    ("touching_steps", |run| run.work.touching_steps),
+    ("segments", |run| run.work.segments),
+    ("events", |run| run.work.events),
+];
+
+/// A run of a method on a scene.
+struct One<'a> {
+    race: &'a Race,
+    contender: &'static ComparedMethod,
+    rung: &'a Rung,
+}
+
+impl One<'_> {
+    /// What came out of it.
+    fn found(&self) -> Option<&Measured> {
+        self.rung.outcome.as_ref().ok()
+    }
+
+    fn setting(&self, is: fn(&Knob) -> bool) -> Option<String> {
+        is(&self.contender.knob).then(|| setting(self.contender, self.rung.setting))
+    }
 }
 
 /// Every run: what it cost and how far off it is.
 pub(super) fn runs(races: &[Race]) -> String {
-    let errors = MethodQuantity::ALL.map(|quantity| format!("error_of_{}", quantity.key()));
-    let mut header: Vec<_> = BEFORE.into_iter().map(String::from).collect();
-    header.extend(errors);
-    header.extend(AFTER.map(String::from));
     let mut rows = Vec::new();
     for race in races {
         for entrant in &race.entrants {
-            let row = |rung| {
-                let mut row = row(race, entrant.contender, rung);
-                if let Err(reason) = &rung.outcome {
-                    row.resize(header.len() - 1, String::new());
-                    row.push(reason.clone());
-                }
-                row
-            };
-            rows.extend(entrant.rungs.iter().map(row));
+            let contender = entrant.contender;
+            rows.extend(entrant.rungs.iter().map(|rung| One { race, contender, rung }));
         }
     }
-    to_csv(&header, &rows)
-}
-
-/// Columns before the errors of the quantities.
-const BEFORE: [&str; 13] = [
-    "scene",
-    "method",
-    "time_step_s",
-    "tolerance",
-    "work",
-    "steps",
-    "force_evaluations",
-    "newton_iterations",
-    "touching_steps",
-    "segments",
-    "events",
-    "collisions",
-    "same_count",
-];
-/// Columns after them.
-const AFTER: [&str; 6] = [
-    "agreed_digits",
-    "energy_identity",
-    "energy_residual",
-    "energy_error",
-    "broken_law",
-    "failed",
-];
-
-/// A run, up to where it failed.
-fn row(race: &Race, contender: &ComparedMethod, rung: &Rung) -> Vec<String> {
-    let mut row = vec![race.scene.clone(), contender.key.into()];
-    row.extend(match contender.knob {
-        Knob::TimeStep => [setting(contender, rung.setting), String::new()],
-        Knob::Tolerance => [String::new(), setting(contender, rung.setting)],
-    });
-    if let Ok(measured) = &rung.outcome {
-        let work = measured.work;
-        let counts = [
-            measured.cost(),
-            work.steps,
-            work.force_evaluations,
-            work.newton_iterations,
-            work.touching_steps,
-            work.segments,
-            work.events,
-        ];
-        row.extend(counts.map(|count| count.to_string()));
-        row.push(measured.n_collisions.to_string());
-        row.push(if measured.same_count { "yes" } else { "no" }.into());
-        row.extend(MethodQuantity::ALL.map(|quantity| error(measured.error(quantity))));
-        row.push(agreed(race.fewest_digits()));
-        let energy = &measured.energy;
-        row.extend([energy.identity, energy.residual, energy.error].map(|part| error(Some(part))));
-        row.extend([energy.broken.clone().unwrap_or_default(), String::new()]);
-    }
-    row
+    Table::of(rows)
+        .column("scene", |one| one.race.scene.clone())
+        .column("method", |one| one.contender.key)
+        .column("time_step_s", |one| one.setting(|knob| matches!(knob, Knob::TimeStep)))
+        .column("tolerance", |one| one.setting(|knob| matches!(knob, Knob::Tolerance)))
+        .columns(COUNTS, |(name, _)| name.into(), |one, (_, count)| one.found().map(count))
+        .column("collisions", |one| one.found().map(|run| run.n_collisions))
+        .column("same_count", |one| one.found().map(|run| yes_or_no(run.same_count)))
+        .columns(
+            MethodQuantity::ALL,
+            |quantity| format!("error_of_{}", quantity.key()),
+            |one, quantity| one.found().map(|run| error(run.error(quantity))),
+        )
+        .column("agreed_digits", |one| one.found().map(|_| agreed(one.race.fewest_digits())))
+        .column("energy_identity", |one| one.found().map(|run| error(Some(run.energy.identity))))
+        .column("energy_residual", |one| one.found().map(|run| error(Some(run.energy.residual))))
+        .column("energy_error", |one| one.found().map(|run| error(Some(run.energy.error))))
+        .column("broken_law", |one| one.found().and_then(|run| run.energy.broken.clone()))
+        .column("failed", |one| one.rung.outcome.as_ref().err().cloned())
+        .csv()
 }
 
 /// A setting as it is printed.
@@ -189,7 +160,7 @@ pub(super) fn setting(contender: &ComparedMethod, setting: f64) -> String {
 }
 
 /// An error as it is printed: three digits, nothing where there is nothing to compare.
-pub(super) fn error(error: Option<f64>) -> String {
+fn error(error: Option<f64>) -> String {
     match error {
         None => String::new(),
         Some(0.0) => "0".into(),

@@ -2,11 +2,9 @@
 
 use super::Trade;
 use super::measure::{Entrant, Measured, Rung};
-use super::pareto::cheapest;
-use super::quantities::MethodQuantity;
-use super::run::Run;
+use super::pareto::{EXACT, STEPPING, cheapest};
+use super::quantities::{MethodQuantity, Run};
 use super::table::setting;
-use super::verdict::{EXACT, STEPPING};
 use crate::{Completed, StudyError, StudyFile};
 use pounding_scene::{REFERENCE, RIVAL, Scene};
 use pounding_solver::{RunError, Work};

@@ -1,9 +1,9 @@
 //! Rules against the ratio of periods, and what gaps do that are too narrow.
 
+use super::Widths;
 use super::gaps::{Gaps, Quantity, Swept};
-use super::widths::Widths;
 use crate::statistics::{quantile, sorted};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
 use pounding_scene::Rule;
 
 /// Rules with panels of their own; that of ASCE 7 is SRSS here.
@@ -23,27 +23,15 @@ const SHOWN: [(f64, &str, Kind, Shade); 3] = [
 
 /// A panel per rule: required over asked for.
 pub(super) fn rules(widths: &Widths<'_>) -> Figure {
-    let mut panels = Vec::new();
-    for (index, (rule, title, _)) in RULES.into_iter().enumerate() {
-        let curve = |(part, name, kind, shade): (f64, &str, Kind, Shade)| {
+    let panel = |(rule, title, _)| {
+        let curve = |(part, name, kind, shade)| {
             let point = |ratio: &f64| (*ratio, widths.score(rule, Some(*ratio)).quantile(part));
             Curve::new(kind, shade, widths.ratios.iter().map(point).collect()).named(name)
         };
-        panels.push(Panel {
-            title: title.into(),
-            y: Axis::over(if index % 2 == 0 { "Required / asked for (–)" } else { "" }, 0.0, 2.2),
-            curves: SHOWN.map(curve).into(),
-            levels: vec![1.0],
-            legend: Legend::Shared,
-            ..Panel::default()
-        });
-    }
-    Figure {
-        height_in: 5.6,
-        columns: 2,
-        x: ratio_of_periods(),
-        panels,
-    }
+        let y = Axis::over("Required / asked for (–)", 0.0, 2.2);
+        Panel::shared(title, y, SHOWN.map(curve).into()).with_level(1.0)
+    };
+    Figure::grid(5.6, 2, ratio_of_periods(), RULES.map(panel).into()).labelled_at_left()
 }
 
 fn ratio_of_periods() -> Axis {
@@ -52,21 +40,17 @@ fn ratio_of_periods() -> Axis {
 
 /// The share of cases in which each rule asks for less than is required.
 pub(super) fn shares(widths: &Widths<'_>) -> Figure {
-    let share = |(rule, name, shade): (Rule, &str, Shade)| {
+    let share = |(rule, name, shade)| {
         let point = |ratio: &f64| (*ratio, 100.0 * widths.score(rule, Some(*ratio)).share());
         let kind = if shade == Shade::Vermilion { Kind::Dashed } else { Kind::Line };
         Curve::new(kind, shade, widths.ratios.iter().map(point).collect()).named(name)
     };
-    Figure {
-        height_in: 3.4,
-        columns: 1,
-        x: ratio_of_periods(),
-        panels: vec![Panel {
-            y: Axis::over("Cases in which the rule is unsafe (%)", 0.0, 100.0),
-            curves: RULES.map(share).into(),
-            ..Panel::default()
-        }],
-    }
+    let panel = Panel {
+        y: Axis::over("Cases in which the rule is unsafe (%)", 0.0, 100.0),
+        curves: RULES.map(share).into(),
+        ..Panel::default()
+    };
+    Figure::grid(3.4, 1, ratio_of_periods(), vec![panel])
 }
 
 /// Panels of one ratio of periods side by side: what happens over the gap under every motion, with the median.
@@ -76,30 +60,20 @@ pub(super) fn gaps(gaps: &Gaps<'_>) -> Figure {
         (Quantity::RightDrift, Quantity::RightBeyond, "Faster: drift / alone (–)"),
     ];
     let mut panels = Vec::new();
-    for (row, (quantity, beyond, label)) in rows.into_iter().enumerate() {
-        for (column, ratio) in gaps.ratios.iter().enumerate() {
-            let own: Vec<_> = gaps.swept.iter().filter(|one| one.asked.ratio.total_cmp(ratio).is_eq()).collect();
-            let title = format!("Periods {ratio} : 1");
-            panels.push(Panel {
-                title: if row == 0 { title } else { String::new() },
-                y: Axis {
-                    label: if column == 0 { label.into() } else { String::new() },
-                    range: Some((0.0, highest(gaps, quantity))),
-                    ..Axis::default()
-                },
-                curves: curves(&own, quantity, beyond),
-                levels: vec![1.0],
-                legend: Legend::Shared,
-                ..Panel::default()
-            });
+    for (quantity, beyond, label) in rows {
+        for ratio in &gaps.ratios {
+            let own: Vec<_> = gaps.swept.iter().filter(|one| one.asked.is_of(Some(*ratio))).collect();
+            let title = if quantity == rows[0].0 {
+                format!("Periods {ratio} : 1")
+            } else {
+                String::new()
+            };
+            let y = Axis::over(label, 0.0, highest(gaps, quantity));
+            panels.push(Panel::shared(title, y, curves(&own, quantity, beyond)).with_level(1.0));
         }
     }
-    Figure {
-        height_in: 5.4,
-        columns: gaps.ratios.len(),
-        x: Axis::over("Gap / required (–)", 0.0, 1.0),
-        panels,
-    }
+    let x = Axis::over("Gap / required (–)", 0.0, 1.0);
+    Figure::grid(5.4, gaps.ratios.len(), x, panels).labelled_at_left()
 }
 
 fn highest(gaps: &Gaps<'_>, quantity: Quantity) -> f64 {
@@ -110,10 +84,8 @@ fn highest(gaps: &Gaps<'_>, quantity: Quantity) -> f64 {
 /// Every case in grey, the median in ink, and the case with the largest rise beyond what the structure does alone.
 fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve> {
     let curves: Vec<_> = own.iter().map(|one| one.curve(quantity)).collect();
-    let mut drawn: Vec<Curve> = curves
-        .iter()
-        .map(|points| Curve::new(Kind::Thin, Shade::Silver, points.clone()))
-        .collect();
+    let thin = |points: &Vec<_>| Curve::new(Kind::Thin, Shade::Silver, points.clone());
+    let mut drawn: Vec<Curve> = curves.iter().map(thin).collect();
     if let Some(first) = drawn.first_mut() {
         *first = first.clone().named("a motion and direction");
     }
@@ -123,10 +95,7 @@ fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve
         Some((curves.first()?[index].0, quantile(&values, 0.5)?))
     };
     let median: Vec<_> = (0..n_gaps).filter_map(median).collect();
-    let steepest = own.iter().max_by(|one, other| {
-        let rise = |one: &Swept<'_>| one.worst(beyond);
-        rise(one).total_cmp(&rise(other))
-    });
+    let steepest = own.iter().max_by(|one, other| one.worst(beyond).total_cmp(&other.worst(beyond)));
     if let Some(steepest) = steepest {
         let points = steepest.curve(quantity);
         let name = "the one that rises most beyond alone";

@@ -1,12 +1,13 @@
 //! Gaps that are too narrow: where a wider one is worse.
 
-use super::{Asked, Scan, asked, csv};
+use super::{Asked, Scan, any_and_each, asked, words_of};
 use crate::StudyError;
-use crate::research::surveys::cases::{Case, Response, each, with_gap};
+use crate::files::direction;
+use crate::listed::listed;
+use crate::research::surveys::cases::{Case, Response, with_gap};
 use crate::statistics::{quantile, sorted};
-use pounding_scene::Scene;
-use pounding_text::digits;
-use strum::EnumCount;
+use pounding_scene::{Scene, parallel};
+use pounding_text::Table;
 
 /// Runs of pairs over gaps.
 pub(super) struct Gaps<'a> {
@@ -25,39 +26,20 @@ pub(super) struct Swept<'a> {
     alone: [f64; 2],
 }
 
-/// What is compared from gap to gap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
-pub(super) enum Quantity {
-    Impulse,
-    LeftDrift,
-    RightDrift,
-    /// What of the drift lies beyond that alone: where it is less it counts as that.
-    LeftBeyond,
-    RightBeyond,
-    Collisions,
+listed! {
+    /// What is compared from gap to gap.
+    pub(super) enum Quantity { key: &'static str;
+        LeftDrift = "peak drift of the slower structure",
+        RightDrift = "peak drift of the faster structure",
+        /// What of the drift lies beyond that alone: where it is less it counts as that.
+        LeftBeyond = "drift of the slower structure, at least that alone",
+        RightBeyond = "drift of the faster structure, at least that alone",
+        Impulse = "total impulse",
+        Collisions = "collisions",
+    }
 }
 
 impl Quantity {
-    pub(super) const ALL: [Self; Self::COUNT] = [
-        Self::LeftDrift,
-        Self::RightDrift,
-        Self::LeftBeyond,
-        Self::RightBeyond,
-        Self::Impulse,
-        Self::Collisions,
-    ];
-
-    fn key(self) -> &'static str {
-        match self {
-            Self::Impulse => "total impulse",
-            Self::LeftDrift => "peak drift of the slower structure",
-            Self::RightDrift => "peak drift of the faster structure",
-            Self::LeftBeyond => "drift of the slower structure, at least that alone",
-            Self::RightBeyond => "drift of the faster structure, at least that alone",
-            Self::Collisions => "collisions",
-        }
-    }
-
     /// The quantity of a run; drifts over those alone \[m\].
     fn of(self, response: &Response, alone: [f64; 2]) -> f64 {
         match self {
@@ -138,7 +120,7 @@ impl Swept<'_> {
 impl<'a> Gaps<'a> {
     pub(super) fn of(scan: &Scan, template: &Scene, cases: &'a [Case]) -> Result<Self, StudyError> {
         let all = asked(cases, &scan.longer_periods_s, &scan.period_ratios);
-        let swept = each(&all, |one| {
+        let swept = parallel::try_each(&all, |one| -> Result<_, StudyError> {
             let scene = one.scene(template);
             let separation = one.case.prepared(&scene)?.separations()?[0];
             let required = separation.required;
@@ -162,83 +144,47 @@ impl<'a> Gaps<'a> {
     }
 
     /// A row per pair, motion and quantity.
-    pub(super) fn table(&self) -> Vec<u8> {
-        let header = [
-            "period_ratio",
-            "longer_period_s",
-            "motion",
-            "direction",
-            "required_m",
-            "quantity",
-            "rising_stretches",
-            "rising_share_of_gaps",
-            "worst_ratio",
-            "narrower_gap_over_required",
-            "wider_gap_over_required",
-        ];
-        let mut rows = Vec::new();
-        for one in &self.swept {
-            for quantity in Quantity::ALL {
-                let rises = Rises::of(&one.curve(quantity));
-                let (worst, narrower, wider) = rises.worst;
-                let mut row = vec![
-                    digits(one.asked.ratio),
-                    digits(one.asked.longer),
-                    one.asked.case.name.clone(),
-                    one.asked.case.direction().into(),
-                    digits(one.required),
-                    quantity.key().into(),
-                    rises.stretches.to_string(),
-                ];
-                row.extend([rises.share, worst, narrower, wider].map(digits));
-                rows.push(row);
-            }
-        }
-        csv(&header, &rows)
+    pub(super) fn table(&self) -> String {
+        let of_pair = |one| Quantity::ALL.map(|quantity| (one, quantity, Rises::of(&Swept::curve(one, quantity))));
+        Table::of(self.swept.iter().flat_map(of_pair))
+            .column("period_ratio", |(one, ..): &(&Swept<'_>, _, _)| one.asked.ratio)
+            .column("longer_period_s", |(one, ..)| one.asked.longer)
+            .column("motion", |(one, ..)| one.asked.case.name.clone())
+            .column("direction", |(one, ..)| direction(one.asked.case.reversed))
+            .column("required_m", |(one, ..)| one.required)
+            .column("quantity", |(_, quantity, _)| quantity.key())
+            .column("rising_stretches", |(.., rises)| rises.stretches)
+            .column("rising_share_of_gaps", |(.., rises)| rises.share)
+            .column("worst_ratio", |(.., rises)| rises.worst.0)
+            .column("narrower_gap_over_required", |(.., rises)| rises.worst.1)
+            .column("wider_gap_over_required", |(.., rises)| rises.worst.2)
+            .csv()
     }
 
     /// A row per ratio of periods and quantity, those of all ratios first.
-    pub(super) fn summary(&self) -> Vec<u8> {
-        let header = [
-            "period_ratio",
-            "quantity",
-            "cases",
-            "cases_with_a_rise",
-            "median_rising_stretches",
-            "median_rising_share_of_gaps",
-            "median_worst_ratio",
-            "quantile_95_worst_ratio",
-            "largest_worst_ratio",
-        ];
-        let mut rows = Vec::new();
-        let ratios = std::iter::once(None).chain(self.ratios.iter().copied().map(Some));
-        for ratio in ratios {
-            for quantity in Quantity::ALL {
-                let own = self
-                    .swept
-                    .iter()
-                    .filter(|one| ratio.is_none_or(|ratio| one.asked.ratio.total_cmp(&ratio).is_eq()));
-                let rises: Vec<Rises> = own.map(|one| Rises::of(&one.curve(quantity))).collect();
-                let of = |number: fn(&Rises) -> f64| sorted(rises.iter().map(number));
-                let stretches = of(|rises| rises.stretches as f64);
-                let shares = of(|rises| rises.share);
-                let worst = of(|rises| rises.worst.0);
-                let rising = rises.iter().filter(|rises| rises.stretches > 0).count();
-                let known = |numbers: &[f64], part| quantile(numbers, part).map_or_else(String::new, digits);
-                rows.push(vec![
-                    ratio.map_or_else(|| "all".into(), digits),
-                    quantity.key().into(),
-                    rises.len().to_string(),
-                    rising.to_string(),
-                    known(&stretches, 0.5),
-                    known(&shares, 0.5),
-                    known(&worst, 0.5),
-                    known(&worst, 0.95),
-                    known(&worst, 1.0),
-                ]);
-            }
-        }
-        csv(&header, &rows)
+    pub(super) fn summary(&self) -> String {
+        let rises = |(ratio, quantity)| {
+            let own = self.swept.iter().filter(|one| one.asked.is_of(ratio));
+            let rises: Vec<_> = own.map(|one| Rises::of(&one.curve(quantity))).collect();
+            (ratio, quantity, rises)
+        };
+        let of_ratio = |ratio| Quantity::ALL.map(|quantity| rises((ratio, quantity)));
+        let part = |rises: &[Rises], number: fn(&Rises) -> f64, part| quantile(&sorted(rises.iter().map(number)), part);
+        Table::of(any_and_each(&self.ratios).flat_map(of_ratio))
+            .column("period_ratio", |(ratio, ..)| words_of(*ratio))
+            .column("quantity", |(_, quantity, _)| quantity.key())
+            .column("cases", |(.., rises)| rises.len())
+            .column("cases_with_a_rise", |(.., rises)| {
+                rises.iter().filter(|one| one.stretches > 0).count()
+            })
+            .column("median_rising_stretches", |(.., rises)| {
+                part(rises, |one| one.stretches as f64, 0.5)
+            })
+            .column("median_rising_share_of_gaps", |(.., rises)| part(rises, |one| one.share, 0.5))
+            .column("median_worst_ratio", |(.., rises)| part(rises, |one| one.worst.0, 0.5))
+            .column("quantile_95_worst_ratio", |(.., rises)| part(rises, |one| one.worst.0, 0.95))
+            .column("largest_worst_ratio", |(.., rises)| part(rises, |one| one.worst.0, 1.0))
+            .csv()
     }
 }
 

@@ -6,13 +6,14 @@
 
 mod figure;
 mod gaps;
-mod widths;
 
 use super::cases::{Case, rows, sdof, set_period};
-use super::{Files, csv, drawn};
+use crate::files::{Files, direction, drawn};
+use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{RequiredGap, Scan};
 use crate::{StudyError, StudyFile};
-use pounding_scene::Scene;
+use pounding_scene::{Rule, Scene, Separation, parallel};
+use pounding_text::{Table, digits};
 
 /// A pair under a motion.
 #[derive(Debug, Clone, Copy)]
@@ -42,19 +43,120 @@ impl Asked<'_> {
         set_period(sdof(&mut scene, 1), self.longer * self.ratio);
         scene
     }
+
+    /// Whether the ratio of periods is the one asked for, or any.
+    fn is_of(self, ratio: Option<f64>) -> bool {
+        ratio.is_none_or(|ratio| self.ratio.total_cmp(&ratio).is_eq())
+    }
 }
 
 pub(super) fn files(settings: &RequiredGap, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let template = &rows(file, 2)?[0];
-    let widths = widths::Widths::of(settings, template, cases)?;
+    let widths = Widths::of(settings, template, cases)?;
     let gaps = gaps::Gaps::of(&settings.scan, template, cases)?;
     Ok(Files::from([
-        ("widths.csv".into(), widths.table()),
-        ("rules.csv".into(), widths.rules()),
-        ("rules.png".into(), drawn(&figure::rules(&widths), file)?),
-        ("unsafe.png".into(), drawn(&figure::shares(&widths), file)?),
-        ("gaps.csv".into(), gaps.table()),
-        ("wider-and-worse.csv".into(), gaps.summary()),
-        ("wider-and-worse.png".into(), drawn(&figure::gaps(&gaps), file)?),
+        ("widths.csv".into(), widths.table().into_bytes()),
+        ("rules.csv".into(), widths.rules().into_bytes()),
+        ("rules.png".into(), drawn(&figure::rules(&widths), &file.path)?),
+        ("unsafe.png".into(), drawn(&figure::shares(&widths), &file.path)?),
+        ("gaps.csv".into(), gaps.table().into_bytes()),
+        ("wider-and-worse.csv".into(), gaps.summary().into_bytes()),
+        ("wider-and-worse.png".into(), drawn(&figure::gaps(&gaps), &file.path)?),
     ]))
+}
+
+/// Required widths, ratio after ratio.
+struct Widths<'a> {
+    found: Vec<(Asked<'a>, Separation)>,
+    ratios: Vec<f64>,
+}
+
+/// How a rule does over some pairs and motions.
+struct Score {
+    cases: usize,
+    /// Where it asks for less than is required.
+    unsafe_cases: usize,
+    /// Required over asked for \[–\], in rising order.
+    ratios: Vec<f64>,
+}
+
+impl Score {
+    fn share(&self) -> f64 {
+        self.unsafe_cases as f64 / self.cases as f64
+    }
+
+    /// Quantile of required over asked for.
+    fn quantile(&self, part: f64) -> f64 {
+        quantile(&self.ratios, part).unwrap_or(0.0)
+    }
+}
+
+impl<'a> Widths<'a> {
+    fn of(settings: &RequiredGap, template: &Scene, cases: &'a [Case]) -> Result<Self, StudyError> {
+        let all = asked(cases, &settings.longer_periods_s, &settings.period_ratios);
+        let found = parallel::try_each(&all, |one| -> Result<_, StudyError> {
+            let prepared = one.case.prepared(&one.scene(template))?;
+            Ok(prepared.separations()?[0])
+        })?;
+        Ok(Self {
+            found: all.into_iter().zip(found).collect(),
+            ratios: settings.period_ratios.clone(),
+        })
+    }
+
+    /// How a rule does where the ratio of periods is the one asked for, or anywhere.
+    fn score(&self, rule: Rule, ratio: Option<f64>) -> Score {
+        let own = self.found.iter().filter(|(asked, _)| asked.is_of(ratio));
+        let ratios = sorted(own.map(|(_, one)| one.required / width_of(rule, one)));
+        Score {
+            cases: ratios.len(),
+            unsafe_cases: ratios.iter().filter(|ratio| **ratio > 1.0).count(),
+            ratios,
+        }
+    }
+
+    /// A row per pair and motion; what other rules ask for follows from the peaks.
+    fn table(&self) -> String {
+        Table::of(&self.found)
+            .column("period_ratio", |(asked, _)| asked.ratio)
+            .column("longer_period_s", |(asked, _)| asked.longer)
+            .column("motion", |(asked, _)| asked.case.name.clone())
+            .column("direction", |(asked, _)| direction(asked.case.reversed))
+            .column("required_m", |(_, one)| one.required)
+            .column("time_s", |(_, one)| one.time)
+            .column("peak_left_m", |(_, one)| one.peaks[0])
+            .column("peak_right_m", |(_, one)| one.peaks[1])
+            .column("ddc_m", |(_, one)| width_of(Rule::Ddc, one))
+            .csv()
+    }
+
+    /// A row per rule and ratio of periods, that of all of them first.
+    fn rules(&self) -> String {
+        let of_ratio = |ratio| Rule::COMMON.into_iter().map(move |rule| (ratio, rule, self.score(rule, ratio)));
+        Table::of(any_and_each(&self.ratios).flat_map(of_ratio))
+            .column("period_ratio", |(ratio, ..)| words_of(*ratio))
+            .column("rule", |(_, rule, _)| rule.name())
+            .column("cases", |(.., score)| score.cases)
+            .column("unsafe_cases", |(.., score)| score.unsafe_cases)
+            .column("unsafe_share", |(.., score)| score.share())
+            .column("median", |(.., score)| score.quantile(0.5))
+            .column("quantile_95", |(.., score)| score.quantile(0.95))
+            .column("largest", |(.., score)| score.quantile(1.0))
+            .csv()
+    }
+}
+
+/// All ratios of periods together, and then each.
+fn any_and_each(ratios: &[f64]) -> impl Iterator<Item = Option<f64>> {
+    std::iter::once(None).chain(ratios.iter().copied().map(Some))
+}
+
+/// A ratio of periods, or all of them, in a table.
+fn words_of(ratio: Option<f64>) -> String {
+    ratio.map_or_else(|| "all".into(), digits)
+}
+
+/// Width of a rule that asks for no heights \[m\].
+fn width_of(rule: Rule, one: &Separation) -> f64 {
+    rule.width(one).unwrap_or(f64::NAN)
 }

@@ -1,6 +1,6 @@
 //! Error over CPU time: programs that solve the same scenes.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
 
 /// Errors below this are rounding.
 const ROUNDING: f64 = 1e-14;
@@ -9,7 +9,7 @@ const WORTHLESS: f64 = 1e1;
 
 /// Who solves the scenes: methods of one of them share a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Competitor {
+pub(super) enum Competitor {
     /// This project.
     Ours,
     /// A loop of a few lines, compiled.
@@ -24,13 +24,13 @@ pub enum Competitor {
 
 /// What a method needs for its error, over its settings.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WorkPrecision {
+pub(super) struct WorkPrecision {
     /// Whose method it is.
-    pub competitor: Competitor,
+    pub(super) competitor: Competitor,
     /// Its name in the legend, after that of its competitor.
-    pub label: String,
+    pub(super) label: String,
     /// CPU time in some unit and relative error of each setting, both > 0.
-    pub points: Vec<(f64, f64)>,
+    pub(super) points: Vec<(f64, f64)>,
 }
 
 impl Competitor {
@@ -62,7 +62,7 @@ impl Competitor {
 ///
 /// # Errors
 /// [`PlotError`] for numbers that cannot be drawn.
-pub fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
+pub(super) fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
     let mut names: Vec<(Competitor, &str)> = Vec::new();
     for one in panels.iter().flat_map(|(_, methods)| methods) {
         let name = (one.competitor, one.label.as_str());
@@ -70,19 +70,12 @@ pub fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) 
             names.push(name);
         }
     }
-    let panel = |(index, (title, methods)): (usize, &(&str, Vec<WorkPrecision>))| Panel {
-        title: (*title).into(),
-        y: Axis::over(if index == 0 { "Relative error" } else { "" }, ROUNDING, WORTHLESS).log(),
-        curves: methods.iter().map(|one| curve(one, &names)).collect(),
-        legend: Legend::Shared,
-        ..Panel::default()
+    let panel = |(title, methods): &(&str, Vec<WorkPrecision>)| {
+        let y = Axis::over("Relative error", ROUNDING, WORTHLESS).log();
+        Panel::shared(*title, y, methods.iter().map(|one| curve(one, &names)).collect())
     };
-    render_png(&Figure {
-        height_in: 4.6,
-        columns: panels.len(),
-        x: Axis::auto(format!("CPU time ({unit} = 1)")).log(),
-        panels: panels.iter().enumerate().map(panel).collect(),
-    })
+    let x = Axis::auto(format!("CPU time ({unit} = 1)")).log();
+    render_png(&Figure::grid(4.6, panels.len(), x, panels.iter().map(panel).collect()).labelled_at_left())
 }
 
 fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {
