@@ -1,0 +1,149 @@
+//! The numbers of a run for people: which of them stand in which table, and in what words.
+
+use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, Simulation, Values};
+use pounding_text::{milliseconds, percent};
+
+/// The choice of each table for people, in the order of its columns or rows.
+pub mod tables {
+    use pounding_scene::FloorQuantity::*;
+    use pounding_scene::PairQuantity::*;
+    use pounding_scene::{FloorQuantity, PairQuantity};
+
+    /// Structures, in a terminal.
+    pub const STRUCTURES: &[FloorQuantity] = &[
+        PeriodS,
+        DampingRatio,
+        PeakDisplacementM,
+        PeakDisplacementTimeS,
+        PeakShearForceN,
+        Ductility,
+        TransferredMomentumNS,
+    ];
+    /// What is left of the motion of structures, and what stands on their floors feels, in a terminal.
+    pub const MOTIONS: &[FloorQuantity] = &[ResidualDisplacementAtEndM, PeakAccelerationMPerS2, PeakAccelerationTimeS];
+    /// Storeys, in a terminal.
+    pub const STOREYS: &[FloorQuantity] = &[
+        PeakDriftM,
+        PeakDriftTimeS,
+        ResidualDriftAtEndM,
+        DriftRatio,
+        PeakShearForceN,
+        Ductility,
+    ];
+    /// Pairs, in a terminal.
+    pub const PAIRS: &[PairQuantity] = &[
+        GapM,
+        Collisions,
+        FirstStartS,
+        FirstImpulseNS,
+        LargestImpulseNS,
+        PeakForceN,
+        PeakForceTimeS,
+    ];
+    /// Structures, on a page.
+    pub const STRUCTURES_OF_PAGE: &[FloorQuantity] = &[
+        PeakDisplacementM,
+        PeakDisplacementTimeS,
+        ResidualDisplacementAtEndM,
+        PeakAccelerationMPerS2,
+        PeakAccelerationTimeS,
+        PeakShearForceN,
+        PeakShearForceTimeS,
+        TransferredMomentumNS,
+    ];
+    /// Storeys, on a page.
+    pub const STOREYS_OF_PAGE: &[FloorQuantity] = &[PeakDriftM, PeakDriftTimeS, ResidualDriftAtEndM, DriftRatio, Ductility];
+    /// Pairs, on a page.
+    pub const PAIRS_OF_PAGE: &[PairQuantity] = &[
+        GapM,
+        LeastOpeningM,
+        Collisions,
+        FirstStartS,
+        FirstImpulseNS,
+        LargestImpulseNS,
+        PeakForceN,
+        PeakForceTimeS,
+    ];
+    /// Structures of scenes side by side.
+    pub const STRUCTURES_BESIDE: &[FloorQuantity] = &[
+        PeriodS,
+        PeakDisplacementM,
+        PeakDriftM,
+        ResidualDisplacementAtEndM,
+        PeakAccelerationMPerS2,
+        PeakShearForceN,
+        TransferredMomentumNS,
+    ];
+    /// Pairs of scenes side by side.
+    pub const PAIRS_BESIDE: &[PairQuantity] = &[GapM, Collisions, FirstStartS, LargestImpulseNS, PeakForceN, PeakForceTimeS];
+}
+
+/// A run in the words of tables.
+#[derive(Debug)]
+pub struct Shown<'a> {
+    simulation: &'a Simulation,
+    values: Values<'a>,
+    errors: Option<&'a RunErrors>,
+    /// Acceleration of gravity \[m/s²\].
+    gravity: f64,
+}
+
+impl<'a> Shown<'a> {
+    /// A run with what is known of its errors.
+    pub fn of(simulation: &'a Simulation, review: &'a Review) -> Self {
+        Self {
+            simulation,
+            values: review.outcome.values(simulation),
+            errors: review.measured(),
+            gravity: simulation.scene().record.gravity_m_per_s2,
+        }
+    }
+
+    /// A number in the unit that people read; `None` if the place has no such number.
+    pub fn value(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
+        let quantity = quantity.into();
+        Some(quantity.about().unit.of(self.values.of(quantity, place)?, self.gravity))
+    }
+
+    /// A number in words; `None` if the place has no such number.
+    pub fn text(&self, quantity: impl Into<Quantity>, place: usize) -> Option<String> {
+        let quantity = quantity.into();
+        let value = self.values.of(quantity, place);
+        let value = value.map(|value| quantity.about().text_of(value, self.gravity));
+        let is_impulsive = || quantity == PairQuantity::PeakForceN.into() && self.values.of(PairQuantity::Collisions, place) > Some(0.0);
+        value.or_else(|| is_impulsive().then(|| "impulsive".into()))
+    }
+
+    /// The error of a number in words: of a count that of the exact run. `None` if it was not measured, or neither run has the number.
+    pub fn error(&self, quantity: impl Into<Quantity>, place: usize) -> Option<String> {
+        let (errors, quantity) = (self.errors?, quantity.into());
+        let about = quantity.about();
+        if about.kind == QuantityKind::Count {
+            let pair = &errors.pairs()[place];
+            return Some(match pair.collisions {
+                _ if pair.rests => "rests".into(),
+                [own, exact] if own != exact => format!("exact {exact}"),
+                _ => "equal".into(),
+            });
+        }
+        let measured = match about.error_of {
+            Some(other) => {
+                self.values.of(quantity, place)?;
+                self.of_storey(other, place)
+            }
+            None => quantity,
+        };
+        let words = if about.absolute.is_some() { milliseconds } else { percent };
+        errors.told(measured, place).map(words)
+    }
+
+    /// Whether errors were measured.
+    pub fn is_measured(&self) -> bool {
+        self.errors.is_some()
+    }
+
+    /// Of a number of a storey, the number of its floor that it is if the storey stands on the ground.
+    pub fn of_storey(&self, quantity: FloorQuantity, floor: usize) -> Quantity {
+        Quantity::from(quantity).of_storey(self.simulation.floors().all()[floor].is_upper())
+    }
+}
