@@ -5,77 +5,92 @@ use pounding_text::{milliseconds, percent};
 
 /// The choice of each table for people, in the order of its columns or rows.
 pub mod tables {
-    use pounding_scene::FloorQuantity::*;
-    use pounding_scene::PairQuantity::*;
-    use pounding_scene::{FloorQuantity, PairQuantity};
+    use pounding_scene::{FloorQuantity as Floor, PairQuantity as Pair};
 
     /// Structures, in a terminal.
-    pub const STRUCTURES: &[FloorQuantity] = &[
-        PeriodS,
-        DampingRatio,
-        PeakDisplacementM,
-        PeakDisplacementTimeS,
-        PeakShearForceN,
-        Ductility,
-        TransferredMomentumNS,
+    pub const STRUCTURES: &[Floor] = &[
+        Floor::PeriodS,
+        Floor::DampingRatio,
+        Floor::PeakDisplacementM,
+        Floor::PeakDisplacementTimeS,
+        Floor::PeakShearForceN,
+        Floor::Ductility,
+        Floor::TransferredMomentumNS,
     ];
     /// What is left of the motion of structures, and what stands on their floors feels, in a terminal.
-    pub const MOTIONS: &[FloorQuantity] = &[ResidualDisplacementAtEndM, PeakAccelerationMPerS2, PeakAccelerationTimeS];
+    pub const MOTIONS: &[Floor] = &[
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakAccelerationTimeS,
+    ];
     /// Storeys, in a terminal.
-    pub const STOREYS: &[FloorQuantity] = &[
-        PeakDriftM,
-        PeakDriftTimeS,
-        ResidualDriftAtEndM,
-        DriftRatio,
-        PeakShearForceN,
-        Ductility,
+    pub const STOREYS: &[Floor] = &[
+        Floor::PeakDriftM,
+        Floor::PeakDriftTimeS,
+        Floor::ResidualDriftAtEndM,
+        Floor::DriftRatio,
+        Floor::PeakShearForceN,
+        Floor::Ductility,
     ];
     /// Pairs, in a terminal.
-    pub const PAIRS: &[PairQuantity] = &[
-        GapM,
-        Collisions,
-        FirstStartS,
-        FirstImpulseNS,
-        LargestImpulseNS,
-        PeakForceN,
-        PeakForceTimeS,
+    pub const PAIRS: &[Pair] = &[
+        Pair::GapM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::FirstImpulseNS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
     ];
     /// Structures, on a page.
-    pub const STRUCTURES_OF_PAGE: &[FloorQuantity] = &[
-        PeakDisplacementM,
-        PeakDisplacementTimeS,
-        ResidualDisplacementAtEndM,
-        PeakAccelerationMPerS2,
-        PeakAccelerationTimeS,
-        PeakShearForceN,
-        PeakShearForceTimeS,
-        TransferredMomentumNS,
+    pub const STRUCTURES_OF_PAGE: &[Floor] = &[
+        Floor::PeakDisplacementM,
+        Floor::PeakDisplacementTimeS,
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakAccelerationTimeS,
+        Floor::PeakShearForceN,
+        Floor::PeakShearForceTimeS,
+        Floor::TransferredMomentumNS,
     ];
     /// Storeys, on a page.
-    pub const STOREYS_OF_PAGE: &[FloorQuantity] = &[PeakDriftM, PeakDriftTimeS, ResidualDriftAtEndM, DriftRatio, Ductility];
+    pub const STOREYS_OF_PAGE: &[Floor] = &[
+        Floor::PeakDriftM,
+        Floor::PeakDriftTimeS,
+        Floor::ResidualDriftAtEndM,
+        Floor::DriftRatio,
+        Floor::Ductility,
+    ];
     /// Pairs, on a page.
-    pub const PAIRS_OF_PAGE: &[PairQuantity] = &[
-        GapM,
-        LeastOpeningM,
-        Collisions,
-        FirstStartS,
-        FirstImpulseNS,
-        LargestImpulseNS,
-        PeakForceN,
-        PeakForceTimeS,
+    pub const PAIRS_OF_PAGE: &[Pair] = &[
+        Pair::GapM,
+        Pair::LeastOpeningM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::FirstImpulseNS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
     ];
     /// Structures of scenes side by side.
-    pub const STRUCTURES_BESIDE: &[FloorQuantity] = &[
-        PeriodS,
-        PeakDisplacementM,
-        PeakDriftM,
-        ResidualDisplacementAtEndM,
-        PeakAccelerationMPerS2,
-        PeakShearForceN,
-        TransferredMomentumNS,
+    pub const STRUCTURES_BESIDE: &[Floor] = &[
+        Floor::PeriodS,
+        Floor::PeakDisplacementM,
+        Floor::PeakDriftM,
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakShearForceN,
+        Floor::TransferredMomentumNS,
     ];
     /// Pairs of scenes side by side.
-    pub const PAIRS_BESIDE: &[PairQuantity] = &[GapM, Collisions, FirstStartS, LargestImpulseNS, PeakForceN, PeakForceTimeS];
+    pub const PAIRS_BESIDE: &[Pair] = &[
+        Pair::GapM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
+    ];
 }
 
 /// A run in the words of tables.

@@ -71,6 +71,7 @@ impl<'de> Visitor<'de> for Reader {
                 None => drop(map.next_value::<IgnoredAny>()?),
             }
         }
+        read.sort_by_key(|(one, _)| *one);
         Ok(read)
     }
 }
@@ -84,26 +85,30 @@ impl<'de> Deserialize<'de> for Numbers {
 
 impl<'de> Deserialize<'de> for ErrorSummary {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_map(Reader(|one| one.about().error_name())).map(Self)
+        from.deserialize_map(Reader(|one| one.about().error_name())).map(Self::in_order)
     }
 }
 
 impl ErrorSummary {
-    /// Of all numbers of a place, by group, of momenta last. A drift that the place does not have has none.
+    /// Of all numbers of a place. A drift that the place does not have has none.
     pub(super) fn of(errors: &RunErrors, (all, place): (impl Iterator<Item = Quantity>, usize)) -> Self {
-        let mut all: Vec<Quantity> = all.collect();
-        if matches!(all.first(), Some(Quantity::Floor(_))) {
-            let group = |one: &Quantity| one.about().group.unwrap_or(QuantityGroup::Displacement);
-            all.sort_by_key(|one| (group(one) == QuantityGroup::Momentum, group(one)));
-        }
-        let told = all.into_iter().filter_map(|one| {
+        let told = all.filter_map(|one| {
             let about = one.about();
             // JSON has no infinity.
             let error = errors.told(one, place).filter(|error| error.is_finite());
             let is_written = about.error_name().is_some() && (error.is_some() || about.on_ground.is_none());
             is_written.then_some((one, error))
         });
-        Self(told.collect())
+        Self::in_order(told.collect())
+    }
+
+    /// Those of floors group by group, of momenta last, as the first files had them.
+    fn in_order(mut all: Vec<(Quantity, Option<f64>)>) -> Self {
+        all.sort_by_key(|(one, _)| {
+            let group = one.about().group.unwrap_or(QuantityGroup::Displacement);
+            matches!(one, Quantity::Floor(_)).then_some((group == QuantityGroup::Momentum, group))
+        });
+        Self(all)
     }
 
     /// That of a number.

@@ -56,9 +56,10 @@ impl Values<'_> {
     /// If the row has no such floor or pair.
     pub fn least(&self, quantity: impl Into<Quantity>, place: usize) -> f64 {
         let about = quantity.into().about();
-        match about.kind {
-            QuantityKind::Residual(peak) => part_of(self, peak, place),
-            _ => (about.least)(self, place),
+        if let QuantityKind::Residual(peak) = about.kind {
+            part_of(self, peak, place)
+        } else {
+            (about.least)(self, place)
         }
     }
 }

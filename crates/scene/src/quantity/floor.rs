@@ -36,11 +36,11 @@ quantities! {
         ..About::instant(|run, floor| Some(run.peaks(floor)?.storey_drift?.time))
     };
     ResidualDisplacementAtEndM("residual_displacement_at_end_m", "Displacement at the end of the run; free vibration that has not died away is in it.") =
-        About::new(&QuantityUnit::METRE, "Residual at end", |run, floor| run.last(floor))
+        About::new(&QuantityUnit::METRE, "Residual at end", |run, floor| run.moves(floor).then(|| run.last(floor)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDisplacementM)).measured(QuantityGroup::Displacement, "end displacement");
     ResidualDriftAtEndM("residual_drift_at_end_m", "Storey drift at the end of the run; none of a storey on the ground.") = About {
         on_ground: Some(FloorQuantity::ResidualDisplacementAtEndM),
-        ..About::new(&QuantityUnit::METRE, "Residual at end", |run, floor| Some(run.last(floor)? - run.last(run.below(floor)?)?))
+        ..About::new(&QuantityUnit::METRE, "Residual at end", |run, floor| Some(run.last(floor) - run.last(run.below(floor)?)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDriftM)).measured(QuantityGroup::Displacement, "end drift")
     };
     PeakAccelerationMPerS2("peak_acceleration_m_per_s2", "Absolute acceleration of largest magnitude, without impulsive impacts.") =

@@ -12,7 +12,7 @@ pub use unit::QuantityUnit;
 use crate::Values;
 
 /// A number that a run gives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
     /// Of every floor.
     Floor(FloorQuantity),
@@ -122,7 +122,7 @@ macro_rules! quantities {
     ($(#[$of:meta])* $Quantity:ident, $Place:ident:
         $($(#[$sweep:meta])* $Variant:ident($name:tt, $meaning:tt) = $about:expr;)+) => {
         $(#[$of])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         pub enum $Quantity {
             $(#[doc = $meaning] $(#[$sweep])* #[serde(rename = $name)] $Variant,)+
         }
@@ -252,6 +252,7 @@ impl Quantity {
     }
 
     /// Of a number of a storey on the ground, the number that it is.
+    #[must_use]
     pub fn of_storey(self, is_upper: bool) -> Self {
         match self.about().on_ground {
             Some(on_ground) if !is_upper => on_ground.into(),

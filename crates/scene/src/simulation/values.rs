@@ -40,6 +40,11 @@ impl Values<'_> {
         &self.simulation.floors().all()[floor]
     }
 
+    /// Whether a place is a floor, and no wall.
+    pub(crate) fn moves(&self, floor: usize) -> bool {
+        !self.floor(floor).is_wall()
+    }
+
     /// The floor below.
     pub(crate) fn below(&self, floor: usize) -> Option<usize> {
         self.simulation.floors().below(floor)
@@ -52,18 +57,18 @@ impl Values<'_> {
 
     /// Peaks of a floor; `None` for a wall.
     pub(crate) fn peaks(&self, floor: usize) -> Option<&StructurePeaks> {
-        (!self.floor(floor).is_wall()).then(|| self.result.peaks.of(floor))
+        self.moves(floor).then(|| self.result.peaks.of(floor))
     }
 
     /// Peak absolute acceleration of a floor \[m/s²\]; `None` for a wall.
     pub(crate) fn acceleration(&self, floor: usize) -> Option<Peak> {
-        (!self.floor(floor).is_wall()).then(|| self.result.accelerations[floor])
+        self.moves(floor).then(|| self.result.accelerations[floor])
     }
 
-    /// Displacement of a floor at the end \[m\]; `None` for a wall.
-    pub(crate) fn last(&self, floor: usize) -> Option<f64> {
+    /// Displacement of a floor at the end \[m\].
+    pub(crate) fn last(&self, floor: usize) -> f64 {
         // A negative zero loses its sign.
-        (!self.floor(floor).is_wall()).then(|| self.result.last.of(floor).displacement + 0.0)
+        self.result.last.of(floor).displacement + 0.0
     }
 
     /// What happened between the neighbours of a pair.
