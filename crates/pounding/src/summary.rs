@@ -4,6 +4,7 @@ mod brief;
 pub(crate) mod direction;
 mod tables;
 
+use pounding::report::Shown;
 use pounding::scene::{Errors, Implausible, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Scene, Simulation, Warning};
 use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::text::digits;
@@ -33,15 +34,15 @@ pub(crate) fn brief(prepared: &Simulation, review: &Review, notices: &[String]) 
 pub(crate) fn details(prepared: &Simulation, review: &Review, notices: &[String]) -> String {
     let scene = prepared.scene();
     let Review { outcome, errors, .. } = review;
-    let measured = review.measured();
+    let (floors, shown) = (prepared.floors(), Shown::of(prepared, review));
     joined([
         paragraph("Scene", &scene.name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
-        tables::structures(prepared, outcome, measured),
-        tables::motions(prepared, outcome, measured),
-        tables::storeys(prepared.floors(), outcome, measured),
-        tables::pairs(prepared, outcome, measured),
+        tables::structures(floors, &shown),
+        tables::motions(floors, &shown),
+        tables::storeys(floors, &shown),
+        tables::pairs(prepared, outcome, &shown),
         paragraph("Errors", &error_lines(scene, errors)),
         warnings(&with_advice(review, notices), prepared),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),

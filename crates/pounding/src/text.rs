@@ -3,7 +3,7 @@
 
 use pounding::scene::Implausible;
 use pounding::text::visible;
-pub(crate) use pounding::text::{milliseconds, percent, short};
+pub(crate) use pounding::text::{percent, short};
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;
@@ -53,8 +53,8 @@ fn pieces(text: &str, width: usize) -> Vec<String> {
 
 /// Columns under a name of some lines: the first to the left, others to the right. A name for which the table would be too wide
 /// stands in lines of its own, above its numbers.
-pub(crate) fn table<const LINES: usize>(header: &[[&str; LINES]], rows: &[Vec<String>]) -> String {
-    let line = |line: usize| header.iter().map(|name| name[line].to_string()).collect();
+pub(crate) fn table<const LINES: usize, Line: AsRef<str>>(header: &[[Line; LINES]], rows: &[Vec<String>]) -> String {
+    let line = |line: usize| header.iter().map(|name| name[line].as_ref().to_string()).collect();
     let names: Vec<Vec<String>> = (0..LINES).map(line).collect();
     let rows = shown(rows);
     let lines: Vec<&Vec<String>> = names.iter().chain(&rows).collect();

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pounding_report::{BothDirections, HistoryQuantity, Report, Sketch, Summary, history_of, other_direction, run_sentence};
-use pounding_scene::{Error, Implausible, Options, Review, Scene, Simulation};
+use pounding_report::{
+    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, history_of, other_direction, run_sentence,
+};
+use pounding_scene::{Error, FloorQuantity, Implausible, Options, PairQuantity, QuantityKind, Review, Scene, Simulation};
 use pounding_solver::Collision;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use serde_json::Value;
 
 use crate::array::Array;
 use crate::record::Record;
@@ -109,56 +110,18 @@ pub(crate) fn run(
     ran.or_refused(py)
 }
 
-/// Numbers of floors in the table of peaks, as `summary.json` names them.
-const PEAKS: [&str; 18] = [
-    "period_s",
-    "damping_ratio",
-    "peak_displacement_m",
-    "peak_displacement_time_s",
-    "peak_shear_force_n",
-    "peak_shear_force_time_s",
-    "peak_drift_m",
-    "peak_drift_time_s",
-    "residual_displacement_at_end_m",
-    "residual_drift_at_end_m",
-    "peak_acceleration_m_per_s2",
-    "peak_acceleration_time_s",
-    "ductility",
-    "drift_ratio",
-    "transferred_momentum_n_s",
-    "errors.peak_displacement",
-    "errors.peak_acceleration",
-    "errors.transferred_momentum",
+/// Numbers whose errors stand in the table of peaks.
+const ERRORS: [FloorQuantity; 3] = [
+    FloorQuantity::PeakDisplacementM,
+    FloorQuantity::PeakAccelerationMPerS2,
+    FloorQuantity::TransferredMomentumNS,
 ];
 
-/// The same of pairs.
-const PAIRS: [&str; 10] = [
-    "gap_m",
-    "first.start_s",
-    "first.impulse_n_s",
-    "largest.start_s",
-    "largest.impulse_n_s",
-    "peak_force_n",
-    "peak_force_time_s",
-    "total_impulse_n_s",
-    "touching_s",
-    "least_opening_m",
-];
-
-/// A number of an entry by its name, where points part tables.
-fn number(entry: &Value, name: &str) -> Option<f64> {
-    name.split('.').try_fold(entry, |value, field| value.get(field))?.as_f64()
-}
-
-/// A column for each name, without those that no entry has.
-fn columns<'a>(entries: &'a Value, names: &'a [&'a str]) -> Vec<(String, Column)> {
-    let entries = entries.as_array().map(Vec::as_slice).unwrap_or_default();
-    let column = |name: &&str| {
-        let numbers: Vec<_> = entries.iter().map(|entry| number(entry, name)).collect();
-        let known = numbers.iter().any(Option::is_some);
-        known.then(|| (name.replace('.', "_"), Column::numbers(numbers)))
-    };
-    names.iter().filter_map(column).collect()
+/// A column of a name, if any row has such a number.
+fn column(name: String, numbers: impl Iterator<Item = Option<f64>>) -> Option<(String, Column)> {
+    let numbers: Vec<_> = numbers.collect();
+    let is_known = numbers.iter().any(Option::is_some);
+    is_known.then(|| (name, Column::numbers(numbers)))
 }
 
 impl Run {
@@ -170,10 +133,18 @@ impl Run {
     fn peaks(&self) -> Table {
         let floors = self.simulation.floors();
         let all = 0..floors.all().len();
-        let summary = serde_json::json!(self.report().summary().structures);
+        let structures = StructureSummary::of_run(&self.simulation, &self.review);
+        let numbers = FloorQuantity::ALL.iter().filter_map(|one| {
+            let numbers = structures.iter().map(|structure| structure.numbers.get(*one));
+            column(one.about().name.into(), numbers)
+        });
+        let errors = ERRORS.iter().filter_map(|one| {
+            let errors = structures.iter().map(|structure| structure.errors.as_ref()?.get(*one));
+            column(format!("errors_{}", one.about().error_name()?), errors)
+        });
         let name = |index: usize| floors.all()[index].name.clone();
-        let structures = &self.simulation.scene().structures;
-        let building = |index: usize| structures[floors.all()[index].structure].name().to_owned();
+        let buildings = &self.simulation.scene().structures;
+        let building = |index: usize| buildings[floors.all()[index].structure].name().to_owned();
         let counts = |count: &dyn Fn(usize) -> usize| Column::Counts(all.clone().map(|index| count(index) as u64).collect());
         let first = [
             ("structure".to_owned(), counts(&|index| floors.all()[index].structure)),
@@ -181,7 +152,7 @@ impl Run {
             ("building".to_owned(), Column::texts(all.clone().map(building))),
             ("name".to_owned(), Column::texts(all.clone().map(name))),
         ];
-        Table::new(first.into_iter().chain(columns(&summary, &PEAKS)))
+        Table::new(first.into_iter().chain(numbers).chain(errors))
     }
 
     /// At which storey a pair of floors faces each other.
@@ -196,7 +167,7 @@ impl Run {
     fn pairs(&self) -> Table {
         let floors = self.simulation.floors();
         let facing = floors.facing();
-        let pairs = self.report().summary().pairs;
+        let pairs = PairSummary::of_run(&self.simulation, &self.review);
         let first = [
             (
                 "contact".to_owned(),
@@ -211,11 +182,12 @@ impl Run {
             ("law".to_owned(), Column::texts(pairs.iter().map(|pair| pair.law.clone()))),
             (
                 "collisions".to_owned(),
-                Column::Counts(pairs.iter().map(|pair| pair.collisions as u64).collect()),
+                Column::Counts(pairs.iter().map(|pair| pair.collisions() as u64).collect()),
             ),
         ];
-        let summary = serde_json::json!(pairs);
-        Table::new(first.into_iter().chain(columns(&summary, &PAIRS)))
+        let numbers = PairQuantity::ALL.iter().filter(|one| one.about().kind != QuantityKind::Count);
+        let numbers = numbers.filter_map(|one| column(one.about().name.into(), pairs.iter().map(|pair| pair.number(*one))));
+        Table::new(first.into_iter().chain(numbers))
     }
 
     /// A row for each collision, in the order in which they begin.

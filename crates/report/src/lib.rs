@@ -16,7 +16,7 @@
 //! assert!(report.files().contains_key("report.html"));
 //!
 //! // The peak is (π/2) A/ω² = A T²/(8π) = 159.155 mm at T/2: 40.845 mm of the gap stay open.
-//! let opening = report.summary().pairs[0].least_opening_m;
+//! let opening = report.summary().pairs[0].least_opening();
 //! assert!((opening - 0.040845).abs() < 1e-6);
 //! # Ok::<(), pounding_scene::Error>(())
 //! ```
@@ -42,6 +42,7 @@ mod names;
 mod opensees;
 mod page;
 mod sampling;
+mod shown;
 mod sketch;
 mod spectra;
 mod summary;
@@ -60,11 +61,12 @@ pub use opensees::{OpenSees, OpenSeesError};
 use pounding_files::ResultNames;
 use pounding_scene::{Effects, Error, Review, RunResult, Simulation};
 use sampling::Sampling;
+pub use shown::{Shown, tables};
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
-    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary, SCHEMA_VERSION,
-    StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+    CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary,
+    SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
 };
 
 /// A run with its histories, ready to be written to a folder.

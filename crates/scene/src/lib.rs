@@ -87,7 +87,7 @@ pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEP
 pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
-pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
+pub use quantity::{About, FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, QuantityUnit};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,

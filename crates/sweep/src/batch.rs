@@ -9,7 +9,7 @@ use super::checked::{Checked, TwoRuns};
 use super::plan::Setting;
 use super::renumbered::Renumbered;
 use super::sampling::Point;
-use pounding_scene::{Error, Extras, Going, Quantity, Simulation};
+use pounding_scene::{Error, Extras, Going, Simulation};
 use serde_json::Value;
 
 /// Results of a range of runs.
@@ -274,12 +274,8 @@ impl Sweep {
         .map_err(reason)?;
         let values = outcome.values(prepared);
         for output in &self.outputs {
-            let floors = prepared.floors().all();
             let of = |place: usize| {
-                let quantity = match output.quantity {
-                    Quantity::Floor(asked) => Quantity::Floor(output.asked_of(&floors[place], asked)),
-                    pair @ Quantity::Pair(_) => pair,
-                };
+                let quantity = output.asked_of(prepared.floors(), place);
                 let number = values.of(quantity, place).unwrap_or(f64::NAN);
                 (number, values.least(quantity, place))
             };

@@ -5,8 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::Sweep;
 use super::output::Output;
 use crate::side_by_side::{alone_because, side_by_side};
-use pounding_lanes::SceneSums;
+use pounding_lanes::{PairSums, SceneSums};
 use pounding_scene::{Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening};
+use pounding_solver::Pair;
 
 impl Sweep {
     /// Results of prepared scenes, if they could run in lanes.
@@ -27,21 +28,7 @@ impl Sweep {
 
     /// The first number that only a run alone has.
     fn untallied(&self) -> Option<&Output> {
-        let is_tallied = |output: &Output| match output.quantity {
-            Quantity::Floor(quantity) => matches!(
-                quantity,
-                FloorQuantity::PeakDisplacementM | FloorQuantity::PeakDriftM | FloorQuantity::Ductility | FloorQuantity::DriftRatio
-            ),
-            Quantity::Pair(quantity) => matches!(
-                quantity,
-                PairQuantity::Collisions
-                    | PairQuantity::LargestImpulseNS
-                    | PairQuantity::PeakForceN
-                    | PairQuantity::TotalImpulseNS
-                    | PairQuantity::LeastOpeningM
-            ),
-        };
-        self.outputs.iter().find(|output| !is_tallied(output))
+        self.outputs.iter().find(|output| tallied(output.quantity).is_none())
     }
 
     /// The limit of cost above which runs are given up, if only a run alone has it.
@@ -57,7 +44,10 @@ impl Sweep {
     /// Why all runs must run alone, which takes many times as long; `None` if they can run in lanes.
     pub fn alone_because(&self) -> Option<String> {
         if let Some(output) = self.untallied() {
-            return Some(format!("`{}` among the `outputs` is not known side by side", output.word));
+            return Some(format!(
+                "`{}` among the `outputs` is not known side by side",
+                output.quantity.about().name
+            ));
         }
         if let Some(limit) = self.limit() {
             return Some(format!("`{limit}` of the `budget` is that of a run alone"));
@@ -79,14 +69,17 @@ impl Sweep {
             return false;
         }
         for output in &self.outputs {
-            let (number, counts_as) = match output.quantity {
-                Quantity::Floor(asked) => output.severest(|place| {
-                    let floor = &prepared.floors().all()[place];
-                    let asked = output.asked_of(floor, asked);
-                    (of_floor(floor, (tallies, scene, place), asked), 0.0)
-                }),
-                Quantity::Pair(asked) => output.severest(|pair| of_pair(prepared, (tallies, scene), pair, asked)),
-            };
+            let (number, counts_as) = output.severest(|place| {
+                let quantity = output.asked_of(prepared.floors(), place);
+                let one = One {
+                    prepared,
+                    tallies,
+                    scene,
+                    place,
+                };
+                let number = tallied(quantity).and_then(|take| take(&one));
+                (number.unwrap_or(f64::NAN), one.least(quantity))
+            });
             numbers.push(number);
             if self.closings {
                 least.push(counts_as);
@@ -96,49 +89,77 @@ impl Sweep {
     }
 }
 
-/// A number of a floor of a scene; NaN if it has none.
-fn of_floor(floor: &Floor, (tallies, scene, index): (&SceneSums, usize, usize), asked: FloorQuantity) -> f64 {
-    let drift = || tallies.drift(scene, index);
-    let none = f64::NAN;
-    match asked {
-        FloorQuantity::PeakDisplacementM if !floor.is_wall() => tallies.displacement(scene, index),
-        FloorQuantity::PeakDriftM if floor.is_upper() => drift(),
-        FloorQuantity::Ductility => floor.ductility(drift()).unwrap_or(none),
-        FloorQuantity::DriftRatio => floor.drift_ratio(drift()).unwrap_or(none),
-        FloorQuantity::PeakDisplacementM
-        | FloorQuantity::PeakDisplacementTimeS
-        | FloorQuantity::PeakShearForceN
-        | FloorQuantity::PeakDriftM
-        | FloorQuantity::ResidualDisplacementAtEndM
-        | FloorQuantity::ResidualDriftAtEndM
-        | FloorQuantity::PeakAccelerationMPerS2
-        | FloorQuantity::TransferredMomentumNS => none,
-    }
+/// A floor or a pair of one of these scenes.
+struct One<'a> {
+    prepared: &'a Simulation,
+    tallies: &'a SceneSums,
+    scene: usize,
+    place: usize,
 }
 
-/// A number of a pair of a scene (NaN if it has none), and its least scale.
-fn of_pair(prepared: &Simulation, (tallies, scene): (&SceneSums, usize), index: usize, asked: PairQuantity) -> (f64, f64) {
-    let pair = &prepared.pairs()[index];
-    let tally = tallies.pair(scene, index);
-    let touches = tally.collisions > 0.0;
-    let has_force = touches && pair.law.is_compliant();
-    let none = f64::NAN;
-    let number = match asked {
-        PairQuantity::Collisions => tally.collisions,
-        PairQuantity::TotalImpulseNS => tally.impulse,
-        PairQuantity::LargestImpulseNS if touches => tally.largest_impulse,
-        PairQuantity::PeakForceN if has_force => tally.peak_force,
-        PairQuantity::LeastOpeningM => {
-            let peak = |floor| tallies.displacement(scene, floor).abs();
-            let counts_as = LEAST_PART * peak(pair.left()).max(peak(pair.right()));
-            let opening = |closing| least_opening(pair.gap(), closing, touches);
-            return (tally.closing.map_or(none, opening), counts_as);
+/// How to take a number from the sums of lanes; `None` if the place has no such number.
+type Take = fn(&One<'_>) -> Option<f64>;
+
+/// The numbers that runs side by side know. Any other is that of a run alone.
+const TALLIED: &[(Quantity, Take)] = &[
+    (Quantity::Floor(FloorQuantity::PeakDisplacementM), |one| {
+        let displacement = one.tallies.displacement(one.scene, one.place);
+        (!one.floor().is_wall()).then_some(displacement)
+    }),
+    (Quantity::Floor(FloorQuantity::PeakDriftM), |one| {
+        one.floor().is_upper().then_some(one.drift())
+    }),
+    (Quantity::Floor(FloorQuantity::Ductility), |one| one.floor().ductility(one.drift())),
+    (Quantity::Floor(FloorQuantity::DriftRatio), |one| {
+        one.floor().drift_ratio(one.drift())
+    }),
+    (Quantity::Pair(PairQuantity::Collisions), |one| Some(one.sums().collisions)),
+    (Quantity::Pair(PairQuantity::LargestImpulseNS), |one| {
+        one.touches().then_some(one.sums().largest_impulse)
+    }),
+    (Quantity::Pair(PairQuantity::PeakForceN), |one| {
+        let has_force = one.touches() && one.pair().law.is_compliant();
+        has_force.then_some(one.sums().peak_force)
+    }),
+    (Quantity::Pair(PairQuantity::TotalImpulseNS), |one| Some(one.sums().impulse)),
+    (Quantity::Pair(PairQuantity::LeastOpeningM), |one| {
+        Some(least_opening(one.pair().gap(), one.sums().closing?, one.touches()))
+    }),
+];
+
+/// How runs side by side tell a number, if they do.
+fn tallied(quantity: Quantity) -> Option<Take> {
+    let found = TALLIED.iter().find(|(known, _)| *known == quantity);
+    found.map(|(_, take)| *take)
+}
+
+impl One<'_> {
+    fn floor(&self) -> &Floor {
+        &self.prepared.floors().all()[self.place]
+    }
+
+    fn drift(&self) -> f64 {
+        self.tallies.drift(self.scene, self.place)
+    }
+
+    fn pair(&self) -> &Pair {
+        &self.prepared.pairs()[self.place]
+    }
+
+    fn sums(&self) -> PairSums {
+        self.tallies.pair(self.scene, self.place)
+    }
+
+    fn touches(&self) -> bool {
+        self.sums().collisions > 0.0
+    }
+
+    /// What a number counts as at least.
+    fn least(&self, quantity: Quantity) -> f64 {
+        if quantity != PairQuantity::LeastOpeningM.into() {
+            return 0.0;
         }
-        PairQuantity::LargestImpulseNS
-        | PairQuantity::PeakForceN
-        | PairQuantity::FirstStartS
-        | PairQuantity::FirstImpulseNS
-        | PairQuantity::TouchingS => none,
-    };
-    (number, 0.0)
+        let peak = |floor| self.tallies.displacement(self.scene, floor).abs();
+        LEAST_PART * peak(self.pair().left()).max(peak(self.pair().right()))
+    }
 }

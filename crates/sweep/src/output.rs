@@ -1,7 +1,6 @@
 //! The structures of a row, and the requested numbers: a column for each.
 
-use pounding_scene::{Floor, FloorPair, FloorQuantity, Floors, PairQuantity, Quantity};
-use serde::Serialize;
+use pounding_scene::{FloorPair, Floors, Quantity, QuantityKind};
 
 use super::file::Outputs;
 
@@ -110,19 +109,14 @@ impl Row {
 }
 
 /// All quantities of each of these places; empty without places.
-fn columns<Q: Into<Quantity> + Copy + Serialize>(
-    of: impl IntoIterator<Item = (String, Vec<usize>)>,
-    quantities: &[Q],
-    is_whole: bool,
-) -> Vec<Output> {
+fn columns<Q: Into<Quantity> + Copy>(of: impl IntoIterator<Item = (String, Vec<usize>)>, quantities: &[Q], is_whole: bool) -> Vec<Output> {
     let of = of.into_iter().filter(|(_, places)| !places.is_empty());
     let columns = of.flat_map(|(name, places)| {
         quantities.iter().map(move |quantity| {
-            let word = word(quantity);
+            let quantity = (*quantity).into();
             Output {
-                name: format!("{name}: {word}"),
-                word,
-                quantity: (*quantity).into(),
+                name: format!("{name}: {}", quantity.about().name),
+                quantity,
                 places: places.clone(),
                 is_whole,
             }
@@ -136,8 +130,6 @@ fn columns<Q: Into<Quantity> + Copy + Serialize>(
 pub(super) struct Output {
     /// Name of its column.
     pub(super) name: String,
-    /// Its quantity, as in files.
-    pub(super) word: String,
     pub(super) quantity: Quantity,
     /// Floors or pairs among which the severest counts; at least one.
     places: Vec<usize>,
@@ -146,24 +138,18 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// The quantity of a floor. For a whole building, the drift of the storey on the ground is its displacement.
-    pub(super) fn asked_of(&self, floor: &Floor, quantity: FloorQuantity) -> FloorQuantity {
-        let is_lowest = self.is_whole && !floor.is_upper();
-        if is_lowest && quantity == FloorQuantity::PeakDriftM {
-            FloorQuantity::PeakDisplacementM
-        } else if is_lowest && quantity == FloorQuantity::ResidualDriftAtEndM {
-            FloorQuantity::ResidualDisplacementAtEndM
-        } else {
-            quantity
+    /// The quantity of a place. For a whole building, the drift of the storey on the ground is its displacement.
+    pub(super) fn asked_of(&self, floors: &Floors, place: usize) -> Quantity {
+        match self.quantity {
+            Quantity::Floor(_) if self.is_whole => self.quantity.of_storey(floors.all()[place].is_upper()),
+            Quantity::Floor(_) | Quantity::Pair(_) => self.quantity,
         }
     }
 
     /// The number of the severest place, and its least scale, from those of each place; NaN if no place has one.
     pub(super) fn severest(&self, of: impl Fn(usize) -> (f64, f64)) -> (f64, f64) {
-        let severity = |number: f64| match self.quantity {
-            Quantity::Pair(PairQuantity::LeastOpeningM | PairQuantity::FirstStartS) => -number,
-            Quantity::Floor(_) | Quantity::Pair(_) => number.abs(),
-        };
+        let is_severe_if_small = matches!(self.quantity.about().kind, QuantityKind::Least | QuantityKind::First);
+        let severity = |number: f64| if is_severe_if_small { -number } else { number.abs() };
         let mut places = self.places.iter().map(|place| of(*place));
         let first = places.next().unwrap_or((f64::NAN, 0.0));
         places.fold(first, |found, other| {
@@ -171,12 +157,6 @@ impl Output {
             if is_severer || found.0.is_nan() { other } else { found }
         })
     }
-}
-
-/// A quantity as in files.
-fn word(quantity: &impl Serialize) -> String {
-    let word = serde_json::to_value(quantity).unwrap_or_default();
-    word.as_str().unwrap_or_default().into()
 }
 
 /// Names with numbers added to duplicates.

@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use pounding::report::Summary;
-use pounding::scene::{Error, Errors, Floor, FloorQuantity, PairQuantity, Quantity, QuantityGroup, Review, Simulation};
+use pounding::report::{Shown, Summary, tables};
+use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Simulation};
 use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
@@ -54,6 +54,12 @@ struct Run {
     file: PathBuf,
     prepared: Simulation,
     review: Review,
+}
+
+impl Run {
+    fn shown(&self) -> Shown<'_> {
+        Shown::of(&self.prepared, &self.review)
+    }
 }
 
 /// Runs the scenes; returns a column for each.
@@ -200,89 +206,60 @@ fn of_runs(runs: &[Run]) -> Vec<Row> {
     ]
 }
 
-/// A number of a place, if the run has that place, in the unit of the table.
-fn number(run: &Run, quantity: impl Into<Quantity>, index: Option<usize>, unit: f64) -> Option<f64> {
-    let value = run.review.outcome.values(&run.prepared).of(quantity, index?);
-    Some(value? / unit)
+/// A row for a number of a place, under its name: an instant is a text, of which no part is a change.
+fn number(runs: &[Run], quantity: Quantity, value: impl Fn(&Run) -> Option<f64>) -> Row {
+    let about = quantity.about();
+    let indent = if about.kind == QuantityKind::Instant { "    " } else { "  " };
+    let name = format!("{indent}{} {}", about.heading.to_lowercase(), about.shown_unit());
+    if about.is_instant() {
+        row(name.trim_end(), runs, |run| value(run).map_or(NONE.into(), short))
+    } else {
+        row(name.trim_end(), runs, value)
+    }
 }
 
 fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
-    let of = |name: &str, quantity: FloorQuantity, unit: fn(&Run) -> f64| {
-        row(name, runs, |run| {
-            number(run, quantity, floor_at(run, place).map(|there| there.0), unit(run))
-        })
-    };
-    let mut rows = vec![
-        row(heading, runs, |run| {
-            floor_at(run, place).map_or(String::from(NONE), |(_, floor)| floor.name.clone())
-        }),
-        row("  period [s]", runs, |run| {
-            let floor = floor_at(run, place).map(|there| there.1);
-            let oscillation = floor.and_then(|floor| floor.oscillation(run.prepared.scene()));
-            oscillation.map(|(period, _)| period)
-        }),
-        of("  peak displacement [mm]", FloorQuantity::PeakDisplacementM, |_| 1e-3),
-        of("  residual at end [mm]", FloorQuantity::ResidualDisplacementAtEndM, |_| 1e-3),
-        of("  peak acceleration [g]", FloorQuantity::PeakAccelerationMPerS2, |run| {
-            run.prepared.scene().record.gravity_m_per_s2
-        }),
-        of("  peak shear [kN]", FloorQuantity::PeakShearForceN, |_| 1e3),
-        of("  transferred momentum [kN·s]", FloorQuantity::TransferredMomentumNS, |_| 1e3),
-    ];
+    let name = row(heading, runs, |run| {
+        floor_at(run, place).map_or(String::from(NONE), |(_, floor)| floor.name.clone())
+    });
     let is_storey = |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
-    if runs.iter().any(is_storey) {
-        let drifts = row("  peak storey drift [mm]", runs, |run| {
-            let there = floor_at(run, place).filter(|(_, floor)| floor.storey.is_some());
-            // On the ground the drift is the displacement.
-            let quantity = if there.is_some_and(|(_, floor)| floor.storey == Some(1)) {
-                FloorQuantity::PeakDisplacementM
-            } else {
-                FloorQuantity::PeakDriftM
-            };
-            number(run, quantity, there.map(|there| there.0), 1e-3)
+    let has_storeys = runs.iter().any(is_storey);
+    let all = tables::STRUCTURES_BESIDE.iter().map(|one| (*one, one.about().on_ground.is_some()));
+    let rows = all
+        .filter(|(_, is_of_storey)| has_storeys || !is_of_storey)
+        .map(|(quantity, is_of_storey)| {
+            number(runs, quantity.into(), |run| {
+                let (floor, _) = floor_at(run, place).filter(|_| is_storey(run) || !is_of_storey)?;
+                let shown = run.shown();
+                shown.value(shown.of_storey(quantity, floor), floor)
+            })
         });
-        rows.insert(3, drifts);
-    }
-    rows
+    std::iter::once(name).chain(rows).collect()
 }
 
 fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let index = |run: &Run| pair_at(run, place);
-    let of = |name: &str, quantity: PairQuantity, unit: f64| row(name, runs, |run| number(run, quantity, index(run), unit));
-    vec![
-        row(heading, runs, |run| {
-            let names = index(run).map(|index| run.prepared.floors().names(index));
-            names.map_or(String::from(NONE), |[left, right]| format!("{left} – {right}"))
-        }),
-        row("  gap [mm]", runs, |run| {
-            index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap())
-        }),
-        row("  collisions", runs, |run| {
-            index(run).map_or(String::from(NONE), |index| collisions(run, index))
-        }),
-        row("  first [s]", runs, |run| {
-            instant(number(run, PairQuantity::FirstStartS, index(run), 1.0))
-        }),
-        of("  largest impulse [kN·s]", PairQuantity::LargestImpulseNS, 1e3),
-        of("  peak force [kN]", PairQuantity::PeakForceN, 1e3),
-        row("    at [s]", runs, |run| {
-            let force = index(run).and_then(|index| run.review.outcome.of_pair(index).peak_force);
-            instant(force.map(|force| force.time))
-        }),
-    ]
-}
-
-/// An instant \[s\], of which no part is a change.
-fn instant(time: Option<f64>) -> String {
-    time.map_or(NONE.into(), short)
+    let name = row(heading, runs, |run| {
+        let names = index(run).map(|index| run.prepared.floors().names(index));
+        names.map_or(String::from(NONE), |[left, right]| format!("{left} – {right}"))
+    });
+    let rows = tables::PAIRS_BESIDE.iter().map(|one| {
+        let quantity = (*one).into();
+        if *one == PairQuantity::Collisions {
+            let counted = |run: &Run| index(run).map_or(String::from(NONE), |index| collisions(run, index));
+            return row("  collisions", runs, counted);
+        }
+        number(runs, quantity, |run| run.shown().value(quantity, index(run)?))
+    });
+    std::iter::once(name).chain(rows).collect()
 }
 
 /// Number of collisions, and that of the exact run where it is another.
 fn collisions(run: &Run, pair: usize) -> String {
-    let found = run.review.outcome.of_pair(pair).collisions;
-    let errors = run.review.measured().map(|errors| &errors.pairs()[pair]);
-    match errors.filter(|errors| errors.differ()) {
-        Some(errors) => format!("{found} (exact {})", errors.collisions[1]),
-        None => found.to_string(),
+    let shown = run.shown();
+    let found = shown.text(PairQuantity::Collisions, pair).unwrap_or_default();
+    match shown.error(PairQuantity::Collisions, pair) {
+        Some(exact) if exact.starts_with("exact") => format!("{found} ({exact})"),
+        _ => found,
     }
 }

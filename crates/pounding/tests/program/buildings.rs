@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use pounding::report::Summary;
+use pounding::report::{StructureSummary, Summary};
+use pounding::scene::{FloorQuantity, PairQuantity};
 
 use crate::runs::printed;
 use crate::{folder, pounding};
@@ -51,18 +52,18 @@ fn issue_residuals_accelerations_and_drifts_are_those_of_the_histories() {
         assert!((found - wanted).abs() < 1e-6, "{found} {wanted}");
     };
     let last = |values: &[f64]| *values.last().expect("rows");
-    close(last(&displacements), five.residual_displacement_at_end_m);
-    close(last(&drifts), five.residual_drift_at_end_m);
+    close(last(&displacements), five.numbers.get(FloorQuantity::ResidualDisplacementAtEndM));
+    close(last(&drifts), five.numbers.get(FloorQuantity::ResidualDriftAtEndM));
     let largest = |values: &[f64]| values.iter().map(|one| one.abs()).fold(0.0, f64::max);
     let accelerations = largest(&of("absolute_acceleration_m_per_s2"));
-    let peak = five.peak_acceleration_m_per_s2.expect("a number").abs();
+    let peak = five.numbers.get(FloorQuantity::PeakAccelerationMPerS2).expect("a number").abs();
     assert!(
         accelerations <= peak * (1.0 + 1e-6) && accelerations > 0.95 * peak,
         "{accelerations} {peak}"
     );
-    let drift = five.peak_drift_m.expect("a number").abs();
+    let drift = five.numbers.get(FloorQuantity::PeakDriftM).expect("a number").abs();
     assert!((largest(&drifts) / drift - 1.0).abs() < 1e-3, "{drift}");
-    for words in ["Residual, at the end [mm]", "Peak acceleration [g]", "Peak drift [mm]"] {
+    for words in ["Residual at end [mm]", "Peak acceleration [g]", "Peak drift [mm]"] {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -73,15 +74,16 @@ fn issue_drifts_have_errors() {
     let (exact, ..) = reported("building_exact", "");
     let method = "method.newmark = { time_step_s = 0.005, beta = 0.25, gamma = 0.5 }";
     let (run, page, _) = reported("building_errors", method);
+    let drift = |one: &StructureSummary| one.numbers.get(FloorQuantity::PeakDriftM);
     let mut compared = 0;
     for (run, exact) in run.structures.iter().zip(&exact.structures) {
         let errors = run.errors.as_ref().expect("errors");
-        let Some((drift, right)) = run.peak_drift_m.zip(exact.peak_drift_m) else {
-            assert_eq!(errors.peak_drift, None, "{}", run.name);
+        let Some((drift, right)) = drift(run).zip(drift(exact)) else {
+            assert_eq!(errors.get(FloorQuantity::PeakDriftM), None, "{}", run.name);
             continue;
         };
         let wanted = (drift / right - 1.0).abs();
-        let found = errors.peak_drift.expect("an error");
+        let found = errors.get(FloorQuantity::PeakDriftM).expect("an error");
         assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
         compared += 1;
     }
@@ -93,14 +95,14 @@ fn issue_drifts_have_errors() {
 #[test]
 fn issue_the_peak_force_has_its_own_time() {
     let (summary, page, _) = reported("building_forces", "");
-    let pair = summary.pairs.iter().find(|pair| pair.collisions > 1);
+    let pair = summary.pairs.iter().find(|pair| pair.collisions() > 1);
     let pair = pair.expect("one touches more than once");
     let (first, largest) = (pair.first.expect("one"), pair.largest.expect("one"));
-    let time = pair.peak_force_time_s.expect("a time");
+    let time = pair.number(PairQuantity::PeakForceTimeS).expect("a time");
     assert!(first.end_s < time, "not in the first collision: {time}");
     assert!(largest.start_s < time && time < largest.end_s, "{time}");
     assert_eq!(largest.peak_force_time_s, Some(time), "of the largest, too");
-    let force = pounding::text::short(pair.peak_force_n.expect("a force") / 1e3);
+    let force = pounding::text::short(pair.number(PairQuantity::PeakForceN).expect("a force") / 1e3);
     let time = pounding::text::short(time);
     let words = format!("the largest force {force} kN at {time} s");
     assert!(page.contains(&words), "{words}");

@@ -7,21 +7,21 @@ use pounding::contact::{Exact, LawName, Parameter};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// A file as it is and as the list of laws makes it. With `INSTA_UPDATE=always` it is written; else a difference is a fault.
-fn renew(file: &str, renewed: impl Fn(&str) -> String) {
+/// A file as it is and as a list of the program makes it. With `INSTA_UPDATE=always` it is written; else a difference is a fault.
+pub(crate) fn renew(file: &str, renewed: impl Fn(&str) -> String) {
     let path = Path::new(ROOT).join(file);
     let text = fs::read_to_string(&path).expect("a file of the project");
     let renewed = renewed(&text);
     if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         fs::write(path, renewed).expect("it can be written");
     } else {
-        let why = "differs from the list of laws; INSTA_UPDATE=always writes it";
+        let why = "differs from the list of the program; INSTA_UPDATE=always writes it";
         assert!(text == renewed, "{file} {why}");
     }
 }
 
 /// A page with other rows in the table of this head.
-fn with_table(page: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+pub(crate) fn with_table(page: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let head = line(&head.iter().map(ToString::to_string).collect::<Vec<_>>());
     let (before, after) = page.split_once(&head).expect("the page has that table");
@@ -53,7 +53,7 @@ fn parameters() -> Vec<(&'static Parameter, bool)> {
     parameters
 }
 
-fn code(name: &str) -> String {
+pub(crate) fn code(name: &str) -> String {
     format!("`{name}`")
 }
 

@@ -21,6 +21,7 @@ mod machines;
 mod motion_issues;
 mod motions;
 mod names;
+mod number_lists;
 mod plans;
 mod promises;
 mod records;

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pounding::report::Summary;
+use pounding::scene::{FloorQuantity, PairQuantity};
 use serde_json::Value;
 
 use crate::runs::printed;
@@ -72,7 +73,7 @@ fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     let runs = [summary(&folder, "row.toml"), summary(&folder, "top.toml")];
     let hits = |run: &Summary, left: &str| {
         let pair = run.pairs.iter().find(|pair| pair.left == left);
-        pair.map_or("–".to_string(), |pair| pair.collisions.to_string())
+        pair.map_or("–".to_string(), |pair| pair.collisions().to_string())
     };
     for (floor, gaps) in [(3, ["10.00", "–"]), (4, ["10.00", "15.00"])] {
         let heading = format!("Pair 1, floor {floor}");
@@ -85,10 +86,10 @@ fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     assert_eq!(cells(text, "Pair 2, floor 7", "collisions"), wanted);
     let drift = |run: &Summary| {
         let floor = run.structures.iter().find(|one| one.name == "seven, floor 5");
-        let drift = floor.and_then(|one| one.peak_drift_m).expect("a drift");
+        let drift = floor.and_then(|one| one.numbers.get(FloorQuantity::PeakDriftM)).expect("a drift");
         pounding::text::short(1e3 * drift)
     };
-    let found = cells(text, "Structure 2, floor 5", "peak storey drift [mm]");
+    let found = cells(text, "Structure 2, floor 5", "peak drift [mm]");
     assert_eq!(found, [drift(&runs[0]), drift(&runs[1])]);
 }
 
@@ -180,7 +181,7 @@ law.kelvin_voigt = { impact_stiffness_n_per_m = 1e9, restitution = 0.3 }
         let ended = pounding(&folder, &["run", file, "--no-error"]);
         let text = printed(&ended).to_string();
         assert_eq!(run.pairs[0].leaning.is_some(), text.contains("Leaning"), "{text}");
-        (run.pairs[0].leaning, run.pairs[0].touching_s)
+        (run.pairs[0].leaning, run.pairs[0].number(PairQuantity::TouchingS).expect("a time"))
     });
     let leans = texts.iter().find_map(|(leaning, touching)| Some(((*leaning)?, *touching)));
     let (longest, touching) = leans.expect("one of the directions presses");

@@ -1,7 +1,7 @@
 //! What of a long row is shown: the pairs that are hit hardest.
 
 use crate::PairSummary;
-use pounding_scene::{Floors, Simulation};
+use pounding_scene::{Floors, PairQuantity, Simulation};
 
 /// More curves than this cannot be told from each other.
 const MOST_FLOORS: usize = 6;
@@ -79,17 +79,18 @@ pub(super) fn drawn(floors: &Floors, floor: usize) -> usize {
 /// Pairs, those hit hardest first: by their largest forces, by which a building that leans on its neighbour is none that hits it,
 /// or by their largest impulses where an impact has no force; of those that are not hit, the one that comes closest.
 fn ranked(pairs: &[PairSummary]) -> Vec<usize> {
-    let forces = pairs.iter().all(|pair| pair.collisions == 0 || pair.peak_force_n.is_some());
+    let force = |pair: &PairSummary| pair.number(PairQuantity::PeakForceN);
+    let forces = pairs.iter().all(|pair| pair.collisions() == 0 || force(pair).is_some());
     let hardness = |pair: &PairSummary| {
         let impulse = pair.largest.map(|largest| largest.impulse_n_s);
-        let measure = if forces { pair.peak_force_n } else { impulse };
+        let measure = if forces { force(pair) } else { impulse };
         measure.unwrap_or(0.0)
     };
     let mut ranked: Vec<usize> = (0..pairs.len()).collect();
     ranked.sort_by(|one, other| {
         let (one, other) = (&pairs[*one], &pairs[*other]);
         let harder = hardness(other).total_cmp(&hardness(one));
-        harder.then(one.least_opening_m.total_cmp(&other.least_opening_m))
+        harder.then(one.least_opening().total_cmp(&other.least_opening()))
     });
     ranked
 }

@@ -13,7 +13,8 @@ pub(crate) fn digits(value: f64) -> String {
     signed(&pounding_text::digits(value))
 }
 
-fn signed(number: &str) -> String {
+/// A number with the real minus sign.
+pub(crate) fn signed(number: &str) -> String {
     match number.strip_prefix('-') {
         Some(magnitude) => format!("\u{2212}{magnitude}"),
         None => number.into(),
@@ -82,8 +83,8 @@ impl Cell {
 }
 
 /// A table of numbers under names.
-pub(crate) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
-    let name = |name: &&str| format!("<th>{}</th>", escaped(name));
+pub(crate) fn table<Name: AsRef<str>>(header: &[Name], rows: &[Vec<Cell>]) -> String {
+    let name = |name: &Name| format!("<th>{}</th>", escaped(name.as_ref()));
     let names: Vec<String> = header.iter().map(name).collect();
     let names = names.concat();
     let row = |cells: &Vec<Cell>| {

@@ -48,11 +48,11 @@ pub(super) fn html(report: &Report<'_>, summary: &Summary, illustrations: &[Illu
         figure("profiles"),
         "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
         figure("displacements"),
-        format!("<h2>Pairs</h2>\n{}", tables::pairs(summary, report.prepared.floors())),
+        format!("<h2>Pairs</h2>\n{}", tables::pairs(summary, report.prepared, review)),
         figure("gaps"),
         tables::collisions(summary, review),
         effects::effects(summary, report.prepared.floors(), &figure("effects")),
-        format!("<h2>Structures</h2>\n{}", tables::structures(summary, report.prepared.floors())),
+        format!("<h2>Structures</h2>\n{}", tables::structures(report.prepared, review)),
         figure("hysteresis"),
         format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
         format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
@@ -153,7 +153,7 @@ fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
     };
     let [worse, other] = directions.sentences.each_ref().map(|one| escaped(one));
     let touch =
-        summary.pairs.iter().any(|pair| pair.collisions > 0) || directions.other.iter().any(|other| !other.collisions.all().is_empty());
+        summary.pairs.iter().any(|pair| pair.collisions() > 0) || directions.other.iter().any(|other| !other.collisions.all().is_empty());
     let touch = if touch { " touch" } else { "" };
     format!(
         "<div class=\"verdict{touch}\">\n<p><strong>{worse}</strong></p>\n<p>{other}</p>\n</div>\n<p>In the direction of the scene:</p>\n"

@@ -1,10 +1,12 @@
 //! The tables of the page.
 
-use super::markup::{Cell, digits, escaped, facts, short, table};
-use crate::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
-use pounding_scene::{Errors, Floors, Review};
+use super::markup::{Cell, digits, escaped, facts, short, signed, table};
+use crate::shown::Shown;
+use crate::shown::tables::{PAIRS_OF_PAGE, STOREYS_OF_PAGE, STRUCTURES_OF_PAGE};
+use crate::summary::{PairSummary, RecordSummary, Summary};
+use pounding_scene::{Errors, FloorQuantity, Floors, Quantity, QuantityKind, Review, Simulation};
 use pounding_solver::Collision;
-use pounding_text::{instant, milliseconds, percent, rounded_down};
+use pounding_text::{instant, percent};
 use serde_json::Value;
 
 /// Collisions beyond these are in `impacts.csv` only.
@@ -16,127 +18,82 @@ fn thousandths(value: Option<f64>) -> Option<String> {
     value.map(|value| short(value / 1e3))
 }
 
-/// An error below its number; what cannot be compared says so.
-fn off<E>(errors: Option<&E>, of: fn(&E) -> Option<f64>) -> Option<String> {
-    errors.map(|errors| match of(errors) {
-        Some(error) => format!("error {}", percent(error)),
-        None => "not comparable".into(),
-    })
+/// A name of the place, and a cell for each of these numbers.
+fn row<Q: Into<Quantity> + Copy>(shown: &Shown<'_>, name: Cell, (quantities, place): (&[Q], usize)) -> Vec<Cell> {
+    let cells = quantities.iter().map(|quantity| cell(shown, (*quantity).into(), place));
+    std::iter::once(name).chain(cells).collect()
+}
+
+/// A number over its error; what cannot be compared says so.
+fn cell(shown: &Shown<'_>, quantity: Quantity, place: usize) -> Cell {
+    let text = shown.text(quantity, place);
+    let error = shown.error(quantity, place).filter(|_| shown.value(quantity, place).is_some());
+    let is_count = quantity.about().kind == QuantityKind::Count;
+    let below = error.map(|error| match error.as_str() {
+        "∞" => "not comparable".into(),
+        _ if is_count => error,
+        _ => format!("error {error}"),
+    });
+    Cell::known(text.map(|text| signed(&text))).over(below)
+}
+
+/// A name for a column of places, and those of some numbers.
+fn header<Q: Into<Quantity> + Copy>(places: &str, quantities: &[Q]) -> Vec<String> {
+    let titles = quantities.iter().map(|quantity| (*quantity).into().about().title());
+    std::iter::once(places.into()).chain(titles).collect()
 }
 
 /// The structures.
-pub(super) fn structures(summary: &Summary, floors: &Floors) -> String {
-    let header = [
-        "Structure",
-        "Peak displacement [mm]",
-        "at [s]",
-        "Residual, at the end [mm]",
-        "Peak acceleration [g]",
-        "at [s]",
-        "Peak shear force [kN]",
-        "at [s]",
-        "Transferred momentum [kN·s]",
-    ];
-    let gravity = summary.scene.record.gravity_m_per_s2;
-    let in_order = floors.by_structure();
-    let in_order: Vec<_> = in_order.map(|index| &summary.structures[index]).collect();
-    let rows: Vec<_> = in_order.iter().map(|one| structure(one, gravity)).collect();
+pub(super) fn structures(prepared: &Simulation, review: &Review) -> String {
+    let (shown, floors) = (Shown::of(prepared, review), prepared.floors());
+    let name = |floor: usize| Cell::new(&floors.all()[floor].name);
+    let rows: Vec<_> = floors
+        .by_structure()
+        .map(|floor| row(&shown, name(floor), (STRUCTURES_OF_PAGE, floor)))
+        .collect();
     format!(
         "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the run, at {} s; \
          free vibration that has not died away by then is still in it.</p>\n",
-        table(&header, &rows),
-        storeys(&in_order),
-        digits(summary.method.duration_s)
+        table(&header("Structure", STRUCTURES_OF_PAGE), &rows),
+        storeys(&shown, floors),
+        digits(prepared.duration())
     )
 }
 
 /// Drifts of storeys; nothing where no structure says more of them than its displacement.
-fn storeys(structures: &[&StructureSummary]) -> String {
-    let header = [
-        "Columns of",
-        "Peak drift [mm]",
-        "at [s]",
-        "Residual, at the end [mm]",
-        "Drift ratio",
-        "Ductility",
-    ];
-    let tells = |one: &StructureSummary| {
-        let drift = one.peak_drift_m.or(one.drift_ratio).or(one.ductility);
-        drift.is_some() || one.storey.is_some()
+fn storeys(shown: &Shown<'_>, floors: &Floors) -> String {
+    let tells = |floor: &usize| {
+        let own = [FloorQuantity::DriftRatio, FloorQuantity::Ductility];
+        floors.all()[*floor].storey.is_some() || own.iter().any(|one| shown.value(*one, *floor).is_some())
     };
-    let telling = structures.iter().filter(|one| tells(one));
-    let rows: Vec<_> = telling.map(|one| storey(one)).collect();
+    let rows = floors.by_structure().filter(tells).map(|floor| {
+        let own: Vec<_> = STOREYS_OF_PAGE.iter().map(|one| shown.of_storey(*one, floor)).collect();
+        row(shown, Cell::new(&floors.all()[floor].name), (&own, floor))
+    });
+    let rows: Vec<_> = rows.collect();
     if rows.is_empty() {
         return String::new();
     }
-    table(&header, &rows)
-}
-
-fn storey(one: &StructureSummary) -> Vec<Cell> {
-    // On the ground the drift is the displacement.
-    let upper = one.peak_drift_m.is_some();
-    let of = |drift: Option<f64>, displacement| if upper { drift } else { displacement };
-    let drift = of(one.peak_drift_m, one.peak_displacement_m);
-    let time = of(one.peak_drift_time_s, one.peak_displacement_time_s);
-    let last = of(one.residual_drift_at_end_m, one.residual_displacement_at_end_m);
-    let off_at_end = off(one.errors.as_ref(), |errors| {
-        let of_drift = errors.residual_drift_at_end;
-        of_drift.or(errors.residual_displacement_at_end)
-    });
-    let off = off(one.errors.as_ref(), |errors| errors.peak_drift.or(errors.peak_displacement));
-    let millimetres = |value: Option<f64>| Cell::known(value.map(|value| short(1e3 * value)));
-    vec![
-        Cell::new(&one.name),
-        millimetres(drift).over(off.clone()),
-        Cell::known(time.map(instant)),
-        millimetres(last).over(off_at_end),
-        Cell::known(one.drift_ratio.map(percent)).over(off.clone().filter(|_| one.drift_ratio.is_some())),
-        Cell::known(one.ductility.map(short)).over(off.filter(|_| one.ductility.is_some())),
-    ]
-}
-
-fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
-    let errors = one.errors.as_ref();
-    // A wall has no peaks, and so no errors of them.
-    let errors_of_peaks = errors.filter(|_| one.period_s.is_some());
-    let displaced = off(errors_of_peaks, |errors| errors.peak_displacement);
-    let time = errors_of_peaks.and_then(|errors| errors.peak_displacement_time_s);
-    let momentum = Cell::new(short(one.transferred_momentum_n_s / 1e3));
-    vec![
-        Cell::new(&one.name),
-        Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value))).over(displaced),
-        Cell::known(one.peak_displacement_time_s.map(instant)).over(time.map(|time| format!("error {}", milliseconds(time)))),
-        Cell::known(one.residual_displacement_at_end_m.map(|value| short(1e3 * value)))
-            .over(off(errors_of_peaks, |errors| errors.residual_displacement_at_end)),
-        Cell::known(one.peak_acceleration_m_per_s2.map(|value| short(value / gravity)))
-            .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
-        Cell::known(one.peak_acceleration_time_s.map(instant)),
-        Cell::known(thousandths(one.peak_shear_force_n)).over(off(errors_of_peaks, |errors| errors.peak_shear_force)),
-        Cell::known(one.peak_shear_force_time_s.map(instant)),
-        momentum.over(off(errors, |errors| errors.transferred_momentum)),
-    ]
+    table(&header("Columns of", STOREYS_OF_PAGE), &rows)
 }
 
 /// The pairs; nothing where structures stand apart.
-pub(super) fn pairs(summary: &Summary, floors: &Floors) -> String {
+pub(super) fn pairs(summary: &Summary, prepared: &Simulation, review: &Review) -> String {
     if summary.pairs.is_empty() {
         return "<p>None: no contact is modelled.</p>\n".into();
     }
-    let header = [
-        "Pair",
-        "Gap [mm]",
-        "Least opening [mm]",
-        "Collisions",
-        "First [s]",
-        "First impulse [kN·s]",
-        "Largest impulse [kN·s]",
-        "Peak force [kN]",
-        "at [s]",
-    ];
-    let pairs = floors.pairs_by_contact().into_iter();
-    let pairs: Vec<&PairSummary> = pairs.map(|index| &summary.pairs[index]).collect();
-    let rows: Vec<_> = pairs.iter().map(|one| pair(one)).collect();
-    format!("{}{}", table(&header, &rows), leaning(&pairs))
+    let shown = Shown::of(prepared, review);
+    let in_order = prepared.floors().pairs_by_contact();
+    let pairs: Vec<&PairSummary> = in_order.iter().map(|index| &summary.pairs[*index]).collect();
+    let rows = in_order.iter().zip(&pairs).map(|(index, one)| {
+        let name = Cell::new(format!("{} – {}", one.left, one.right)).over(Some(one.law.replace('_', " ")));
+        row(&shown, name, (PAIRS_OF_PAGE, *index))
+    });
+    format!(
+        "{}{}",
+        table(&header("Pair", PAIRS_OF_PAGE), &rows.collect::<Vec<_>>()),
+        leaning(&pairs)
+    )
 }
 
 /// Pairs that lean on each other; nothing where none does.
@@ -160,46 +117,6 @@ fn leaning(pairs: &[&PairSummary]) -> String {
          says little about how hard they hit: {}.</p>\n",
         escaped(&said.join("; "))
     )
-}
-
-fn pair(one: &PairSummary) -> Vec<Cell> {
-    let errors = one.errors.as_ref();
-    let compared = errors.filter(|errors| !errors.rests && one.collisions > 0);
-    let counted = errors.map(|errors| {
-        if errors.rests {
-            "rests".into()
-        } else {
-            format!("exact run: {}", errors.exact_collisions)
-        }
-    });
-    let first = one.first.as_ref();
-    let time = errors.and_then(|errors| errors.first_time_s);
-    let force = if one.collisions > 0 && one.peak_force_n.is_none() {
-        Cell::new("impulsive")
-    } else {
-        Cell::known(thousandths(one.peak_force_n)).over(off(compared, |errors| errors.peak_force))
-    };
-    vec![
-        Cell::new(format!("{} – {}", one.left, one.right)).over(Some(one.law.replace('_', " "))),
-        Cell::new(short(1e3 * one.gap_m)),
-        Cell::new(opening(one.least_opening_m)).over(off(errors, |errors| errors.least_opening)),
-        Cell::new(one.collisions.to_string()).over(counted),
-        Cell::known(first.map(|first| digits(first.start_s))).over(time.map(|time| format!("error {}", milliseconds(time)))),
-        Cell::known(thousandths(first.map(|first| first.impulse_n_s))).over(off(compared, |errors| errors.first_impulse)),
-        Cell::known(thousandths(one.largest.map(|largest| largest.impulse_n_s))).over(off(compared, |errors| errors.largest_impulse)),
-        force,
-        Cell::known(one.peak_force_time_s.map(instant)),
-    ]
-}
-
-/// What stays open of a gap at least \[mm\], or by how much it is overrun.
-pub(super) fn opening(metres: f64) -> String {
-    let opening = 1e3 * metres;
-    if opening > 0.0 {
-        rounded_down(opening, if opening < 1.0 { 4 } else { 1 })
-    } else {
-        short(opening)
-    }
 }
 
 /// The first collisions; nothing where there are none.

@@ -1,9 +1,8 @@
 //! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
 
-use super::markup::{digits, escaped, list, short};
-use super::tables::opening;
+use super::markup::{NONE, escaped, list, short};
 use crate::summary::{CollisionSummary, PairSummary, Summary};
-use pounding_scene::{Errors, QuantityGroup, Review};
+use pounding_scene::{Errors, PairQuantity, QuantityGroup, Review};
 use pounding_text::percent;
 
 /// More pairs than this are counted, not named.
@@ -37,7 +36,7 @@ pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
         let more = touching.len() - MOST;
         lines.push(format!("{more} further pairs touch; see the table of pairs"));
     }
-    let n: usize = touching.iter().map(|one| one.0.collisions).sum();
+    let n: usize = touching.iter().map(|one| one.0.collisions()).sum();
     let pairs = match summary.pairs.len() {
         1 => String::new(),
         all => format!(" at {} of {all} gaps", touching.len()),
@@ -104,11 +103,16 @@ fn apart(summary: &Summary, review: &Review) -> String {
     let nearest = summary
         .pairs
         .iter()
-        .min_by(|one, other| one.least_opening_m.total_cmp(&other.least_opening_m));
+        .min_by(|one, other| one.least_opening().total_cmp(&other.least_opening()));
     let Some(pair) = nearest else {
         return "<p><strong>Contact was not asked for.</strong></p>\n<p>The scene gives no gaps: each structure moves by \
                 itself.</p>\n"
             .into();
+    };
+    let gravity = summary.scene.record.gravity_m_per_s2;
+    let text = |quantity: PairQuantity| {
+        pair.number(quantity)
+            .map_or_else(|| NONE.into(), |value| quantity.about().text_of(value, gravity))
     };
     let mut excesses = review.excesses.iter();
     let apart = if excesses.any(|one| one.kind.is_unwatched()) {
@@ -120,18 +124,18 @@ fn apart(summary: &Summary, review: &Review) -> String {
         "<p><strong>{apart}</strong></p>\n<p>{}</p>\n",
         escaped(&format!(
             "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
-            digits(1e3 * pair.gap_m),
+            text(PairQuantity::GapM),
             pair.left,
             pair.right,
-            opening(pair.least_opening_m),
-            short(pair.least_opening_time_s)
+            text(PairQuantity::LeastOpeningM),
+            text(PairQuantity::LeastOpeningTimeS)
         ))
     )
 }
 
 /// What happens between two neighbours.
 fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
-    let times = match pair.collisions {
+    let times = match pair.collisions() {
         1 => "one collision".into(),
         n => format!("{n} collisions"),
     };
@@ -139,12 +143,12 @@ fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
     let errors = pair.errors.as_ref();
     let impulse = with_error(
         format!("{} kN·s", short(largest.impulse_n_s / 1e3)),
-        errors.and_then(|errors| errors.largest_impulse),
+        errors.and_then(|errors| errors.errors.get(PairQuantity::LargestImpulseNS)),
     );
-    let force = pair.peak_force_n.map_or_else(String::new, |force| {
+    let force = pair.number(PairQuantity::PeakForceN).map_or_else(String::new, |force| {
         let force = format!("{} kN", short(force / 1e3));
-        let error = errors.and_then(|errors| errors.peak_force);
-        let at = pair.peak_force_time_s;
+        let error = errors.and_then(|errors| errors.errors.get(PairQuantity::PeakForceN));
+        let at = pair.number(PairQuantity::PeakForceTimeS);
         let at = at.map_or_else(String::new, |time| format!(" at {} s", short(time)));
         format!(", the largest force {}{at}", with_error(force, error))
     });

@@ -1,6 +1,9 @@
 //! `summary.json`: what was run, what came out and how far to believe it, for machines.
 
+mod numbers;
 mod of_run;
+
+pub use numbers::{ErrorSummary, Numbers};
 
 use pounding_solver::{Terms, Work};
 use serde::{Deserialize, Serialize};
@@ -128,125 +131,34 @@ pub struct StructureSummary {
     /// Storey below the floor, counted from 1; absent for a structure of one storey and a wall.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub storey: Option<usize>,
-    /// Natural period \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub period_s: Option<f64>,
-    /// Damping ratio \[–\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub damping_ratio: Option<f64>,
-    /// Displacement of largest magnitude, relative to the ground, positive to the right \[m\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_displacement_m: Option<f64>,
-    /// Its instant \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_displacement_time_s: Option<f64>,
-    /// Shear force of largest magnitude \[N\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_shear_force_n: Option<f64>,
-    /// Its instant \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_shear_force_time_s: Option<f64>,
-    /// Drift of largest magnitude of the storey, displacement of the floor relative to the one below \[m\]; absent where the
-    /// storey stands on the ground, whose drift is the displacement.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_drift_m: Option<f64>,
-    /// Its instant \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_drift_time_s: Option<f64>,
-    /// Displacement at the end of the run, relative to the ground \[m\]: the residual one, once the free vibration has died
-    /// away.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub residual_displacement_at_end_m: Option<f64>,
-    /// The same of the drift of the storey; absent where the storey stands on the ground.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub residual_drift_at_end_m: Option<f64>,
-    /// Absolute acceleration of largest magnitude \[m/s²\], that of the ground included; impulsive impacts, which have no
-    /// limit, are left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_acceleration_m_per_s2: Option<f64>,
-    /// Its instant \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_acceleration_time_s: Option<f64>,
-    /// Peak drift over the drift at which the columns yield \[–\]; of columns that can.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub ductility: Option<f64>,
-    /// Peak drift over the height of the storey \[–\], ≥ 0; where the scene gives the height.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drift_ratio: Option<f64>,
-    /// Sum of the impulses that it got from its neighbours, by magnitude \[N·s\].
-    pub transferred_momentum_n_s: f64,
+    /// Its numbers, each in a field of its name.
+    #[serde(flatten)]
+    pub numbers: Numbers,
     /// How far these numbers are from the exact run, where measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub errors: Option<StructureErrorSummary>,
-}
-
-/// Distances from the exact run; relative to its magnitude \[–\] where no unit is given, `null` where it is 0 and this run's
-/// number is not.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct StructureErrorSummary {
-    /// Of the peak displacement, and so of the drift ratio and the ductility where the storey stands on the ground.
-    pub peak_displacement: Option<f64>,
-    /// Of its instant \[s\].
-    pub peak_displacement_time_s: Option<f64>,
-    /// Of the peak drift of a storey on another floor, and so of its drift ratio and ductility; absent for others.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_drift: Option<f64>,
-    /// Of the displacement at the end, relative to itself, or to 5 % of the exact peak displacement where it is less.
-    #[serde(default)]
-    pub residual_displacement_at_end: Option<f64>,
-    /// The same of the drift at the end, and 5 % of the exact peak drift; absent where the storey stands on the ground.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub residual_drift_at_end: Option<f64>,
-    /// Of the peak absolute acceleration.
-    #[serde(default)]
-    pub peak_acceleration: Option<f64>,
-    /// Of the peak shear force.
-    pub peak_shear_force: Option<f64>,
-    /// Of the transferred momentum.
-    pub transferred_momentum: Option<f64>,
+    pub errors: Option<ErrorSummary>,
 }
 
 /// What happened between two neighbours.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct PairSummary {
     /// Name of the left neighbour.
     pub left: String,
     /// Name of the right neighbour.
     pub right: String,
-    /// Gap at rest \[m\].
-    pub gap_m: f64,
     /// Contact law, as scene files spell it.
     pub law: String,
-    /// Number of collisions, each from touch to parting; of impacts every bounce, the last one with the rest that follows.
-    pub collisions: usize,
-    /// The first of them.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// Its numbers, each in a field of its name; those of a collision stand in that.
+    #[serde(flatten)]
+    pub numbers: Numbers,
+    /// The first collision.
     pub first: Option<CollisionSummary>,
     /// The one with the largest impulse.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub largest: Option<CollisionSummary>,
-    /// Largest pounding force \[N\]; absent where an impact is impulsive, which has none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_force_n: Option<f64>,
-    /// Its first instant \[s\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak_force_time_s: Option<f64>,
-    /// Sum of the impulses \[N·s\].
-    pub total_impulse_n_s: f64,
-    /// Time for which they touch, all collisions together \[s\].
-    #[serde(default)]
-    pub touching_s: f64,
     /// The collision that lasts longest, where it lasts more than 0.25 s: the neighbours lean on each other, and its impulse is
     /// that of a push.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub leaning: Option<CollisionSummary>,
-    /// Least opening of the gap \[m\], between time steps and rows of the histories too; not more than 0 where they touch,
-    /// negative where they overlap.
-    pub least_opening_m: f64,
-    /// Its instant \[s\].
-    pub least_opening_time_s: f64,
     /// How far these numbers are from the exact run, where measured.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<PairErrorSummary>,
 }
 
@@ -267,8 +179,7 @@ pub struct CollisionSummary {
     pub peak_force_time_s: Option<f64>,
 }
 
-/// Distances from the exact run; relative to its magnitude \[–\] where no unit is given, `null` where they cannot be compared:
-/// one run has no such number, or the pair rests.
+/// Distances of the numbers of a pair from the exact run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PairErrorSummary {
     /// Number of collisions in the exact run.
@@ -276,23 +187,9 @@ pub struct PairErrorSummary {
     /// Whether the pair comes to rest in the exact run, where this one has an impact in every step: then only the time of
     /// the first is compared.
     pub rests: bool,
-    /// Of the time of the first collision \[s\].
-    pub first_time_s: Option<f64>,
-    /// Of the impulse of the first collision.
-    pub first_impulse: Option<f64>,
-    /// Of the largest impulse.
-    pub largest_impulse: Option<f64>,
-    /// Of the peak pounding force.
-    pub peak_force: Option<f64>,
-    /// Of the sum of all impulses.
-    #[serde(default)]
-    pub total_impulse: Option<f64>,
-    /// Of the time for which they touch, relative to itself, or to 0.25 s where it is less.
-    #[serde(default)]
-    pub touching: Option<f64>,
-    /// Of the least opening, relative to itself, or to 5 % of the larger exact peak displacement of both where it is less.
-    #[serde(default)]
-    pub least_opening: Option<f64>,
+    /// Of each number.
+    #[serde(flatten)]
+    pub errors: ErrorSummary,
 }
 
 /// Where the energy of the row went, at the end of the run; of the motion relative to the ground.

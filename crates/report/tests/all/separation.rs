@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_report::PairSummary;
-use pounding_scene::{Contact, Rule, Scene, Separation, Simulation, Structure};
+use pounding_scene::{Contact, PairQuantity, Rule, Scene, Separation, Simulation, Structure};
 
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
@@ -87,7 +87,7 @@ fn issue_what_stays_open_is_no_sample() {
         let outcome = prepared.run(Some(0.01)).expect("it runs");
         let histories = outcome.histories.expect("asked for");
         for (pair, separation) in pairs.iter().zip(&separations) {
-            let opening = pair.least_opening_m;
+            let opening = pair.least_opening();
             let [left, right] = [0, 1].map(|side| &histories.of(separation.left + side).states);
             let rows = left.iter().zip(right);
             let least = rows
@@ -98,7 +98,7 @@ fn issue_what_stays_open_is_no_sample() {
             let wanted = 0.5 - separation.required;
             let allowed = if method.contains("exact") { 1e-9 } else { 1e-3 };
             assert!((opening - wanted).abs() < allowed, "{method}: {opening} {wanted}");
-            let instant = pair.least_opening_time_s - separation.time;
+            let instant = pair.number(PairQuantity::LeastOpeningTimeS).expect("a time") - separation.time;
             assert!(instant.abs() < 0.02, "{method}: {instant}");
         }
     }

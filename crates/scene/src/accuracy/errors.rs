@@ -3,8 +3,7 @@
 //! A [`Quantity`] is what an accuracy promises; here stands how the error of each is measured. Left out are the instants of
 //! peaks, which jump where two peaks are nearly equal, and the terms of the energy.
 
-use crate::simulation::LEANS;
-use crate::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, RunResult, Simulation, Values};
+use crate::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, RunResult, Simulation, Values};
 
 /// Part of a peak \[–\] below which what is left of it is measured by this part: it may be next to nothing itself.
 pub const LEAST_PART: f64 = 0.05;
@@ -16,11 +15,15 @@ pub const MEASURE: &str = "each relative to the exact number; residuals and leas
 /// Errors of a run against the exact run of the same scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunErrors {
-    /// Of the numbers of floors by place, in the order of [`Quantity::COMPARED`].
-    floors: Vec<Vec<Option<f64>>>,
-    /// Of the instant of every peak displacement \[s\]; large where two peaks are nearly equal.
-    peak_times: Vec<Option<f64>>,
+    floors: Vec<PlaceErrors>,
     pairs: Vec<PairErrors>,
+}
+
+/// Errors of the numbers of a floor or a pair, in the order of the table; none of numbers of which they are not measured.
+#[derive(Debug, Clone, PartialEq)]
+struct PlaceErrors {
+    relative: Vec<Option<f64>>,
+    absolute: Vec<Option<f64>>,
 }
 
 /// Errors of the numbers of a pair, and what comparing them needs to know.
@@ -31,9 +34,19 @@ pub struct PairErrors {
     pub rests: bool,
     /// Number of collisions of the run and of the exact run.
     pub collisions: [usize; 2],
-    /// Of the time of the first collision, absolute \[s\]; infinite if only one run has a collision.
-    pub first_start_s: Option<f64>,
-    errors: Vec<Option<f64>>,
+    errors: PlaceErrors,
+}
+
+/// What a number counts as at least that may be next to nothing beside this peak: a part of it.
+pub(crate) fn part_of(run: &Values<'_>, peak: FloorQuantity, floor: usize) -> f64 {
+    LEAST_PART * run.of(peak, floor).unwrap_or(0.0).abs()
+}
+
+/// What transferred momenta count as at least.
+pub(crate) fn rounding_of_momenta(run: &Values<'_>) -> f64 {
+    let floors = 0..run.simulation.floors().all().len();
+    let momenta = floors.map(|floor| run.result.momentum.of(floor));
+    ZERO * momenta.fold(0.0, f64::max)
 }
 
 impl Values<'_> {
@@ -42,36 +55,34 @@ impl Values<'_> {
     /// # Panics
     /// If the row has no such floor or pair.
     pub fn least(&self, quantity: impl Into<Quantity>, place: usize) -> f64 {
-        let part = |peak: FloorQuantity, floor: usize| LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs();
-        match quantity.into() {
-            Quantity::Floor(FloorQuantity::TransferredMomentumNS) => {
-                let floors = 0..self.simulation.floors().all().len();
-                let momenta = floors.map(|floor| self.result.momentum.of(floor));
-                ZERO * momenta.fold(0.0, f64::max)
-            }
-            Quantity::Floor(quantity) => {
-                let peak = quantity.left_over_of();
-                peak.map_or(0.0, |peak| part(peak, place))
-            }
-            Quantity::Pair(PairQuantity::LeastOpeningM) => {
-                let pair = &self.simulation.pairs()[place];
-                let [left, right] = [pair.left(), pair.right()].map(|floor| part(FloorQuantity::PeakDisplacementM, floor));
-                left.max(right)
-            }
-            Quantity::Pair(PairQuantity::TouchingS) => LEANS,
-            Quantity::Pair(PairQuantity::FirstStartS) => {
-                let start = self.of(PairQuantity::FirstStartS, place);
-                f64::from(u8::from(start.is_some_and(|start| start < AT_ONCE)))
-            }
-            Quantity::Pair(_) => 0.0,
+        let about = quantity.into().about();
+        if let QuantityKind::Residual(peak) = about.kind {
+            part_of(self, peak, place)
+        } else {
+            (about.least)(self, place)
         }
     }
 }
 
-/// Distance of a number of a run from that of the exact one, relative or absolute; `None` if neither has it, infinite if one has.
+impl PlaceErrors {
+    /// Of a place, for some of its numbers.
+    fn of(runs: [&Values<'_>; 2], (all, place): (impl Iterator<Item = Quantity>, usize), is_compared: impl Fn(Quantity) -> bool) -> Self {
+        let errors = all.map(|quantity| {
+            let about = quantity.about();
+            let error = |relative| is_compared(quantity).then(|| error(runs, quantity, place, relative)).flatten();
+            (about.group.and_then(|_| error(true)), about.absolute.and_then(|_| error(false)))
+        });
+        let (relative, absolute) = errors.unzip();
+        Self { relative, absolute }
+    }
+}
+
+/// Distance of a number of a run from that of the exact one, relative or absolute; `None` if neither has it, infinite if one has. That of
+/// unequal counts is infinite, that of equal ones `None`.
 fn error([run, exact]: [&Values<'_>; 2], quantity: Quantity, place: usize, relative: bool) -> Option<f64> {
     match (run.of(quantity, place), exact.of(quantity, place)) {
         (None, None) => None,
+        (Some(run), Some(exact)) if quantity.about().kind == QuantityKind::Count => ((run - exact).abs() > 0.0).then_some(f64::INFINITY),
         (Some(run), Some(value)) if relative => {
             let scale = value.abs().max(exact.least(quantity, place));
             Some(relative_to(run, value, scale))
@@ -86,49 +97,52 @@ impl RunErrors {
     pub fn between(run: &RunResult, exact: &RunResult, simulation: &Simulation) -> Self {
         let values = [run, exact].map(|one| one.values(simulation));
         let both = [&values[0], &values[1]];
-        let at = |place: usize, is_compared: &dyn Fn(Quantity) -> bool| {
-            let compared = |quantity| is_compared(quantity).then(|| error(both, quantity, place, true));
-            Quantity::COMPARED.map(|quantity| compared(quantity).flatten()).to_vec()
-        };
-        let of_floor = |floor| at(floor, &|quantity| matches!(quantity, Quantity::Floor(_)));
-        let start = Quantity::Pair(PairQuantity::FirstStartS);
+        let of_floor = |floor| PlaceErrors::of(both, (FloorQuantity::ALL.iter().map(|one| (*one).into()), floor), |_| true);
         let of_pair = |pair| {
             let rests = rests([run, exact], pair);
-            let is_compared = |quantity| match quantity {
-                Quantity::Pair(_) => !rests || quantity == start,
-                Quantity::Floor(_) => false,
-            };
+            let is_compared = |quantity| !rests || quantity == PairQuantity::FirstStartS.into();
             PairErrors {
                 rests,
-                collisions: [run, exact].map(|one| one.collisions_of(pair).count()),
-                first_start_s: error(both, start, pair, false),
-                errors: at(pair, &is_compared),
+                collisions: both.map(|one| one.pair(pair).collisions),
+                errors: PlaceErrors::of(both, (PairQuantity::ALL.iter().map(|one| (*one).into()), pair), is_compared),
             }
         };
-        let peak_time = FloorQuantity::PeakDisplacementTimeS.into();
-        let floors = 0..simulation.floors().all().len();
         Self {
-            floors: floors.clone().map(of_floor).collect(),
-            peak_times: floors.map(|floor| error(both, peak_time, floor, false)).collect(),
+            floors: (0..simulation.floors().all().len()).map(of_floor).collect(),
             pairs: (0..simulation.pairs().len()).map(of_pair).collect(),
         }
     }
 
-    /// Relative error of a number of a floor or a pair \[–\], of the instant of a peak displacement absolute \[s\]; infinite if one of
-    /// both runs lacks the number, or of unequal numbers of collisions. `None` if neither has it, or if it is not compared.
+    /// Relative error of a number of a floor or a pair \[–\]; infinite if one of both runs lacks the number, or of unequal numbers of
+    /// collisions. `None` if neither has it, or if it is not compared.
     ///
     /// # Panics
     /// If the row has no such floor or pair.
     pub fn at(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
+        let (errors, index) = self.of_place(quantity.into(), place);
+        errors.relative[index]
+    }
+
+    /// Error of a number as people and files are told of it: absolute \[SI\] if it has a name of its own, else relative \[–\].
+    ///
+    /// # Panics
+    /// If the row has no such floor or pair.
+    pub fn told(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
         let quantity = quantity.into();
-        if quantity == Quantity::Floor(FloorQuantity::PeakDisplacementTimeS) {
-            return self.peak_times[place];
+        let (errors, index) = self.of_place(quantity, place);
+        let is_absolute = quantity.about().absolute.is_some();
+        if is_absolute {
+            errors.absolute[index]
+        } else {
+            errors.relative[index]
         }
-        let index = Quantity::COMPARED.iter().position(|one| *one == quantity)?;
+    }
+
+    /// The errors of a place, and where that of a number stands in them.
+    fn of_place(&self, quantity: Quantity, place: usize) -> (&PlaceErrors, usize) {
         match quantity {
-            Quantity::Floor(_) => self.floors[place][index],
-            Quantity::Pair(PairQuantity::Collisions) => self.pairs[place].differ().then_some(f64::INFINITY),
-            Quantity::Pair(_) => self.pairs[place].errors[index],
+            Quantity::Floor(quantity) => (&self.floors[place], quantity as usize),
+            Quantity::Pair(quantity) => (&self.pairs[place].errors, quantity as usize),
         }
     }
 
@@ -140,10 +154,9 @@ impl RunErrors {
     /// Largest relative error of a group \[–\], and of what; infinite where the numbers of collisions differ or only
     /// one of the runs has the quantity.
     pub fn largest(&self, group: QuantityGroup) -> (f64, &'static str) {
-        Quantity::COMPARED
-            .into_iter()
-            .filter(|one| group == QuantityGroup::All || one.group() == group)
-            .map(|one| (self.of(one), one.words()))
+        Quantity::compared()
+            .filter(|one| group == QuantityGroup::All || one.about().group == Some(group))
+            .map(|one| (self.of(one), one.about().words))
             .fold((0.0, ""), |largest, next| if next.0 > largest.0 { next } else { largest })
     }
 

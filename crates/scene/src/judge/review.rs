@@ -270,7 +270,7 @@ impl Simulation {
 impl RunErrors {
     /// What is far from the exact run.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
-        Quantity::COMPARED.into_iter().filter_map(|quantity| {
+        Quantity::compared().filter_map(|quantity| {
             let error = self.of(quantity);
             (error > DOUBTFUL).then_some(Warning::Error { quantity, error })
         })
@@ -343,7 +343,7 @@ mod tests {
         insta::assert_snapshot!(wrong, @r#"scene "two": energy: found 4.0e-5 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it"#);
         let forced = forced.told(broken(4e-5)).expect("it is forced");
         assert!(matches!(forced, Warning::Broken { .. }), "{forced:?}");
-        for quantity in Quantity::COMPARED {
+        for quantity in Quantity::compared() {
             assert!(doubt.concerns(quantity) && forced.concerns(quantity));
         }
     }

@@ -6,7 +6,7 @@ use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::LedgerError;
 
 use crate::judge::limits::{STEPS_PER_CONTACT, STEPS_PER_PERIOD};
-use crate::{Delivered, PairQuantity, Quantity};
+use crate::{Delivered, Quantity, QuantityGroup, QuantityKind};
 use pounding_text::digits;
 
 /// What a user should know before believing a run.
@@ -106,15 +106,8 @@ impl Warning {
             | Self::ErrorUnknown
             | Self::FewStepsPerPeriod { .. } => true,
             Self::BeyondContactLimit { .. } | Self::UnderResolved { .. } | Self::Rests { .. } => {
-                matches!(
-                    asked,
-                    Quantity::Pair(
-                        PairQuantity::PeakForceN
-                            | PairQuantity::FirstImpulseNS
-                            | PairQuantity::LargestImpulseNS
-                            | PairQuantity::TotalImpulseNS
-                    )
-                )
+                let group = asked.about().group;
+                matches!(asked, Quantity::Pair(_)) && matches!(group, Some(QuantityGroup::Force | QuantityGroup::Impulse))
             }
             Self::Error { quantity, .. } => asked == *quantity,
             // Of the model, which every method shares.
@@ -209,8 +202,9 @@ fn under_resolved(place: &Place, steps: f64, restitution: Option<&(f64, Delivere
 
 /// A number that is far from the exact run's.
 fn off(quantity: Quantity, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
-    let of = quantity.words();
-    if quantity == PairQuantity::Collisions.into() {
+    let about = quantity.about();
+    let of = about.words;
+    if about.kind == QuantityKind::Count {
         write!(to, "{of}: not as many as in the exact run")
     } else if error.is_finite() {
         let decimals = usize::from(error < 0.1);

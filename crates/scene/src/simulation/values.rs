@@ -1,9 +1,11 @@
-//! Every number that is printed of a run, by quantity and place.
+//! A run beside its simulation: what the table of numbers takes its values from.
+
+use pounding_solver::{Peak, StructurePeaks};
 
 use super::{PairOutcome, RunResult, Simulation};
-use crate::{FloorQuantity, PairQuantity, Quantity};
+use crate::{Floor, Quantity};
 
-/// A run beside the simulation that it is of: every number that is printed of it.
+/// A run beside the simulation that it is of: every number of [`Quantity`].
 #[derive(Debug, Clone)]
 pub struct Values<'a> {
     pub(crate) simulation: &'a Simulation,
@@ -30,54 +32,52 @@ impl Values<'_> {
     /// # Panics
     /// If the row has no such floor or pair.
     pub fn of(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
-        match quantity.into() {
-            Quantity::Floor(quantity) => self.of_floor(quantity, place),
-            Quantity::Pair(quantity) => self.of_pair(quantity, place),
-        }
+        (quantity.into().about().of)(self, place)
     }
 
-    fn of_floor(&self, quantity: FloorQuantity, index: usize) -> Option<f64> {
-        let floor = &self.simulation.floors().all()[index];
-        if quantity == FloorQuantity::TransferredMomentumNS {
-            return Some(self.result.momentum.of(index));
-        }
-        if floor.is_wall() {
-            return None;
-        }
-        let peaks = self.result.peaks.of(index);
+    /// A floor by its place.
+    pub(crate) fn floor(&self, floor: usize) -> &Floor {
+        &self.simulation.floors().all()[floor]
+    }
+
+    /// Whether a place is a floor, and no wall.
+    pub(crate) fn moves(&self, floor: usize) -> bool {
+        !self.floor(floor).is_wall()
+    }
+
+    /// The floor below.
+    pub(crate) fn below(&self, floor: usize) -> Option<usize> {
+        self.simulation.floors().below(floor)
+    }
+
+    /// Natural period \[s\] and damping ratio; `None` for a wall.
+    pub(crate) fn oscillation(&self, floor: usize) -> Option<(f64, f64)> {
+        self.floor(floor).oscillation(self.simulation.scene())
+    }
+
+    /// Peaks of a floor; `None` for a wall.
+    pub(crate) fn peaks(&self, floor: usize) -> Option<&StructurePeaks> {
+        self.moves(floor).then(|| self.result.peaks.of(floor))
+    }
+
+    /// Peak absolute acceleration of a floor \[m/s²\]; `None` for a wall.
+    pub(crate) fn acceleration(&self, floor: usize) -> Option<Peak> {
+        self.moves(floor).then(|| self.result.accelerations[floor])
+    }
+
+    /// Displacement of a floor at the end \[m\].
+    pub(crate) fn last(&self, floor: usize) -> f64 {
         // A negative zero loses its sign.
-        let last = |index| self.result.last.of(index).displacement + 0.0;
-        match quantity {
-            FloorQuantity::PeakDisplacementM => Some(peaks.displacement.value),
-            FloorQuantity::PeakDisplacementTimeS => Some(peaks.displacement.time),
-            FloorQuantity::PeakShearForceN => Some(peaks.restoring_force.value),
-            FloorQuantity::PeakDriftM => floor.is_upper().then_some(peaks.drift().value),
-            FloorQuantity::ResidualDisplacementAtEndM => Some(last(index)),
-            FloorQuantity::ResidualDriftAtEndM => {
-                let below = self.simulation.floors().below(index)?;
-                Some(last(index) - last(below))
-            }
-            FloorQuantity::PeakAccelerationMPerS2 => Some(self.result.accelerations[index].value),
-            FloorQuantity::Ductility => floor.ductility(peaks.drift().value),
-            FloorQuantity::DriftRatio => floor.drift_ratio(peaks.drift().value),
-            FloorQuantity::TransferredMomentumNS => Some(self.result.momentum.of(index)),
-        }
+        self.result.last.of(floor).displacement + 0.0
     }
 
-    fn of_pair(&self, quantity: PairQuantity, index: usize) -> Option<f64> {
-        let found = &self.pairs[index];
-        match quantity {
-            PairQuantity::Collisions => Some(found.collisions as f64),
-            PairQuantity::FirstStartS => found.first.map(|first| first.start),
-            PairQuantity::FirstImpulseNS => found.first.map(|first| first.impulse),
-            PairQuantity::LargestImpulseNS => found.largest.map(|largest| largest.impulse),
-            PairQuantity::PeakForceN => found.peak_force.map(|peak| peak.value),
-            PairQuantity::TotalImpulseNS => Some(found.total_impulse),
-            PairQuantity::TouchingS => Some(found.touching),
-            PairQuantity::LeastOpeningM => {
-                let pair = &self.simulation.pairs()[index];
-                Some(self.result.least_opening(pair, found)?.0)
-            }
-        }
+    /// What happened between the neighbours of a pair.
+    pub(crate) fn pair(&self, pair: usize) -> &PairOutcome {
+        &self.pairs[pair]
+    }
+
+    /// Least opening of the gap of a pair \[m\] and its instant \[s\]; `None` if closings were not asked for.
+    pub(crate) fn opening(&self, pair: usize) -> Option<(f64, f64)> {
+        self.result.least_opening(&self.simulation.pairs()[pair], &self.pairs[pair])
     }
 }

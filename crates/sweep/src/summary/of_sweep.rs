@@ -55,7 +55,7 @@ impl Sweep {
     fn summed_columns(&self) -> Vec<Summed> {
         let summed = self.outputs.iter().map(|output| Summed {
             name: output.name.clone(),
-            quantity: output.word.clone(),
+            quantity: output.quantity.about().name.into(),
             is_peak: output.quantity.is_peak(),
             thresholds: Vec::new(),
         });

@@ -1,5 +1,7 @@
 //! Sweeps of buildings of several storeys.
 
+use pounding_scene::Quantity;
+use pounding_sweep::Outputs;
 use serde_json::{Value, json};
 
 use crate::{folder, read, sweep, table};
@@ -60,6 +62,44 @@ fn issue_towers_run_side_by_side() {
         row.remove(checked);
     }
     assert_eq!(beside, alone);
+}
+
+/// Every number that a sweep can ask for: lanes give those of runs alone, or say that a run alone gives it.
+#[test]
+fn limit_every_number_of_lanes_is_that_of_a_run_alone() {
+    let folder = folder("towers_every_number");
+    let (mut known, mut unknown) = (0, 0);
+    for quantity in Quantity::all() {
+        let name = quantity.about().name;
+        let (place, other) = match quantity {
+            Quantity::Floor(_) => ("structures", "peak_displacement_time_s"),
+            Quantity::Pair(_) => ("pairs", "first_start_s"),
+        };
+        if serde_json::from_value::<Outputs>(json!({place: [name]})).is_err() {
+            continue;
+        }
+        let asked = |names: &[&str]| sweep(&folder, &words(&json!({"structures": [], "pairs": [], place: names})));
+        let fast = asked(&[name]);
+        let found = fast.batch(0..40);
+        if found.beside == 0 {
+            let said = fast.alone_because().expect("a reason");
+            assert!(said.contains(&format!("`{name}`")), "{said}");
+            unknown += 1;
+            continue;
+        }
+        let slow = asked(&[name, other]);
+        let alone = slow.batch(0..40);
+        assert_eq!(alone.beside, 0, "{name}");
+        let names = slow.columns();
+        // Behind run, record, direction and two fields.
+        let wanted = names[5..].iter().zip(&alone.columns).filter(|(column, _)| !column.ends_with(other));
+        for ((column, wanted), found) in wanted.zip(&found.columns) {
+            let bits = |numbers: &[f64]| numbers.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(found), bits(wanted), "{column}");
+        }
+        known += 1;
+    }
+    assert_eq!((known, unknown), (9, 9));
 }
 
 /// The severest value over the floors of a building, and over the levels of two neighbours; in lanes and alone.

@@ -8,7 +8,10 @@ use std::path::Path;
 
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
 use pounding::scene::lines::failed;
-use pounding::scene::{Effects, Error, Errors, Excess, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene, Simulation, Suite};
+use pounding::scene::{
+    Effects, Error, Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, QuantityGroup, Review, Scene,
+    Simulation, Suite,
+};
 use pounding::text::digits;
 
 use super::{Arguments, Printed};
@@ -70,7 +73,7 @@ impl Found {
 
     /// The largest pounding force \[N\] of the pairs that have one: an impulse has none.
     fn force(&self) -> Option<f64> {
-        let forces = self.pairs.iter().filter_map(|pair| pair.peak_force_n);
+        let forces = self.pairs.iter().filter_map(|pair| pair.number(PairQuantity::PeakForceN));
         forces.max_by(f64::total_cmp)
     }
 
@@ -92,7 +95,7 @@ impl Found {
     /// The largest peak displacement of a structure \[m\], without sign.
     fn displacement(&self) -> f64 {
         let peaks = self.structures.iter();
-        let peaks = peaks.filter_map(|one| one.peak_displacement_m);
+        let peaks = peaks.filter_map(|one| one.numbers.get(FloorQuantity::PeakDisplacementM));
         peaks.map(f64::abs).fold(0.0, f64::max)
     }
 }

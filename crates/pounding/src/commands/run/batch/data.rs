@@ -1,49 +1,17 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
-use pounding::report::{PairSummary, SCHEMA_VERSION, StructureSummary};
-use pounding::scene::{Scene, Suite};
+use pounding::report::SCHEMA_VERSION;
+use pounding::scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Scene, Suite};
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
 
 use super::{Found, Line};
 
-/// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
-fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
-    let numbers = [
-        ("peak_displacement_m", one.peak_displacement_m),
-        ("peak_displacement_time_s", one.peak_displacement_time_s),
-        ("peak_shear_force_n", one.peak_shear_force_n),
-        ("peak_shear_force_time_s", one.peak_shear_force_time_s),
-        ("peak_drift_m", one.peak_drift_m),
-        ("peak_drift_time_s", one.peak_drift_time_s),
-        ("residual_displacement_at_end_m", one.residual_displacement_at_end_m),
-        ("residual_drift_at_end_m", one.residual_drift_at_end_m),
-        ("peak_acceleration_m_per_s2", one.peak_acceleration_m_per_s2),
-        ("peak_acceleration_time_s", one.peak_acceleration_time_s),
-        ("ductility", one.ductility),
-        ("drift_ratio", one.drift_ratio),
-        ("transferred_momentum_n_s", Some(one.transferred_momentum_n_s)),
-    ];
-    let numbers = numbers.into_iter();
-    numbers.filter_map(|(name, value)| Some((name, value?))).collect()
-}
-
-/// Numbers of a pair with their names, SI units: fields of its summary, those of a collision after its name.
-fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 11] {
-    let (first, largest) = (one.first, one.largest);
-    [
-        ("collisions", Some(one.collisions as f64)),
-        ("first_start_s", first.map(|first| first.start_s)),
-        ("first_impulse_n_s", first.map(|first| first.impulse_n_s)),
-        ("largest_start_s", largest.map(|largest| largest.start_s)),
-        ("largest_impulse_n_s", largest.map(|largest| largest.impulse_n_s)),
-        ("peak_force_n", one.peak_force_n),
-        ("peak_force_time_s", one.peak_force_time_s),
-        ("total_impulse_n_s", Some(one.total_impulse_n_s)),
-        ("touching_s", Some(one.touching_s)),
-        ("least_opening_m", Some(one.least_opening_m)),
-        ("least_opening_time_s", Some(one.least_opening_time_s)),
-    ]
+/// What a run does, of the numbers of a table.
+fn measured<Q: Into<Quantity> + Copy>(all: &[Q]) -> impl Iterator<Item = (Q, &'static str)> {
+    let named = all.iter().map(|one| (*one, (*one).into().about()));
+    let measured = named.filter(|(_, about)| about.kind != QuantityKind::Model);
+    measured.map(|(one, about)| (one, about.name))
 }
 
 /// Columns of the table.
@@ -119,13 +87,17 @@ fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 10]> {
         own(Place::default(), "warnings", Some(found.warnings.len() as f64)),
     ];
     for (floor, structure) in found.structures.iter().enumerate() {
-        let numbers = of_structure(structure).into_iter();
-        rows.extend(numbers.map(|(quantity, value)| own(alone(floor), quantity, Some(value))));
+        let numbers = measured(FloorQuantity::ALL).map(|(one, name)| (name, structure.numbers.get(one)));
+        rows.extend(
+            numbers
+                .filter(|one| one.1.is_some())
+                .map(|(name, value)| own(alone(floor), name, value)),
+        );
     }
     for (facing, pair) in found.floors.facing().iter().zip(&found.pairs) {
         let ([left, left_floor], [right, right_floor]) = (at(facing.left), at(facing.right));
         let place = [left, left_floor, right, right_floor];
-        rows.extend(of_pair(pair).map(|(quantity, value)| own(place.clone(), quantity, value)));
+        rows.extend(measured(PairQuantity::ALL).map(|(one, name)| own(place.clone(), name, pair.number(one))));
     }
     if let Some(effects) = &found.effects {
         let both = [(line.reversed, &effects.as_given), (!line.reversed, &effects.reversed)];

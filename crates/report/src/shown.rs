@@ -1,0 +1,164 @@
+//! The numbers of a run for people: which of them stand in which table, and in what words.
+
+use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, Simulation, Values};
+use pounding_text::{milliseconds, percent};
+
+/// The choice of each table for people, in the order of its columns or rows.
+pub mod tables {
+    use pounding_scene::{FloorQuantity as Floor, PairQuantity as Pair};
+
+    /// Structures, in a terminal.
+    pub const STRUCTURES: &[Floor] = &[
+        Floor::PeriodS,
+        Floor::DampingRatio,
+        Floor::PeakDisplacementM,
+        Floor::PeakDisplacementTimeS,
+        Floor::PeakShearForceN,
+        Floor::Ductility,
+        Floor::TransferredMomentumNS,
+    ];
+    /// What is left of the motion of structures, and what stands on their floors feels, in a terminal.
+    pub const MOTIONS: &[Floor] = &[
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakAccelerationTimeS,
+    ];
+    /// Storeys, in a terminal.
+    pub const STOREYS: &[Floor] = &[
+        Floor::PeakDriftM,
+        Floor::PeakDriftTimeS,
+        Floor::ResidualDriftAtEndM,
+        Floor::DriftRatio,
+        Floor::PeakShearForceN,
+        Floor::Ductility,
+    ];
+    /// Pairs, in a terminal.
+    pub const PAIRS: &[Pair] = &[
+        Pair::GapM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::FirstImpulseNS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
+    ];
+    /// Structures, on a page.
+    pub const STRUCTURES_OF_PAGE: &[Floor] = &[
+        Floor::PeakDisplacementM,
+        Floor::PeakDisplacementTimeS,
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakAccelerationTimeS,
+        Floor::PeakShearForceN,
+        Floor::PeakShearForceTimeS,
+        Floor::TransferredMomentumNS,
+    ];
+    /// Storeys, on a page.
+    pub const STOREYS_OF_PAGE: &[Floor] = &[
+        Floor::PeakDriftM,
+        Floor::PeakDriftTimeS,
+        Floor::ResidualDriftAtEndM,
+        Floor::DriftRatio,
+        Floor::Ductility,
+    ];
+    /// Pairs, on a page.
+    pub const PAIRS_OF_PAGE: &[Pair] = &[
+        Pair::GapM,
+        Pair::LeastOpeningM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::FirstImpulseNS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
+    ];
+    /// Structures of scenes side by side.
+    pub const STRUCTURES_BESIDE: &[Floor] = &[
+        Floor::PeriodS,
+        Floor::PeakDisplacementM,
+        Floor::PeakDriftM,
+        Floor::ResidualDisplacementAtEndM,
+        Floor::PeakAccelerationMPerS2,
+        Floor::PeakShearForceN,
+        Floor::TransferredMomentumNS,
+    ];
+    /// Pairs of scenes side by side.
+    pub const PAIRS_BESIDE: &[Pair] = &[
+        Pair::GapM,
+        Pair::Collisions,
+        Pair::FirstStartS,
+        Pair::LargestImpulseNS,
+        Pair::PeakForceN,
+        Pair::PeakForceTimeS,
+    ];
+}
+
+/// A run in the words of tables.
+#[derive(Debug)]
+pub struct Shown<'a> {
+    simulation: &'a Simulation,
+    values: Values<'a>,
+    errors: Option<&'a RunErrors>,
+    /// Acceleration of gravity \[m/s²\].
+    gravity: f64,
+}
+
+impl<'a> Shown<'a> {
+    /// A run with what is known of its errors.
+    pub fn of(simulation: &'a Simulation, review: &'a Review) -> Self {
+        Self {
+            simulation,
+            values: review.outcome.values(simulation),
+            errors: review.measured(),
+            gravity: simulation.scene().record.gravity_m_per_s2,
+        }
+    }
+
+    /// A number in the unit that people read; `None` if the place has no such number.
+    pub fn value(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
+        let quantity = quantity.into();
+        Some(quantity.about().unit.of(self.values.of(quantity, place)?, self.gravity))
+    }
+
+    /// A number in words; `None` if the place has no such number.
+    pub fn text(&self, quantity: impl Into<Quantity>, place: usize) -> Option<String> {
+        let quantity = quantity.into();
+        let value = self.values.of(quantity, place);
+        let value = value.map(|value| quantity.about().text_of(value, self.gravity));
+        let is_impulsive = || quantity == PairQuantity::PeakForceN.into() && self.values.of(PairQuantity::Collisions, place) > Some(0.0);
+        value.or_else(|| is_impulsive().then(|| "impulsive".into()))
+    }
+
+    /// The error of a number in words: of a count that of the exact run. `None` if it was not measured, or neither run has the number.
+    pub fn error(&self, quantity: impl Into<Quantity>, place: usize) -> Option<String> {
+        let (errors, quantity) = (self.errors?, quantity.into());
+        let about = quantity.about();
+        if about.kind == QuantityKind::Count {
+            let pair = &errors.pairs()[place];
+            return Some(match pair.collisions {
+                _ if pair.rests => "rests".into(),
+                [own, exact] if own != exact => format!("exact {exact}"),
+                _ => "equal".into(),
+            });
+        }
+        let measured = match about.error_of {
+            Some(other) => {
+                self.values.of(quantity, place)?;
+                self.of_storey(other, place)
+            }
+            None => quantity,
+        };
+        let words = if about.absolute.is_some() { milliseconds } else { percent };
+        errors.told(measured, place).map(words)
+    }
+
+    /// Whether errors were measured.
+    pub fn is_measured(&self) -> bool {
+        self.errors.is_some()
+    }
+
+    /// Of a number of a storey, the number of its floor that it is if the storey stands on the ground.
+    pub fn of_storey(&self, quantity: FloorQuantity, floor: usize) -> Quantity {
+        Quantity::from(quantity).of_storey(self.simulation.floors().all()[floor].is_upper())
+    }
+}
