@@ -45,7 +45,7 @@ mod spectrum;
 mod statistics;
 mod suite;
 
-pub use accuracy::errors::{AT_ONCE, LEAST_PART, MEASURE, PairErrors, RunErrors, ZERO, relative, relative_to};
+pub use accuracy::errors::{MEASURE, PairErrors, RunErrors, relative, relative_to};
 pub use accuracy::ladder::{EVALUATIONS_PER_PIECE, Ladder, cost, entries, price};
 pub use accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob, REFERENCE, RIVAL, StepMethod, is_compliant, label_of};
 pub use accuracy::opening::Options;
@@ -87,7 +87,7 @@ pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEP
 pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
-pub use quantity::{About, FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, QuantityUnit};
+pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityGroup, QuantityKind, QuantityUnit, ZERO};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,

@@ -5,9 +5,6 @@
 
 use crate::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, RunResult, Simulation, Values};
 
-/// Part of a peak \[–\] below which what is left of it is measured by this part: it may be next to nothing itself.
-pub const LEAST_PART: f64 = 0.05;
-
 /// How errors are measured, and what is not, in words.
 pub const MEASURE: &str = "each relative to the exact number; residuals and least openings below 5 % of the peak to 5 % of \
                            it, times of touching below 0.25 s to 0.25 s. Times of peaks and energies are left out";
@@ -35,33 +32,6 @@ pub struct PairErrors {
     /// Number of collisions of the run and of the exact run.
     pub collisions: [usize; 2],
     errors: PlaceErrors,
-}
-
-/// What a number counts as at least that may be next to nothing beside this peak: a part of it.
-pub(crate) fn part_of(run: &Values<'_>, peak: FloorQuantity, floor: usize) -> f64 {
-    LEAST_PART * run.of(peak, floor).unwrap_or(0.0).abs()
-}
-
-/// What transferred momenta count as at least.
-pub(crate) fn rounding_of_momenta(run: &Values<'_>) -> f64 {
-    let floors = 0..run.simulation.floors().all().len();
-    let momenta = floors.map(|floor| run.result.momentum.of(floor));
-    ZERO * momenta.fold(0.0, f64::max)
-}
-
-impl Values<'_> {
-    /// What the magnitude of a number counts as at least where an error is relative to it; 0 for most.
-    ///
-    /// # Panics
-    /// If the row has no such floor or pair.
-    pub fn least(&self, quantity: impl Into<Quantity>, place: usize) -> f64 {
-        let about = quantity.into().about();
-        if let QuantityKind::Residual(peak) = about.kind {
-            part_of(self, peak, place)
-        } else {
-            (about.least)(self, place)
-        }
-    }
 }
 
 impl PlaceErrors {
@@ -185,12 +155,6 @@ fn rests([run, exact]: [&RunResult; 2], pair: usize) -> bool {
     let lasts = |of: &RunResult| of.collisions_of(pair).any(|one| one.end > one.start);
     impulsive && lasts(exact) && !lasts(run)
 }
-
-/// Part of a row's largest momentum below which one is zero: forces from both sides cancel but for rounding.
-pub const ZERO: f64 = 1e-9;
-
-/// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
-pub const AT_ONCE: f64 = 1e-9;
 
 /// Distance relative to a scale; 0 of equal numbers, infinite of what is not a number.
 pub fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! The table of the numbers of a floor.
 
+use super::least::rounding_of_momenta;
 use super::{About, QuantityGroup, QuantityKind, QuantityUnit, quantities};
-use crate::accuracy::errors::rounding_of_momenta;
 
 quantities! {
     /// A number of a structure; of a building one of every floor and its storey.

@@ -2,10 +2,12 @@
 //! language takes names, units and values.
 
 mod floor;
+mod least;
 mod pair;
 mod unit;
 
 pub use floor::FloorQuantity;
+pub use least::{AT_ONCE, LEAST_PART, ZERO};
 pub use pair::PairQuantity;
 pub use unit::QuantityUnit;
 

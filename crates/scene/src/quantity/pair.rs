@@ -2,8 +2,8 @@
 
 use pounding_text::{digits, rounded_down, short};
 
+use super::least::{AT_ONCE, part_of};
 use super::{About, FloorQuantity, QuantityGroup, QuantityKind, QuantityUnit, quantities};
-use crate::accuracy::errors::{AT_ONCE, part_of};
 use crate::simulation::LEANS;
 
 quantities! {
