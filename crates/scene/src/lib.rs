@@ -87,10 +87,11 @@ pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEP
 pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
-pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityGroup, QuantityKind, QuantityUnit, ZERO};
+pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values, ZERO};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
-    Advice, Audited, Balance, Extras, Goal, PairOutcome, RunResult, Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
+    Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial, holding, in_scene,
+    least_opening,
 };
 pub use spectrum::{SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum, scaled_to_sa};
 pub use statistics::wilson;

@@ -1,7 +1,7 @@
 //! The table of the numbers of a floor.
 
-use super::least::rounding_of_momenta;
-use super::{About, QuantityGroup, QuantityKind, QuantityUnit, quantities};
+use super::{About, QuantityKind, QuantityUnit, quantities};
+use crate::QuantityGroup;
 
 quantities! {
     /// A number of a structure; of a building one of every floor and its storey.
@@ -58,7 +58,7 @@ quantities! {
         ..About::new(&QuantityUnit::PART, "Drift ratio", |run, floor| run.floor(floor).drift_ratio(run.peaks(floor)?.drift().value))
     };
     TransferredMomentumNS("transferred_momentum_n_s", "Sum of the impulses from the neighbours, by magnitude.") = About {
-        least: |run, _| rounding_of_momenta(run),
+        least: |run, _| run.least_momentum(),
         ..About::new(&QuantityUnit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))
             .kind(QuantityKind::Total).measured(QuantityGroup::Momentum, "momentum")
     };

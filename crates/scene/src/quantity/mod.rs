@@ -2,16 +2,16 @@
 //! language takes names, units and values.
 
 mod floor;
-mod least;
 mod pair;
 mod unit;
+mod values;
 
 pub use floor::FloorQuantity;
-pub use least::{AT_ONCE, LEAST_PART, ZERO};
 pub use pair::PairQuantity;
 pub use unit::QuantityUnit;
+pub use values::{AT_ONCE, LEAST_PART, Values, ZERO};
 
-use crate::Values;
+use crate::QuantityGroup;
 
 /// A number that a run gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -79,43 +79,6 @@ pub enum QuantityKind {
     Count,
     /// Least value: the less, the severer.
     Least,
-}
-
-/// Quantities whose errors count together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum QuantityGroup {
-    /// Transferred momentum of every structure.
-    Momentum,
-    /// Peak displacement of every floor, peak drift of every storey, both at the end, and least opening of every pair.
-    Displacement,
-    /// Peak absolute acceleration of every floor.
-    Acceleration,
-    /// Peak shear force of every structure and peak pounding force of every compliant pair.
-    Force,
-    /// Impulse of the first collision, largest impulse and sum of the impulses of every pair.
-    Impulse,
-    /// Time of the first collision of every pair, relative to that time, and time for which it touches.
-    Time,
-    /// All of these, and equal numbers of collisions.
-    All,
-}
-
-impl QuantityGroup {
-    /// Every group.
-    pub const EVERY: [Self; 7] = [
-        Self::Momentum,
-        Self::Displacement,
-        Self::Acceleration,
-        Self::Force,
-        Self::Impulse,
-        Self::Time,
-        Self::All,
-    ];
-
-    /// Its name, as users write it.
-    pub fn name(self) -> &'static str {
-        ["momentum", "displacement", "acceleration", "force", "impulse", "time", "all"][self as usize]
-    }
 }
 
 /// A table of the numbers of a kind of place: a line for each with its variant, its name in files, its meaning and its entry. Lines stand

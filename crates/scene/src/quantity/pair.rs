@@ -2,8 +2,9 @@
 
 use pounding_text::{digits, rounded_down, short};
 
-use super::least::{AT_ONCE, part_of};
-use super::{About, FloorQuantity, QuantityGroup, QuantityKind, QuantityUnit, quantities};
+use super::values::AT_ONCE;
+use super::{About, FloorQuantity, QuantityKind, QuantityUnit, quantities};
+use crate::QuantityGroup;
 use crate::simulation::LEANS;
 
 quantities! {
@@ -57,7 +58,7 @@ quantities! {
     LeastOpeningM("least_opening_m", "Least opening of the gap, 0 or less if they touch; coarse steps can pass below 0 between two nodes without a touch.") = About {
         least: |run, pair| {
             let pair = &run.simulation.pairs()[pair];
-            let [left, right] = [pair.left(), pair.right()].map(|floor| part_of(run, FloorQuantity::PeakDisplacementM, floor));
+            let [left, right] = [pair.left(), pair.right()].map(|floor| run.part_of(FloorQuantity::PeakDisplacementM, floor));
             left.max(right)
         },
         text: opening,

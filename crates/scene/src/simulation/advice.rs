@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::{Method, QuantityGroup, Scene};
+use crate::{Method, Scene};
 
 /// The accuracy asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,6 +104,43 @@ impl StepSizes {
 pub fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
     let missed = rungs.iter().rposition(|rung| !holds(rung));
     &rungs[missed.map_or(0, |index| index + 1)..]
+}
+
+/// Quantities whose errors count together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum QuantityGroup {
+    /// Transferred momentum of every structure.
+    Momentum,
+    /// Peak displacement of every floor, peak drift of every storey, both at the end, and least opening of every pair.
+    Displacement,
+    /// Peak absolute acceleration of every floor.
+    Acceleration,
+    /// Peak shear force of every structure and peak pounding force of every compliant pair.
+    Force,
+    /// Impulse of the first collision, largest impulse and sum of the impulses of every pair.
+    Impulse,
+    /// Time of the first collision of every pair, relative to that time, and time for which it touches.
+    Time,
+    /// All of these, and equal numbers of collisions.
+    All,
+}
+
+impl QuantityGroup {
+    /// Every group.
+    pub const EVERY: [Self; 7] = [
+        Self::Momentum,
+        Self::Displacement,
+        Self::Acceleration,
+        Self::Force,
+        Self::Impulse,
+        Self::Time,
+        Self::All,
+    ];
+
+    /// Its name, as users write it.
+    pub fn name(self) -> &'static str {
+        ["momentum", "displacement", "acceleration", "force", "impulse", "time", "all"][self as usize]
+    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ mod model;
 mod pair_outcome;
 mod refused;
 mod run;
-mod values;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -19,11 +18,10 @@ use crate::{Error, Method, Origin, Scene, SceneError};
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 
-pub use advice::{Advice, Goal, StepSizes, Trial, holding};
+pub use advice::{Advice, Goal, QuantityGroup, StepSizes, Trial, holding};
 pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::{PairOutcome, least_opening};
 pub use run::{Audited, Balance, Extras, RunResult};
-pub use values::Values;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]

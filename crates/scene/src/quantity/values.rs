@@ -2,10 +2,20 @@
 
 use pounding_solver::{Peak, StructurePeaks};
 
-use super::{PairOutcome, RunResult, Simulation};
-use crate::{Floor, Quantity};
+use super::{Quantity, QuantityKind};
+use crate::{Floor, PairOutcome, RunResult, Simulation};
 
-/// A run beside the simulation that it is of: every number of [`Quantity`].
+/// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: alone it may be next to nothing.
+pub const LEAST_PART: f64 = 0.05;
+
+/// Least magnitude of a transferred momentum in a relative error, as a part of the row's largest \[–\]: forces from both sides cancel up to
+/// rounding.
+pub const ZERO: f64 = 1e-9;
+
+/// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
+pub const AT_ONCE: f64 = 1e-9;
+
+/// A run beside its simulation: every number of [`Quantity`].
 #[derive(Debug, Clone)]
 pub struct Values<'a> {
     pub(crate) simulation: &'a Simulation,
@@ -33,6 +43,31 @@ impl Values<'_> {
     /// If the row has no such floor or pair.
     pub fn of(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
         (quantity.into().about().of)(self, place)
+    }
+
+    /// What the magnitude of a number counts as at least where an error is relative to it; 0 for most.
+    ///
+    /// # Panics
+    /// If the row has no such floor or pair.
+    pub fn least(&self, quantity: impl Into<Quantity>, place: usize) -> f64 {
+        let about = quantity.into().about();
+        if let QuantityKind::Residual(peak) = about.kind {
+            self.part_of(peak, place)
+        } else {
+            (about.least)(self, place)
+        }
+    }
+
+    /// The least magnitude of a number that may be next to nothing beside a peak.
+    pub(crate) fn part_of(&self, peak: impl Into<Quantity>, floor: usize) -> f64 {
+        LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs()
+    }
+
+    /// The least magnitude of a transferred momentum \[N·s\].
+    pub(crate) fn least_momentum(&self) -> f64 {
+        let floors = 0..self.simulation.floors().all().len();
+        let momenta = floors.map(|floor| self.result.momentum.of(floor));
+        ZERO * momenta.fold(0.0, f64::max)
     }
 
     /// A floor by its place.
