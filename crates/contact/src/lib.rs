@@ -7,7 +7,7 @@
 //! ```
 //! use pounding_contact::{Calibration, FreeImpact, FreePair, LawName, reduced_mass};
 //!
-//! 75 t hit 3000 t at 0.5 m/s. Impact stiffness 2.75e9 N/m^1.5; the requested coefficient of restitution is e = 0.65.
+//! // 75 t hit 3000 t at 0.5 m/s. Impact stiffness 2.75e9 N/m^1.5; the requested coefficient of restitution is e = 0.65.
 //! let pair = FreePair { reduced_mass: reduced_mass(1.0 / 75e3, 1.0 / 3e6), approach_speed: 0.5 };
 //! let law = |calibration| LawName::HertzDamp.calibrated(2.75e9, (0.65, calibration), &pair);
 //!
