@@ -4,7 +4,22 @@ use std::borrow::Cow;
 
 /// A setting that a message names: a field of a scene, which the program may have as an option and callers as an argument.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Knob(Cow<'static, str>);
+pub enum Knob {
+    /// Unit of the values of a record.
+    Unit,
+    /// Time between its samples.
+    TimeStep,
+    /// Which of its components is taken.
+    Component,
+    /// What a count of its digitiser is worth.
+    PerCount,
+    /// That its values are accelerations.
+    Acceleration,
+    /// That its values follow one another in rows.
+    InRows,
+    /// Any field of a scene.
+    Field(Cow<'static, str>),
+}
 
 /// Whose names a message uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,22 +76,22 @@ const KNOBS: [Entry; 20] = [
 ];
 
 impl Knob {
-    /// Unit of the values of a record.
-    pub const UNIT: Self = Self(Cow::Borrowed("record.unit"));
-    /// Time between its samples.
-    pub const TIME_STEP: Self = Self(Cow::Borrowed("record.time_step_s"));
-    /// Which of its components is taken.
-    pub const COMPONENT: Self = Self(Cow::Borrowed("record.component"));
-    /// What a count of its digitiser is worth.
-    pub const PER_COUNT: Self = Self(Cow::Borrowed("record.per_count"));
-    /// That its values are accelerations.
-    pub const ACCELERATION: Self = Self(Cow::Borrowed("record.acceleration"));
-    /// That its values follow one another in rows.
-    pub const IN_ROWS: Self = Self(Cow::Borrowed("record.in_rows"));
-
     /// A field of a scene.
     pub fn field(path: impl Into<Cow<'static, str>>) -> Self {
-        Self(path.into())
+        Self::Field(path.into())
+    }
+
+    /// The field itself.
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Unit => "record.unit",
+            Self::TimeStep => "record.time_step_s",
+            Self::Component => "record.component",
+            Self::PerCount => "record.per_count",
+            Self::Acceleration => "record.acceleration",
+            Self::InRows => "record.in_rows",
+            Self::Field(path) => path,
+        }
     }
 
     /// The setting as a message asks for it.
@@ -98,15 +113,10 @@ impl Knob {
             Naming::Option => entry.option,
             Naming::Argument => entry.argument,
         });
-        if own.is_empty() { &self.0 } else { own }
-    }
-
-    /// The field itself.
-    pub fn path(&self) -> &str {
-        &self.0
+        if own.is_empty() { self.path() } else { own }
     }
 
     fn entry(&self) -> Option<&'static Entry> {
-        KNOBS.iter().find(|entry| entry.field == self.0)
+        KNOBS.iter().find(|entry| entry.field == self.path())
     }
 }

@@ -31,9 +31,12 @@ struct Parts {
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct Part {
-    lead: &'static str,
+    lead: Cow<'static, str>,
     words: Words,
 }
+
+/// What goes through a text that knows no values: the field, and lead and words of every part.
+type Packed = (String, [(String, String); 3]);
 
 /// What those must tell apart who do not only repeat a refusal.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -52,8 +55,8 @@ pub enum Kind {
     OtherQuantity,
     /// A record of velocities, unless its user says otherwise.
     Velocity,
-    /// More work than the budget has.
-    OverBudget,
+    /// A record of displacements, by the name of its file.
+    Displacement,
     /// Somebody ended it.
     Stopped,
 }
@@ -110,7 +113,7 @@ impl From<&Refused> for Words {
             pieces.push(Piece::Text(format!("{place}{colon}").into()));
         }
         for part in parts.said.iter().filter(|part| !part.words.0.is_empty()) {
-            pieces.push(Piece::Text(part.lead.into()));
+            pieces.push(Piece::Text(part.lead.clone()));
             pieces.extend(part.words.0.iter().cloned());
         }
         Self(pieces)
@@ -148,6 +151,23 @@ impl Refused {
     pub fn that_at(place: impl Into<Place>, sentence: impl Into<Words>) -> Self {
         let mut new = Self::at(place).is(sentence);
         new.0.names_spot = true;
+        new
+    }
+
+    /// The refusal that a deserialiser is handed as something to be displayed, or a sentence.
+    ///
+    /// In its alternate form a refusal displays its parts, which a sentence does not tell.
+    pub fn handed(said: &impl fmt::Display) -> Self {
+        let text = format!("{said:#}");
+        let Ok((field, said)) = serde_json::from_str::<Packed>(&text) else {
+            return Self::that(text);
+        };
+        let mut new = Self::default();
+        new.0.place.field = Some(field).filter(|field| !field.is_empty()).map(Knob::field);
+        new.0.said = said.map(|(lead, words)| Part {
+            lead: lead.into(),
+            words: words.into(),
+        });
         new
     }
 
@@ -245,6 +265,7 @@ impl Refused {
 
     fn say(mut self, part: usize, lead: &'static str, words: Words) -> Self {
         self.0.last = part;
+        let lead = lead.into();
         self.0.said[part] = Part { lead, words };
         self
     }
@@ -270,6 +291,13 @@ impl Refused {
         self
     }
 
+    /// The same in a field, or in one within that field, as the caller names it.
+    #[must_use]
+    pub fn in_field(mut self, field: impl Into<Cow<'static, str>>) -> Self {
+        self.0.place.field = Some(Knob::field(field));
+        self
+    }
+
     /// The same in a file, unless one is known.
     #[must_use]
     pub fn in_file(mut self, file: &Path) -> Self {
@@ -290,6 +318,11 @@ impl Refused {
     /// What tells it apart from others.
     pub fn is_kind(&self, kind: Kind) -> bool {
         self.0.kind == kind
+    }
+
+    /// The same, to hand it on.
+    pub fn own_kind(&self) -> Kind {
+        self.0.kind
     }
 
     /// The knob that is missing.
@@ -335,7 +368,13 @@ impl Refused {
 
 impl fmt::Display for Refused {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&Words::from(self).by(self.0.naming))
+        let naming = self.0.naming;
+        if out.alternate() {
+            let field = self.0.place.field.as_ref().map_or("", |field| field.named(naming));
+            let said = self.0.said.each_ref().map(|part| (&*part.lead, part.words.by(naming)));
+            return out.write_str(&serde_json::json!((field, said)).to_string());
+        }
+        out.write_str(&Words::from(self).by(naming))
     }
 }
 
@@ -440,11 +479,23 @@ mod tests {
         assert_eq!(parts(&"stopped".into()), ["stopped", "", "stopped", "", ""]);
     }
 
+    /// Parts were found again in sentences: a name with ": found " in it took the place of the place.
+    #[test]
+    fn issue_a_deserialiser_hands_on_parts_and_no_sentence() {
+        let own = Refused::at("count").found("x: found y, allowed z; q").allowed_is("1").help("w");
+        let handed = Refused::handed(&own);
+        assert_eq!(parts(&handed), parts(&own));
+        assert_eq!(
+            Refused::handed(&"found 1, allowed 2"),
+            Refused::that("found 1, allowed 2".to_owned())
+        );
+    }
+
     /// The program and Python spoke of fields of a scene where none was written, or replaced words in finished sentences.
     #[test]
     fn issue_a_knob_is_named_by_whom_it_is_turned() {
-        let unit = Refused::that("no unit").help("declare it as ").and(Knob::UNIT).wants(Knob::UNIT);
-        let switch = Refused::that("rows").help("declare ").and(Knob::IN_ROWS);
+        let unit = Refused::that("no unit").help("declare it as ").and(Knob::Unit).wants(Knob::Unit);
+        let switch = Refused::that("rows").help("declare ").and(Knob::InRows);
         let corner = Refused::at("record.band_pass.low_hz").found("0").so(", see ", Knob::field("x.y"));
         for (naming, wanted) in [
             (
@@ -464,7 +515,7 @@ mod tests {
             let said = [&unit, &switch, &corner].map(|one| one.clone().by(naming).to_string());
             assert!(said.iter().zip(wanted).all(|(said, wanted)| said.ends_with(wanted)), "{said:?}");
         }
-        assert_eq!(unit.wanted(), Some(&Knob::UNIT));
+        assert_eq!(unit.wanted(), Some(&Knob::Unit));
         assert!(unit.is_kind(Kind::Wrong));
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
         }
         let said = format!("the file holds {} components: {}", components.len(), listed(&named));
         let said = Refused::that(said).help("choose one by its name or its number as ");
-        return Err(said.and(Knob::COMPONENT).wants(Knob::COMPONENT));
+        return Err(said.and(Knob::Component).wants(Knob::Component));
     };
     let wanted = folded(declared);
     let folded: Vec<String> = components.iter().map(|component| folded(&component.name)).collect();
@@ -71,7 +71,7 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
         return Ok(index);
     }
     let declared = Refused::that("").quoted(declared.trim());
-    let declared = declared.and(" is declared as ").and(Knob::COMPONENT);
+    let declared = declared.and(" is declared as ").and(Knob::Component);
     Err(if components.is_empty() {
         let alone = declared.but(", but ", "the file holds one, which has no name");
         alone.help("leave the declaration away")

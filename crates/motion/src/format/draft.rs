@@ -145,10 +145,10 @@ impl Draft {
                 .and(", which speaks for velocities")
                 .but(", and ", "only histories of acceleration are read")
                 .help("take the record of accelerations, such as channel HNE of an accelerometer, or declare ")
-                .and(Knob::ACCELERATION)
+                .and(Knob::Acceleration)
                 .and(" if the values were turned into accelerations")
                 .kind(Kind::Velocity)
-                .wants(Knob::ACCELERATION));
+                .wants(Knob::Acceleration));
         }
         if let Scale::Displacement(stated) = &self.scale {
             return Err(refusals::not_acceleration(
@@ -180,9 +180,9 @@ impl Draft {
                 );
                 Refused::that_at(self.end, said)
                     .help("take the record itself, or declare ")
-                    .and(Knob::ACCELERATION)
+                    .and(Knob::Acceleration)
                     .and(" if they are accelerations")
-                    .wants(Knob::ACCELERATION)
+                    .wants(Knob::Acceleration)
             });
         }
         Ok(one_signed)
@@ -234,7 +234,7 @@ impl Draft {
                 .goes_on(format!("says that the values are in {}", stated.value.name()))
                 .but(", but ", unit.name())
                 .and(" is declared as ")
-                .and(Knob::UNIT)
+                .and(Knob::Unit)
                 .help("leave the declaration away")),
             (Scale::Unit(stated), _) => {
                 let found = format!("{} ({})", stated.value.symbol(), stated.text);
@@ -245,7 +245,7 @@ impl Draft {
                 let meant = declared.and_then(|unit| several.iter().find(|one| one.value == unit));
                 let meant = meant.ok_or_else(|| {
                     let said = several.iter().map(|one| (one.place, one.value.name().to_owned()));
-                    refusals::several("unit", Knob::UNIT, said)
+                    refusals::several("unit", Knob::Unit, said)
                 })?;
                 let found = format!("{} ({})", meant.value.symbol(), meant.text);
                 Ok((meant.value, reading("unit", Some(meant.place), &found)))
@@ -253,9 +253,9 @@ impl Draft {
             (Scale::Counts(stated), None) => Err(counts(stated)),
             (_, None) => Err(Refused::that("the file does not say in which unit its values are")
                 .help("declare it as ")
-                .and(Knob::UNIT)
+                .and(Knob::Unit)
                 .and(format!(", one of {}", AccelerationUnit::names()))
-                .wants(Knob::UNIT)),
+                .wants(Knob::Unit)),
             (_, Some(unit)) => {
                 let found = format!("{} (declared)", unit.symbol());
                 Ok((unit, reading("unit", None, &found)))
@@ -272,7 +272,7 @@ impl Draft {
         match (&self.scale, declared.per_count) {
             (Scale::Unit(stated), Some(declared)) => Err(Refused::at(stated.place)
                 .goes_on(format!("says that the values are in {}", stated.value.name()))
-                .but(", but ", Knob::PER_COUNT)
+                .but(", but ", Knob::PerCount)
                 .and(format!(" is declared as {}", plain(declared)))
                 .help("leave it away, there are no counts to scale")),
             (Scale::Counts(stated), None) => Err(counts(stated)),
@@ -350,13 +350,13 @@ fn counts(stated: &Stated<()>) -> Refused {
         .reads(stated.text.clone())
         .and(": the values are counts of a digitiser")
         .help("declare what one is worth as ")
-        .and(Knob::PER_COUNT)
+        .and(Knob::PerCount)
         .and(", and in which ")
-        .and(Knob::UNIT)
-        .wants(Knob::PER_COUNT)
+        .and(Knob::Unit)
+        .wants(Knob::PerCount)
 }
 
 fn bad_per_count(found: f64) -> Refused {
-    let said = Refused::that("the declared ").and(Knob::PER_COUNT).and(format!(" is {found:?}"));
+    let said = Refused::that("the declared ").and(Knob::PerCount).and(format!(" is {found:?}"));
     said.but(", and must be ", "finite, not 0, and keep every value finite")
 }

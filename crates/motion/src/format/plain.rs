@@ -148,13 +148,13 @@ fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> Refused {
             Refused::at(Spot::Line(rows.first().number))
                 .goes_on(format!("has {found} numbers: {reason}"))
                 .help("if they follow one another, declare ")
-                .and(Knob::IN_ROWS)
+                .and(Knob::InRows)
                 .and(format!(
                     "; if they are columns, write their names above, such as `{}` or `time {}`",
                     names.join(" "),
                     names[..names.len().max(2) - 1].join(" ")
                 ))
-                .wants(Knob::IN_ROWS)
+                .wants(Knob::InRows)
         }
     }
 }

@@ -126,7 +126,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
         && !(found.is_finite() && found > 0.0)
     {
         return Err(Refused::that("the declared ")
-            .and(Knob::TIME_STEP)
+            .and(Knob::TimeStep)
             .and(format!(" is {} s", plain(found)))
             .but(", and must be ", "finite and above 0 s"));
     }
@@ -139,7 +139,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
                 None if stated.value >= LARGE => Err(Refused::at(stated.place)
                     .is(format!("the times rise by {}, and nothing states their unit", stated.value))
                     .help("name the column `time_s` or `time_ms`, or declare ")
-                    .and(Knob::TIME_STEP)
+                    .and(Knob::TimeStep)
                     .and(format!(" as {} or {} s", stated.value, in_milliseconds.value))),
                 _ => even(stated, declared),
             }
@@ -150,7 +150,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
             meant.map_or_else(
                 || {
                     let said = several.iter().map(|one| (one.place, format!("{} s", one.value)));
-                    Err(refusals::several("time step", Knob::TIME_STEP, said))
+                    Err(refusals::several("time step", Knob::TimeStep, said))
                 },
                 |one| even(one, declared).map(Settled::from),
             )
@@ -163,9 +163,9 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
         }
         (None, None) => Err(Refused::that("the file does not say how far apart its values are")
             .help("declare it as ")
-            .and(Knob::TIME_STEP)
+            .and(Knob::TimeStep)
             .and(" in seconds")
-            .wants(Knob::TIME_STEP)),
+            .wants(Knob::TimeStep)),
     }
 }
 
@@ -180,13 +180,13 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
                 .goes_on(format!("gives a time step of {found:?} s"))
                 .allowed_are("1e-6 to 10 s")
                 .so(": ", "the header lacks it, or is damaged; if it is right, declare the same as ")
-                .and(Knob::TIME_STEP));
+                .and(Knob::TimeStep));
         }
         Some(declared) if !is_repeated(declared, found) => {
             return Err(Refused::at(place)
                 .goes_on(format!("gives a time step of {} s", plain(found)))
                 .but(", but ", format!("{} s is declared as ", plain(declared)))
-                .and(Knob::TIME_STEP)
+                .and(Knob::TimeStep)
                 .help("leave the declaration away"));
         }
         _ => {}
@@ -230,7 +230,7 @@ impl Uneven {
             let allowed = format!("{:.1e}", 1.06 * (last - first) / (most - 1) as f64);
             let allowed: f64 = allowed.parse().expect("a number that was printed");
             let said = format!(" of {step} s resamples the uneven times of the file to more than {MOST_PER_PAIR} values for each there is");
-            let said = Refused::that("the declared ").and(Knob::TIME_STEP).and(said);
+            let said = Refused::that("the declared ").and(Knob::TimeStep).and(said);
             return Err(said.but("; allowed is ", format!("{allowed} s and more")));
         }
         let mut samples = Vec::new();

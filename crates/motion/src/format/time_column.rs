@@ -225,9 +225,9 @@ impl TimeColumn {
             ),
         )
         .help("declare the step to which they are to be resampled, linear between them, as ")
-        .and(Knob::TIME_STEP)
+        .and(Knob::TimeStep)
         .and(", or print them with more decimals")
-        .wants(Knob::TIME_STEP)
+        .wants(Knob::TimeStep)
     }
 }
 

@@ -1,9 +1,11 @@
 //! What a contact law and a method really deliver to two free masses.
 
 use crate::Method;
-use crate::judge::free_collision::{CollisionError, Delivered, FreeCollision};
+use crate::file::check::out_of_range;
+use crate::judge::free_collision::{Delivered, FreeCollision};
 use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
+use pounding_text::Refused;
 
 /// What is asked of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,14 +41,14 @@ impl Certificate {
     /// Calibrates a law and lets two free masses collide.
     ///
     /// # Errors
-    /// [`CertificateError`] for a parameter out of range, and where no run gives an answer.
-    pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, CertificateError> {
+    /// Refuses a parameter out of range, and where no run gives an answer.
+    pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, Refused> {
         let pair = collision.free_pair();
         let calibrated = |calibration| {
             let asked = (wanted.restitution, calibration);
             wanted.law.calibrated(wanted.stiffness, asked, &pair)
         };
-        let law = calibrated(wanted.calibration)?;
+        let law = calibrated(wanted.calibration).map_err(of_law)?;
         let has_formula = wanted.law.named().formula.is_some();
         let formula = has_formula.then(|| calibrated(Calibration::Literature));
         let impact = FreeImpact::of(&law, &pair);
@@ -57,7 +59,7 @@ impl Certificate {
         let exact = Integrator::Exact(Exact::default());
         let run = collision.run(law, &exact, scale, 0.5, contact)?;
         Ok(Self {
-            by_formula: formula.transpose()?.as_ref().and_then(relation),
+            by_formula: formula.transpose().map_err(of_law)?.as_ref().and_then(relation),
             by_relation: relation(&law),
             by_exact: run.restitution(collision.speed),
             impulse: run.impulse,
@@ -69,20 +71,20 @@ impl Certificate {
     /// What a method delivers.
     ///
     /// # Errors
-    /// [`CertificateError::Collision`] where it fails.
-    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, CertificateError> {
+    /// Says why, where it fails.
+    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, Refused> {
         let duration = self.impact.map(|impact| impact.duration);
         Ok(collision.delivered(self.law, method, self.by_exact, duration)?)
     }
 }
 
-/// Why there is no certificate.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum CertificateError {
-    /// A parameter of the law.
-    #[error(transparent)]
-    Law(#[from] CalibrationError),
-    /// A collision that cannot be run.
-    #[error(transparent)]
-    Collision(#[from] CollisionError),
+/// Says why a law cannot be calibrated as asked.
+fn of_law(error: CalibrationError) -> Refused {
+    match error {
+        CalibrationError::Parameter(error) => out_of_range(error.parameter, error.found, error.allowed),
+        CalibrationError::NoFormula { law } => {
+            let none = Refused::at(law).is("the literature gives no damping for an e");
+            none.but("; allowed is ", "the exact calibration")
+        }
+    }
 }

@@ -86,7 +86,7 @@ impl<'l, 't> Layout<'l, 't> {
             Refused::at(Spot::Line(line.number))
                 .reads(line.excerpt())
                 .and(": the numbers stand in columns")
-                .but(", but ", Knob::IN_ROWS)
+                .but(", but ", Knob::InRows)
                 .and(" is declared")
                 .help("leave the declaration away")
         };
