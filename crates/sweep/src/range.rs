@@ -1,19 +1,12 @@
 //! Numbers out of their range.
 
-/// A number out of its range.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{field}: found {}, allowed {allowed}", pounding_text::plain(*found))]
-pub(super) struct RangeError {
-    field: &'static str,
-    found: f64,
-    allowed: &'static str,
-}
+use pounding_text::{Refused, plain};
 
-pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), RangeError> {
+pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), Refused> {
     if valid && found.is_finite() {
         Ok(())
     } else {
-        Err(RangeError { field, found, allowed })
+        Err(Refused::at(field).found(plain(found)).allowed(allowed))
     }
 }
 
@@ -22,7 +15,7 @@ pub(super) const POSITIVE: &str = "a finite number > 0";
 const ABOVE: &str = "a finite number above `from`";
 
 /// Refuses bounds of which the upper one is not above the lower one.
-pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
+pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), Refused> {
     if let Some(from) = from {
         require(true, "from", from, FINITE)?;
     }

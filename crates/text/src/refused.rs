@@ -49,6 +49,12 @@ pub enum Kind {
     System(io::ErrorKind),
     /// A text that is no record at all.
     NoRecord,
+    /// Values that do not suit each other or the budget, though each is allowed.
+    Together,
+    /// A time step from which on a scene grows without bound.
+    Unstable,
+    /// A file of the program's own that is not as it was written.
+    Damaged,
     /// Fewer values than were announced.
     CutShort,
     /// A record of another quantity than accelerations.

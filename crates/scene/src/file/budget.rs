@@ -7,7 +7,7 @@ use pounding_solver::Budget;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use pounding_text::Refused;
+use pounding_text::{Kind, Refused};
 
 /// What a run may cost before it is given up; what ends within it has the same numbers without it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -73,7 +73,8 @@ impl Patience {
                 let seconds = pounding_text::plain(seconds);
                 let over = Refused::at("budget.seconds").found(format!("{seconds}, which was over before the run began"));
                 let over = over.allowed_is("what it takes to prepare the row");
-                Err(over.help("make `budget.seconds` more, or take fewer structures or storeys"))
+                let over = over.help("make `budget.seconds` more, or take fewer structures or storeys");
+                Err(over.kind(Kind::Together))
             }
             _ => Ok(()),
         }

@@ -1,7 +1,7 @@
 //! Why the solver refuses a row, in the words of the scene.
 
 use pounding_solver::ModelError;
-use pounding_text::{Refused, digits, plain};
+use pounding_text::{Kind, Refused, digits, plain};
 
 use crate::file::check::out_of_range;
 use crate::simulation::floors::{Floor, Floors};
@@ -21,7 +21,9 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
                 digits(overlap)
             );
             let found = Refused::at(format!("contacts[{index}].gap_m")).found(found);
-            found.but("; allowed is ", "a gap that they leave open, or other initial_displacement_m")
+            found
+                .but("; allowed is ", "a gap that they leave open, or other initial_displacement_m")
+                .kind(Kind::Together)
         }
         // Contacts join neighbours in order: what remains is a wall on either side.
         ModelError::NotNeighbours { pair, .. } => {

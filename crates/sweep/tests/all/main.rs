@@ -13,7 +13,8 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_files::Existing;
 use pounding_scene::{Scene, Simulation};
-use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
+use pounding_sweep::{Parts, Shard, Sweep, merge};
+use pounding_text::Refused;
 use serde_json::{Value, json};
 
 /// Nobody says stop, or somebody has.
@@ -49,7 +50,7 @@ fn sweep(folder: &Path, words: &Value) -> Sweep {
 }
 
 /// The same, until somebody says stop.
-pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, SweepError> {
+pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, Refused> {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
     Sweep::read(&path, stop)
