@@ -269,6 +269,13 @@ impl Refused {
         self
     }
 
+    /// Says more of what to do, behind all else that is said.
+    #[must_use]
+    pub fn help_also(mut self, words: impl Into<Words>) -> Self {
+        self.0.said[2].words.0.extend(words.into().0);
+        self
+    }
+
     fn say(mut self, part: usize, lead: &'static str, words: Words) -> Self {
         self.0.last = part;
         let lead = lead.into();

@@ -81,7 +81,7 @@ pub fn in_file(mut refused: Refused, path: &Path) -> Refused {
 }
 
 /// What is said of a run that ended early.
-pub(crate) fn ended(source: &RunError) -> Refused {
+pub fn ended(source: &RunError) -> Refused {
     let kind = match source {
         RunError::Stopped { .. } => Kind::Stopped,
         _ => Kind::Wrong,

@@ -10,6 +10,7 @@ pub(crate) mod stress;
 pub(crate) mod surveys;
 pub(crate) mod twin;
 
+use pounding_text::Refused;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -96,10 +97,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`] for the first file that cannot be read.
     pub fn read_all(folder: &Path) -> Result<Vec<Self>, StudyError> {
-        let unreadable = |source| pounding_scene::Error::Unreadable {
-            path: folder.to_path_buf(),
-            source,
-        };
+        let unreadable = |error| pounding_scene::Error::Refused(Refused::unreadable(folder, &error));
         let mut paths = Vec::new();
         for entry in std::fs::read_dir(folder).map_err(unreadable)? {
             let path = entry.map_err(unreadable)?.path();

@@ -2,7 +2,7 @@
 
 use crate::noise::Noise;
 use crate::{Completed, StudyError, StudyFile};
-use pounding_motion::{Record, RecordError};
+use pounding_motion::{Record, Refused};
 use pounding_scene::{Extras, Method, Scene, Simulation, in_scene};
 
 /// Scenes of the paper by another method, ready to run under any record.
@@ -178,7 +178,7 @@ impl Part {
 }
 
 /// A record that ends after so long \[s\], and is zero a sample later.
-fn ended(record: &Record, duration: f64) -> Result<Record, RecordError> {
+fn ended(record: &Record, duration: f64) -> Result<Record, Refused> {
     let step = record.time_step();
     let is_shaken = |index: &usize| *index as f64 * step <= duration * (1.0 + 1e-9);
     let samples = record.samples().iter().enumerate();

@@ -3,7 +3,7 @@
 use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
 use pounding_motion::Record;
-use pounding_scene::{GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum};
+use pounding_scene::{GroundMotion, Method, Motion, RecordUse, Refused, ScaleTo, Scene, response_spectrum};
 use pounding_text::digits;
 use pounding_text::to_csv;
 use std::path::Path;
@@ -32,8 +32,8 @@ impl Target {
     /// The strength of the first motion, where a study scales by one.
     ///
     /// # Errors
-    /// [`SpectrumError`] for a spectral acceleration that cannot be computed.
-    pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, SpectrumError> {
+    /// Refuses a spectral acceleration that cannot be computed.
+    pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, Refused> {
         let Some(strength) = settings.scaled_by else {
             return Ok(None);
         };
@@ -145,7 +145,7 @@ impl Shaking {
 }
 
 /// Pseudo-spectral acceleration \[m/s²\].
-fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, SpectrumError> {
+fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, Refused> {
     let values = response_spectrum(record, &[period], damping)?;
     Ok(values[0].pseudo_acceleration)
 }

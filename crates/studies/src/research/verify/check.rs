@@ -343,10 +343,8 @@ impl Failure {
             variant(source)
         } else if let pounding_scene::Error::Broken { source, .. } = error {
             variant(source)
-        } else if let pounding_scene::Error::Scene { source, .. } = error {
-            variant(source)
         } else {
-            variant(error)
+            variant(&error.refused().own_kind())
         };
         Self {
             kind,
