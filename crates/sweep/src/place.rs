@@ -144,13 +144,13 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
             let none = Refused::default().found(format!("no table `{}` in the scene", named(way)));
             Err(none.so(": ", "write it there as a table with its fields"))
         }
-        (Step::Item(index), Value::Array(items)) => match items.get(*index) {
-            Some(item) => go(step.clone(), item),
-            None => {
+        (Step::Item(index), Value::Array(items)) => {
+            let Some(item) = items.get(*index) else {
                 let none = Refused::default().found(format!("{}[{index}]", named(way)));
-                Err(none.allowed_are(format!("{} in the scene", indices(items.len()))))
-            }
-        },
+                return Err(none.allowed_are(format!("{} in the scene", indices(items.len()))));
+            };
+            go(step.clone(), item)
+        }
         (Step::Every, Value::Array(items)) => {
             let has = |item: &Value| match rest.first() {
                 Some(Step::Field(name)) => item.get(name).is_some(),

@@ -55,6 +55,8 @@ pub enum Kind {
     Unstable,
     /// A file of the program's own that is not as it was written.
     Damaged,
+    /// Times in uneven steps.
+    Uneven,
     /// Fewer values than were announced.
     CutShort,
     /// A record of another quantity than accelerations.

@@ -5,7 +5,7 @@ use super::{Stated, reading};
 use crate::line::Line;
 use crate::refusals;
 use crate::{Place, Reading, Refused};
-use pounding_text::{Knob, Spot, plain};
+use pounding_text::{Kind, Knob, Spot, plain};
 
 /// Largest departure from equal steps that is not due to printing, in steps.
 const UNEVENNESS: f64 = 1e-6;
@@ -228,6 +228,7 @@ impl TimeColumn {
         .and(Knob::TimeStep)
         .and(", or print them with more decimals")
         .wants(Knob::TimeStep)
+        .kind(Kind::Uneven)
     }
 }
 

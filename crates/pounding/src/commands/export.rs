@@ -63,7 +63,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         approximate: args.approximate,
     };
     let script = asked.script(&prepared).map_err(|error| match error {
-        OpenSeesError::NotModelled(what) => Refused::at(&**path).is(what.to_string()),
+        OpenSeesError::NotModelled(what) => Refused::at(&**path).is(what.clone()),
         OpenSeesError::Run(error) => message(error),
     })?;
     drop(waiting);

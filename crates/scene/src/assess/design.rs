@@ -280,13 +280,11 @@ impl<'a> Settings<'a> {
     fn positive(&self, field: &str, unit: &str) -> Result<f64, Refused> {
         let text = self.text(field);
         let number = text.and_then(|text| text.strip_suffix(unit).unwrap_or(text).trim().parse::<f64>().ok());
-        match number.filter(|number| *number > 0.0 && number.is_finite()) {
-            Some(number) => Ok(number),
-            None => {
-                let found = Refused::at(in_target(field)).found(text.unwrap_or("nothing").to_owned());
-                Err(found.allowed_is("a number > 0"))
-            }
-        }
+        let number = number.filter(|number| *number > 0.0 && number.is_finite());
+        number.ok_or_else(|| {
+            let found = Refused::at(in_target(field)).found(text.unwrap_or("nothing").to_owned());
+            found.allowed_is("a number > 0")
+        })
     }
 }
 

@@ -82,9 +82,7 @@ pub fn in_file(mut refused: Refused, path: &Path) -> Refused {
 
 /// What is said of a run that ended early.
 pub fn ended(source: &RunError) -> Refused {
-    let kind = match source {
-        RunError::Stopped { .. } => Kind::Stopped,
-        _ => Kind::Wrong,
-    };
+    let is_stopped = matches!(source, RunError::Stopped { .. });
+    let kind = if is_stopped { Kind::Stopped } else { Kind::Wrong };
     Refused::that(source.to_string()).kind(kind)
 }

@@ -1,9 +1,8 @@
 //! What a contact law and a method really deliver to two free masses.
 
 use crate::Method;
-use crate::file::check::out_of_range;
 use crate::judge::free_collision::{Delivered, FreeCollision};
-use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, LawName};
+use pounding_contact::{Calibration, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
 use pounding_text::Refused;
 
@@ -48,7 +47,7 @@ impl Certificate {
             let asked = (wanted.restitution, calibration);
             wanted.law.calibrated(wanted.stiffness, asked, &pair)
         };
-        let law = calibrated(wanted.calibration).map_err(of_law)?;
+        let law = calibrated(wanted.calibration)?;
         let has_formula = wanted.law.named().formula.is_some();
         let formula = has_formula.then(|| calibrated(Calibration::Literature));
         let impact = FreeImpact::of(&law, &pair);
@@ -59,7 +58,7 @@ impl Certificate {
         let exact = Integrator::Exact(Exact::default());
         let run = collision.run(law, &exact, scale, 0.5, contact)?;
         Ok(Self {
-            by_formula: formula.transpose().map_err(of_law)?.as_ref().and_then(relation),
+            by_formula: formula.transpose()?.as_ref().and_then(relation),
             by_relation: relation(&law),
             by_exact: run.restitution(collision.speed),
             impulse: run.impulse,
@@ -74,17 +73,6 @@ impl Certificate {
     /// Says why, where it fails.
     pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, Refused> {
         let duration = self.impact.map(|impact| impact.duration);
-        Ok(collision.delivered(self.law, method, self.by_exact, duration)?)
-    }
-}
-
-/// Says why a law cannot be calibrated as asked.
-fn of_law(error: CalibrationError) -> Refused {
-    match error {
-        CalibrationError::Parameter(error) => out_of_range(error.parameter, error.found, error.allowed),
-        CalibrationError::NoFormula { law } => {
-            let none = Refused::at(law).is("the literature gives no damping for an e");
-            none.but("; allowed is ", "the exact calibration")
-        }
+        collision.delivered(self.law, method, self.by_exact, duration)
     }
 }

@@ -49,7 +49,13 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
             };
             out_of_range(place, found, allowed)
         }
-        _ => Refused::that(error.to_string()),
+        ModelError::OutOfRange { .. }
+        | ModelError::Node { .. }
+        | ModelError::Point { .. }
+        | ModelError::NotAFloor { .. }
+        | ModelError::Arrivals { .. }
+        | ModelError::NoSamples
+        | _ => Refused::that(error.to_string()),
     }
 }
 

@@ -23,7 +23,7 @@ impl Sweep {
                 self.motions.all[place * n_directions].name.clone()
             }
         };
-        Ok(Form::of(words, (&listed, value), self.summed_columns())?)
+        Form::of(words, (&listed, value), self.summed_columns())
     }
 
     /// What cells may differ in: the motion, and everything with values that can be listed.

@@ -138,7 +138,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
                 let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
                 ("unit", "\"g\"", format!("one of {}", names.join(", ")))
             }
-            Some(Knob::TimeStep) if !declared.time_step.is_some() => {
+            Some(Knob::TimeStep) if !refused.is_kind(Kind::Uneven) => {
                 declared.time_step = Some(1.0);
                 ("time_step_s", "0.01", "time between samples [s]".into())
             }

@@ -2,7 +2,7 @@
 
 mod printed;
 
-use pounding::text::Refused;
+use pounding::text::{Naming, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::motion::{Direction, Drift, Measures};
@@ -136,7 +136,7 @@ fn all_refused(lines: &[Line]) -> Result<(), Refused> {
         Some(refused) if lines.len() == 1 => Err(refused.clone()),
         Some(first) => {
             let none = format!("none of the {} motions is read; the first: ", lines.len());
-            Err(Refused::that(none).and(first))
+            Err(Refused::that(none).and(first).by(Naming::Option))
         }
     }
 }
@@ -150,7 +150,7 @@ fn named_refused(lines: &[Line]) -> Option<Refused> {
         0 => first.clone(),
         others => {
             let some = format!("{} of the motions named are refused; the first: ", others + 1);
-            Refused::that(some).and(first)
+            Refused::that(some).and(first).by(Naming::Option)
         }
     })
 }

@@ -18,9 +18,9 @@ pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
     for (contact, one) in scene.contacts.iter().flatten().enumerate() {
         let facing = facing(scene, &levels, contact);
         match &one.levels {
-            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, facing)?,
+            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, &facing)?,
             _ if known == Heights::Known => {
-                check_heights(scene, &elevations, contact, facing)?;
+                check_heights(scene, &elevations, contact, &facing)?;
             }
             _ => {}
         }
@@ -98,9 +98,9 @@ fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
 }
 
 /// Refuses levels at which nothing faces the neighbour.
-fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: Vec<usize>) -> Result<(), Refused> {
+fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: &[usize]) -> Result<(), Refused> {
     let [left, right] = names(scene, [contact, contact + 1]);
-    let (facing, place) = (list(&allowed), format!("contacts[{contact}].levels"));
+    let (facing, place) = (list(allowed), format!("contacts[{contact}].levels"));
     if chosen.is_empty() {
         let none = Refused::at(place).found("none");
         let allowed = format!("one or more of {facing}, at which floors of \"{left}\" and \"{right}\" face each other");
@@ -127,7 +127,7 @@ fn list(counts: &[usize]) -> String {
 }
 
 /// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
-fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: Vec<usize>) -> Result<(), Refused> {
+fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: &[usize]) -> Result<(), Refused> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());
     };
@@ -147,7 +147,7 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
                 digits(*height),
                 heights.join(", ")
             );
-            let those_that_face = match list(&facing) {
+            let those_that_face = match list(facing) {
                 none if none.is_empty() => none,
                 levels => format!("levels = [{levels}] lets those touch that do, and no others; or "),
             };

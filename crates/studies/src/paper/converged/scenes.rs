@@ -134,7 +134,7 @@ impl Part {
             let duration = prepared.duration();
             scene.duration_s = Some(2.0 * duration);
             let record = ended(prepared.record(), duration);
-            prepared.variant(scene, record.map_err(|error| in_scene(scene, error.into()))?)
+            prepared.variant(scene, record.map_err(|error| in_scene(scene, error))?)
         });
         let prepared = prepared.collect::<Result<_, _>>();
         Ok(Self {
