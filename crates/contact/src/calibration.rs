@@ -1,3 +1,4 @@
+use pounding_text::{Refused, plain};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,4 +26,16 @@ pub enum CalibrationError {
         /// Name of the law.
         law: &'static str,
     },
+}
+
+impl From<CalibrationError> for Refused {
+    fn from(error: CalibrationError) -> Self {
+        match error {
+            CalibrationError::Parameter(error) => Self::at(error.parameter).found(plain(error.found)).allowed(error.allowed),
+            CalibrationError::NoFormula { law } => {
+                let none = Self::at(law).is("the literature gives no damping for an e");
+                none.but("; allowed is ", "the exact calibration")
+            }
+        }
+    }
 }

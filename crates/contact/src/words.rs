@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
+use pounding_text::Refused;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{DeserializeSeed, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -188,17 +189,16 @@ impl<'de> Visitor<'de> for Settings {
             (Some(damping), None, None) => return Ok(law.with([stiffness, damping])),
             (None, Some(e), calibration) => {
                 let asked = (e, calibration.unwrap_or(Calibration::Exact));
-                return law.calibrated(stiffness, asked, &FreePair::UNIT).map_err(A::Error::custom);
+                return law
+                    .calibrated(stiffness, asked, &FreePair::UNIT)
+                    .map_err(|error| A::Error::custom(Refused::from(error)));
             }
-            (Some(_), None, Some(_)) => "found `calibration` without `restitution`, allowed only with it".into(),
-            (Some(_), Some(_), _) => {
-                format!("found both `{damping}` and `restitution`, allowed one of them")
-            }
-            (None, None, _) => {
-                format!("found neither `{damping}` nor `restitution`, allowed one of them")
-            }
+            (Some(_), None, Some(_)) => ("`calibration` without `restitution`".into(), "only with it"),
+            (Some(_), Some(_), _) => (format!("both `{damping}` and `restitution`"), "one of them"),
+            (None, None, _) => (format!("neither `{damping}` nor `restitution`"), "one of them"),
         };
-        Err(A::Error::custom(refused))
+        let (found, allowed) = refused;
+        Err(A::Error::custom(Refused::default().found(found).allowed(allowed)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Contents of a file, before the caller sets the value of one g.
 
-use crate::{AccelerationUnit, Direction, Format, Reading, Record, RecordError, Unusual};
+use crate::{AccelerationUnit, Direction, Format, Reading, Record, Refused, Unusual};
+use pounding_text::plain;
 
 /// An `Accelerogram` is the contents of a file: a time step, and values in the unit of the file.
 ///
@@ -78,9 +79,10 @@ impl Accelerogram {
     ///
     /// # Errors
     /// Refuses a `gravity` that is not finite and above zero, or one that makes a value infinite.
-    pub fn into_record(self, gravity: f64) -> Result<Record, RecordError> {
+    pub fn into_record(self, gravity: f64) -> Result<Record, Refused> {
         if !(gravity.is_finite() && gravity > 0.0) {
-            return Err(RecordError::Gravity { found: gravity });
+            let found = Refused::at("gravity").found(format!("{} m/s²", plain(gravity)));
+            return Err(found.allowed("a finite number > 0, such as 9.81"));
         }
         let mut samples = self.values;
         for sample in &mut samples {

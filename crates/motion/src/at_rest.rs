@@ -1,11 +1,11 @@
 //! Correction of a motion so that the ground ends at rest at its initial position.
 
-use crate::{Record, RecordError};
+use crate::{Record, Refused};
 
 /// The record minus (p + q·t) times weights, with p and q such that velocity and displacement end at zero, to rounding.
 ///
-/// There is a weight ≥ 0 for every sample. At least two of them must not be zero; otherwise the record is returned unchanged.
-pub(crate) fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record, RecordError> {
+/// There is one weight ≥ 0 for every sample. Two of them must not be zero, or the record is returned as it is.
+pub(crate) fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record, Refused> {
     let middle = 0.5 * (weights.len() - 1) as f64;
     let tilted = |(index, weight): (usize, &f64)| weight * (index as f64 - middle);
     let tilted: Vec<f64> = weights.iter().enumerate().map(tilted).collect();
@@ -25,8 +25,8 @@ pub(crate) fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record
     with(record, samples.map(less).collect())
 }
 
-/// The record with other samples.
-fn with(record: &Record, samples: Vec<f64>) -> Result<Record, RecordError> {
+/// Other samples in the place of a record's.
+fn with(record: &Record, samples: Vec<f64>) -> Result<Record, Refused> {
     Record::new(record.time_step(), samples, record.source())
 }
 

@@ -2,7 +2,8 @@
 
 use crate::butterworth::Cascade;
 use crate::record::within;
-use crate::{Record, RecordError};
+use crate::{Record, Refused};
+use pounding_text::{Knob, plain};
 
 /// Highest order; filters of a higher order ring for longer than records last.
 const HIGHEST_ORDER: u32 = 10;
@@ -39,7 +40,7 @@ pub struct BandPass {
 
 impl BandPass {
     /// Checks the settings against the time step \[s\] of a record.
-    fn check(&self, time_step: f64) -> Result<(), RecordError> {
+    fn check(&self, time_step: f64) -> Result<(), Refused> {
         let order = (1..=HIGHEST_ORDER).contains(&self.order);
         within("order", f64::from(self.order), order, "1 to 10")?;
         let allowed = "a number of Hz, at least 1e-6 over the time step";
@@ -47,10 +48,14 @@ impl BandPass {
         within("low_corner", self.low_corner, resolved, allowed)?;
         // Checked before the highest frequency: otherwise swapped corners would blame the wrong one.
         if self.low_corner >= self.high_corner {
-            return Err(RecordError::Corners {
-                low: self.low_corner,
-                high: self.high_corner,
-            });
+            let [low, high] = [self.low_corner, self.high_corner].map(plain);
+            let found = format!("a low corner (below it the motion is taken away) of {low} Hz and a high one (above it) of {high} Hz");
+            let found = Refused::default().found(found).allowed_is("the first below the second");
+            return Err(found.help(if self.low_corner > self.high_corner {
+                "exchange them"
+            } else {
+                "part them"
+            }));
         }
         below_nyquist("high_corner", self.high_corner, time_step)
     }
@@ -61,13 +66,15 @@ impl BandPass {
     }
 }
 
-/// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart cannot represent, or a non-positive one.
-pub(crate) fn below_nyquist(setting: &'static str, found: f64, time_step: f64) -> Result<(), RecordError> {
+/// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart do not hold, or none.
+pub(crate) fn below_nyquist(setting: &'static str, found: f64, time_step: f64) -> Result<(), Refused> {
     let nyquist = 0.5 / time_step;
     if found < nyquist {
         Ok(())
     } else {
-        Err(RecordError::Frequency { setting, found, nyquist })
+        let found = Refused::at(setting).found(format!("{} Hz", plain(found)));
+        let allowed = format!("below {} Hz, half of one over the time step", plain(nyquist));
+        Err(found.allowed_is(allowed).help("lower it"))
     }
 }
 
@@ -78,8 +85,9 @@ impl Record {
     /// starts in the steady state of the first sample. Both are as in `scipy.signal.sosfiltfilt`.
     ///
     /// # Errors
-    /// Refuses settings out of range, a corner that the time step does not allow, and a record that is not longer than its extension.
-    pub fn band_passed(&self, filter: &BandPass) -> Result<Self, RecordError> {
+    /// Refuses settings out of range, a corner that the time step does not allow, and a record no longer than its
+    /// extension.
+    pub fn band_passed(&self, filter: &BandPass) -> Result<Self, Refused> {
         filter.check(self.time_step())?;
         let [low, high] = [filter.low_corner, filter.high_corner].map(|corner| corner * self.time_step());
         let mut cascade = Cascade::band_pass(filter.order, low, high);
@@ -91,11 +99,15 @@ impl Record {
             Passes::ForwardAndBackward => {
                 let padding = filter.padding();
                 if self.samples().len() <= padding {
-                    return Err(RecordError::TooShort {
-                        found: self.samples().len(),
-                        allowed: padding + 1,
-                        order: filter.order,
-                    });
+                    let found = format!("a record of {} samples", self.samples().len());
+                    let (least, order) = (padding + 1, filter.order);
+                    return Err(Refused::default()
+                        .found(found)
+                        .allowed_are(format!("{least} or more to filter forward and backward at order {order}"))
+                        .help("lower ")
+                        .and(Knob::field("record.band_pass.order"))
+                        .and(", or set ")
+                        .and(Knob::field("record.band_pass.causal")));
                 }
                 there_and_back(&mut cascade, self.samples(), padding)
             }

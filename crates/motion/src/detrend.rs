@@ -1,6 +1,6 @@
 //! Removal of a straight line from a record.
 
-use crate::{Record, RecordError};
+use crate::{Record, Refused};
 
 /// The line that [`Record::detrended`] removes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl Record {
     ///
     /// # Errors
     /// Refuses samples whose sum is not finite.
-    pub fn detrended(&self, trend: Trend) -> Result<Self, RecordError> {
+    pub fn detrended(&self, trend: Trend) -> Result<Self, Refused> {
         let samples = self.samples();
         let n = samples.len() as f64;
         let mean = samples.iter().sum::<f64>() / n;

@@ -1,6 +1,6 @@
 //! How the strength of a generated motion comes and goes.
 
-use crate::RecordError;
+use crate::Refused;
 use crate::record::within;
 
 /// A factor on a stationary motion, from 0 to 1: it rises like t², stays, and dies away exponentially.
@@ -21,8 +21,8 @@ impl Envelope {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         let (from, until) = (self.strong_from, self.strong_until);
         within("envelope.strong_from", from, from > 0.0, "a number > 0 s")?;
         let allowed = "a time not before the one at which the strong shaking begins";

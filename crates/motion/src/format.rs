@@ -43,9 +43,11 @@ mod usgs_text;
 mod values;
 
 use crate::line::{Line, lines};
-use crate::{Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, Refused, Site};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
+use pounding_text::{Kind, Naming, Spot};
 use spacing::Spacing;
 
 /// Ctrl-Z, which old programs write after a text.
@@ -64,11 +66,11 @@ struct Reader {
     format: Format,
     /// Whether the file is in this format, by its content.
     recognises: fn(&File<'_>) -> bool,
-    /// The components in their order; empty for a single component without a name.
-    components: fn(&File<'_>) -> Result<Vec<Component>, ReadError>,
-    /// Reads the component with this index, or 0 if there are no names.
-    read: fn(&File<'_>, usize) -> Result<Draft, ReadError>,
-    /// Reads place and time of the recording.
+    /// The components in their order; none where a file holds one that has no name.
+    components: fn(&File<'_>) -> Result<Vec<Component>, Refused>,
+    /// The component of that index, 0 where none has a name.
+    read: fn(&File<'_>, usize) -> Result<Draft, Refused>,
+    /// What it says of where and when its motion was recorded.
     identity: fn(&File<'_>) -> Identity,
 }
 
@@ -109,8 +111,8 @@ const READERS: [Reader; 26] = [
 /// The file must contain all information; see [`read_declared`].
 ///
 /// # Errors
-/// Names the place, the value found, the values allowed and the remedy; see [`ReadError`].
-pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
+/// Says where, what was found there, what is allowed and what to do; see [`Refused`].
+pub fn read(bytes: &[u8]) -> Result<Accelerogram, Refused> {
     read_declared(bytes, &Declared::default())
 }
 
@@ -120,9 +122,14 @@ pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
 /// are replaced in titles and refused in numbers.
 ///
 /// # Errors
-/// Names the place, the value found, the values allowed and the remedy; see [`ReadError`]. Refuses missing information, and contradictions
-/// between file and caller.
-pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, ReadError> {
+/// Says where, what was found there, what is allowed and what to do; see [`Refused`]. Refuses what
+/// neither the file nor the caller says, and what both say differently.
+pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, Refused> {
+    let read = read_as_declared(bytes, declared);
+    read.map_err(|refused| refused.by(Naming::Argument))
+}
+
+fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, Refused> {
     let (text, commas) = commas::with_points(bytes);
     let file = File {
         in_rows: declared.in_rows,
@@ -140,7 +147,7 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
         let ends = !damage::goes_on(&file, draft.end);
         draft.settle(reader.format, components.get(index), declared, ends)
     });
-    settled.map_err(|error| damage::located(error, &file))
+    settled.map_err(|refused| damage::located(refused, &file))
 }
 
 /// Returns the format of a file, by its content; `None` if it is unknown.
@@ -155,8 +162,8 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// Returns the names of the components of a file, in their order; empty for a single component without a name.
 ///
 /// # Errors
-/// Refuses a file of an unknown format, and a file whose components are not found; see [`ReadError`].
-pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
+/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
     let components = (reader(&file)?.components)(&file)?;
@@ -167,8 +174,8 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
 /// recording.
 ///
 /// # Errors
-/// Refuses a file of an unknown format, and a file whose components are not found; see [`ReadError`].
-pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
+/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+pub fn contents(bytes: &[u8]) -> Result<Contents, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
     let reader = reader(&file)?;
@@ -206,7 +213,7 @@ fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<
 
 /// For formats with a single component without a name.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
-fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn one_component(_: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(Vec::new())
 }
 
@@ -215,7 +222,7 @@ fn no_identity(_: &File<'_>) -> Identity {
     Identity::default()
 }
 
-fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
+fn reader(file: &File<'_>) -> Result<&'static Reader, Refused> {
     let known = READERS.iter().find(|reader| (reader.recognises)(file));
     match known {
         Some(reader) if matches!(reader.format, Format::Sac | Format::MiniSeed) => Ok(reader),
@@ -226,10 +233,14 @@ fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
     }
 }
 
-fn unknown(file: &File<'_>) -> ReadError {
+fn unknown(file: &File<'_>) -> Refused {
     let begin = || match file.first() {
-        None => ReadError::Empty,
-        Some(line) => ReadError::UnknownFormat { line: line.number },
+        None => refusals::empty(),
+        Some(line) => {
+            let said = format!("line {} begins none of the formats known: {}", line.number, Format::names());
+            let refused = Refused::that_at(Spot::Line(line.number), said).kind(Kind::NoRecord);
+            refused.help("fetch the file again in one of them, or write one number to a line")
+        }
     };
     foreign::binary(file.bytes).unwrap_or_else(begin)
 }
@@ -237,7 +248,7 @@ fn unknown(file: &File<'_>) -> ReadError {
 impl<'t> File<'t> {
     /// Blank lines above the first and rows of nothing but commas below the last say nothing, nor does the mark of DOS for the
     /// end of a text.
-    fn new(bytes: &'t [u8]) -> Result<Self, ReadError> {
+    fn new(bytes: &'t [u8]) -> Result<Self, Refused> {
         let end = bytes.trim_ascii_end();
         let marks = end.iter().rev().take_while(|byte| **byte == END_OF_TEXT);
         let text = match marks.count() {

@@ -1,6 +1,6 @@
 //! What the ground makes of white noise: the spectrum of Kanai and Tajimi as Clough and Penzien changed it.
 
-use crate::RecordError;
+use crate::Refused;
 use crate::record::within;
 
 /// Two filters that white noise in the rock passes on its way up: the layers of the ground (K. Kanai 1957, H. Tajimi
@@ -47,8 +47,8 @@ impl GroundFilter {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         let settings = [
             ("ground.angular_frequency", self.angular_frequency),
             ("ground.damping_ratio", self.damping_ratio),

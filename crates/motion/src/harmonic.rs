@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
-use crate::{Record, RecordError};
+use crate::{Record, Refused};
 
 /// A harmonic ground acceleration A·sin(2πft + φ), which may rise at its start and fall at its end.
 ///
@@ -31,8 +31,8 @@ impl Harmonic {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
         within("phase", self.phase, true, "a finite number of rad")?;
         let frequency = self.frequency;
@@ -50,7 +50,7 @@ impl Harmonic {
     ///
     /// # Errors
     /// Those of [`Harmonic::check`].
-    pub fn record(&self) -> Result<Record, RecordError> {
+    pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
         let sample = |step: usize| {
             let time = step as f64 * self.time_step;

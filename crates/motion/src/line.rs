@@ -1,8 +1,10 @@
 //! Lines and numbers of a text that may hold any bytes.
 
+use crate::refusals;
+use pounding_text::Spot;
 use std::borrow::Cow;
 
-use crate::{ReadError, RowError};
+use crate::Refused;
 
 /// Longest piece of a text that a message repeats, in characters.
 const EXCERPT: usize = 60;
@@ -74,21 +76,16 @@ impl<'a> Line<'a> {
     }
 
     /// The number in a field of this line; `field` counts from 1.
-    pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
+    pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, Refused> {
         let line = self.number;
         match number(bytes) {
-            None => Err(RowError::NotANumber {
-                line,
-                field,
-                found: excerpt(bytes),
-            }
-            .into()),
-            Some(value) if !value.is_finite() => Err(RowError::NotFinite {
-                line,
-                field,
-                found: excerpt(bytes),
-            }
-            .into()),
+            None => Err(refusals::not_a_number(line, field, excerpt(bytes))),
+            Some(value) if !value.is_finite() => Err(Refused::at(Spot::Field(line, field))
+                .is("")
+                .quoted(excerpt(bytes))
+                .and(" is not finite")
+                .but(", and ", "every number must be")
+                .help("put a measured value there or cut the record before it")),
             Some(value) => Ok(value),
         }
     }
@@ -135,13 +132,16 @@ const MOST_EMPTY: usize = 1_000_000;
 ///
 /// # Errors
 /// Refuses a text of too many lines, before it takes memory for them.
-pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
+pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, Refused> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let count = |end: u8| memchr::memchr_iter(end, rest).count();
     let n_ends = count(b'\n').max(count(b'\r'));
     let allowed = if 2 * n_ends > rest.len() { MOST_EMPTY } else { MOST };
     if n_ends > allowed {
-        return Err(ReadError::TooManyLines { found: n_ends, allowed });
+        return Err(Refused::default()
+            .found(format!("{n_ends} lines"))
+            .allowed_are(allowed.to_string())
+            .help("cut the record to the shaking that matters"));
     }
     let mut lines = Vec::with_capacity(n_ends + 1);
     while !rest.is_empty() {

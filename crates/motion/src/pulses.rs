@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
-use crate::{Record, RecordError};
+use crate::{Record, Refused};
 
 /// Half the duration of a Ricker pulse, in periods of its peak frequency: 1e-8 of its peak is cut off.
 const RICKER_REACH: f64 = 1.5;
@@ -27,8 +27,8 @@ impl RickerPulse {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         let frequency = self.frequency;
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
         within("frequency", frequency, frequency > 0.0, "a number > 0 Hz")?;
@@ -40,7 +40,7 @@ impl RickerPulse {
     ///
     /// # Errors
     /// Those of [`RickerPulse::check`].
-    pub fn record(&self) -> Result<Record, RecordError> {
+    pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
         let half = cover(RICKER_REACH / self.frequency, self.time_step)?;
         let sample = |step: usize| {
@@ -69,8 +69,8 @@ impl HalfSinePulse {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
         let duration = self.duration;
         within("duration", duration, duration > 0.0, "a number > 0 s")?;
@@ -83,7 +83,7 @@ impl HalfSinePulse {
     ///
     /// # Errors
     /// Those of [`HalfSinePulse::check`].
-    pub fn record(&self) -> Result<Record, RecordError> {
+    pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
         let last = cover(self.duration, self.time_step)?;
         let sample = |step: usize| {
@@ -99,7 +99,7 @@ impl HalfSinePulse {
 }
 
 /// The number of time steps that cover a duration.
-fn cover(duration: f64, time_step: f64) -> Result<usize, RecordError> {
+fn cover(duration: f64, time_step: f64) -> Result<usize, Refused> {
     let whole = steps(duration, time_step)?;
     let reached = whole as f64 * time_step >= duration * (1.0 - f64::EPSILON);
     Ok(if reached { whole } else { whole + 1 })

@@ -1,6 +1,7 @@
 //! The ground acceleration that structures are shaken with.
 
-use crate::{RecordError, error};
+use crate::Refused;
+use pounding_text::plain;
 
 /// A time this close to a sample, in time steps, is the time of that sample.
 ///
@@ -25,9 +26,9 @@ pub struct Record {
 impl Record {
     /// Largest acceleration of a sample, either way \[m/s²\]: a hundred million g, which no ground has. Squares of much stronger
     /// ones, integrated, leave the range of numbers, and a measure that is infinite measures nothing.
-    pub const STRONGEST: f64 = error::STRONGEST;
+    pub const STRONGEST: f64 = 1e9;
     /// Longest time between two samples \[s\], eleven days; for the same reason.
-    pub const LONGEST_STEP: f64 = error::LONGEST_STEP;
+    pub const LONGEST_STEP: f64 = 1e6;
 
     /// Makes a record of accelerations \[m/s²\] that are `time_step` \[s\] apart.
     ///
@@ -36,16 +37,18 @@ impl Record {
     /// # Errors
     /// Refuses an empty list, a sample beyond [`Self::STRONGEST`], and a time step that is not above zero and up to
     /// [`Self::LONGEST_STEP`].
-    pub fn new(time_step: f64, samples: Vec<f64>, source: impl Into<String>) -> Result<Self, RecordError> {
+    pub fn new(time_step: f64, samples: Vec<f64>, source: impl Into<String>) -> Result<Self, Refused> {
         checked_step(time_step)?;
         if samples.is_empty() {
-            return Err(RecordError::Empty);
+            return Err(Refused::default().found("no sample").allowed_is("at least one sample"));
         }
         // What is not a number is not within bounds either.
         let is_ground = |sample: &f64| sample.abs() <= Self::STRONGEST;
         if let Some(index) = samples.iter().position(|sample| !is_ground(sample)) {
             let found = samples[index];
-            return Err(RecordError::Sample { index, found });
+            let said = format!("the acceleration of sample {index} (the first is 0) is {} m/s²", plain(found));
+            let said = Refused::that(said).allowed_are(format!("up to {:e} m/s² either way", Self::STRONGEST));
+            return Err(said.help("correct its unit or its factor"));
         }
         let source = source.into();
         Ok(Self {
@@ -106,7 +109,7 @@ impl Record {
     ///
     /// # Errors
     /// Refuses a time step that is not finite and above zero, or that needs more than 10⁷ samples.
-    pub fn resampled(&self, time_step: f64) -> Result<Self, RecordError> {
+    pub fn resampled(&self, time_step: f64) -> Result<Self, Refused> {
         let samples = (0..=steps(self.duration(), time_step)?)
             .map(|step| self.at(step as f64 * time_step))
             .collect();
@@ -118,9 +121,11 @@ impl Record {
     ///
     /// # Errors
     /// Refuses a factor that is not finite, or one that makes a sample so.
-    pub fn scaled(&self, factor: f64) -> Result<Self, RecordError> {
+    pub fn scaled(&self, factor: f64) -> Result<Self, Refused> {
         if !factor.is_finite() {
-            return Err(RecordError::Factor { found: factor });
+            let found = Refused::default().found(format!("a factor of {}", plain(factor)));
+            let found = found.allowed_is("a finite one");
+            return Err(found.help("take a lower target, or a stronger motion"));
         }
         let samples = self.samples.iter().map(|sample| factor * sample).collect();
         Self::new(self.time_step, samples, self.source.clone())
@@ -130,7 +135,7 @@ impl Record {
     ///
     /// # Errors
     /// Refuses a factor that makes the time step zero or less, or no number.
-    pub fn stretched(&self, factor: f64) -> Result<Self, RecordError> {
+    pub fn stretched(&self, factor: f64) -> Result<Self, Refused> {
         let time_step = factor * self.time_step;
         Self::new(time_step, self.samples.clone(), self.source.clone())
     }
@@ -140,12 +145,12 @@ impl Record {
     ///
     /// # Errors
     /// Refuses a target that is negative or not finite, and a record that is zero throughout.
-    pub fn scaled_to_peak(&self, target: f64) -> Result<Self, RecordError> {
+    pub fn scaled_to_peak(&self, target: f64) -> Result<Self, Refused> {
         let allowed = "a finite number >= 0 m/s²";
-        within("the peak to scale to", target, target >= 0.0, allowed)?;
+        within("target", target, target >= 0.0, allowed)?;
         let peak = self.peak().1.abs();
         if peak == 0.0 {
-            return Err(RecordError::AllZero { target });
+            return Err(at_rest());
         }
         self.scaled(target / peak)
     }
@@ -177,33 +182,39 @@ impl Record {
 ///
 /// # Errors
 /// Refuses a time step that is not finite and above zero, or more steps than fit in memory.
-pub(crate) fn steps(duration: f64, time_step: f64) -> Result<usize, RecordError> {
+pub(crate) fn steps(duration: f64, time_step: f64) -> Result<usize, Refused> {
     checked_step(time_step)?;
     let steps = (duration / time_step + COINCIDENCE).floor();
     if steps >= MAX_SAMPLES as f64 {
-        return Err(RecordError::TooManySamples {
-            time_step,
-            duration,
-            allowed: MAX_SAMPLES,
-        });
+        let duration = plain(duration);
+        let found = format!("{time_step:?} s, which over {duration} s makes more than {MAX_SAMPLES} samples");
+        return Err(Refused::at("time_step").found(found).allowed_is("a longer step"));
     }
     Ok(whole(steps))
 }
 
 /// Refuses a setting that is not finite or not valid.
-pub(crate) fn within(setting: &'static str, found: f64, valid: bool, allowed: &'static str) -> Result<(), RecordError> {
+pub(crate) fn within(setting: &'static str, found: f64, valid: bool, allowed: &'static str) -> Result<(), Refused> {
     if valid && found.is_finite() {
         Ok(())
     } else {
-        Err(RecordError::Setting { setting, found, allowed })
+        Err(Refused::at(setting).found(plain(found)).allowed(allowed))
     }
 }
 
-fn checked_step(time_step: f64) -> Result<(), RecordError> {
+/// Refuses to scale a motion at rest.
+pub fn at_rest() -> Refused {
+    let found = Refused::default().found("a motion without any acceleration");
+    found.allowed_is("one that a factor can scale").help("take another")
+}
+
+fn checked_step(time_step: f64) -> Result<(), Refused> {
     if time_step > 0.0 && time_step <= Record::LONGEST_STEP {
         Ok(())
     } else {
-        Err(RecordError::TimeStep { found: time_step })
+        let found = Refused::at("time_step").found(format!("{} s", plain(time_step)));
+        let allowed = format!("more than 0 s and up to {:e} s", Record::LONGEST_STEP);
+        Err(found.allowed_are(allowed).help("correct it"))
     }
 }
 

@@ -8,7 +8,7 @@ use rand_pcg::rand_core::Rng;
 use crate::at_rest::brought_to_rest;
 use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
-use crate::{Envelope, GroundFilter, Record, RecordError};
+use crate::{Envelope, GroundFilter, Record, Refused};
 
 /// Random sequence that all seeds start in; nothing depends on its value.
 const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
@@ -51,8 +51,8 @@ impl StochasticMotion {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`RecordError`] names the setting, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), RecordError> {
+    /// [`Refused`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), Refused> {
         self.ground.check()?;
         self.envelope.check()?;
         let peak = self.peak;
@@ -72,7 +72,7 @@ impl StochasticMotion {
     ///
     /// # Errors
     /// Those of [`StochasticMotion::check`], and samples that are not finite.
-    pub fn record(&self) -> Result<Record, RecordError> {
+    pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
         // Any density will do: the peak is scaled.
         self.shaped(1.0)?.scaled_to_peak(self.peak)
@@ -80,7 +80,7 @@ impl StochasticMotion {
 
     /// The motion under its envelope, at rest at the end, of white noise of a two-sided spectral density S₀ over circular
     /// frequency \[m²/s³\]; its peak differs from seed to seed.
-    fn shaped(&self, density: f64) -> Result<Record, RecordError> {
+    fn shaped(&self, density: f64) -> Result<Record, Refused> {
         let mut samples = self.stationary(density)?;
         let factor = |step: usize| self.envelope.at(step as f64 * self.time_step);
         let factors: Vec<f64> = (0..samples.len()).map(factor).collect();
@@ -92,7 +92,7 @@ impl StochasticMotion {
     }
 
     /// One period of the stationary motion \[m/s²\] and its first sample once more.
-    fn stationary(&self, density: f64) -> Result<Vec<f64>, RecordError> {
+    fn stationary(&self, density: f64) -> Result<Vec<f64>, Refused> {
         let n_steps = steps(self.duration, self.time_step)?;
         let period = n_steps as f64 * self.time_step;
         let n_terms = steps(self.cutoff, 1.0 / period)?;

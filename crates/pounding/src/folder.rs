@@ -1,5 +1,6 @@
 //! The folder that `--out` names.
 
+use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +18,7 @@ impl Out {
     ///
     /// # Errors
     /// What stands in the way, and what to do about it.
-    pub(crate) fn open(path: &Path, overwrite: bool) -> Result<Self, String> {
+    pub(crate) fn open(path: &Path, overwrite: bool) -> Result<Self, Refused> {
         let others = if overwrite { Others::Stay } else { Others::Refused("--overwrite") };
         let folder = ResultFolder::open(path, RESULT_NAMES, others);
         let folder = folder.map_err(|reason| of_option(&reason))?;
@@ -34,7 +35,7 @@ impl Out {
     ///
     /// # Errors
     /// Names the file.
-    pub(crate) fn keep(&self, inputs: &[PathBuf]) -> Result<(), String> {
+    pub(crate) fn keep(&self, inputs: &[PathBuf]) -> Result<(), Refused> {
         let mut earlier = self.0.earlier();
         earlier.try_for_each(|path| new_file::keep(&path, inputs))
     }
@@ -43,13 +44,14 @@ impl Out {
     ///
     /// # Errors
     /// Says so.
-    pub(crate) fn apart_from(&self, records: &Path) -> Result<(), String> {
+    pub(crate) fn apart_from(&self, records: &Path) -> Result<(), Refused> {
         let own = self.path().canonicalize();
         match (own, records.canonicalize()) {
-            (Ok(own), Ok(records)) if own == records => Err(format!(
-                "--out: {} is the folder of the records, allowed is another one: results would be taken for records; name a new folder",
-                self.path().display()
-            )),
+            (Ok(own), Ok(records)) if own == records => {
+                let own = Refused::at("--out").is(format!("{} is the folder of the records", self.path().display()));
+                let another = "another one: results would be taken for records";
+                Err(own.allowed_is(another).help("name a new folder"))
+            }
             _ => Ok(()),
         }
     }
@@ -58,12 +60,12 @@ impl Out {
     ///
     /// # Errors
     /// What cannot be written, and what the system says.
-    pub(crate) fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+    pub(crate) fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), Refused> {
         let written = self.0.write(files);
         written.map_err(|reason| of_option(&reason))
     }
 }
 
-fn of_option(reason: &str) -> String {
-    format!("--out: {reason}")
+fn of_option(reason: &str) -> Refused {
+    Refused::at("--out").is(reason.to_owned())
 }

@@ -8,6 +8,7 @@ mod record;
 mod summary;
 mod text;
 
+use pounding::text::Refused;
 use std::io::{ErrorKind, Write, stderr, stdout};
 use std::process::ExitCode;
 
@@ -19,16 +20,16 @@ fn main() -> ExitCode {
     let_files_be_too_long();
     let (printed, refused) = match Program::parse().run() {
         Ok(text) => (text, None),
-        Err(failure) => (failure.printed, Some(failure.message)),
+        Err(failure) => (failure.printed, Some(failure.refused)),
     };
     let refused = match (print(&printed), refused) {
         (Ok(()), None) => return ExitCode::SUCCESS,
-        (_, Some(message)) | (Err(message), None) => message,
+        (_, Some(refused)) | (Err(refused), None) => refused,
     };
     // Of the whole line, as every command that has the option means the same by it.
     let is_json = std::env::args_os().any(|word| word == "--json");
     if is_json {
-        tell(&pounding::text::refusal_json(&message(&refused)));
+        tell(&pounding::text::refusal_json(&refused));
     } else {
         say(&format!("error: {refused}"));
     }
@@ -57,9 +58,9 @@ fn tell(line: &str) {
 }
 
 /// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
-pub(crate) fn print(text: &str) -> Result<(), String> {
+pub(crate) fn print(text: &str) -> Result<(), Refused> {
     match stdout().write_all(visible(text).as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output cannot be written: {error}")),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Refused::that(format!("standard output cannot be written: {error}"))),
         _ => Ok(()),
     }
 }

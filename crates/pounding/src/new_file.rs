@@ -1,5 +1,6 @@
 //! Files that the program writes: whole, on disk when it says so, never over what was read, and over others only when asked to.
 
+use pounding::text::Refused;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -11,7 +12,7 @@ pub(crate) fn existing(overwrite: bool) -> Existing {
 }
 
 /// Refuses one of the files that were read, and unless `overwrite` is set a file that is there already, before anything is written.
-pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<(), String> {
+pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<(), Refused> {
     keep(path, inputs)?;
     if path.exists() && !overwrite {
         Err(there_already(path))
@@ -21,24 +22,21 @@ pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<
 }
 
 /// Refuses to write over what was read, under any of its names.
-pub(crate) fn keep(path: &Path, inputs: &[PathBuf]) -> Result<(), String> {
+pub(crate) fn keep(path: &Path, inputs: &[PathBuf]) -> Result<(), Refused> {
     match input_at(path, inputs) {
         None => Ok(()),
-        Some(input) => Err(format!(
-            "{}: is the file that is read ({}), allowed is another, also with --overwrite: what was read cannot be made again; \
-             name a new file",
-            path.display(),
-            input.display()
-        )),
+        Some(input) => {
+            let read = Refused::at(path).is(format!("is the file that is read ({})", input.display()));
+            let another = "another, also with --overwrite: what was read cannot be made again";
+            Err(read.allowed_is(another).help("name a new file"))
+        }
     }
 }
 
 /// What is said of a file that is there already.
-pub(crate) fn there_already(path: &Path) -> String {
-    format!(
-        "{}: is there already, allowed is a new file; name another one or add --overwrite",
-        path.display()
-    )
+pub(crate) fn there_already(path: &Path) -> Refused {
+    let there = Refused::at(path).is("is there already").allowed_is("a new file");
+    there.help("name another one or add --overwrite")
 }
 
 /// Says so where nothing keeps other processes off.
@@ -49,12 +47,12 @@ pub(crate) fn say_if_unlocked(is_locked: bool) {
 }
 
 /// Writes a file; one that is there already is refused unless `overwrite` is set.
-pub(crate) fn write(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), String> {
+pub(crate) fn write(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), Refused> {
     pounding::files::write(path, bytes, existing(overwrite)).map_err(|error| {
         if error.kind() == ErrorKind::AlreadyExists {
             there_already(path)
         } else {
-            format!("{}: cannot be written: {error}", path.display())
+            Refused::at(path).is(format!("cannot be written: {error}"))
         }
     })
 }

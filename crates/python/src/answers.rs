@@ -8,12 +8,12 @@ use pounding_scene::{
     Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
     StepMethod, certificate_json, in_scene, usual_stiffness,
 };
-use pounding_text::json_text;
+use pounding_text::{Refused, json_text};
 use pyo3::prelude::*;
 use serde_json::Value;
 
 use crate::record::Record;
-use crate::refused::{OrRefused, said};
+use crate::refused::OrRefused;
 use crate::run::Given;
 use crate::waiting::wait;
 
@@ -26,19 +26,12 @@ pub(crate) fn visible(text: &str) -> String {
 /// The text of a JSON or TOML file, read within the bounds of the program.
 #[pyfunction]
 pub(crate) fn read_words(py: Python<'_>, path: PathBuf) -> PyResult<String> {
-    let read = || -> Result<Vec<u8>, Error> {
-        pounding_scene::bytes(&path).map_err(|source| Error::Unreadable {
-            path: path.clone(),
-            source,
-        })
-    };
+    let read = || -> Result<Vec<u8>, Error> { Ok(pounding_scene::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?) };
     let bytes = py.detach(read).or_refused(py)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        format!(
-            "{}: found byte {at} that is no UTF-8, allowed is text in UTF-8; save the file as such",
-            path.display()
-        )
+        let found = Refused::at(path.as_path()).found(format!("byte {at} that is no UTF-8"));
+        found.allowed_is("text in UTF-8").help("save the file as such")
     });
     text.or_refused(py)
 }
@@ -124,11 +117,11 @@ pub(crate) fn advise(
     let known = QuantityGroup::EVERY.into_iter();
     let names = QuantityGroup::EVERY.map(QuantityGroup::name).join("`, `");
     let found = known.clone().find(|group| group.name() == quantity);
-    let quantity = found.ok_or_else(|| format!("quantity: found `{quantity}`, allowed are `{names}`"));
+    let quantity = found.ok_or_else(|| unknown("quantity", quantity, &names));
     let quantity = quantity.or_refused(py)?;
     if !(error > 0.0 && error < 1.0) {
-        let message = format!("error: found {error}, allowed is more than 0 and less than 1");
-        return Err(message).or_refused(py);
+        let found = Refused::at("error").found(error.to_string());
+        return Err(found.allowed_is("more than 0 and less than 1")).or_refused(py);
     }
     let given = Given::of(text, path, record);
     let found = wait(py, progress, |watch| -> Result<String, Error> {
@@ -161,18 +154,18 @@ pub(crate) fn certify(
 ) -> PyResult<String> {
     let names = LawName::ALL.map(LawName::name).join("`, `");
     let named = LawName::from_name(law);
-    let law = named.ok_or_else(|| format!("law: found `{law}`, allowed are `{names}`"));
+    let law = named.ok_or_else(|| unknown("law", law, &names));
     let law = law.or_refused(py)?;
     let method = method.map(|method| {
         let names: Vec<_> = StepMethod::all().map(StepMethod::name).collect();
         let named = StepMethod::all().find(|one| one.name() == method);
-        named.ok_or_else(|| format!("method: found `{method}`, allowed are `{}`", names.join("`, `")))
+        named.ok_or_else(|| unknown("method", method, &names.join("`, `")))
     });
     let method = method.transpose().or_refused(py)?;
     for (name, number) in [("masses[0]", masses[0]), ("masses[1]", masses[1]), ("speed", speed)] {
         if !(number > 0.0 && number.is_finite()) {
-            let message = format!("{name}: found {number}, allowed is a finite number > 0");
-            return Err(message).or_refused(py);
+            let found = Refused::at(name).found(number.to_string());
+            return Err(found.allowed_is("a finite number > 0")).or_refused(py);
         }
     }
     let wanted = CertificateRequest {
@@ -182,9 +175,8 @@ pub(crate) fn certify(
         calibration: if literature { Calibration::Literature } else { Calibration::Exact },
     };
     let collision = FreeCollision { masses, speed };
-    let found = wait(py, None, |_| -> Result<String, String> {
-        let certificate = Certificate::new(&wanted, &collision);
-        let certificate = certificate.map_err(|error| error.to_string())?;
+    let found = wait(py, None, |_| -> Result<String, Refused> {
+        let certificate = Certificate::new(&wanted, &collision)?;
         let facts = certificate.facts(&wanted, &collision);
         let lines = time_step.map(|step| certificate.lines(&collision, step, method));
         Ok(json_text(&certificate_json(&facts, &lines.unwrap_or_default())))
@@ -215,16 +207,21 @@ pub(crate) fn opensees(
 ) -> PyResult<String> {
     let given = Given::of(text, path, record);
     let asked = OpenSees { time_step, approximate };
-    let found = wait(py, None, |watch| -> Result<String, String> {
+    let found = wait(py, None, |watch| -> Result<String, Refused> {
         let scene = Scene {
             method: Method::EXACT,
-            ..given.scene().map_err(|error| said(&error))?
+            ..given.scene()?
         };
-        let simulation = given.simulation_of(&scene, watch).map_err(|error| said(&error))?;
+        let simulation = given.simulation_of(&scene, watch)?;
         asked.script(&simulation).map_err(|error| match error {
-            OpenSeesError::NotModelled(what) => what,
-            OpenSeesError::Run(error) => said(&given.in_file(error)),
+            OpenSeesError::NotModelled(what) => what.into(),
+            OpenSeesError::Run(error) => given.in_file(error).into(),
         })
     })?;
     found.or_refused(py)
+}
+
+/// A word that is none of those allowed.
+fn unknown(place: &'static str, found: &str, names: &str) -> Refused {
+    Refused::at(place).found(format!("`{found}`")).allowed_are(format!("`{names}`"))
 }

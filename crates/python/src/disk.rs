@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use pounding_files::{Others, ResultFolder, input_at};
 use pounding_report::RESULT_NAMES;
+use pounding_text::Refused;
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
@@ -24,18 +25,15 @@ pub(crate) fn write_files(
     } else {
         Others::Refused("overwrite=True")
     };
-    let write = || -> Result<(), String> {
+    let write = || -> Result<(), Refused> {
         let folder = ResultFolder::open(&folder, RESULT_NAMES, others)?;
         for path in folder.earlier() {
             if let Some(input) = input_at(&path, &inputs) {
-                return Err(format!(
-                    "{}: is the file that is read ({}), allowed is another folder: what was read cannot be made again",
-                    path.display(),
-                    input.display()
-                ));
+                let read = Refused::at(path).is(format!("is the file that is read ({})", input.display()));
+                return Err(read.allowed_is("another folder").so(": ", "what was read cannot be made again"));
             }
         }
-        folder.write(&files)
+        Ok(folder.write(&files)?)
     };
     py.detach(write).or_refused(py)
 }

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::lines::{Line, Watched, failed, lines_of};
 use pounding_scene::{DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite};
+use pounding_text::Refused;
 use pounding_text::json_text;
 use pyo3::prelude::*;
 
-use crate::refused::{OrRefused, said};
+use crate::refused::OrRefused;
 use crate::run::Given;
 use crate::table::{Column, Table};
 use crate::waiting::{Watch, wait};
@@ -38,15 +39,15 @@ pub(crate) fn assess(
 ) -> PyResult<Assessment> {
     let [from, to] = stiffness;
     if !(from > 0.0 && from <= 1.0 && to >= 1.0 && to.is_finite()) {
-        let message = format!("stiffness: found {from} and {to}, allowed are two factors with 1 between them");
-        return Err(message).or_refused(py);
+        let found = Refused::at("stiffness").found(format!("{from} and {to}"));
+        return Err(found.allowed_are("two factors with 1 between them")).or_refused(py);
     }
     let scaling = scaling(scale, target).or_refused(py)?;
     let given = Given::of(text, path, None);
-    let found = wait(py, progress, |watch| -> Result<Assessment, String> {
+    let found = wait(py, progress, |watch| -> Result<Assessment, Refused> {
         let scene = Scene {
             method: Method::EXACT,
-            ..given.scene().map_err(|error| said(&error))?
+            ..given.scene()?
         };
         let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(
@@ -56,7 +57,7 @@ pub(crate) fn assess(
             |motion| scaling.applied(&scene, motion),
             |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
         )?;
-        let report = AssessmentReport::of_lines(scene, &suite, &lines.lines).map_err(|error| said(&error))?;
+        let report = AssessmentReport::of_lines(scene, &suite, &lines.lines)?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),
@@ -68,8 +69,8 @@ pub(crate) fn assess(
 }
 
 /// The records of a folder, of which a scene declares what they do not say.
-fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, String> {
-    Suite::in_folder(folder, &scene.record.declared()).map_err(|error| said(&error))
+fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
+    Ok(Suite::in_folder(folder, &scene.record.declared())?)
 }
 
 fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
@@ -77,14 +78,14 @@ fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
 }
 
 /// What records are scaled to.
-fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, String> {
+fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
     match (target, scale) {
         (Some(target), _) => Ok(Scaling::Target(DesignSpectrum::named(target)?)),
         (None, "scene") => Ok(Scaling::AsScene),
         (None, "none") => Ok(Scaling::Unscaled),
         (None, table) => {
-            let to = pounding_scene::parse::<ScaleTo>(table.as_bytes(), "scale.json".as_ref());
-            to.map(Scaling::To).map_err(|error| said(&error))
+            let to = pounding_scene::parse::<ScaleTo>(table.as_bytes(), "scale.json".as_ref())?;
+            Ok(Scaling::To(to))
         }
     }
 }
@@ -150,8 +151,8 @@ pub(crate) fn required_gap(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Table, Vec<String>)> {
     let given = Given::of(text, path, None);
-    let found = wait(py, progress, |watch| -> Result<_, String> {
-        let scene = given.scene().map_err(|error| said(&error))?;
+    let found = wait(py, progress, |watch| -> Result<_, Refused> {
+        let scene = given.scene()?;
         let apart = scene.apart();
         let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(

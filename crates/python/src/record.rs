@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use pounding_motion::Record as Samples;
 use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, record_bytes, response_spectra};
-use pounding_text::json_text;
+use pounding_text::{Naming, Refused, json_text};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::json;
 
 use crate::array::Array;
-use crate::refused::{OrRefused, refused};
+use crate::refused::OrRefused;
 use crate::table::{Column, Table};
 use crate::waiting::wait;
 
@@ -36,15 +36,14 @@ const WORDS: &str = "record.json";
 
 impl Record {
     fn new(raw: Raw, words: String) -> Result<Self, Error> {
-        let record: RecordUse = pounding_scene::parse(words.as_bytes(), WORDS.as_ref())?;
-        let in_record = |source| Error::Scene {
-            scene: "record".into(),
-            source,
-        };
+        let mut record: RecordUse = pounding_scene::parse(words.as_bytes(), WORDS.as_ref())?;
+        if let Source::File(file) = &mut record.source {
+            file.naming = Naming::Argument;
+        }
         let motion = match (&raw, &record.source) {
             (Raw::File { path, bytes }, _) => GroundMotion::of_bytes(&record, (path, bytes), "record")?,
-            (Raw::Samples(samples), _) => GroundMotion::of_record(&record, samples.clone()).map_err(in_record)?,
-            (Raw::Formula, Source::Generated(generated)) => GroundMotion::of_formula(&record, generated).map_err(in_record)?,
+            (Raw::Samples(samples), _) => GroundMotion::of_record(&record, samples.clone())?,
+            (Raw::Formula, Source::Generated(generated)) => GroundMotion::of_formula(&record, generated)?,
             (Raw::Formula, Source::File(_)) => GroundMotion::of(&record, Path::new(""), "record")?,
         };
         Ok(Self {
@@ -70,10 +69,7 @@ impl Record {
                 Some(raw) => Ok(raw.to_vec()),
                 None => record_bytes(&path),
             };
-            let bytes = read.map_err(|source| Error::Unreadable {
-                path: path.clone(),
-                source,
-            })?;
+            let bytes = read.map_err(|error| Refused::unreadable(&path, &error))?;
             Self::new(Raw::File { path, bytes }, words)
         })?
         .or_refused(py)
@@ -85,7 +81,7 @@ impl Record {
         let numbers = samples.as_bytes().chunks_exact(8);
         let number = |bytes: &[u8]| f64::from_ne_bytes(bytes.try_into().unwrap_or_default());
         let samples = Samples::new(time_step, numbers.map(number).collect(), "an array");
-        let samples = samples.map_err(|error| refused(py, &error.to_string()))?;
+        let samples = samples.or_refused(py)?;
         Self::new(Raw::Samples(samples), words).or_refused(py)
     }
 
@@ -215,7 +211,7 @@ impl Record {
         let of = (periods.len() * damping_ratios.len()) as u64;
         let spectra = wait(py, None, |watch| {
             let (stop, done) = (Some(watch.stop), || watch.step(1, of));
-            response_spectra(self.samples(), &periods, &damping_ratios, stop, &done).map_err(|error| error.to_string())
+            response_spectra(self.samples(), &periods, &damping_ratios, stop, &done)
         })?
         .or_refused(py)?;
         let rows = || {

@@ -2,18 +2,15 @@
 
 use std::io::ErrorKind;
 
-use pounding_scene::Error;
-use pounding_text::Refusal;
+use pounding_text::{Kind, Refusal, Refused};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// `pounding.Refused` with a message and its parts.
-pub(crate) fn refused(py: Python<'_>, message: &str) -> PyErr {
-    of_class(py, "Refused", message)
-}
-
-fn of_class(py: Python<'_>, class: &str, message: &str) -> PyErr {
-    let message = pounding_text::message(message);
+/// `pounding.Refused`, or `pounding.NotFound` of a file that is not there, with a message and its parts.
+pub(crate) fn refused(py: Python<'_>, refused: Refused) -> PyErr {
+    let refused = said(refused);
+    let is_missing = refused.is_kind(Kind::System(ErrorKind::NotFound));
+    let class = if is_missing { "NotFound" } else { "Refused" };
     let made = || -> PyResult<PyErr> {
         let Refusal {
             message,
@@ -21,7 +18,7 @@ fn of_class(py: Python<'_>, class: &str, message: &str) -> PyErr {
             found,
             allowed,
             help,
-        } = message.as_ref().into();
+        } = refused.parts();
         let parts = PyDict::new(py);
         parts.set_item("place", place)?;
         parts.set_item("found", found)?;
@@ -33,19 +30,19 @@ fn of_class(py: Python<'_>, class: &str, message: &str) -> PyErr {
     made().unwrap_or_else(|error| error)
 }
 
-/// What is said of an error: of words that Python made there is no line and no column.
-pub(crate) fn said(error: &Error) -> String {
-    if let Error::Form { path, place, fault, .. } = error
-        && !path.is_file()
-    {
-        return place
-            .as_ref()
-            .map_or_else(|| fault.to_string(), |place| format!("{place}: {fault}"));
+/// What is said of an error: of words that Python made there is no file, no line and no column, and a field needs no name of its scene.
+pub(crate) fn said(error: impl Into<Refused>) -> Refused {
+    let mut refused: Refused = error.into();
+    let is_of_system = matches!(refused.own_kind(), Kind::System(_));
+    let place = refused.place_mut();
+    if place.field.is_some() && place.file.is_none() {
+        place.scene = None;
     }
-    if let Error::Scene { source, .. } = error {
-        return source.to_string();
+    if !is_of_system && place.file.as_ref().is_some_and(|path| !path.exists()) {
+        place.file = None;
+        place.spot = None;
     }
-    error.to_string()
+    refused
 }
 
 /// An error as an exception.
@@ -53,28 +50,8 @@ pub(crate) trait OrRefused<T> {
     fn or_refused(self, py: Python<'_>) -> PyResult<T>;
 }
 
-impl<T> OrRefused<T> for Result<T, Error> {
+impl<T, E: Into<Refused>> OrRefused<T> for Result<T, E> {
     fn or_refused(self, py: Python<'_>) -> PyResult<T> {
-        self.map_err(|error| {
-            let class = if is_missing(&error) { "NotFound" } else { "Refused" };
-            of_class(py, class, &said(&error))
-        })
-    }
-}
-
-/// Whether it is of a file that is not there.
-fn is_missing(error: &Error) -> bool {
-    if let Error::InFile { source, .. } = error {
-        return is_missing(source);
-    }
-    matches!(
-        error,
-        Error::Unreadable { source, .. } | Error::NoRecord { source, .. } if source.kind() == ErrorKind::NotFound
-    )
-}
-
-impl<T> OrRefused<T> for Result<T, String> {
-    fn or_refused(self, py: Python<'_>) -> PyResult<T> {
-        self.map_err(|message| refused(py, &message))
+        self.map_err(|error| refused(py, error.into()))
     }
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use pounding_sweep::{Sweep, SweepColumn, SweepFile};
+use pounding_text::Refused;
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
@@ -16,10 +17,9 @@ use crate::waiting::wait;
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
 pub(crate) fn sweep(py: Python<'_>, text: &str, path: PathBuf, progress: Option<&Bound<'_, PyAny>>) -> PyResult<(Table, Vec<String>)> {
-    let ran = wait(py, progress, |watch| -> Result<_, String> {
-        let words = |error: pounding_scene::Error| crate::refused::said(&error);
-        let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
-        let sweep = Sweep::of((file, text.as_bytes()), &path, Some(watch.stop)).map_err(|error| error.to_string())?;
+    let ran = wait(py, progress, |watch| -> Result<_, Refused> {
+        let file = SweepFile::parse(text.as_bytes(), &path)?;
+        let sweep = Sweep::of((file, text.as_bytes()), &path, Some(watch.stop))?;
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;

@@ -4,9 +4,12 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::file::fault::FOR_A_BACKSLASH;
 use crate::file::{FileUse, Generated, ScaleTo, check};
-use crate::{Error, MotionError, RecordUse, SceneError, Source, record_bytes};
-use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, RowError, read_declared};
+use crate::simulation::in_scene_named;
+use crate::{Error, RecordUse, Source, record_bytes};
+use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, Record, read_declared};
+use pounding_text::{Kind, Knob, Refused};
 use sha2::{Digest, Sha256};
 
 /// A ground motion as a scene uses it, and where it came from.
@@ -38,10 +41,7 @@ impl GroundMotion {
     /// [`Error::NoRecord`], [`Error::Record`] for a file that cannot be read, and what cannot be done to it in
     /// `scene`.
     pub fn of(record: &RecordUse, base: &Path, scene: &str) -> Result<Self, Error> {
-        let in_scene = |source| Error::Scene {
-            scene: scene.into(),
-            source,
-        };
+        let in_scene = |refused| in_scene_named(scene, refused);
         match &record.source {
             Source::File(file) => {
                 let origin = Origin::read(&base.join(&file.file), file)?;
@@ -54,8 +54,8 @@ impl GroundMotion {
     /// A file at hand, used as a scene says.
     ///
     /// # Errors
-    /// [`SceneError`] of a field of `record`.
-    pub fn of_file(record: &RecordUse, origin: Arc<Origin>) -> Result<Self, SceneError> {
+    /// [`Refused`] of a field of `record`.
+    pub fn of_file(record: &RecordUse, origin: Arc<Origin>) -> Result<Self, Refused> {
         check::record::check(record)?;
         let file = origin.file.clone();
         let read = file.into_record(record.gravity_m_per_s2).map_err(at("record.gravity_m_per_s2"))?;
@@ -70,8 +70,8 @@ impl GroundMotion {
     /// A motion from a formula, used as a scene says.
     ///
     /// # Errors
-    /// [`SceneError`] of a field of `record`.
-    pub fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, SceneError> {
+    /// [`Refused`] of a field of `record`.
+    pub fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, Refused> {
         check::record::check(record)?;
         let made = generated.record()?;
         let (record, scale) = used(record, made)?;
@@ -87,8 +87,8 @@ impl GroundMotion {
     /// A record at hand, used as a scene says, whatever its source.
     ///
     /// # Errors
-    /// [`SceneError`] of a field of `record`.
-    pub fn of_record(record: &RecordUse, at_hand: Record) -> Result<Self, SceneError> {
+    /// [`Refused`] of a field of `record`.
+    pub fn of_record(record: &RecordUse, at_hand: Record) -> Result<Self, Refused> {
         check::record::check(record)?;
         let (record, scale) = used(record, at_hand)?;
         Ok(Self {
@@ -108,10 +108,7 @@ impl GroundMotion {
             Source::Generated(_) => &FileUse::default(),
         };
         let origin = Origin::of(path, bytes, declared)?;
-        Self::of_file(record, Arc::new(origin)).map_err(|source| Error::Scene {
-            scene: scene.into(),
-            source,
-        })
+        Self::of_file(record, Arc::new(origin)).map_err(|refused| in_scene_named(scene, refused))
     }
 }
 
@@ -138,8 +135,8 @@ impl SharedMotion {
     /// The same, multiplied once more by `factor`, which comes from `record.scale`.
     ///
     /// # Errors
-    /// [`SceneError`] of a factor that is not finite or too large.
-    pub fn scaled(&self, factor: f64) -> Result<Self, SceneError> {
+    /// [`Refused`] of a factor that is not finite or too large.
+    pub fn scaled(&self, factor: f64) -> Result<Self, Refused> {
         let record = self.record.scaled(factor).map_err(at("record.scale"))?;
         Ok(Self {
             record: Arc::new(record),
@@ -174,17 +171,12 @@ impl Origin {
     /// [`Error::Record`]; [`Error::NameSaysOtherwise`] if the name of the file alone says what its values are, and that is no
     /// acceleration.
     pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
-        let file = read_declared(bytes, &declared.declared()).map_err(|source| Error::Record {
-            path: path.to_path_buf(),
-            source,
-        })?;
-        let name = shown_name(path);
-        let quantity = NamedFile::of(&name).quantity;
-        match quantity.filter(|_| !file.states_acceleration() && !declared.acceleration) {
-            Some(quantity @ (Quantity::Velocity | Quantity::Displacement | Quantity::Spectrum)) => {
-                Err(Error::NameSaysOtherwise { name, quantity })
-            }
-            Some(Quantity::Acceleration) | None => Ok(Self {
+        let file = read_declared(bytes, &declared.declared());
+        let file = file.map_err(|refused| refused.by(declared.naming).in_file(path))?;
+        let is_said = file.states_acceleration() || declared.acceleration;
+        match name_says_otherwise(path, declared).filter(|_| !is_said) {
+            Some(refused) => Err(refused.into()),
+            None => Ok(Self {
                 path: path.to_path_buf(),
                 sha256: sha256(bytes),
                 file,
@@ -208,18 +200,12 @@ impl Origin {
         loop {
             let tried = Self::of(path, bytes, &taken);
             let before = taken.clone();
-            if let Err(Error::Record { source, .. }) = &tried {
-                if matches!(source, ReadError::TimeStepNotStated | ReadError::UnevenTime { .. }) {
-                    taken.time_step_s = declared.time_step_s;
-                } else if matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. }) {
-                    (taken.unit, taken.per_count) = (declared.unit, declared.per_count);
-                } else if matches!(source, ReadError::Velocity { .. } | ReadError::OneSigned { .. }) {
-                    taken.acceleration = declared.acceleration;
-                } else if matches!(source, ReadError::Row(RowError::Rows { .. })) {
-                    taken.in_rows = declared.in_rows;
-                }
-            } else if matches!(&tried, Err(Error::NameSaysOtherwise { .. })) {
-                taken.acceleration = declared.acceleration;
+            match tried.as_ref().err().and_then(|error| error.refused().wanted()) {
+                Some(Knob::TimeStep) => taken.time_step_s = declared.time_step_s,
+                Some(Knob::Unit | Knob::PerCount) => (taken.unit, taken.per_count) = (declared.unit, declared.per_count),
+                Some(Knob::Acceleration) => taken.acceleration = declared.acceleration,
+                Some(Knob::InRows) => taken.in_rows = declared.in_rows,
+                _ => {}
             }
             if taken == before {
                 let tried = tried.map_err(|error| said_by_name(path, error, declared));
@@ -231,20 +217,27 @@ impl Origin {
 
 /// The error of a file that lacks what nobody declared, unless its name says that it is no acceleration: then no declaration helps.
 fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
-    let lacks = matches!(
-        &error,
-        Error::Record {
-            source: ReadError::TimeStepNotStated | ReadError::UnitNotStated | ReadError::Counts { .. },
-            ..
-        }
-    );
-    let name = shown_name(path);
-    match NamedFile::of(&name).quantity {
-        Some(quantity) if lacks && quantity != Quantity::Acceleration && !declared.acceleration => {
-            Error::NameSaysOtherwise { name, quantity }
-        }
-        _ => error,
+    let wanted = error.refused().wanted();
+    let lacks = wanted.is_some_and(|knob| [Knob::TimeStep, Knob::Unit, Knob::PerCount].contains(knob));
+    let otherwise = name_says_otherwise(path, declared);
+    match otherwise.filter(|_| lacks && !declared.acceleration) {
+        Some(refused) => refused.into(),
+        None => error,
     }
+}
+
+/// The refusal of a file whose name says that it holds no accelerations, unless it says otherwise itself.
+fn name_says_otherwise(path: &Path, declared: &FileUse) -> Option<Refused> {
+    let (what, kind) = match NamedFile::of(shown_name(path)).quantity? {
+        Quantity::Acceleration => return None,
+        Quantity::Velocity => ("velocity", Kind::Velocity),
+        Quantity::Displacement => ("displacement", Kind::Displacement),
+        Quantity::Spectrum => ("spectrum", Kind::OtherQuantity),
+    };
+    let says = format!("the name says {what}, and the file does not say that its values are accelerations");
+    let says = Refused::at(path).is(says).kind(kind).wants(Knob::Acceleration);
+    let help = says.help("take the record of accelerations, or declare ").and(Knob::Acceleration);
+    Some(help.by(declared.naming))
 }
 
 /// Returns the bytes of a record file.
@@ -252,9 +245,16 @@ fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
 /// # Errors
 /// [`Error::NoRecord`].
 pub fn opened(path: &Path) -> Result<Vec<u8>, Error> {
-    record_bytes(path).map_err(|source| Error::NoRecord {
-        path: path.to_path_buf(),
-        source,
+    record_bytes(path).map_err(|error| {
+        let said = format!(
+            "{} cannot be read (it is looked for from the folder of the scene's file): {error}",
+            path.display()
+        );
+        let refused = Refused::at("record.file").is(said).kind(Kind::System(error.kind()));
+        // A letter that nobody types, such as the line break that `"records\\new.csv"` has.
+        let is_escape = path.to_string_lossy().chars().any(char::is_control);
+        let escape = format!("in double quotes a backslash begins an escape: write {}", FOR_A_BACKSLASH[0]);
+        if is_escape { refused.help(escape) } else { refused }.into()
     })
 }
 
@@ -298,12 +298,41 @@ pub fn hexadecimal(bytes: &[u8]) -> String {
 }
 
 /// Names the field of a scene that asks for what is refused.
-fn at(place: &'static str) -> impl Fn(RecordError) -> MotionError {
-    move |error| MotionError::of(place, &error)
+fn at(place: &'static str) -> impl Fn(Refused) -> Refused {
+    move |refused| in_setting(place, refused)
+}
+
+/// Names the field of a scene, in `place`, behind the setting that is refused of a filter, a formula or a spectrum.
+pub(crate) fn in_setting(place: &str, refused: Refused) -> Refused {
+    let setting = refused.place().field.as_ref();
+    let field = match setting.map_or("", |setting| setting.path()) {
+        "" | "gravity" | "target" => return refused.in_field(place.to_owned()),
+        "time_step" if place.ends_with("_s") => return refused.in_field(place.to_owned()),
+        "time_step" => "time_step_s",
+        "low_corner" => "low_hz",
+        "high_corner" => "high_hz",
+        "amplitude" => "amplitude_m_per_s2",
+        "frequency" => "frequency_hz",
+        "phase" => "phase_rad",
+        "duration" => "duration_s",
+        "peak" => "pga_m_per_s2",
+        "envelope.strong_from" => "strong_from_s",
+        "envelope.strong_until" => "strong_until_s",
+        "envelope.decay" => "decay_per_s",
+        "cutoff" => "cutoff_hz",
+        "ground.angular_frequency" => "ground.filters.angular_frequency_rad_per_s",
+        "ground.damping_ratio" => "ground.filters.damping_ratio",
+        "ground.high_pass_angular_frequency" => "ground.filters.high_pass_angular_frequency_rad_per_s",
+        "ground.high_pass_damping_ratio" => "ground.filters.high_pass_damping_ratio",
+        "periods[0]" => "period_s",
+        own => own,
+    };
+    let field = format!("{place}.{field}");
+    refused.in_field(field)
 }
 
 /// The record as the scene uses it, and what it was multiplied by.
-fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), MotionError> {
+fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), Refused> {
     if let Some(trend) = record.detrend {
         used = used.detrended(trend.to_motion()).map_err(at("record.detrend"))?;
     }
@@ -327,8 +356,7 @@ fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), MotionErr
             sa_g,
         }) => {
             let target = sa_g * record.gravity_m_per_s2;
-            used = crate::scaled_to_sa(&used, period_s, damping_ratio, target)
-                .map_err(|error| MotionError::of_spectrum("record.scale_to.sa", error))?;
+            used = crate::scaled_to_sa(&used, period_s, damping_ratio, target).map_err(at("record.scale_to.sa"))?;
         }
     }
     let (_, after) = used.peak();

@@ -59,41 +59,38 @@ pub use assess::assessment::{
 };
 pub use assess::bumper::{Bumper, BumperPair, BumperRun, COMPRESSION, THICKNESS};
 pub use assess::bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
-pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground, acceleration_in_g};
+pub use assess::design::{DesignSpectrum, Eurocode8Ground, acceleration_in_g};
 pub use assess::distribution::Distribution;
 pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
 pub use assess::run::{AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors};
 pub use assess::scaling::{MotionSpectrum, Scaling};
 pub use assess::separation::{Rule, Separation};
 pub use assess::target_fit::{LEAST_SHARE, TargetFit};
-pub use file::error::Error;
-pub use file::fault::Fault;
-pub use file::motion_error::MotionError;
-pub use file::reading::{bytes, bytes_of, is_json, parse, position_in, read_file, record_bytes};
-pub use file::refused::Refused;
-pub use file::scene_error::SceneError;
+pub use file::error::{Error, ended, in_file};
+pub use file::reading::{bytes, bytes_of, is_json, parse, read_file, record_bytes};
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand, Generated, Ground, Jumps, Method,
-    Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile, SdofFileError, SetNumber, Source, Start, Stochastic,
-    Storey, Structure, Unit, UnknownNeighbour, set_number,
+    Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile, SetNumber, Source, Start, Stochastic, Storey,
+    Structure, Unit, UnknownNeighbour, set_number,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
-pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};
+pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json, usual_stiffness};
-pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
+pub use judge::free_collision::{Delivered, FreeCollision, no_step};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
+pub use pounding_text::Refused;
 pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values, ZERO};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial, holding, in_scene,
     least_opening,
 };
-pub use spectrum::{SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum, scaled_to_sa};
+pub use spectrum::{SpectralValues, Spectrum, periods_between, response_spectra, response_spectrum, scaled_to_sa};
 pub use statistics::wilson;
 pub use suite::lines;
 pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

@@ -2,14 +2,16 @@
 //!
 //! The recurrence of Nigam and Jennings takes a hundredth of the time, but finds peaks at samples only; tests compare with it.
 
+use crate::file::error::ended;
 use crate::parallel;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-use pounding_motion::{Record, RecordError};
+use pounding_motion::Record;
 use pounding_solver::{
-    AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator, ModelError, Node, Recorders, Row, RunError,
+    AnyRow, Budget, Clock, Damping, Elastic, Exact, Excitation, FloorAccelerations, Integrator, Node, Recorders, Row, RunError,
 };
+use pounding_text::{Refused, plain};
 
 /// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
 const MOST_VALUES: usize = 1_000_000;
@@ -41,47 +43,6 @@ pub struct SpectralValues {
     pub absolute_acceleration: f64,
 }
 
-/// A spectrum that cannot be computed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SpectrumError {
-    /// A value outside its valid range.
-    #[error("{place}: found {}, allowed {allowed}", pounding_text::plain(*found))]
-    OutOfRange {
-        /// What it is, for example `periods[3]`.
-        place: String,
-        /// The value found.
-        found: f64,
-        /// The values allowed, in words.
-        allowed: &'static str,
-    },
-    /// More values than anybody waits for.
-    #[error(
-        "spectra: found {periods} periods times {ratios} damping ratios, allowed are up to {MOST_VALUES} values; ask for fewer periods \
-         or ratios"
-    )]
-    TooMany {
-        /// Number of periods.
-        periods: usize,
-        /// Number of damping ratios.
-        ratios: usize,
-    },
-    /// A record that the solver refuses.
-    #[error("record: {0}")]
-    Model(#[from] ModelError),
-    /// A run that ended early.
-    #[error("period of {} s: {source}", pounding_text::plain(*period))]
-    Run {
-        /// Natural period of the structure \[s\].
-        period: f64,
-        /// What happened and when.
-        source: RunError,
-    },
-    /// A record that cannot be scaled.
-    #[error("record: {0}")]
-    Record(#[from] RecordError),
-}
-
 /// Response spectrum of a record at `periods` \[s\], each 0 or 1e-6 ..= 1e6, in their order, for a damping ratio 0 ..= 1.
 ///
 /// Peaks are found between samples too. A run goes on for one natural period after the end of the record: in free
@@ -91,24 +52,26 @@ pub enum SpectrumError {
 ///
 /// # Errors
 /// Refuses a period or a damping ratio out of range, and a period so short that the record holds some hundred thousand.
-pub fn response_spectrum(record: &Record, periods: &[f64], damping_ratio: f64) -> Result<Vec<SpectralValues>, SpectrumError> {
+pub fn response_spectrum(record: &Record, periods: &[f64], damping_ratio: f64) -> Result<Vec<SpectralValues>, Refused> {
     spectrum(record, periods, damping_ratio, (None, &|| ()))
 }
 
 /// Response spectra for several damping ratios; `done` is called after each period, and whoever sets `stop` ends them.
 ///
 /// # Errors
-/// Those of [`response_spectrum`], and [`SpectrumError::TooMany`] of more than a million values.
+/// Those of [`response_spectrum`], and more than a million values.
 pub fn response_spectra(
     record: &Record,
     periods: &[f64],
     damping_ratios: &[f64],
     stop: Option<&'static AtomicBool>,
     done: &(dyn Fn() + Sync),
-) -> Result<Vec<Spectrum>, SpectrumError> {
+) -> Result<Vec<Spectrum>, Refused> {
     let (n, ratios) = (periods.len(), damping_ratios.len());
     if n.saturating_mul(ratios) > MOST_VALUES {
-        return Err(SpectrumError::TooMany { periods: n, ratios });
+        let found = Refused::at("spectra").found(format!("{n} periods times {ratios} damping ratios"));
+        let found = found.allowed_are(format!("up to {MOST_VALUES} values"));
+        return Err(found.help("ask for fewer periods or ratios"));
     }
     let of_ratio = |&damping_ratio: &f64| {
         Ok(Spectrum {
@@ -125,9 +88,10 @@ fn spectrum(
     periods: &[f64],
     damping_ratio: f64,
     (stop, done): (Option<&'static AtomicBool>, &(dyn Fn() + Sync)),
-) -> Result<Vec<SpectralValues>, SpectrumError> {
+) -> Result<Vec<SpectralValues>, Refused> {
     let budget = Budget { stop, ..Budget::default() };
-    let excitation = Excitation::new(record.time_step(), record.samples())?;
+    let excitation = Excitation::new(record.time_step(), record.samples());
+    let excitation = excitation.map_err(|error| Refused::at("record").is(error.to_string()))?;
     check("damping_ratio", damping_ratio, (0.0..=1.0).contains(&damping_ratio), "0 to 1")?;
     for (index, &period) in periods.iter().enumerate() {
         let valid = period == 0.0 || (1e-6..=1e6).contains(&period);
@@ -138,7 +102,11 @@ fn spectrum(
             Ok(of_the_ground(record))
         } else {
             let end = record.duration() + period;
-            values(excitation, end, (period, damping_ratio), budget).map_err(|source| SpectrumError::Run { period, source })
+            values(excitation, end, (period, damping_ratio), budget).map_err(|source| {
+                let said = ended(&source);
+                let of = format!("period of {} s: ", plain(period));
+                Refused::that(of).and(&said).kind(said.own_kind())
+            })
         };
         done();
         found
@@ -161,26 +129,22 @@ pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
 ///
 /// # Errors
 /// Those of [`response_spectrum`]; a target that is not a finite number > 0; a record that is zero throughout.
-pub fn scaled_to_sa(record: &Record, period: f64, damping_ratio: f64, target: f64) -> Result<Record, SpectrumError> {
+pub fn scaled_to_sa(record: &Record, period: f64, damping_ratio: f64, target: f64) -> Result<Record, Refused> {
     let valid = target.is_finite() && target > 0.0;
     check("target", target, valid, "a finite number > 0 m/s²")?;
     let spectrum = response_spectrum(record, &[period], damping_ratio)?;
     let found = spectrum[0].pseudo_acceleration;
     if found == 0.0 {
-        return Err(RecordError::AllZero { target }.into());
+        return Err(pounding_motion::at_rest());
     }
-    Ok(record.scaled(target / found)?)
+    record.scaled(target / found)
 }
 
-fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<(), SpectrumError> {
+fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<(), Refused> {
     if valid {
         return Ok(());
     }
-    Err(SpectrumError::OutOfRange {
-        place: place.to_owned(),
-        found,
-        allowed,
-    })
+    Err(crate::file::check::out_of_range(place, found, allowed))
 }
 
 /// What a structure of period 0 does.

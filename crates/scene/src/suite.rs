@@ -6,13 +6,14 @@ mod events;
 mod left_out;
 pub mod lines;
 
+use pounding_text::Refused;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
 
-use crate::ground_motion::{opened, shown_name};
+use crate::ground_motion::shown_name;
 use crate::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel};
 use copies::Copies;
 pub use entries::files_in;
@@ -69,10 +70,7 @@ impl Motion {
             ..record.clone()
         };
         let motion = GroundMotion::of_file(&record, Arc::clone(&self.origin));
-        let motion = motion.map_err(|source| Error::Scene {
-            scene: scene.into(),
-            source,
-        })?;
+        let motion = motion.map_err(|refused| crate::simulation::in_scene_named(scene, refused))?;
         Ok((record, motion))
     }
 
@@ -110,19 +108,16 @@ impl Suite {
     /// A file whose name begins with a dot is passed over, and so is one that ends with `.provenance.json`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if the folder cannot be read, [`Error::NoMotion`] if nothing in it shakes a row.
+    /// Refuses a folder that cannot be read, and one in which nothing shakes a row.
     pub fn in_folder(folder: &Path, declared: &FileUse) -> Result<Self, Error> {
-        std::fs::metadata(folder).map_err(|source| Error::Unreadable {
-            path: folder.to_path_buf(),
-            source,
-        })?;
+        std::fs::metadata(folder).map_err(|error| Refused::unreadable(folder, &error))?;
         let suite = Self::of(&[folder.to_path_buf()], declared)?;
         if suite.motions.is_empty() {
-            return Err(Error::NoMotion {
-                folder: folder.to_path_buf(),
-                n_files: suite.n_entries,
-                left_out: suite.said_of_left_out(false),
-            });
+            let found = format!("{} files and no record that shakes a row", suite.n_entries);
+            let left_out = suite.said_of_left_out(false).into_iter();
+            let one_or_more = std::iter::once("a folder with one or more".to_owned()).chain(left_out);
+            let allowed: Vec<String> = one_or_more.collect();
+            return Err(Refused::at(folder).found(found).allowed_is(allowed.join("; ")).into());
         }
         Ok(suite)
     }
@@ -130,7 +125,7 @@ impl Suite {
     /// Reads the records of some folders and files.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if a folder cannot be read, and those of reading a file that is named itself.
+    /// Refuses a folder that cannot be read, and those of reading a file that is named itself.
     pub fn of(paths: &[PathBuf], declared: &FileUse) -> Result<Self, Error> {
         let (mut suite, refused) = Self::listed(paths, declared)?;
         for one in &mut suite.left_out {
@@ -143,7 +138,7 @@ impl Suite {
     /// out has its motion. Of every file only the component that `declared` names is read, if it names one.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if a folder cannot be read.
+    /// Refuses a folder that cannot be read.
     pub fn listed(paths: &[PathBuf], declared: &FileUse) -> Result<(Self, Option<Error>), Error> {
         let mut left_out = Vec::new();
         let mut files = Vec::new();
@@ -169,7 +164,7 @@ impl Suite {
                     Ok(one) => all.push(one),
                     Err(refused) => {
                         left_out.push(refused.left_out(&file.path));
-                        if let (Refused::Error(error), true) = (refused, file.named) {
+                        if let (Unread::Error(error), true) = (refused, file.named) {
                             first.get_or_insert(error);
                         }
                     }
@@ -219,14 +214,14 @@ struct File {
 }
 
 /// Why a component of a file is not read.
-enum Refused {
+enum Unread {
     /// What it is, by its name.
     Component(String, Reason),
     /// What reading it says.
     Error(Error),
 }
 
-impl Refused {
+impl Unread {
     fn left_out(&self, path: &Path) -> LeftOut {
         let (name, reason) = match self {
             Self::Component(name, reason) => (name.clone(), reason.clone()),
@@ -266,17 +261,17 @@ fn whether_it_shakes(channel: &Channel, named: &NamedFile, several: bool) -> Res
 }
 
 /// The motions of a file: one, or one for each component, or the one that is declared.
-fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Read, Refused>> {
+fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Read, Unread>> {
     let path = &file.path;
-    let bytes = match opened(path) {
+    let bytes = match crate::record_bytes(path) {
         Ok(bytes) => bytes,
-        Err(error) => return vec![Err(Refused::Error(error))],
+        Err(error) => return vec![Err(Unread::Error(Refused::unreadable(path, &error).into()))],
     };
     let found = match contents(&bytes) {
         Ok(found) => found,
-        Err(source) => {
-            let path = path.clone();
-            return vec![Err(Refused::Error(Error::Record { path, source }))];
+        Err(refused) => {
+            let refused = refused.by(declared.naming).in_file(path);
+            return vec![Err(Unread::Error(refused.into()))];
         }
     };
     let of = OfFile {
@@ -306,7 +301,7 @@ struct OfFile<'a> {
 
 impl OfFile<'_> {
     /// The component that is chosen so; without an index, the one that is read by these words.
-    fn channel(&self, index: Option<usize>, component: Option<String>) -> Result<Read, Refused> {
+    fn channel(&self, index: Option<usize>, component: Option<String>) -> Result<Read, Unread> {
         let channels = &self.found.channels;
         let several = channels.len() > 1;
         let declared = FileUse {
@@ -329,13 +324,13 @@ impl OfFile<'_> {
         let placed = whether_it_shakes(channel, &self.named, several);
         let (origin, taken) = match (read, &placed) {
             (Ok(read), _) => read,
-            (Err(error), _) if index.is_none() => return Err(Refused::Error(error)),
+            (Err(error), _) if index.is_none() => return Err(Unread::Error(error)),
             // What is vertical shakes nothing, read or not.
-            (Err(_), Err(reason)) => return Err(Refused::Component(name, reason.clone())),
+            (Err(_), Err(reason)) => return Err(Unread::Component(name, reason.clone())),
             (Err(error), Ok(_)) if several => {
-                return Err(Refused::Component(name, Reason::of(&error)));
+                return Err(Unread::Component(name, Reason::of(&error)));
             }
-            (Err(error), Ok(_)) => return Err(Refused::Error(error)),
+            (Err(error), Ok(_)) => return Err(Unread::Error(error)),
         };
         let is_still = origin.file.values().iter().all(|value| *value == 0.0);
         let zeros = is_still.then(|| ReasonKind::Zeros.saying(""));

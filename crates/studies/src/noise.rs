@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use pounding_motion::{Record, RecordError};
+use pounding_motion::{Record, Refused};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -31,8 +31,8 @@ impl Noise {
     /// The record with every sample `a` replaced by `a·(1 + σξ)`, ξ standard normal.
     ///
     /// # Errors
-    /// [`RecordError`] where the noise is not finite.
-    pub(crate) fn on(&self, record: &Record) -> Result<Record, RecordError> {
+    /// Says where the noise is not finite.
+    pub(crate) fn on(&self, record: &Record) -> Result<Record, Refused> {
         let mut random = Pcg64::new(SEED, self.stream);
         let mut samples = Vec::with_capacity(record.samples().len() + 1);
         for pair in record.samples().chunks(2) {

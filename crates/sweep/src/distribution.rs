@@ -1,10 +1,11 @@
 //! Normal distributions, of a number or of its logarithm, perhaps cut off.
 
+use pounding_text::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantile::{probability, quantile};
-use super::range::{FINITE, POSITIVE, RangeError, bounds, require};
+use super::range::{FINITE, POSITIVE, bounds, require};
 
 /// A normal distribution, optionally truncated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -67,9 +68,9 @@ struct LogNormalFile {
 }
 
 impl TryFrom<NormalFile> for Normal {
-    type Error = RangeError;
+    type Error = Refused;
 
-    fn try_from(words: NormalFile) -> Result<Self, RangeError> {
+    fn try_from(words: NormalFile) -> Result<Self, Refused> {
         let deviation = words.standard_deviation;
         require(true, "mean", words.mean, FINITE)?;
         require(deviation > 0.0, "standard_deviation", deviation, POSITIVE)?;
@@ -86,9 +87,9 @@ impl TryFrom<NormalFile> for Normal {
 }
 
 impl TryFrom<LogNormalFile> for LogNormal {
-    type Error = RangeError;
+    type Error = Refused;
 
-    fn try_from(words: LogNormalFile) -> Result<Self, RangeError> {
+    fn try_from(words: LogNormalFile) -> Result<Self, Refused> {
         let deviation = words.log_standard_deviation;
         require(words.median > 0.0, "median", words.median, POSITIVE)?;
         require(deviation > 0.0, "log_standard_deviation", deviation, POSITIVE)?;
@@ -126,8 +127,8 @@ impl Truncation {
         }
     }
 
-    /// Refuses bounds that keep almost nothing: quantiles there would be rounding.
-    fn check(self, from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
+    /// Refuses bounds between which next to nothing is left: quantiles there would be rounding.
+    fn check(self, from: Option<f64>, to: Option<f64>) -> Result<(), Refused> {
         let allowed = "bounds with more than a millionth of the distribution between them";
         let valid = self.to - self.from > 1e-6;
         let given = from.map(|from| ("from", from)).or(to.map(|to| ("to", to)));

@@ -1,5 +1,6 @@
 //! The sweep file: a scene, its varying fields, and the outputs of every run.
 
+use pounding_text::Refused;
 use std::path::Path;
 
 use schemars::JsonSchema;
@@ -7,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::distribution::{LogNormal, Normal};
-use super::range::RangeError;
 use super::spread::{Between, Grid, Spread};
 use super::summary_file::Summary;
 use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
@@ -123,20 +123,16 @@ struct SamplesFile {
     method: SampleMethod,
 }
 
-/// An invalid number of samples.
-#[derive(Debug, thiserror::Error)]
-#[error("count: found {0}, allowed is a whole number from 1 to 1e15")]
-struct CountError(u64);
-
-/// Most samples, and most runs of a sweep: counts up to this are exact in 64-bit numbers.
+/// Most samples, and most runs of a sweep: counts up to here are numbers of 64 bits to the last digit.
 pub(super) const MOST: u64 = 1_000_000_000_000_000;
 
 impl TryFrom<SamplesFile> for Samples {
-    type Error = CountError;
+    type Error = Refused;
 
-    fn try_from(words: SamplesFile) -> Result<Self, CountError> {
+    fn try_from(words: SamplesFile) -> Result<Self, Refused> {
         if !(1..=MOST).contains(&words.count) {
-            return Err(CountError(words.count));
+            let found = Refused::at("count").found(words.count.to_string());
+            return Err(found.allowed_is("a whole number from 1 to 1e15"));
         }
         Ok(Self {
             count: words.count,
@@ -267,41 +263,27 @@ struct VaryFile {
     log_normal: Option<LogNormal>,
 }
 
-/// A varying field with too few, too many or wrong words.
-#[derive(Debug, thiserror::Error)]
-enum WordsError {
-    #[error("found neither `field` nor `fields`, allowed is one of them; name the field that varies")]
-    NoField,
-    #[error("found both `field` and `fields`, allowed is one of them; delete the other")]
-    TwoFields,
-    #[error("fields: found an empty list, allowed is one name or more")]
-    EmptyFields,
-    #[error("values: found an empty list, allowed is one value or more")]
-    EmptyValues,
-    #[error(
-        "found no values, allowed is one of `values`, `grid`, `uniform`, `log_uniform`, `normal` and `log_normal`; say how the \
-         field varies"
-    )]
-    NoSpread,
-    #[error("found both `{0}` and `{1}`, allowed is one of them; delete the other")]
-    TwoSpreads(&'static str, &'static str),
-    #[error(transparent)]
-    Range(#[from] RangeError),
-}
-
 impl TryFrom<VaryFile> for Vary {
-    type Error = WordsError;
+    type Error = Refused;
 
-    fn try_from(words: VaryFile) -> Result<Self, WordsError> {
+    fn try_from(words: VaryFile) -> Result<Self, Refused> {
         let fields = match (words.field, words.fields) {
-            (None, None) => return Err(WordsError::NoField),
-            (Some(_), Some(_)) => return Err(WordsError::TwoFields),
+            (None, None) => {
+                let neither = Refused::default().found("neither `field` nor `fields`");
+                return Err(neither.allowed_is("one of them").help("name the field that varies"));
+            }
+            (Some(_), Some(_)) => {
+                let both = Refused::default().found("both `field` and `fields`");
+                return Err(both.allowed_is("one of them").help("delete the other"));
+            }
             (Some(field), None) => vec![field],
-            (None, Some(fields)) if fields.is_empty() => return Err(WordsError::EmptyFields),
+            (None, Some(fields)) if fields.is_empty() => {
+                return Err(Refused::at("fields").found("an empty list").allowed_is("one name or more"));
+            }
             (None, Some(fields)) => fields,
         };
         if words.values.as_ref().is_some_and(Vec::is_empty) {
-            return Err(WordsError::EmptyValues);
+            return Err(Refused::at("values").found("an empty list").allowed_is("one value or more"));
         }
         let spreads = [
             ("values", words.values.map(Spread::Values)),
@@ -312,9 +294,14 @@ impl TryFrom<VaryFile> for Vary {
             ("log_normal", words.log_normal.map(Spread::LogNormal)),
         ];
         let mut given = spreads.into_iter().filter_map(|(name, spread)| Some((name, spread?)));
-        let (name, spread) = given.next().ok_or(WordsError::NoSpread)?;
+        let (name, spread) = given.next().ok_or_else(|| {
+            let none = Refused::default().found("no values");
+            none.allowed_is("one of `values`, `grid`, `uniform`, `log_uniform`, `normal` and `log_normal`")
+                .help("say how the field varies")
+        })?;
         if let Some((other, _)) = given.next() {
-            return Err(WordsError::TwoSpreads(name, other));
+            let both = Refused::default().found(format!("both `{name}` and `{other}`"));
+            return Err(both.allowed_is("one of them").help("delete the other"));
         }
         spread.check()?;
         Ok(Self { fields, spread })

@@ -10,10 +10,11 @@ use pounding_files::{Existing, Lock, NewFile, Users};
 use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
-use super::SweepError;
+use super::error;
 use super::manifest::{Manifest, joined_beside, path_of};
 use super::part::{self, Part, length_of_line};
 use super::summary::{SummaryTable, Tally};
+use pounding_text::Refused;
 
 /// A joined table.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,10 +55,10 @@ pub fn summary_beside(out: &Path) -> PathBuf {
 /// when this returns; no other process writes it meanwhile.
 ///
 /// # Errors
-/// [`SweepError::NoParts`], [`SweepError::OtherSweep`] and [`SweepError::DamagedManifest`] for a folder; [`SweepError::Missing`],
-/// [`SweepError::Damaged`], [`SweepError::Lock`]; and errors of the system.
-pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, SweepError> {
-    let lock = Lock::of(out, Users::One)?;
+/// [`Refused::NoParts`], [`Refused::OtherSweep`] and [`Refused::DamagedManifest`] of a folder, [`Refused::Missing`],
+/// [`Refused::Damaged`], [`Refused::Lock`], and what the system refuses.
+pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, Refused> {
+    let lock = Lock::of(out, Users::One).map_err(error::locked)?;
     put(out, &Sources::of(folders)?, existing, &lock)
 }
 
@@ -68,15 +69,15 @@ pub(super) struct Sources {
 }
 
 impl Sources {
-    /// The sweep of these folders, and the path of each part; all must exist.
-    pub(super) fn of(folders: &[PathBuf]) -> Result<Self, SweepError> {
+    /// What the folders hold parts of, and where each lies; all are there.
+    pub(super) fn of(folders: &[PathBuf]) -> Result<Self, Refused> {
         let mut manifest: Option<Manifest> = None;
         let mut there = BTreeMap::new();
         for folder in folders {
             let own = Manifest::of_folder(folder)?;
-            let own = own.ok_or_else(|| SweepError::NoParts(folder.clone()))?;
+            let own = own.ok_or_else(|| error::no_parts(folder))?;
             if manifest.as_ref().is_some_and(|first| *first != own) {
-                return Err(SweepError::OtherSweep(folder.clone()));
+                return Err(error::other_sweep(folder));
             }
             for part in 0..own.n_parts() {
                 let path = path_of(folder, part);
@@ -86,14 +87,13 @@ impl Sources {
             }
             manifest = Some(own);
         }
-        let manifest = manifest.ok_or_else(|| SweepError::NoParts(PathBuf::new()))?;
+        let manifest = manifest.ok_or_else(|| error::no_parts(Path::new("")))?;
         let missing = missing(&manifest, &there);
         if !missing.is_empty() {
-            return Err(SweepError::Missing {
-                found: there.len() as u64,
-                allowed: manifest.n_parts(),
-                missing,
-            });
+            let found = Refused::default().found(format!("{} of {} parts", there.len(), manifest.n_parts()));
+            let again =
+                "start again the shards that should have made them, or `pounding sweep` without a shard, which runs what is missing";
+            return Err(found.so(": ", format!("the runs {} are missing; {again}", runs(&missing))));
         }
         let parts = there.into_values().collect();
         Ok(Self { manifest, parts })
@@ -101,7 +101,7 @@ impl Sources {
 }
 
 /// Makes the table, and puts it on disk.
-pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock) -> Result<Joined, SweepError> {
+pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock) -> Result<Joined, Refused> {
     let (file, joined) = made(out, sources)?;
     let joined = Joined {
         is_locked: lock.is_kept(),
@@ -114,31 +114,30 @@ pub(super) fn put(out: &Path, sources: &Sources, existing: Existing, lock: &Lock
     let earlier = joined_beside(out);
     match fs::remove_file(&earlier) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => {
-            return Err(SweepError::file(&earlier)(error));
+            return Err(error::file(&earlier)(error));
         }
         _ => {}
     }
-    file.put(existing).map_err(SweepError::file(out))?;
+    file.put(existing).map_err(error::file(out))?;
     Ok(joined)
 }
 
-/// Writes a file next to a table that is about to be moved to its place. An existing file with this text may be from an interrupted
-/// process.
-fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), SweepError> {
+/// Puts a file beside a table that goes to its place next; one of the same text may be of a process that was ended in between.
+fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), Refused> {
     if pounding_files::holds(path, text.as_bytes()).unwrap_or(false) {
         return Ok(());
     }
     pounding_files::write(path, text.as_bytes(), existing).map_err(|error| {
         if error.kind() == io::ErrorKind::AlreadyExists {
-            SweepError::ThereAlready(path.to_path_buf())
+            error::there_already(path)
         } else {
-            SweepError::file(path)(error)
+            error::file(path)(error)
         }
     })
 }
 
-/// Whether a table has the bytes of these parts.
-pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, SweepError> {
+/// Whether a table has the bytes that these parts make.
+pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, Refused> {
     let (file, _) = made(out, sources)?;
     let is_same = || {
         let (found, wanted) = (File::open(out)?, File::open(file.path())?);
@@ -155,13 +154,13 @@ pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, SweepEr
             }
         }
     };
-    is_same().map_err(SweepError::file(out))
+    is_same().map_err(error::file(out))
 }
 
 /// The table under a hidden name.
-fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> {
+fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), Refused> {
     pounding_files::tidy(out);
-    let file = NewFile::beside(out).map_err(SweepError::file(out))?;
+    let file = NewFile::beside(out).map_err(error::file(out))?;
     let summary = summed_up(sources)?;
     let (has_rows, manifest) = (sources.manifest.without_rows().is_none(), &sources.manifest);
     let failed = match &summary {
@@ -172,7 +171,7 @@ fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> 
             } else {
                 fs::write(file.path(), text)
             }
-            .map_err(SweepError::file(file.path()))?;
+            .map_err(error::file(file.path()))?;
             summary.n_failed()
         }
         Some(_) | None if compresses(out) => compress(sources, file.path())?,
@@ -188,8 +187,8 @@ fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> 
     Ok((file, joined))
 }
 
-/// The summary over all parts, with all threads; `None` if not requested.
-fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, SweepError> {
+/// The parts summed up, with all threads; nothing where no summary is asked for.
+fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, Refused> {
     let Sources { manifest, parts } = sources;
     let Some(form) = &manifest.summary else {
         return Ok(None);
@@ -203,18 +202,26 @@ fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, SweepError> {
         } else {
             Tally::of_line(form, part.rows())
         };
-        let tally = tally.ok_or_else(|| SweepError::Damaged {
-            path: path.clone(),
-            found: "something else than this program writes",
-        })?;
+        let tally = tally.ok_or_else(|| error::damaged(path, "something else than this program writes"))?;
         whole.lock().expect("no thread panics").merge(&tally);
         Ok(())
     };
-    let added: Vec<Result<(), SweepError>> = parts.par_iter().enumerate().map(add).collect();
-    // In order: the first of several damaged parts is named.
-    added.into_iter().collect::<Result<(), SweepError>>()?;
+    let added: Vec<Result<(), Refused>> = parts.par_iter().enumerate().map(add).collect();
+    // In order: of several damaged parts the first is named.
+    added.into_iter().collect::<Result<(), Refused>>()?;
     let whole = whole.into_inner().expect("no thread panics");
     Ok(Some(SummaryTable::new(form.clone(), whole)))
+}
+
+/// Ranges of runs in words; of many the first ones.
+fn runs(missing: &[(u64, u64)]) -> String {
+    const SHOWN: usize = 5;
+    let shown = missing.iter().take(SHOWN);
+    let mut words: Vec<String> = shown.map(|(from, to)| format!("{from} to {to}")).collect();
+    if missing.len() > SHOWN {
+        words.push(format!("and {} more ranges", missing.len() - SHOWN));
+    }
+    words.join(", ")
 }
 
 /// First and last run of every gap.
@@ -230,15 +237,15 @@ fn missing(manifest: &Manifest, there: &BTreeMap<u64, PathBuf>) -> Vec<(u64, u64
     gaps
 }
 
-/// Writes every part to its place in the table, with all threads; returns the number of failed runs.
-fn place(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
+/// Puts every part where it belongs in the table, with all threads; how many runs failed.
+fn place(sources: &Sources, path: &Path) -> Result<u64, Refused> {
     let Sources { manifest, parts } = sources;
     let header = manifest.header.as_bytes();
-    fs::write(path, header).map_err(SweepError::file(path))?;
+    fs::write(path, header).map_err(error::file(path))?;
     let mut places = Vec::with_capacity(parts.len());
     let mut end = header.len() as u64;
     for (index, part) in parts.iter().enumerate() {
-        let about = fs::metadata(part).map_err(SweepError::file(part))?;
+        let about = fs::metadata(part).map_err(error::file(part))?;
         let line = length_of_line(manifest, index as u64) as u64;
         let length = about.len().saturating_sub(line);
         places.push(end..end + length);
@@ -247,28 +254,25 @@ fn place(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     let write = |(index, place): (usize, std::ops::Range<u64>)| {
         let part = part::read(manifest, index as u64, &parts[index])?;
         if part.rows().len() as u64 != place.end - place.start {
-            return Err(SweepError::Damaged {
-                path: parts[index].clone(),
-                found: "another length than a moment before",
-            });
+            return Err(error::damaged(&parts[index], "another length than a moment before"));
         }
         let written = || {
             let mut file = OpenOptions::new().write(true).open(path)?;
             file.seek(SeekFrom::Start(place.start))?;
             file.write_all(part.rows())
         };
-        written().map_err(SweepError::file(path))?;
+        written().map_err(error::file(path))?;
         Ok(part.n_failed())
     };
     let places: Vec<_> = places.into_iter().enumerate().collect();
     let written = places.into_par_iter().with_max_len(1).map(write);
-    // In order: the first of several damaged parts is named.
-    let written: Vec<Result<u64, SweepError>> = written.collect();
+    // In order: of several damaged parts the first is named.
+    let written: Vec<Result<u64, Refused>> = written.collect();
     written.into_iter().sum()
 }
 
-/// Compresses the table, part by part; returns the number of failed runs.
-fn compress(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
+/// Compresses the table, one part after the other; how many runs failed.
+fn compress(sources: &Sources, path: &Path) -> Result<u64, Refused> {
     let manifest = &sources.manifest;
     let mut table = Table {
         header: manifest.header.as_bytes(),
@@ -283,7 +287,7 @@ fn compress(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     if let Some(error) = table.refused {
         return Err(error);
     }
-    encoded.map_err(SweepError::file(path))?;
+    encoded.map_err(error::file(path))?;
     Ok(table.failed)
 }
 
@@ -309,7 +313,7 @@ struct Table<'a, Parts> {
     parts: Parts,
     manifest: &'a Manifest,
     failed: u64,
-    refused: Option<SweepError>,
+    refused: Option<Refused>,
 }
 
 impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
@@ -318,8 +322,8 @@ impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
         self.part.as_ref().map_or(self.header, Part::rows)
     }
 
-    /// Continues with the next part; false if there is none.
-    fn next(&mut self) -> Result<bool, SweepError> {
+    /// Goes on to the next part; whether there is one.
+    fn next(&mut self) -> Result<bool, Refused> {
         let Some((index, path)) = self.parts.next() else {
             return Ok(false);
         };

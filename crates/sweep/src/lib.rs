@@ -20,7 +20,7 @@
 //! // The tower arrives with A T/8 = 0.5 m/s, whatever the restitution: (1+e) m v₀ is 60, 80 and 100 kN·s.
 //! let impulses = sweep.batch(0..sweep.n_runs()).columns.concat();
 //! assert!(impulses.iter().zip([60e3, 80e3, 100e3]).all(|(impulse, theory)| (impulse / theory - 1.0).abs() < 1e-5));
-//! # Ok::<(), pounding_sweep::SweepError>(())
+//! # Ok::<(), pounding_text::Refused>(())
 //! ```
 //!
 //! Not in this crate: a scheduler (yours distributes the shards), and figures. Surveys with figures are in `pounding-studies`.
@@ -75,20 +75,19 @@ pub use checked::Checked;
 pub use column::SweepColumn;
 pub use column_errors::ColumnErrors;
 pub use distribution::{LogNormal, Normal};
-pub use error::{RefusedScene, SweepError};
 pub use file::{Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema};
 pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
 use output::{Output, Row};
 pub use parts::Parts;
-pub use place::PlaceError;
 use plan::{Plan, Setting, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
-pub use summary_file::{Summary, SummaryError};
+pub use summary_file::Summary;
 
-use pounding_scene::{Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite};
+use pounding_scene::{Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite, in_file};
+use pounding_text::{Kind, Refused};
 
 /// A sweep with its scene and records, after a trial of its values.
 #[derive(Debug)]
@@ -128,15 +127,14 @@ impl Sweep {
     /// chooses the method if an accuracy is requested. Setting `stop` ends this and all runs.
     ///
     /// # Errors
-    /// [`SweepError`] with the line of the field; [`SweepError::Stopped`] after a stop during the choice of a method.
-    pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
-        let unreadable = |source| Error::Unreadable {
-            path: path.to_path_buf(),
-            source,
-        };
-        let bytes = pounding_scene::bytes(path).map_err(unreadable)?;
+    /// Names the line of the field. Of [`Kind::Stopped`] where somebody says stop while a method is chosen.
+    pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+        let bytes = pounding_scene::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::of((file, &bytes), path, stop).map_err(|error| error.in_file(path))
+        Self::of((file, &bytes), path, stop).map_err(|refused| {
+            let is_stopped = refused.is_kind(Kind::Stopped);
+            if is_stopped { refused } else { in_file(refused, path) }
+        })
     }
 
     /// Makes a sweep from a file that was read as these bytes, which identify its parts.
@@ -145,8 +143,8 @@ impl Sweep {
     /// Those of [`Self::read`], without the name of the file.
     ///
     /// # Panics
-    /// Never: a budget consists of numbers and names, which JSON can represent.
-    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
+    /// Never: a budget is numbers and their names, which JSON holds.
+    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -156,7 +154,8 @@ impl Sweep {
         let vary = placed(&file, &read.scene)?;
         let asked = accuracy::asked(&read.scene);
         if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
-            return Err(SweepError::Accuracy);
+            let found = "a field of `method` where scene.method asks for an accuracy, for which one method is chosen";
+            return Err(Refused::at("vary").found(found).help("leave one of them out"));
         }
         // Motions are read as in the first run, independent of their number.
         let first = Plan::new(vary.clone(), file.samples, 1)?;
@@ -199,7 +198,8 @@ impl Sweep {
         if let Some(asked) = asked {
             sweep.choose(asked);
             if sweep.is_stopped() {
-                return Err(SweepError::Stopped);
+                let stopped = Refused::that("stopped while a method was chosen").kind(Kind::Stopped);
+                return Err(stopped.help("the same command begins with that again"));
             }
         }
         Ok(sweep)
@@ -287,7 +287,7 @@ impl Sweep {
 }
 
 impl Read {
-    fn of(scene: &SceneOf, path: &Path) -> Result<Self, SweepError> {
+    fn of(scene: &SceneOf, path: &Path) -> Result<Self, Refused> {
         match scene {
             SceneOf::Inline(scene) => Ok(Self {
                 scene: scene.clone(),
@@ -296,12 +296,8 @@ impl Read {
             }),
             SceneOf::File(name) => {
                 let path = path.parent().unwrap_or_else(|| Path::new("")).join(name);
-                let unreadable = |source| Error::Unreadable {
-                    path: path.clone(),
-                    source,
-                };
-                let bytes = pounding_scene::bytes(&path).map_err(unreadable)?;
-                // Reports its faults with their lines.
+                let bytes = pounding_scene::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?;
+                // Its faults are told with their lines.
                 Scene::parse(&bytes, &path)?;
                 Ok(Self {
                     scene: pounding_scene::parse(&bytes, &path)?,
@@ -354,8 +350,8 @@ mod tests {
 
     use super::*;
 
-    /// A sweep of a structure under half a sine with this variation.
-    fn sweep(vary: &Value, seed: u64) -> Result<Sweep, SweepError> {
+    /// A sweep of one structure under half a sine in which this varies.
+    fn sweep(vary: &Value, seed: u64) -> Result<Sweep, Refused> {
         let sampled = vary.to_string().contains("normal");
         let samples = sampled.then(|| json!({"count": 4, "seed": seed, "method": "random"}));
         let file = json!({
@@ -377,7 +373,7 @@ mod tests {
         let ratio = json!({"field": "structures[0].sdof.damping.ratio", "values": [0.03, 0.04]});
         for vary in [json!([damping, ratio]), json!([ratio, damping])] {
             let refused = sweep(&vary, 0).expect_err("one would undo the other");
-            assert!(matches!(refused, SweepError::Twice { .. }), "{refused}");
+            assert!(refused.to_string().contains("a second time"), "{refused}");
         }
     }
 

@@ -7,9 +7,10 @@ use pounding_files::{Existing, Length};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::error::MANIFEST;
+use super::Sweep;
+use super::error::{self, MANIFEST};
 use super::summary::Form;
-use super::{Sweep, SweepError};
+use pounding_text::{Kind, Refused};
 
 /// Path of a second manifest while the parts of a finished table are deleted. It is deleted last: while it exists, the next process
 /// completes the clean-up.
@@ -192,42 +193,47 @@ impl Manifest {
         pounding_scene::hexadecimal(&Sha256::digest(text))
     }
 
-    /// Reads the manifest of a folder; `None` if it has none.
-    pub(super) fn of_folder(folder: &Path) -> Result<Option<Self>, SweepError> {
+    /// That of a folder; nothing where it has none.
+    pub(super) fn of_folder(folder: &Path) -> Result<Option<Self>, Refused> {
         Self::read(folder.join(MANIFEST))
     }
 
-    /// Reads the manifest in a file; `None` if there is no file.
-    pub(super) fn read(path: PathBuf) -> Result<Option<Self>, SweepError> {
+    /// That of a file; nothing where it is not there.
+    pub(super) fn read(path: PathBuf) -> Result<Option<Self>, Refused> {
         let bytes = match pounding_files::read(&path, LONGEST) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-            read => read.map_err(SweepError::file(&path))?,
+            read => read.map_err(error::file(&path))?,
         };
         let version = serde_json::from_slice::<Versioned>(&bytes);
-        let version = version.map_err(|_| SweepError::DamagedManifest(path.clone()))?;
+        let version = version.map_err(|_| damaged(&path))?;
         if version.schema_version != Some(SCHEMA_VERSION) {
-            return Err(SweepError::OtherForm {
-                path,
-                found: version.schema_version,
-                allowed: SCHEMA_VERSION,
-            });
+            let version = version.schema_version;
+            let version = version.map_or_else(|| "no version".into(), |found| format!("version {found}"));
+            let other = Refused::at(path)
+                .found(format!("{version} of the form of parts"))
+                .kind(Kind::Damaged);
+            let other = other.allowed_is(format!("version {SCHEMA_VERSION}"));
+            return Err(other.so(
+                ": ",
+                "another version of the program wrote them; end the sweep with that one, name another file, or let --overwrite begin anew",
+            ));
         }
         let manifest: Option<Self> = serde_json::from_slice(&bytes).ok();
         let whole = |one: &Self| one.sha256 == one.hash() && one.runs_per_part > 0;
         let manifest = manifest.filter(whole);
-        manifest.map(Some).ok_or(SweepError::DamagedManifest(path))
+        manifest.map(Some).ok_or_else(|| damaged(&path))
     }
 
     /// Writes it into a folder that has none.
-    pub(super) fn write(&self, folder: &Path) -> Result<(), SweepError> {
+    pub(super) fn write(&self, folder: &Path) -> Result<(), Refused> {
         self.put(&folder.join(MANIFEST), Existing::Kept)
     }
 
     /// Writes it as a file.
-    pub(super) fn put(&self, path: &Path, existing: Existing) -> Result<(), SweepError> {
+    pub(super) fn put(&self, path: &Path, existing: Existing) -> Result<(), Refused> {
         let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
         text.push('\n');
-        pounding_files::write(path, text.as_bytes(), existing).map_err(SweepError::file(path))
+        pounding_files::write(path, text.as_bytes(), existing).map_err(error::file(path))
     }
 
     pub(super) fn n_parts(&self) -> u64 {
@@ -265,6 +271,13 @@ pub(super) fn is_own(name: &str) -> bool {
         None => name,
     };
     part(shown) || shown == MANIFEST
+}
+
+/// A manifest that is not as it was written.
+fn damaged(path: &Path) -> Refused {
+    let other = Refused::at(path).found("other bytes than a sweep wrote").kind(Kind::Damaged);
+    let other = other.allowed_is("the file as it was");
+    other.help("delete it, then the sweep goes on with the parts that are whole")
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
-use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite};
+use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SharedMotion, Source, Suite, in_scene};
+use pounding_text::Refused;
 
 /// A ground motion in one direction.
 #[derive(Debug, Clone)]
@@ -65,9 +65,9 @@ pub(super) struct Motions {
 }
 
 impl Motions {
-    /// Reads the motions of a sweep with this scene as first run. `base` is the folder of the sweep's file, `of_scene` that of the scene's
-    /// file.
-    pub(super) fn read(file: &SweepFile, base: &Path, of_scene: &Path, scene: &Scene, axes: &[Axis]) -> Result<Self, SweepError> {
+    /// Reads the motions of a sweep whose first run is this scene; `base` is the folder of its file, `of_scene` that of the
+    /// scene's.
+    pub(super) fn read(file: &SweepFile, base: &Path, of_scene: &Path, scene: &Scene, axes: &[Axis]) -> Result<Self, Refused> {
         let differs = Differs::by(axes);
         let mut record = scene.record.clone();
         if differs == Differs::Scale {
@@ -98,7 +98,8 @@ impl Motions {
         for path in records.paths() {
             let path = base.join(path);
             if !path.exists() {
-                return Err(SweepError::NoSuchRecord(path.display().to_string()));
+                let none = Refused::at("records").found(format!("no file or folder {}", path.display()));
+                return Err(none.allowed_is("one that is there, seen from the folder of the sweep"));
             }
             paths.push(path);
         }
@@ -112,7 +113,8 @@ impl Motions {
         if motions.all.is_empty() {
             let left_out = suite.said_of_left_out(false);
             let said = [vec![records.paths().join(", ")], left_out].concat();
-            return Err(SweepError::NoRecord(said.join("; ")));
+            let none = Refused::at("records").found(format!("no record in {}", said.join("; ")));
+            return Err(none.allowed_is("a folder with one or more, or a file"));
         }
         motions.files.clone_from(&suite.files);
         motions.suite = Some(suite);
@@ -154,7 +156,7 @@ impl Motions {
         };
         match motion {
             Ok(motion) => Ok((scene, motion)),
-            Err(source) => Err(Error::Scene { scene: scene.name, source }),
+            Err(refused) => Err(in_scene(&scene, refused)),
         }
     }
 
@@ -185,8 +187,8 @@ impl Shaking {
         self.record.reversed
     }
 
-    /// The motion, processed for another use.
-    fn used_anew(&self, record: &RecordUse) -> Result<SharedMotion, SceneError> {
+    /// The motion, processed as another use of it says.
+    fn used_anew(&self, record: &RecordUse) -> Result<SharedMotion, Refused> {
         let motion = match (&record.source, &self.motion.origin) {
             (Source::Generated(generated), _) => GroundMotion::of_formula(record, generated),
             (Source::File(_), Some(origin)) => GroundMotion::of_file(record, Arc::clone(origin)),

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::SweepError;
+use super::error;
 use super::manifest::Manifest;
 use pounding_files::Length;
+use pounding_text::Refused;
 
 /// Digits of the checksum.
 const DIGITS: usize = 8;
@@ -99,17 +100,17 @@ fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<Part, Damage> {
 /// Reads a complete part.
 ///
 /// # Errors
-/// [`SweepError::Damaged`], and errors of the system.
-pub(super) fn read(manifest: &Manifest, part: u64, path: &Path) -> Result<Part, SweepError> {
-    let bytes = pounding_files::read(path, LONGEST).map_err(SweepError::file(path))?;
+/// Refuses a damaged file, and what the system refuses.
+pub(super) fn read(manifest: &Manifest, part: u64, path: &Path) -> Result<Part, Refused> {
+    let bytes = pounding_files::read(path, LONGEST).map_err(error::file(path))?;
     let length = bytes.len();
-    of(manifest, part, bytes).map_err(|damage| SweepError::Damaged {
-        path: path.to_path_buf(),
-        found: match damage {
+    of(manifest, part, bytes).map_err(|damage| {
+        let found = match damage {
             Damage::Other if length == 0 => "no bytes",
             Damage::Other => "something else than this part of this sweep",
             Damage::Changed => "other bytes than were written",
-        },
+        };
+        error::damaged(path, found)
     })
 }
 

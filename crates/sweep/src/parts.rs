@@ -12,7 +12,8 @@ use super::error::MANIFEST;
 use super::join::{self, Joined, Sources};
 use super::manifest::{Manifest, is_own, joined_beside, path_of};
 use super::part::{self, sealed};
-use super::{Shard, Sweep, SweepError};
+use super::{Shard, Sweep, error};
+use pounding_text::{Kind, Refused};
 
 /// Most parts of a table: each needs a look into the folder.
 const MOST: u64 = 1_000_000;
@@ -29,7 +30,7 @@ pub struct Parts {
     shard: Shard,
     /// Missing parts of the shard, in order.
     missing: Vec<u64>,
-    damaged: Vec<SweepError>,
+    damaged: Vec<Refused>,
     lock: Lock,
 }
 
@@ -52,20 +53,23 @@ impl Parts {
     /// interrupted process of this sweep had already written its table: its remaining parts are now deleted.
     ///
     /// # Errors
-    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::ThereAlready`] for a table without parts,
-    /// [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and errors of the system.
-    pub fn open(sweep: &Sweep, out: &Path, shard: Shard, overwritten: bool) -> Result<Option<Self>, SweepError> {
+    /// [`Refused::TooManyParts`], [`Refused::Lock`], [`Refused::ThereAlready`] of a table without parts,
+    /// [`Refused::OtherSweep`], [`Refused::DamagedManifest`], and what the system refuses.
+    pub fn open(sweep: &Sweep, out: &Path, shard: Shard, overwritten: bool) -> Result<Option<Self>, Refused> {
         let folder = Self::folder_of(out);
         let manifest = Manifest::of(sweep);
         if manifest.n_parts() > MOST {
-            return Err(SweepError::TooManyParts {
-                found: manifest.runs,
-                allowed: MOST * manifest.runs_per_part,
-                has_rows: sweep.without_rows().is_none(),
-            });
+            let (with, help) = if sweep.without_rows().is_none() {
+                ("with rows", "add a `summary`, which needs none, or make several sweeps")
+            } else {
+                ("of what these cost", "take coarser grids or fewer samples")
+            };
+            let found = Refused::at("vary").found(format!("{} runs", manifest.runs));
+            let most = format!("up to {} {with}", MOST * manifest.runs_per_part);
+            return Err(found.allowed_are(most).help(help));
         }
         let users = if shard.is_whole() { Users::One } else { Users::Several };
-        let lock = Lock::of(out, users)?;
+        let lock = Lock::of(out, users).map_err(error::locked)?;
         let mut parts = Self {
             out: out.to_path_buf(),
             folder,
@@ -83,8 +87,8 @@ impl Parts {
         Ok(Some(parts))
     }
 
-    /// Completes the clean-up of an interrupted process after its table was on disk; true if there was one.
-    fn ends_earlier_one(&self) -> Result<bool, SweepError> {
+    /// Ends what an earlier process had to leave when its table was on disk; whether there was anything.
+    fn ends_earlier_one(&self) -> Result<bool, Refused> {
         if !self.shard.is_whole() {
             return Ok(false);
         }
@@ -92,7 +96,7 @@ impl Parts {
         let joined = match Manifest::read(beside.clone()) {
             Ok(joined) => joined,
             // Whatever it is, it is not of this sweep.
-            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) => None,
+            Err(refused) if refused.is_kind(Kind::Damaged) => None,
             Err(error) => return Err(error),
         };
         if joined.as_ref() != Some(&self.manifest) {
@@ -102,21 +106,21 @@ impl Parts {
             self.clean_up()?;
             return Ok(true);
         }
-        // The table was removed: the remaining parts are valid.
-        fs::remove_file(&beside).map_err(SweepError::file(&beside))?;
+        // Somebody took the table away: what is left of its parts is good.
+        fs::remove_file(&beside).map_err(error::file(&beside))?;
         Ok(false)
     }
 
-    /// Makes the folder that of this sweep, unless it belongs to another sweep.
-    fn claim(&self, replaced: bool) -> Result<(), SweepError> {
+    /// Makes the folder this sweep's, unless it is another's.
+    fn claim(&self, replaced: bool) -> Result<(), Refused> {
         let overwritten = replaced && self.shard.is_whole();
-        let other = || SweepError::OtherSweep(self.folder.clone());
-        // Incomplete files of a killed process belong to nobody.
+        let other = || error::other_sweep(&self.folder);
+        // What a kill has left of a file is nobody's.
         let is_shown = |name: &String| !name.starts_with('.');
         // The names come first: a shard that begins at this moment writes its manifest before its first part.
         let names = self.names()?;
         let found = match Manifest::of_folder(&self.folder) {
-            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => None,
+            Err(refused) if overwritten && refused.is_kind(Kind::Damaged) => None,
             found => found?,
         };
         match found {
@@ -128,16 +132,16 @@ impl Parts {
             }
             // Another process finished while this process waited: nothing is written next to the table.
             None if !replaced && self.out.exists() && !names.iter().any(is_shown) => {
-                return Err(SweepError::ThereAlready(self.out.clone()));
+                return Err(error::there_already(&self.out));
             }
             Some(_) | None => {}
         }
         if overwritten {
             self.delete(&names)?;
         }
-        fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
+        fs::create_dir_all(&self.folder).map_err(error::file(&self.folder))?;
         let above = pounding_files::folder_of(&self.folder);
-        pounding_files::sync_folder(above).map_err(SweepError::file(above))?;
+        pounding_files::sync_folder(above).map_err(error::file(above))?;
         let written = self.manifest.write(&self.folder);
         // Another shard was first.
         match Manifest::of_folder(&self.folder)? {
@@ -147,11 +151,11 @@ impl Parts {
         }
     }
 
-    /// Names in the folder that are visible or belong to a sweep.
-    fn names(&self) -> Result<Vec<String>, SweepError> {
+    /// Names in the folder that are not hidden, or are ours.
+    fn names(&self) -> Result<Vec<String>, Refused> {
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
-            entries => entries.map_err(SweepError::file(&self.folder))?,
+            entries => entries.map_err(error::file(&self.folder))?,
         };
         let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
         Ok(names.filter(|name| is_own(name) || !name.starts_with('.')).collect())
@@ -165,19 +169,19 @@ impl Parts {
         names.iter().any(|name| is_own(name)) && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
     }
 
-    /// Deletes files of a sweep, the manifest last: if interrupted, it still identifies the rest.
-    fn delete(&self, names: &[String]) -> Result<(), SweepError> {
+    /// Deletes what a sweep wrote of these, the manifest last: cut short, it still tells whose the rest is.
+    fn delete(&self, names: &[String]) -> Result<(), Refused> {
         let is_manifest = |name: &&String| name.as_str() == MANIFEST;
         let (manifests, parts): (Vec<_>, Vec<_>) = names.iter().filter(|name| is_own(name)).partition(is_manifest);
         for name in parts.into_iter().chain(manifests) {
             let path = self.folder.join(name);
-            fs::remove_file(&path).map_err(SweepError::file(&path))?;
+            fs::remove_file(&path).map_err(error::file(&path))?;
         }
         Ok(())
     }
 
-    /// Reads the existing parts of the shard.
-    fn look(&mut self) -> Result<(), SweepError> {
+    /// Reads the parts of the shard that are there.
+    fn look(&mut self) -> Result<(), Refused> {
         let parts: Vec<u64> = self.shard.of(self.manifest.n_parts()).collect();
         let look = |part: &u64| {
             let path = path_of(&self.folder, *part);
@@ -186,16 +190,16 @@ impl Parts {
             }
             match part::read(&self.manifest, *part, &path) {
                 Ok(_) => Ok((false, None)),
-                Err(damaged @ SweepError::Damaged { .. }) => Ok((true, Some(Box::new(damaged)))),
+                Err(damaged) if damaged.is_kind(Kind::Damaged) => Ok((true, Some(damaged))),
                 Err(error) => Err(error),
             }
         };
-        let found: Result<Vec<_>, SweepError> = parts.par_iter().map(look).collect();
+        let found: Result<Vec<_>, Refused> = parts.par_iter().map(look).collect();
         for (part, (is_missing, damaged)) in parts.into_iter().zip(found?) {
             if is_missing {
                 self.missing.push(part);
             }
-            self.damaged.extend(damaged.map(|damaged| *damaged));
+            self.damaged.extend(damaged);
         }
         Ok(())
     }
@@ -210,8 +214,8 @@ impl Parts {
         self.shard
     }
 
-    /// Damaged parts, which run again.
-    pub fn damaged(&self) -> &[SweepError] {
+    /// What is wrong with parts that are there and are run again.
+    pub fn damaged(&self) -> &[Refused] {
         &self.damaged
     }
 
@@ -241,9 +245,9 @@ impl Parts {
     /// last half minute, which then run again. Parts of a complete table are not synced, because [`join`](Self::join) reads them now.
     ///
     /// # Errors
-    /// Errors of the system on writing.
-    pub fn fill(&self, sweep: &Sweep, done: &(dyn Fn(u64) + Sync)) -> Result<u64, SweepError> {
-        // Part by part to the next free thread, because they take different times.
+    /// What the system refuses to write.
+    pub fn fill(&self, sweep: &Sweep, done: &(dyn Fn(u64) + Sync)) -> Result<u64, Refused> {
+        // One part after the other to whoever is free: they differ in the time that they take.
         let parts = self.missing.par_iter().with_max_len(1);
         let made = parts.map(|part| {
             let begin = Instant::now();
@@ -258,7 +262,7 @@ impl Parts {
             self.write(*part, &bytes, is_synced)?;
             Ok(Some((*part, is_synced)))
         });
-        let made = made.collect::<Result<Vec<_>, SweepError>>()?;
+        let made = made.collect::<Result<Vec<_>, Refused>>()?;
         let made: Vec<(u64, bool)> = made.into_iter().flatten().collect();
         let there = self.n_runs_there() + self.runs_of(made.iter().map(|(part, _)| *part));
         if there < self.n_runs() || !self.shard.is_whole() {
@@ -280,7 +284,7 @@ impl Parts {
         Some(sweep.rows(&batch))
     }
 
-    fn write(&self, part: u64, bytes: &[u8], is_synced: bool) -> Result<(), SweepError> {
+    fn write(&self, part: u64, bytes: &[u8], is_synced: bool) -> Result<(), Refused> {
         let path = path_of(&self.folder, part);
         let write = || {
             let mut file = NewFile::beside(&path)?;
@@ -291,31 +295,31 @@ impl Parts {
                 file.show(Existing::Replaced)
             }
         };
-        write().map_err(SweepError::file(&path))
+        write().map_err(error::file(&path))
     }
 
-    /// Syncs those of these parts that are not synced yet.
-    fn sync(&self, made: &[(u64, bool)]) -> Result<(), SweepError> {
+    /// Syncs those of these parts that are not yet.
+    fn sync(&self, made: &[(u64, bool)]) -> Result<(), Refused> {
         let open = made.par_iter().filter(|(_, is_synced)| !is_synced);
         open.try_for_each(|(part, _)| {
             let path = path_of(&self.folder, *part);
-            pounding_files::sync(&path).map_err(SweepError::file(&path))
+            pounding_files::sync(&path).map_err(error::file(&path))
         })?;
-        pounding_files::sync_folder(&self.folder).map_err(SweepError::file(&self.folder))
+        pounding_files::sync_folder(&self.folder).map_err(error::file(&self.folder))
     }
 
     /// Whether the existing table has the rows of these parts: a process was then interrupted between table and clean-up.
     ///
     /// # Errors
-    /// Errors of the system.
-    pub fn made_table(&self) -> Result<bool, SweepError> {
+    /// What the system refuses.
+    pub fn made_table(&self) -> Result<bool, Refused> {
         if !self.missing.is_empty() || !self.shard.is_whole() || !self.out.exists() {
             return Ok(false);
         }
         join::is_table_of(&self.out, &self.sources()?)
     }
 
-    fn sources(&self) -> Result<Sources, SweepError> {
+    fn sources(&self) -> Result<Sources, Refused> {
         Sources::of(std::slice::from_ref(&self.folder))
     }
 
@@ -323,7 +327,7 @@ impl Parts {
     ///
     /// # Errors
     /// Those of [`merge`](crate::merge).
-    pub fn join(self, existing: Existing) -> Result<Joined, SweepError> {
+    pub fn join(self, existing: Existing) -> Result<Joined, Refused> {
         let joined = join::put(&self.out, &self.sources()?, existing, &self.lock)?;
         self.clean_up()?;
         Ok(joined)
@@ -332,17 +336,17 @@ impl Parts {
     /// Deletes the parts of a table that is on disk.
     ///
     /// # Errors
-    /// Errors of the system.
-    pub fn clean_up(&self) -> Result<(), SweepError> {
-        // From here the parts are incomplete, and the table exists.
+    /// What the system refuses.
+    pub fn clean_up(&self) -> Result<(), Refused> {
+        // From here on the parts are not all there, and the table is.
         let beside = joined_beside(&self.out);
         self.manifest.put(&beside, Existing::Replaced)?;
         self.delete(&self.names()?)?;
         match fs::remove_dir(&self.folder) {
             // The user put files into it, or an earlier process was interrupted after this point.
             Err(error) if matches!(error.kind(), ErrorKind::DirectoryNotEmpty | ErrorKind::NotFound) => {}
-            removed => removed.map_err(SweepError::file(&self.folder))?,
+            removed => removed.map_err(error::file(&self.folder))?,
         }
-        fs::remove_file(&beside).map_err(SweepError::file(&beside))
+        fs::remove_file(&beside).map_err(error::file(&beside))
     }
 }

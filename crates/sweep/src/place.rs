@@ -1,5 +1,6 @@
 //! Places in a scene, as in messages: `structures[0].sdof.period_s`.
 
+use pounding_text::Refused;
 use serde_json::{Map, Value};
 
 /// The path to a field of a scene.
@@ -14,39 +15,7 @@ enum Step {
     Every,
 }
 
-/// Why a field is not found in a scene.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum PlaceError {
-    /// A text that is no path to a field.
-    #[error("found \"{0}\", allowed is the way to a field of the scene, such as \"contacts[0].gap_m\"")]
-    NoPlace(String),
-    /// An item that a list does not have.
-    #[error("found {place}[{item}], allowed are {} in the scene", items(*found))]
-    NoItem {
-        /// The list.
-        place: String,
-        /// The item, counted from 0.
-        item: usize,
-        /// Number of its items.
-        found: usize,
-    },
-    /// A value other than a list in the place of a list.
-    #[error("found no list `{0}` in the scene, allowed are the lists that it has")]
-    NoList(String),
-    /// A value other than a table in the place of a table.
-    #[error("found no table `{0}` in the scene: write it there as a table with its fields")]
-    NoTable(String),
-    /// No item of a list has the field.
-    #[error("found no item of `{list}` with the field `{field}` in the scene; add it there, or name another")]
-    NoItemWith {
-        /// The list.
-        list: String,
-        /// The field.
-        field: String,
-    },
-}
-
-fn items(found: usize) -> String {
+fn indices(found: usize) -> String {
     match found {
         0 => "no items".into(),
         1 => "[0]".into(),
@@ -55,9 +24,12 @@ fn items(found: usize) -> String {
 }
 
 impl Place {
-    /// The places in a scene that a text names, at least one.
-    pub(super) fn all(text: &str, scene: &Value) -> Result<Vec<Self>, PlaceError> {
-        let steps = steps(text).ok_or_else(|| PlaceError::NoPlace(text.into()))?;
+    /// The places that a text names in a scene, at least one.
+    pub(super) fn all(text: &str, scene: &Value) -> Result<Vec<Self>, Refused> {
+        let steps = steps(text).ok_or_else(|| {
+            let found = Refused::default().found(format!("\"{text}\""));
+            found.allowed_is("the way to a field of the scene, such as \"contacts[0].gap_m\"")
+        })?;
         let mut found = Vec::new();
         expand(&steps, scene, &mut Vec::new(), &mut found)?;
         Ok(found)
@@ -152,8 +124,8 @@ fn steps(text: &str) -> Option<Vec<Step>> {
     Some(steps)
 }
 
-/// Continues from `value`, which is at `way`.
-fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Place>) -> Result<(), PlaceError> {
+/// Walks on from `value`, which lies at `way`.
+fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Place>) -> Result<(), Refused> {
     let Some((step, rest)) = rest.split_first() else {
         found.push(Place(way.clone()));
         return Ok(());
@@ -168,15 +140,17 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
         (Step::Field(name), Value::Object(fields)) => go(step.clone(), fields.get(name).unwrap_or(&Value::Null)),
         // A missing value of the scene may be a table.
         (Step::Field(_), Value::Null) => go(step.clone(), &Value::Null),
-        (Step::Field(_), _) => Err(PlaceError::NoTable(named(way))),
-        (Step::Item(index), Value::Array(items)) => match items.get(*index) {
-            Some(item) => go(step.clone(), item),
-            None => Err(PlaceError::NoItem {
-                place: named(way),
-                item: *index,
-                found: items.len(),
-            }),
-        },
+        (Step::Field(_), _) => {
+            let none = Refused::default().found(format!("no table `{}` in the scene", named(way)));
+            Err(none.so(": ", "write it there as a table with its fields"))
+        }
+        (Step::Item(index), Value::Array(items)) => {
+            let Some(item) = items.get(*index) else {
+                let none = Refused::default().found(format!("{}[{index}]", named(way)));
+                return Err(none.allowed_are(format!("{} in the scene", indices(items.len()))));
+            };
+            go(step.clone(), item)
+        }
         (Step::Every, Value::Array(items)) => {
             let has = |item: &Value| match rest.first() {
                 Some(Step::Field(name)) => item.get(name).is_some(),
@@ -190,14 +164,16 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
                 gone?;
             }
             if found.len() == before {
-                return Err(PlaceError::NoItemWith {
-                    list: named(way),
-                    field: named(rest),
-                });
+                let (list, field) = (named(way), named(rest));
+                let none = Refused::default().found(format!("no item of `{list}` with the field `{field}` in the scene"));
+                return Err(none.help("add it there, or name another"));
             }
             Ok(())
         }
-        (Step::Item(_) | Step::Every, _) => Err(PlaceError::NoList(named(way))),
+        (Step::Item(_) | Step::Every, _) => {
+            let none = Refused::default().found(format!("no list `{}` in the scene", named(way)));
+            Err(none.allowed_are("the lists that it has"))
+        }
     }
 }
 

@@ -2,11 +2,11 @@
 
 use serde_json::{Number, Value};
 
-use super::SweepError;
 use super::file::{MOST, Samples, SweepFile, Vary};
 use super::place::Place;
 use super::sampling::{Point, Sampler, most_sobol_axes};
 use super::spread::Spread;
+use pounding_text::Refused;
 
 /// A varying axis.
 #[derive(Debug, Clone)]
@@ -40,14 +40,15 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn new(vary: Vec<(Vary, Vec<Place>)>, samples: Option<Samples>, n_motions: usize) -> Result<Self, SweepError> {
+    pub(super) fn new(vary: Vec<(Vary, Vec<Place>)>, samples: Option<Samples>, n_motions: usize) -> Result<Self, Refused> {
         let n_motions = n_motions as u64;
         let n_sampled = check_samples(&vary, samples)?;
         let n_samples = samples.map_or(1, |samples| samples.count);
         let counts = vary.iter().map(|(vary, _)| vary.spread.count().unwrap_or(1));
         let total = counts.chain([n_samples, n_motions]).map(|count| count as f64).product::<f64>();
         if total > MOST as f64 {
-            return Err(SweepError::TooManyRuns(total));
+            let found = Refused::at("vary").found(format!("{total:e} runs")).allowed_are("up to 1e15");
+            return Err(found.help("take coarser grids or fewer samples"));
         }
         let mut stride = n_samples;
         let mut axes = Vec::with_capacity(vary.len());
@@ -120,28 +121,23 @@ const FIXED: [(&str, &str); 4] = [
     ("record.reversed", "say `directions`"),
 ];
 
-/// The varying fields, with their places in the scene.
-pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
+/// What varies, with the places of its fields in the scene.
+pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, Refused> {
     let mut known: Vec<Place> = Vec::new();
     let mut placed = Vec::with_capacity(file.vary.len());
     for (index, vary) in file.vary.iter().enumerate() {
         let place = || format!("vary[{index}]");
         let mut fields = Vec::new();
         for field in &vary.fields {
-            let found = Place::all(field, scene).map_err(|source| SweepError::NoField { place: place(), source })?;
+            let found = Place::all(field, scene).map_err(|refused| refused.in_field(place()))?;
             for one in found {
                 if let Some(instead) = fixed(&one, file) {
-                    return Err(SweepError::Fixed {
-                        place: place(),
-                        field: one.to_string(),
-                        instead,
-                    });
+                    let found = Refused::at(place()).found(format!("the field `{one}`, which does not vary here"));
+                    return Err(found.so(": ", instead));
                 }
                 if known.iter().any(|other| other.meets(&one)) {
-                    return Err(SweepError::Twice {
-                        place: place(),
-                        field: one.to_string(),
-                    });
+                    let found = format!("the field `{one}` a second time, by itself or within another field");
+                    return Err(Refused::at(place()).found(found).allowed_is("once").help("delete one"));
                 }
                 known.push(one.clone());
                 fields.push(one);
@@ -170,21 +166,27 @@ fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
     all.find(|(fixed, _)| text == *fixed).map(|(_, instead)| *instead)
 }
 
-/// Number of sampled axes; refuses samples without random fields, and random fields without samples.
-fn check_samples(vary: &[(Vary, Vec<Place>)], samples: Option<Samples>) -> Result<usize, SweepError> {
+/// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.
+fn check_samples(vary: &[(Vary, Vec<Place>)], samples: Option<Samples>) -> Result<usize, Refused> {
     let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<Place>))| vary.spread.count().is_none();
     let mut sampled = vary.iter().enumerate().filter(is_sampled);
     let first = sampled.next().map(|(index, _)| index);
     let n = sampled.count() + usize::from(first.is_some());
     match (first, samples) {
-        (Some(index), None) => Err(SweepError::NoSamples {
-            place: format!("vary[{index}]"),
-        }),
-        (None, Some(_)) => Err(SweepError::NothingSampled),
-        (_, Some(samples)) if samples.method == super::file::SampleMethod::Sobol && n > most_sobol_axes() => Err(SweepError::TooManyAxes {
-            found: n,
-            allowed: most_sobol_axes(),
-        }),
+        (Some(index), None) => {
+            let random = Refused::at(format!("vary[{index}]")).is("varies at random, but `samples` is missing");
+            Err(random.help("add {\"count\": 1024, \"seed\": 1, \"method\": \"sobol\"}"))
+        }
+        (None, Some(_)) => {
+            let found = Refused::at("samples").found("samples, but nothing varies at random");
+            Err(found.help("delete them, or let a field be `uniform` or `normal`"))
+        }
+        (_, Some(samples)) if samples.method == super::file::SampleMethod::Sobol && n > most_sobol_axes() => {
+            let found = Refused::at("samples.method").found(format!("`sobol` for {n} fields at random"));
+            Err(found
+                .allowed_are(format!("up to {}", most_sobol_axes()))
+                .help("use `latin_hypercube`"))
+        }
         _ => Ok(n),
     }
 }

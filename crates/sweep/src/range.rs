@@ -1,19 +1,12 @@
 //! Numbers out of range.
 
-/// A number out of range.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{field}: found {}, allowed {allowed}", pounding_text::plain(*found))]
-pub(super) struct RangeError {
-    field: &'static str,
-    found: f64,
-    allowed: &'static str,
-}
+use pounding_text::{Refused, plain};
 
-pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), RangeError> {
+pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), Refused> {
     if valid && found.is_finite() {
         Ok(())
     } else {
-        Err(RangeError { field, found, allowed })
+        Err(Refused::at(field).found(plain(found)).allowed(allowed))
     }
 }
 
@@ -21,8 +14,8 @@ pub(super) const FINITE: &str = "a finite number";
 pub(super) const POSITIVE: &str = "a finite number > 0";
 const ABOVE: &str = "a finite number above `from`";
 
-/// Refuses an upper bound that is not above the lower bound.
-pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
+/// Refuses bounds of which the upper one is not above the lower one.
+pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), Refused> {
     if let Some(from) = from {
         require(true, "from", from, FINITE)?;
     }

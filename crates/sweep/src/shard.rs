@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::str::FromStr;
 
-use super::SweepError;
+use pounding_text::Refused;
 
 /// Share `index` of `count`, from 1 to `count`: a range of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,12 +19,15 @@ impl Shard {
     /// Share `index` of `count`, counted from 1.
     ///
     /// # Errors
-    /// [`SweepError::NoShard`].
-    pub fn new(index: u64, count: u64) -> Result<Self, SweepError> {
+    /// Refuses an index that is none of 1 to `count`.
+    pub fn new(index: u64, count: u64) -> Result<Self, Refused> {
         if (1..=count).contains(&index) {
             Ok(Self { index, count })
         } else {
-            Err(SweepError::NoShard { index, count })
+            {
+                let found = Refused::default().found(format!("the shard {index} of {count}"));
+                Err(found.allowed_are(format!("1 to {count}, such as 1/{count}")))
+            }
         }
     }
 

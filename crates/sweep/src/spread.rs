@@ -1,11 +1,12 @@
 //! The values of a varying field: listed, at equal distances, or distributed.
 
+use pounding_text::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::distribution::{LogNormal, Normal};
-use super::range::{FINITE, POSITIVE, RangeError, bounds, require};
+use super::range::{FINITE, POSITIVE, bounds, require};
 
 /// The values of a field.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,9 +93,9 @@ struct BetweenFile {
 }
 
 impl TryFrom<GridFile> for Grid {
-    type Error = RangeError;
+    type Error = Refused;
 
-    fn try_from(words: GridFile) -> Result<Self, RangeError> {
+    fn try_from(words: GridFile) -> Result<Self, Refused> {
         let GridFile { from, to, count, spacing } = words;
         let allowed = "a whole number >= 2; for one number use `values`";
         require(count >= 2, "count", count as f64, allowed)?;
@@ -125,9 +126,9 @@ fn parts(largest: f64) -> Option<f64> {
 }
 
 impl TryFrom<BetweenFile> for Between {
-    type Error = RangeError;
+    type Error = Refused;
 
-    fn try_from(BetweenFile { from, to }: BetweenFile) -> Result<Self, RangeError> {
+    fn try_from(BetweenFile { from, to }: BetweenFile) -> Result<Self, Refused> {
         bounds(Some(from), Some(to))?;
         require((to - from).is_finite(), "to", to, "a number at a finite distance from `from`")?;
         Ok(Self { from, to })
@@ -166,8 +167,8 @@ impl Spread {
         }
     }
 
-    /// Refuses an interval from 0 or less if its logarithm is used.
-    pub(super) fn check(&self) -> Result<(), RangeError> {
+    /// Refuses an interval from 0 or less where its logarithm is asked for.
+    pub(super) fn check(&self) -> Result<(), Refused> {
         match self {
             Self::LogUniform(Between { from, .. }) => require(*from > 0.0, "log_uniform.from", *from, POSITIVE),
             Self::Values(_) | Self::Grid(_) | Self::Uniform(_) | Self::Normal(_) | Self::LogNormal(_) => Ok(()),

@@ -1,5 +1,6 @@
 //! The summary in a sweep file, and its errors.
 
+use pounding_text::{Refused, plain};
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
@@ -47,34 +48,23 @@ impl Default for SummaryFile {
     }
 }
 
-/// Numbers of a summary that are out of range.
-#[derive(Debug, thiserror::Error)]
-enum WordsError {
-    #[error("quantiles: found {}, allowed are shares of the runs from 0 to 1, such as 0.95", pounding_text::plain(*.0))]
-    Quantile(f64),
-    #[error("exceedance: found no threshold of `{0}`, allowed is one number or more; delete the entry")]
-    NoThreshold(String),
-    #[error("exceedance: found {} for `{name}`, allowed are finite numbers", pounding_text::plain(*found))]
-    Threshold { name: String, found: f64 },
-}
-
 impl TryFrom<SummaryFile> for Summary {
-    type Error = WordsError;
+    type Error = Refused;
 
-    fn try_from(words: SummaryFile) -> Result<Self, WordsError> {
+    fn try_from(words: SummaryFile) -> Result<Self, Refused> {
         let mut quantiles = words.quantiles.iter();
         if let Some(wrong) = quantiles.find(|part| !(0.0..=1.0).contains(*part)) {
-            return Err(WordsError::Quantile(*wrong));
+            let wrong = Refused::at("quantiles").found(plain(*wrong));
+            return Err(wrong.allowed_are("shares of the runs from 0 to 1, such as 0.95"));
         }
         for (name, thresholds) in &words.exceedance {
             if thresholds.is_empty() {
-                return Err(WordsError::NoThreshold(name.clone()));
+                let none = Refused::at("exceedance").found(format!("no threshold of `{name}`"));
+                return Err(none.allowed_is("one number or more").help("delete the entry"));
             }
             if let Some(found) = thresholds.iter().find(|number| !number.is_finite()) {
-                return Err(WordsError::Threshold {
-                    name: name.clone(),
-                    found: *found,
-                });
+                let found = Refused::at("exceedance").found(format!("{} for `{name}`", plain(*found)));
+                return Err(found.allowed_are("finite numbers"));
             }
         }
         Ok(Self {
@@ -83,49 +73,5 @@ impl TryFrom<SummaryFile> for Summary {
             exceedance: words.exceedance,
             rows: words.rows,
         })
-    }
-}
-
-/// Why a summary does not fit its sweep.
-#[derive(Debug, thiserror::Error)]
-pub enum SummaryError {
-    /// A field without listed values.
-    #[error("summary.by: found `{found}`, allowed are what has listed values: {allowed}; give the field a `grid` or `values` in `vary`")]
-    By {
-        /// The name found.
-        found: String,
-        /// The names allowed.
-        allowed: String,
-    },
-    /// A field that is named twice.
-    #[error("summary.by: found `{0}` a second time, allowed is once; delete one")]
-    Twice(String),
-    /// Too many cells.
-    #[error("summary.by: found {found} cells, allowed are up to {allowed}; leave one out of `by`, or take fewer values")]
-    Cells {
-        /// Number of cells.
-        found: u64,
-        /// Number of cells allowed.
-        allowed: u64,
-    },
-    /// A threshold of an unknown output.
-    #[error(
-        "summary.exceedance: found `{found}`, allowed are {allowed}, and names of columns; add the quantity to `outputs`, or name one of these"
-    )]
-    Column {
-        /// The name found.
-        found: String,
-        /// The quantities allowed.
-        allowed: String,
-    },
-}
-
-impl SummaryError {
-    /// The faulty entry of the file.
-    pub(super) fn place(&self) -> &'static str {
-        match self {
-            Self::By { .. } | Self::Twice(_) | Self::Cells { .. } => "summary.by",
-            Self::Column { .. } => "summary.exceedance",
-        }
     }
 }

@@ -4,92 +4,67 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::error::RefusedScene;
+use super::Sweep;
 use super::manifest::PRICES;
 use super::output::Row;
 use super::plan::{Axis, Plan, Setting};
 use super::spread::{Between, Spread};
-use super::{Sweep, SweepError};
-use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
+use pounding_scene::{Floors, Scene, SharedMotion, Simulation, in_file, in_scene};
+use pounding_text::{Kind, Refused, plain};
 
 /// Number of first values of a grid or list that are tried.
 const MOST_TRIED: u64 = 1000;
 /// Distance from the ends of an interval at which it is tried, relative to it: the ends may be the bounds of validity.
 const NEAR: f64 = 1e-6;
 
-/// The row of a scene, without running it.
-pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
-    let refused = |source| Error::Scene {
-        scene: scene.name.clone(),
-        source,
-    };
-    scene.check().map_err(refused)?;
-    Ok(Row::of(&Floors::of(scene).map_err(refused)?))
+/// The row of a scene that does not run.
+pub(super) fn row_of(scene: &Scene) -> Result<Row, Refused> {
+    let floors = scene.check().and_then(|()| Floors::of(scene));
+    Ok(Row::of(&floors.map_err(|refused| in_scene(scene, refused))?))
 }
 
-/// Reads a scene with set fields; an error names the field.
-pub(super) fn scene_of(value: &Value) -> Result<Scene, RefusedScene> {
-    Scene::of_words(value).map_err(|refused| RefusedScene::Form {
-        place: refused.place().into(),
-        fault: Box::new(refused.into_fault()),
-    })
+/// Reads a scene whose fields were set; an error names the field.
+pub(super) fn scene_of(value: &Value) -> Result<Scene, Refused> {
+    Scene::of_words(value)
 }
 
-/// The scene with typical values; an error names the first value that fails.
-pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepError> {
+/// The scene with typical values; blames the first value with which there is none.
+pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, Refused> {
     let mut first = scene.clone();
     let settings = plan.typical();
-    let mut found = scene_of(&first).map_err(SweepError::Inline)?;
+    let mut found = scene_of(&first).map_err(inline)?;
     for (axis, setting) in plan.axes().iter().zip(&settings) {
         axis.put(*setting, &mut first);
-        found = scene_of(&first).map_err(|reason| refused(axis, *setting, reason))?;
+        found = scene_of(&first).map_err(|reason| refused(axis, *setting, &reason))?;
     }
-    found.check_method().map_err(|source| {
-        let scene = found.name.clone();
-        SweepError::Inline(Error::Scene { scene, source }.into())
-    })?;
+    found.check_method().map_err(inline)?;
     Ok(found)
 }
 
-/// The error of the motions of the first run: in a varying value, else in the scene's file or the sweep's file.
-pub(super) fn blamed(error: SweepError, plan: &Plan, [of_sweep, of_scene]: [&Path; 2]) -> SweepError {
-    let SweepError::Scene(error) = error else {
-        return error.in_file(of_sweep);
-    };
-    let place = error.place().unwrap_or_default();
+/// What is wrong with the motions of the first run: with what varies, else with the scene's file or the sweep's.
+pub(super) fn blamed(error: Refused, plan: &Plan, [of_sweep, of_scene]: [&Path; 2]) -> Refused {
+    let place = error.place().field.as_ref().map(|field| field.path().to_owned());
+    let place = place.unwrap_or_default();
+    if place == "records" {
+        return in_file(error, of_sweep);
+    }
     let sets = |axis: &Axis| axis.fields.iter().any(|field| field.holds(&place));
     let mut axes = plan.axes().iter().zip(plan.typical());
     match axes.find(|(axis, _)| sets(axis)) {
-        Some((axis, setting)) => refused(axis, setting, error.into()),
-        None => SweepError::Scene(error.in_file(of_scene)),
+        Some((axis, setting)) => refused(axis, setting, &error),
+        None => in_file(error, of_scene),
     }
 }
 
-fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
-    SweepError::Refused {
-        place: axis.place.clone(),
-        field: axis.name.clone(),
-        value: axis.value(setting).to_string(),
-        reason,
-    }
+fn refused(axis: &Axis, setting: Setting, reason: &Refused) -> Refused {
+    let found = Refused::at(axis.place.clone()).found(format!("{} = {}", axis.name, axis.value(setting)));
+    found.so(", which the scene refuses: ", reason)
 }
 
-/// Whether a refusal concerns only values, which another run may not have.
-fn is_of_values(error: &RefusedScene) -> bool {
-    let RefusedScene::Scene(error) = error else {
-        return false;
-    };
-    matches!(
-        **error,
-        Error::Scene {
-            source: SceneError::Unstable { .. }
-                | SceneError::OverlapsAtStart { .. }
-                | SceneError::TooLong { .. }
-                | SceneError::PreparedTooLong { .. }
-                | SceneError::TooManySteps { .. },
-            ..
-        }
-    )
+/// Blames the scene in the sweep's own file, or a field of it.
+fn inline(refused: Refused) -> Refused {
+    let field = refused.place().field.as_ref().map(|field| format!("scene.{}", field.path()));
+    refused.in_field(field.unwrap_or_else(|| "scene".into()))
 }
 
 /// The values of a spread that are tried, each with the value to name in an error: for an interval, its end. An unbounded distribution
@@ -113,9 +88,9 @@ fn tried(spread: &Spread) -> Vec<(Setting, Setting)> {
 }
 
 impl Sweep {
-    /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others. Returns the common row, if
-    /// any scene runs.
-    pub(super) fn tried(&self) -> Result<Option<Row>, SweepError> {
+    /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others; the row that
+    /// all have, where one of them runs.
+    pub(super) fn tried(&self) -> Result<Option<Row>, Refused> {
         let first = self.plan.typical();
         let mut row = None;
         for (index, axis) in self.plan.axes().iter().enumerate() {
@@ -135,30 +110,33 @@ impl Sweep {
         Ok(row)
     }
 
-    fn try_one(&self, axis: &Axis, setting: Setting, settings: &[Setting], row: &mut Option<Row>) -> Result<(), SweepError> {
+    fn try_one(&self, axis: &Axis, setting: Setting, settings: &[Setting], row: &mut Option<Row>) -> Result<(), Refused> {
         let mut scene = self.scene.clone();
         let tried = self.prepared(0, settings, &mut scene);
         let found = match tried {
             Ok(prepared) => prepared,
-            Err(error) if is_of_values(&error) => return Ok(()),
-            Err(reason) => return Err(refused(axis, setting, reason)),
+            Err(error) if matches!(error.own_kind(), Kind::Together | Kind::Unstable) => return Ok(()),
+            Err(reason) => return Err(refused(axis, setting, &reason)),
         };
         let floors = found.floors();
         let first = row.get_or_insert_with(|| Row::of(floors));
         if first.fits(floors) {
             return Ok(());
         }
-        Err(SweepError::OtherRow {
-            place: axis.place.clone(),
-            field: axis.name.clone(),
-            value: axis.value(setting).to_string(),
-            found: Row::of(floors).words(),
-            allowed: first.words(),
-        })
+        let (value, words) = (axis.value(setting), Row::of(floors).words());
+        let found = format!(
+            "{} = {value}, with which the row has {words}, where the first run has {}",
+            axis.name,
+            first.words()
+        );
+        let found = Refused::at(axis.place.clone()).found(found);
+        let found = found.but("; allowed are ", "rows of one kind");
+        Err(found.so(": ", "make a sweep of each"))
     }
 
-    /// The scene with these settings under a motion, ready to run. `scene` is that of the sweep and may contain other settings.
-    pub(super) fn prepared(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<Simulation, RefusedScene> {
+    /// The scene of these settings under a motion, ready to run; `scene` is that of the sweep, in which any settings were put
+    /// before.
+    pub(super) fn prepared(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<Simulation, Refused> {
         let (scene, motion) = self.shaken(motion, settings, scene)?;
         Ok(Simulation::shaken(&scene, motion)?)
     }
@@ -176,17 +154,15 @@ impl Sweep {
         self.n_runs() as f64 * self.expected_price() > PRICES[1]
     }
 
-    /// The scene with these settings before preparation, and the motion.
-    pub(super) fn shaken(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<(Scene, SharedMotion), RefusedScene> {
+    /// The scene of these settings before it is prepared, and the motion.
+    pub(super) fn shaken(&self, motion: usize, settings: &[Setting], scene: &mut Value) -> Result<(Scene, SharedMotion), Refused> {
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
             if let Setting::Number(number) = *setting
                 && !number.is_finite()
             {
-                // JSON has no such number: an optional field would be null.
-                return Err(RefusedScene::NotFinite {
-                    field: axis.name.clone(),
-                    number,
-                });
+                // JSON has no such number: a field that may be left out would be.
+                let found = Refused::at(axis.name.clone()).found(plain(number)).allowed_are("finite numbers");
+                return Err(found.help("its spread reaches beyond them"));
             }
             axis.put(*setting, scene);
         }

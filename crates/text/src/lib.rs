@@ -25,15 +25,20 @@
 //!
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
-//! - [`Table`] of rows in columns, [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
+//! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
+//! - [`Refused`]: why something is refused, in parts that are put into words last.
 //! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
 
 mod cell;
-mod refusal;
+mod knob;
+mod place;
+mod refused;
 mod visible;
 
 pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
-pub use refusal::{Refusal, refusal_json};
+pub use knob::{Knob, Naming};
+pub use place::{Place, Spot};
+pub use refused::{Kind, Refusal, Refused, Words, refusal_json};
 pub use visible::{message, steers, visible};
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the

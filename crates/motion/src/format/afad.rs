@@ -8,7 +8,7 @@ use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, Refused};
 
 /// Lines of titles; the 13th has the number of values, the 14th their step.
 const TITLES: usize = 18;
@@ -46,7 +46,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
     components.into()
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let split = file.lines.split_at_checked(TITLES);
     let (titles, lines) = needed(split, file.lines.last().copied(), "the values")?;
     let table = Table::new(titles[TITLES - 1], lines, NAMES.len(), Line::pieces)?;

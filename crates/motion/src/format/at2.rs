@@ -3,7 +3,7 @@
 mod header;
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, values};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Place, Refused};
 
 pub(super) const READER: Reader = Reader {
     format: Format::PeerAt2,
@@ -25,9 +25,9 @@ pub(super) const READER: Reader = Reader {
 /// station, if there is one. The title lines become the provenance.
 ///
 /// # Errors
-/// Refuses a file without a readable line of NPTS and DT, velocity and displacement, and units other than g. Refuses a field that is not a
-/// finite number, and a number of values other than NPTS.
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+/// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
+/// than g, a field that is not a finite number, and more or fewer values than NPTS.
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let header::Header { titles, line, data } = header::split(&file.lines)?;
     let unit = header::unit(titles)?.or(header::unit(&[line])?);
     let numbers = values::read(line, data)?;

@@ -8,7 +8,8 @@ use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Stated};
 use crate::line::Line;
-use crate::{Place, ReadError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 /// Time and three components.
 const COLUMNS: usize = 4;
@@ -95,7 +96,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
     columns.into_iter().map(component).collect()
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let comments = comments(file);
     let columns = columns(file).unwrap_or_default();
     let column = needed(columns.get(index), None, "names of its columns")?;
@@ -116,7 +117,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     })
 }
 
-fn scale(column: &Column<'_>) -> Result<Scale, ReadError> {
+fn scale(column: &Column<'_>) -> Result<Scale, Refused> {
     let Column { line, text, .. } = column;
     let place = Place::Line(line.number);
     if title::unit_in(text).is_some() {
@@ -124,11 +125,7 @@ fn scale(column: &Column<'_>) -> Result<Scale, ReadError> {
     }
     let unit: String = text.chars().filter(|letter| *letter != ' ').collect();
     if unit.contains("(CM)") || unit.contains("(M)") {
-        return Err(ReadError::NotAcceleration {
-            place,
-            found: line.excerpt(),
-            instead: "the .acc.bbp file of the record",
-        });
+        return Err(refusals::not_acceleration(place, line.excerpt(), "the .acc.bbp file of the record"));
     }
     if unit.contains("CM/S") || unit.contains("M/S") || unit.contains("VELOCITY") {
         return Ok(Scale::Velocity(Stated {

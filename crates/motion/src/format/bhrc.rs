@@ -7,7 +7,8 @@ use super::csmip_v2::component;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError};
+use crate::refusals;
+use crate::{Identity, Place, Refused};
 
 /// Lines of titles of a channel, of all of its header, and up to the one that begins with the rate.
 const TITLES: usize = 13;
@@ -47,13 +48,13 @@ fn components(file: &File<'_>) -> Vec<Component> {
     channels(file).into_iter().map(titles).collect()
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let split = channel.split_at_checked(HEADER);
     let (header, data) = needed(split, channel.last().copied(), "the values")?;
     let titles = &header[..TITLES];
-    let line = title::line_with(titles, "NO. OF POINTS").ok_or(ReadError::NoKey { key: "NO. OF POINTS" })?;
+    let line = title::line_with(titles, "NO. OF POINTS").ok_or(refusals::no_key("NO. OF POINTS"))?;
     let text = line.text();
     let behind = |word| title::after(&text, word).and_then(title::first_number);
     let count = title::count(line, behind("NO. OF POINTS").unwrap_or_default())?;
@@ -63,11 +64,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     // The last step may be counted or not.
     let is_near = |duration: f64| (duration - count.value as f64 * step.value).abs() < 1.5 * step.value;
     if !duration.is_none_or(is_near) {
-        return Err(ReadError::Header {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
-            allowed: "the duration that the number of points and the rate of the header give",
-        });
+        return Err(refusals::header(
+            Place::Line(line.number),
+            line.excerpt(),
+            "the duration that the number of points and the rate of the header give",
+        ));
     }
     let numbers = values::read(header[HEADER - 1], data)?;
     Ok(Draft {

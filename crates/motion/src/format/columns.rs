@@ -2,11 +2,13 @@
 //!
 //! Such numbers may touch, so lines are cut by bytes and never split at blanks.
 
+use crate::refusals;
+use pounding_text::Spot;
 use std::fmt;
 
 use super::numbers::{Numbers, Values, is_mark};
+use crate::Refused;
 use crate::line::{Line, excerpt, number};
-use crate::{ReadError, RowError};
 
 /// Most fields of a line and bytes of a field that a format may ask for.
 const WIDEST: usize = 1000;
@@ -89,7 +91,7 @@ impl Columns {
     }
 
     /// The numbers of these lines. Values in `missing` are marks and refused.
-    pub(super) fn numbers(self, header: Line<'_>, lines: &[Line<'_>], missing: &[f64]) -> Result<Numbers, ReadError> {
+    pub(super) fn numbers(self, header: Line<'_>, lines: &[Line<'_>], missing: &[f64]) -> Result<Numbers, Refused> {
         let mut values = Values::default();
         for line in lines {
             for (index, field) in self.fields(*line).enumerate() {
@@ -114,29 +116,23 @@ impl Columns {
 
 /// A number with a point. Without one Fortran would put it somewhere, and a field that was cut at
 /// the wrong column often has none.
-pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
+pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64, Refused> {
     let value = line.finite(field, bytes)?;
     if bytes.contains(&b'.') {
         return Ok(value);
     }
-    Err(RowError::NotANumber {
-        line: line.number,
-        field,
-        found: excerpt(bytes),
-    }
-    .into())
+    Err(refusals::not_a_number(line.number, field, excerpt(bytes)))
 }
 
 /// Refuses a mark that stands for a value that is missing.
-fn check_present(line: Line<'_>, field: usize, bytes: &[u8], missing: &[f64]) -> Result<(), ReadError> {
+fn check_present(line: Line<'_>, field: usize, bytes: &[u8], missing: &[f64]) -> Result<(), Refused> {
     let value = number(bytes);
     if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
-        return Err(RowError::Missing {
-            line: line.number,
-            field,
-            found: excerpt(bytes),
-        }
-        .into());
+        return Err(Refused::at(Spot::Field(line.number, field))
+            .is("")
+            .quoted(excerpt(bytes))
+            .and(" marks a missing value")
+            .help("cut the record before it or take another"));
     }
     Ok(())
 }

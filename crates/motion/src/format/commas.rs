@@ -1,7 +1,7 @@
 //! Texts with decimal commas, as programs write them in many countries: `0,01;0,25`, or `0,01 0,25`.
 //!
-//! If semicolons or blanks separate the numbers, commas are replaced by points, byte for byte, so that every line and column keeps its
-//! place. If only commas occur, the text is ambiguous: see `RowError::DecimalComma`.
+//! Where semicolons or blanks part the numbers there is no doubt, and points are put in their place, byte for byte, so that every
+//! line and column stays where it is. Where nothing but commas stands, there is: see [`Rows::check_commas`](super::plain).
 
 use std::borrow::Cow;
 

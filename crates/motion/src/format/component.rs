@@ -1,6 +1,8 @@
 //! The components of a file, and which of them is meant.
 
-use crate::{Place, ReadError, Site};
+use crate::refusals::listed;
+use crate::{Place, Refused, Site};
+use pounding_text::Knob;
 
 /// One component of a file.
 #[derive(Debug)]
@@ -35,19 +37,20 @@ pub(super) fn is_sum(name: &str) -> bool {
 
 /// Index of the declared component, or of the only one.
 ///
-/// A declaration is a name, a number from 1, or a unique part of a name. Whole words such as `90 Deg` of `CHAN 1: 90 DEG` come first, then
-/// any part that does not cut a number.
-pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, ReadError> {
-    let names = || components.iter().map(|component| component.name.clone());
+/// A declared one is a name, a number from 1, or a part of one name alone: whole words such as `90 Deg` of
+/// `CHAN 1: 90 DEG` first, then any part that cuts no number.
+pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, Refused> {
+    let named: Vec<(usize, &str)> = components.iter().map(|one| one.name.as_str()).enumerate().collect();
     let Some(declared) = declared else {
-        return if components.len() > 1 {
-            Err(ReadError::ComponentNeeded { names: names().collect() })
-        } else {
-            Ok(0)
-        };
+        if components.len() < 2 {
+            return Ok(0);
+        }
+        let said = format!("the file holds {} components: {}", components.len(), listed(&named));
+        let said = Refused::that(said).help("choose one by its name or its number as ");
+        return Err(said.and(Knob::Component).wants(Knob::Component));
     };
     let wanted = folded(declared);
-    let folded: Vec<String> = names().map(|name| folded(&name)).collect();
+    let folded: Vec<String> = components.iter().map(|component| folded(&component.name)).collect();
     let where_it = |fits: &dyn Fn(&String) -> bool| -> Vec<usize> {
         let indices = 0..folded.len();
         indices.filter(|index| fits(&folded[*index])).collect()
@@ -64,17 +67,22 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
     let words = where_it(&|name| holds(name, &wanted, cuts_word));
     let parts = where_it(&|name| holds(name, &wanted, cuts_number));
     let found = if words.is_empty() { parts } else { words };
-    match found[..] {
-        [index] => Ok(index),
-        [] => Err(ReadError::UnknownComponent {
-            found: declared.trim().to_owned(),
-            names: names().collect(),
-        }),
-        _ => Err(ReadError::AmbiguousComponent {
-            found: declared.trim().to_owned(),
-            fitting: found.iter().map(|index| (index + 1, components[*index].name.clone())).collect(),
-        }),
+    if let [index] = found[..] {
+        return Ok(index);
     }
+    let declared = Refused::that("").quoted(declared.trim());
+    let declared = declared.and(" is declared as ").and(Knob::Component);
+    Err(if components.is_empty() {
+        let alone = declared.but(", but ", "the file holds one, which has no name");
+        alone.help("leave the declaration away")
+    } else if found.is_empty() {
+        let all = declared.but(", but ", format!("the file holds {}", listed(&named)));
+        all.help("choose one of them by its name, a part of it, or its number")
+    } else {
+        let fitting: Vec<(usize, &str)> = found.iter().map(|index| named[*index]).collect();
+        let fits = declared.and(format!(" and fits {} components: {}", found.len(), listed(&fitting)));
+        fits.help("give more of the name, or the number")
+    })
 }
 
 /// Small letters with one blank between words.
@@ -108,7 +116,7 @@ fn cuts_number(left: char, right: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Component, chosen};
-    use crate::{Place, ReadError};
+    use crate::Place;
 
     fn components(names: &[&str]) -> Vec<Component> {
         let component = |name: &&str| Component::new(*name, Place::Line(1));
@@ -148,14 +156,15 @@ mod tests {
     fn extreme_parts_of_several_names_and_of_none() {
         let channels = components(&CHANNELS);
         let ambiguous = |declared: &str| match chosen(&channels, Some(declared)) {
-            Err(ReadError::AmbiguousComponent { fitting, .. }) => fitting.iter().map(|(number, _)| *number).collect(),
-            _ => Vec::new(),
+            Err(refused) => refused.to_string(),
+            Ok(_) => String::new(),
         };
-        assert_eq!(ambiguous("deg"), [1, 3]);
-        assert_eq!(ambiguous("chan"), [1, 2, 3, 4]);
+        let deg = "fits 2 components: 1 = \"CHAN 1: 90 DEG\", 3 = \"CHAN 3: 0 DEG\";";
+        assert!(ambiguous("deg").contains(deg), "{}", ambiguous("deg"));
+        assert!(ambiguous("chan").contains("fits 4 components"), "{}", ambiguous("chan"));
         for declared in ["9", "5", "", " ", "45", "chan 1: up", "8W"] {
             let found = chosen(&channels, Some(declared));
-            let unknown = matches!(found, Err(ReadError::UnknownComponent { .. }));
+            let unknown = matches!(&found, Err(refused) if refused.to_string().contains("but the file holds"));
             assert!(unknown, "{declared}: {found:?}");
         }
     }

@@ -10,7 +10,8 @@ use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Direction, Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{AccelerationUnit, Direction, Identity, Place, Refused, Site};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cosmos,
@@ -25,21 +26,21 @@ fn starts(line: Line<'_>) -> bool {
 }
 
 /// The channels that hold accelerations.
-fn channels<'l, 't>(file: &'l File<'t>) -> Result<Vec<&'l [Line<'t>]>, ReadError> {
+fn channels<'l, 't>(file: &'l File<'t>) -> Result<Vec<&'l [Line<'t>]>, Refused> {
     let mut channels = super::blocks(&file.lines, |index| starts(file.lines[index]));
     channels.retain(|channel| title::holds(channel[0], "ACCEL"));
     if channels.is_empty() {
         let line = file.lines[0];
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
-            instead: "the channels of acceleration of the record",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(line.number),
+            line.excerpt(),
+            "the channels of acceleration of the record",
+        ));
     }
     Ok(channels)
 }
 
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let channels = channels(file)?;
     Ok(channels.into_iter().map(component).collect())
 }
@@ -110,23 +111,19 @@ struct Block<'l, 't> {
 }
 
 /// Splits off a block of as many lines as the line above says, behind a word.
-fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, ReadError> {
+fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, Refused> {
     let (line, rest) = needed(lines.split_first(), None, "a block of its header")?;
     let text = line.text();
     let place = Place::Line(line.number);
     let n_lines = title::after(&text, word).and_then(title::first_number);
     let n_lines = n_lines.and_then(|number| number.parse().ok());
-    let n_lines: usize = n_lines.ok_or_else(|| ReadError::Header {
-        place,
-        found: line.excerpt(),
-        allowed: "the number of lines of the block below",
-    })?;
+    let n_lines: usize = n_lines.ok_or_else(|| refusals::header(place, line.excerpt(), "the number of lines of the block below"))?;
     let split = rest.split_at_checked(n_lines);
     let (lines, rest) = needed(split, rest.last().copied().or(Some(*line)), "the end of its header")?;
     Ok(Block { line: *line, lines, rest })
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file)?;
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let n_titles = title::after(&channel[0].text(), "WITH").and_then(|text| title::first_number(text)?.parse().ok());
@@ -143,11 +140,8 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     // In counts the mark is as good a value as any.
     let marks = if matches!(scale, Scale::Counts(_)) { &[][..] } else { &marks[..] };
     let columns = Columns::named_in(*line);
-    let columns = columns.ok_or_else(|| ReadError::Header {
-        place: Place::Line(line.number),
-        found: line.excerpt(),
-        allowed: "a Fortran format such as Format=(8F10.5)",
-    })?;
+    let columns =
+        columns.ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a Fortran format such as Format=(8F10.5)"))?;
     let numbers = columns.numbers(*line, leading_data(data), marks)?;
     let header = Header::new(&real, unknown);
     let time_step = header.stated(62).map(|step| Stated {
@@ -216,16 +210,17 @@ fn unknown(titles: &[Line<'_>]) -> f64 {
     marks.unwrap_or(-999.0)
 }
 
-/// Unit of the values, from a line such as `7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
-fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
+/// What the values are, from a line such as `7000  acceleration pts, approx   70 secs,
+/// units=cm/sec2(04),Format=(8F10.5)`.
+fn scale(line: Line<'_>) -> Result<Scale, Refused> {
     let place = Place::Line(line.number);
     let text = line.excerpt();
     if !title::holds(line, "ACC") {
-        return Err(ReadError::NotAcceleration {
+        return Err(refusals::not_acceleration(
             place,
-            found: text,
-            instead: "the channels of acceleration of the record",
-        });
+            text,
+            "the channels of acceleration of the record",
+        ));
     }
     let whole = line.text();
     let units = title::after(&whole, "UNITS").unwrap_or_default();
@@ -239,7 +234,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
         "50" => {
             return Ok(Scale::Counts(Stated { value: (), place, text }));
         }
-        _ => return Err(ReadError::UnknownUnit { place, found: text }),
+        _ => return Err(refusals::unknown_unit(place, text)),
     };
     Ok(Scale::Unit(Stated {
         value: unit,
@@ -249,7 +244,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
 }
 
 /// Holds number and time step against `approx   70 secs`. Files count the last step or do not.
-fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f64>>) -> Result<(), ReadError> {
+fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f64>>) -> Result<(), Refused> {
     let text = line.text();
     let stated = title::after(&text, "APPROX").and_then(title::first_number);
     let stated = stated.and_then(|stated| number(stated.as_bytes()));
@@ -260,9 +255,9 @@ fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f6
     if (found - stated).abs() <= 1.0 + step.value {
         return Ok(());
     }
-    Err(ReadError::Header {
-        place: Place::Line(line.number),
-        found: line.excerpt(),
-        allowed: "a duration that the number of values and the time step of the header give",
-    })
+    Err(refusals::header(
+        Place::Line(line.number),
+        line.excerpt(),
+        "a duration that the number of values and the time step of the header give",
+    ))
 }

@@ -11,7 +11,8 @@ use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 /// Lines of titles of a channel, and of all of its header.
 const TITLES: usize = 13;
@@ -46,7 +47,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
 }
 
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
-pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let channels = channels(file);
     Ok(channels
         .into_iter()
@@ -54,7 +55,7 @@ pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
         .collect())
 }
 
-pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let next = needed(channel.get(HEADER), channel.last().copied(), "the values")?;
@@ -66,7 +67,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     }
 }
 
-fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Result<Draft, ReadError> {
+fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Result<Draft, Refused> {
     let titles = &header[..TITLES];
     let text = line.text();
     let n_samples = title::first_number(&text).unwrap_or_default();
@@ -100,18 +101,18 @@ struct Pairs<'t> {
 }
 
 impl<'t> Pairs<'t> {
-    fn new(lines: &[Line<'t>]) -> Result<Self, ReadError> {
+    fn new(lines: &[Line<'t>]) -> Result<Self, Refused> {
         let mut pairs = Self::default();
         let columns = lines.first().map_or(PAIRS, |line| PAIRS.led_in_by(*line));
         for line in lines {
             let fields: Vec<&[u8]> = columns.fields(*line).collect();
             for (index, pair) in fields.chunks(2).enumerate() {
                 let &[time, value] = pair else {
-                    return Err(ReadError::Header {
-                        place: Place::Line(line.number),
-                        found: line.excerpt(),
-                        allowed: "a value behind each time",
-                    });
+                    return Err(refusals::header(
+                        Place::Line(line.number),
+                        line.excerpt(),
+                        "a value behind each time",
+                    ));
                 };
                 decimal(*line, 2 * index + 1, time)?;
                 pairs.times.push(*line, time)?;
@@ -123,7 +124,7 @@ impl<'t> Pairs<'t> {
     }
 }
 
-fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
+fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
     let titles = &header[..TITLES];
     let data = leading_data(data);
     let Pairs { times, values } = Pairs::new(data)?;
@@ -131,12 +132,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
     let mut values = numbers.values;
     let count = n_pairs(header)?;
     if values.len() != count.value {
-        return Err(ReadError::SampleCount {
-            place: numbers.end,
-            found: values.len(),
-            allowed: count.value,
-            next: None,
-        });
+        return Err(refusals::sample_count(numbers.end, values.len(), count.value));
     }
     let (time_step, rest) = times.into_step_from_anywhere(&mut values)?;
     // A state of rest may have come before the pairs that were counted above.
@@ -163,7 +159,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
 }
 
 /// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown where no title names units.
-pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, ReadError> {
+pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, Refused> {
     let Some(line) = title::line_with(titles, "UNITS") else {
         return Ok(Scale::Unknown);
     };
@@ -174,7 +170,7 @@ pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, ReadError> {
 
 /// The number of pairs: of a title such as `NO. OF POINTS =   8820`, else the 28th of the whole
 /// numbers.
-fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, ReadError> {
+fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
     if let Some(line) = title::line_with(&header[..TITLES], "POINTS") {
         let text = line.text();
         let count = title::after(&text, "POINTS").and_then(title::first_number);

@@ -8,7 +8,7 @@ use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{Direction, Identity, Place, ReadError, Site};
+use crate::{Direction, Identity, Place, Refused, Site};
 
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
@@ -50,7 +50,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
 }
 
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
-pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(channels(file).into_iter().map(component).collect())
 }
 
@@ -96,7 +96,7 @@ pub(super) fn identity_in(titles: &[Line<'_>], event: usize) -> Identity {
     }
 }
 
-pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let titles = &channel[..channel.len().min(TITLES)];
@@ -131,7 +131,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
 }
 
 /// The unit behind the step of a block's line, or else of the peak in the titles; unknown where neither has one.
-fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, ReadError> {
+fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, Refused> {
     let format = behind.rfind('(').filter(|_| Columns::named_in(line).is_some());
     let unit = &behind[..format.unwrap_or(behind.len())];
     if unit.bytes().any(|byte| byte.is_ascii_alphabetic()) {

@@ -1,7 +1,8 @@
 //! CSMIP volume 3: spectra and no history, refused with advice.
 
 use super::{File, Format, Reader, no_identity, title};
-use crate::{Place, ReadError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV2,
@@ -14,11 +15,11 @@ pub(super) const READER: Reader = Reader {
     identity: no_identity,
 };
 
-fn refused<T>(file: &File<'_>) -> Result<T, ReadError> {
+fn refused<T>(file: &File<'_>) -> Result<T, Refused> {
     let line = file.lines[0];
-    Err(ReadError::NotAcceleration {
-        place: Place::Line(line.number),
-        found: line.excerpt(),
-        instead: "the volume 2 file (.V2) of the record, these are spectra",
-    })
+    Err(refusals::not_acceleration(
+        Place::Line(line.number),
+        line.excerpt(),
+        "the volume 2 file (.V2) of the record, these are spectra",
+    ))
 }

@@ -3,7 +3,8 @@
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{Identity, Place, Refused, Site};
 
 /// Lines in which titles are looked for.
 const TITLES: usize = 25;
@@ -59,18 +60,18 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let titles = titles(file);
     let last = *needed(titles.last(), None, "its titles")?;
-    let line_of = |key: &'static str| title::line_with(titles, key).ok_or(ReadError::NoKey { key });
+    let line_of = |key: &'static str| title::line_with(titles, key).ok_or(refusals::no_key(key));
     let line = line_of(SPACED)?;
     let unit = line_of("UNIT:")?;
     if !title::holds(unit, "ACCELERATION") {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(unit.number),
-            found: unit.excerpt(),
-            instead: "the file of accelerations of the record",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(unit.number),
+            unit.excerpt(),
+            "the file of accelerations of the record",
+        ));
     }
     let text = line.text();
     let behind = |word| title::after(&text, word).and_then(title::first_number);

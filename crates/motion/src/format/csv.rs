@@ -6,7 +6,9 @@ use super::said::Said;
 use super::time_column::TimeColumn;
 use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
 use crate::line::Line;
-use crate::{AccelerationUnit, Place, ReadError, RowError};
+use crate::refusals;
+use crate::{AccelerationUnit, Place, Refused};
+use pounding_text::Spot;
 
 pub(super) const READER: Reader = Reader {
     format: Format::Csv,
@@ -63,10 +65,11 @@ fn fields(line: Line<'_>) -> impl Iterator<Item = &[u8]> {
 /// and a value of 0 at t = 0 is added. The comments become the provenance.
 ///
 /// # Errors
-/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and times that violate these rules.
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
+/// times that do not keep to the rules above.
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let mut rows = file.lines.iter().copied().filter(|line| !line.is_blank() && !line.is_comment());
-    let header = rows.next().ok_or(ReadError::Empty)?;
+    let header = rows.next().ok_or(refusals::empty())?;
     let unit = unit(header)?;
     let mut times = TimeColumn::default();
     let mut values = Values::default();
@@ -76,11 +79,10 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
             if fields(line).count() == 4 && may_be_cut(line) {
                 return Err(cut_by_commas(line));
             }
-            return Err(RowError::FieldCount {
-                line: line.number,
-                found: fields(line).count(),
-            }
-            .into());
+            return Err(Refused::at(Spot::Line(line.number))
+                .goes_on(format!("has {} field(s)", fields(line).count()))
+                .allowed_are("2, the time and the acceleration")
+                .help("write one sample to a line, with a comma between"));
         };
         times.push(line, time)?;
         values.push(line, line.finite(2, value)?, value)?;
@@ -107,12 +109,17 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     })
 }
 
-fn unit(line: Line<'_>) -> Result<AccelerationUnit, ReadError> {
+fn unit(line: Line<'_>) -> Result<AccelerationUnit, Refused> {
     let name = fields(line).nth(1).map(String::from_utf8_lossy);
     let ours = OURS.iter().find(|(known, _)| name.as_deref() == Some(known));
-    ours.map(|(_, unit)| *unit).ok_or_else(|| ReadError::Columns {
-        line: line.number,
-        found: line.excerpt(),
+    ours.map(|(_, unit)| *unit).ok_or_else(|| {
+        Refused::at(Spot::Line(line.number))
+            .reads(line.excerpt())
+            .but(
+                ", but ",
+                "the header of a CSV must be `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`",
+            )
+            .help("put the one that gives the unit above the numbers")
     })
 }
 

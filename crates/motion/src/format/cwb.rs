@@ -8,7 +8,8 @@ use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, ReadError};
+use crate::refusals;
+use crate::{AccelerationUnit, Identity, Place, Refused};
 
 const COLUMNS: Columns = Columns::new(4, 10);
 
@@ -60,7 +61,7 @@ fn said<'t>(header: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
 }
 
 /// The components in the order of `DataSequence: Time U(+); N(+); E(+)`, or of words such as `Time, North, East, Up`.
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let header = header(file);
     let sequence = said(header, "DATASEQUENCE:");
     let last = header.last().map_or(1, |line| line.number);
@@ -75,17 +76,17 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let names = if stated.is_empty() { vec!["U", "N", "E"] } else { names };
     let are_known = names.iter().all(|name| crate::Direction::of_component(name).is_some());
     if names.len() != COLUMNS.per_line - 1 || !are_known {
-        return Err(ReadError::Header {
+        return Err(refusals::header(
             place,
-            found: stated,
-            allowed: "a time and three directions, such as `Time U(+); N(+); E(+)`,",
-        });
+            stated,
+            "a time and three directions, such as `Time U(+); N(+); E(+)`,",
+        ));
     }
     let component = |name| Component::new(name, place);
     Ok(names.into_iter().map(component).collect())
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let header = header(file);
     let last = *needed(header.last(), None, "its header")?;
     let fields = |line| COLUMNS.fields(line);
@@ -100,11 +101,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let count = (length.value * rate.value).round();
     let off = n_samples as f64 - count;
     if off.abs() > 1.0 {
-        return Err(ReadError::Header {
-            place: length.place,
-            found: length.text,
-            allowed: "the duration of the values that follow",
-        });
+        return Err(refusals::header(
+            length.place,
+            length.text,
+            "the duration of the values that follow",
+        ));
     }
     let missing = (off < 0.0).then(|| {
         let found = format!("{n_samples}, one fewer than the header's duration and rate give");
@@ -113,11 +114,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     if let Spacing::Even(step) = &spacing
         && (step.value * rate.value - 1.0).abs() > 1e-6
     {
-        return Err(ReadError::Header {
-            place: rate.place,
-            found: rate.text,
-            allowed: "the rate of the times of the values",
-        });
+        return Err(refusals::header(rate.place, rate.text, "the rate of the times of the values"));
     }
     let unit = match said(header, "AMPLITUDEUNIT:") {
         Some((line, text)) => title::stated_unit(line, &text)?,
@@ -141,15 +138,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
 }
 
 /// The number behind a key such as `SampleRate(Hz):`.
-fn key(header: &[Line<'_>], key: &'static str) -> Result<Stated<f64>, ReadError> {
-    let (line, printed) = said(header, key).ok_or(ReadError::NoKey { key })?;
+fn key(header: &[Line<'_>], key: &'static str) -> Result<Stated<f64>, Refused> {
+    let (line, printed) = said(header, key).ok_or(refusals::no_key(key))?;
     let place = Place::Line(line.number);
     let value = number(printed.as_bytes()).filter(|value| value.is_finite() && *value > 0.0);
-    let value = value.ok_or_else(|| ReadError::Header {
-        place,
-        found: line.excerpt(),
-        allowed: "a number above 0",
-    })?;
+    let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a number above 0"))?;
     Ok(Stated {
         value,
         place,

@@ -2,39 +2,25 @@
 
 use super::File;
 use crate::line::{excerpt, number};
-use crate::{Place, ReadError, RowError};
+use crate::refusals;
+use crate::{Place, Refused};
+use pounding_text::{Kind, Spot};
 
-/// The error, replaced by one that names the field at which the values end, if there is one.
-pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
-    let ReadError::SampleCount {
-        place: Place::Line(last),
-        found,
-        allowed,
-        ..
-    } = error
-    else {
+/// The same error, or one that names the field where the values stopped.
+pub(super) fn located(error: Refused, file: &File<'_>) -> Refused {
+    let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(Kind::CutShort)) else {
         return error;
     };
     let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
-    let Some(line) = behind.next().filter(|_| found < allowed) else {
+    let Some(line) = behind.next() else {
         return error;
     };
     let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
     let of_numbers = line.pieces().all(is_like_a_number);
     let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
     match bad {
-        Some((index, piece)) if of_numbers => RowError::NotANumber {
-            line: line.number,
-            field: index + 1,
-            found: excerpt(piece),
-        }
-        .into(),
-        _ => ReadError::SampleCount {
-            place: Place::Line(last),
-            found,
-            allowed,
-            next: Some((line.number, line.excerpt())),
-        },
+        Some((index, piece)) if of_numbers => refusals::not_a_number(line.number, index + 1, excerpt(piece)),
+        _ => error.found_also(format!(" (line {} reads {:?})", line.number, line.excerpt())),
     }
 }
 

@@ -1,13 +1,14 @@
 //! Result of a reader, and its comparison with the header and the declaration.
 
-use pounding_text::short;
+use crate::refusals;
+use pounding_text::{Kind, Knob, plain, short};
 
 use super::Format;
 use super::component::Component;
 use super::spacing::{self, Spacing};
 use crate::direction::is_seismometer;
 use crate::shape;
-use crate::{AccelerationUnit, Accelerogram, Declared, Place, ReadError, Reading, Unusual};
+use crate::{AccelerationUnit, Accelerogram, Declared, Place, Reading, Refused, Unusual};
 
 /// A statement of a file, with its place and its text.
 #[derive(Clone, Debug)]
@@ -84,7 +85,7 @@ impl Draft {
         component: Option<&Component>,
         declared: &Declared,
         ends: bool,
-    ) -> Result<Accelerogram, ReadError> {
+    ) -> Result<Accelerogram, Refused> {
         let mut readings = vec![reading("format", None, format.name())];
         let velocity = self.velocity(component);
         readings.extend(component.map(|one| reading("component", Some(one.place), &one.name)));
@@ -108,7 +109,7 @@ impl Draft {
                 *value *= per_count;
             }
             if !values.iter().all(|value| value.is_finite()) {
-                return Err(ReadError::DeclaredPerCount { found: per_count });
+                return Err(bad_per_count(per_count));
             }
         }
         let in_g = unit.worth_in(AccelerationUnit::StandardGravity);
@@ -137,25 +138,30 @@ impl Draft {
     }
 
     /// Refuses velocities that are not declared to be accelerations, and displacements.
-    fn check_quantity(&self, velocity: Option<&Stated<()>>, declared: &Declared) -> Result<(), ReadError> {
+    fn check_quantity(&self, velocity: Option<&Stated<()>>, declared: &Declared) -> Result<(), Refused> {
         if let Some(stated) = velocity.filter(|_| !declared.acceleration) {
-            return Err(ReadError::Velocity {
-                place: stated.place,
-                found: stated.text.clone(),
-            });
+            return Err(Refused::at(stated.place)
+                .reads(stated.text.clone())
+                .and(", which speaks for velocities")
+                .but(", and ", "only histories of acceleration are read")
+                .help("take the record of accelerations, such as channel HNE of an accelerometer, or declare ")
+                .and(Knob::Acceleration)
+                .and(" if the values were turned into accelerations")
+                .kind(Kind::Velocity)
+                .wants(Knob::Acceleration));
         }
         if let Scale::Displacement(stated) = &self.scale {
-            return Err(ReadError::NotAcceleration {
-                place: stated.place,
-                found: stated.text.clone(),
-                instead: "the accelerations of the record, these are displacements",
-            });
+            return Err(refusals::not_acceleration(
+                stated.place,
+                stated.text.clone(),
+                "the accelerations of the record, these are displacements",
+            ));
         }
         Ok(())
     }
 
     /// Refuses values of one sign in a plain text that does not say that they are accelerations; elsewhere they are unusual.
-    fn one_signed(&self, values: &[f64], format: Format, declared: &Declared) -> Result<Option<Unusual>, ReadError> {
+    fn one_signed(&self, values: &[f64], format: Format, declared: &Declared) -> Result<Option<Unusual>, Refused> {
         let is_called = match &self.scale {
             Scale::Unknown => false,
             Scale::Unit(stated) => calls_acceleration(&stated.text),
@@ -166,10 +172,17 @@ impl Draft {
         if let Some(Unusual::OneSigned { found, rises }) = one_signed
             && !is_told
         {
-            return Err(ReadError::OneSigned {
-                place: self.end,
-                found,
-                rises,
+            return Err({
+                let how = if rises { "only rise" } else { "never change sign" };
+                let said = format!(
+                    "the {} values that end at {} {how}, like a spectrum and unlike shaking, and the file does not call them accelerations",
+                    found, self.end
+                );
+                Refused::that_at(self.end, said)
+                    .help("take the record itself, or declare ")
+                    .and(Knob::Acceleration)
+                    .and(" if they are accelerations")
+                    .wants(Knob::Acceleration)
             });
         }
         Ok(one_signed)
@@ -192,12 +205,12 @@ impl Draft {
         }
     }
 
-    /// Compares the number of values with that of the header. Small differences are reported: programs count steps, or the line of the
-    /// header.
-    fn count(&self, ends: bool) -> Result<Vec<Reading>, ReadError> {
+    /// Holds the number of values against that of the header. A few more or fewer of many are told: programs count steps, or
+    /// the line of the header.
+    fn count(&self, ends: bool) -> Result<Vec<Reading>, Refused> {
         let found = self.values.len();
         if found == 0 && self.count.is_none() {
-            return Err(ReadError::Empty);
+            return Err(refusals::empty());
         }
         let place = self.count.as_ref().map(|count| count.place);
         let mut readings = vec![reading("number of samples", place, &found.to_string())];
@@ -206,12 +219,7 @@ impl Draft {
         {
             let off = found.abs_diff(count.value);
             if off > MOST_OFF || off > found / 100 || !ends {
-                return Err(ReadError::SampleCount {
-                    place: self.end,
-                    found,
-                    allowed: count.value,
-                    next: None,
-                });
+                return Err(refusals::sample_count(self.end, found, count.value));
             }
             let found = format!("{found} values, where the header declares {}", count.value);
             readings.push(reading("count", place, &found));
@@ -219,13 +227,14 @@ impl Draft {
         Ok(readings)
     }
 
-    fn unit(&self, declared: &Declared) -> Result<(AccelerationUnit, Reading), ReadError> {
+    fn unit(&self, declared: &Declared) -> Result<(AccelerationUnit, Reading), Refused> {
         match (&self.scale, declared.unit) {
-            (Scale::Unit(stated), Some(unit)) if unit != stated.value => Err(ReadError::UnitContradiction {
-                place: stated.place,
-                found: stated.value,
-                declared: unit,
-            }),
+            (Scale::Unit(stated), Some(unit)) if unit != stated.value => Err(Refused::at(stated.place)
+                .goes_on(format!("says that the values are in {}", stated.value.name()))
+                .but(", but ", unit.name())
+                .and(" is declared as ")
+                .and(Knob::Unit)
+                .help("leave the declaration away")),
             (Scale::Unit(stated), _) => {
                 let found = format!("{} ({})", stated.value.symbol(), stated.text);
                 let place = Some(stated.place);
@@ -233,19 +242,19 @@ impl Draft {
             }
             (Scale::Several(several), declared) => {
                 let meant = declared.and_then(|unit| several.iter().find(|one| one.value == unit));
-                let meant = meant.ok_or_else(|| ReadError::Several {
-                    what: "unit",
-                    field: "unit",
-                    said: several.iter().map(|one| (one.place, one.value.name().to_owned())).collect(),
+                let meant = meant.ok_or_else(|| {
+                    let said = several.iter().map(|one| (one.place, one.value.name().to_owned()));
+                    refusals::several("unit", Knob::Unit, said)
                 })?;
                 let found = format!("{} ({})", meant.value.symbol(), meant.text);
                 Ok((meant.value, reading("unit", Some(meant.place), &found)))
             }
-            (Scale::Counts(stated), None) => Err(ReadError::Counts {
-                place: stated.place,
-                found: stated.text.clone(),
-            }),
-            (_, None) => Err(ReadError::UnitNotStated),
+            (Scale::Counts(stated), None) => Err(counts(stated)),
+            (_, None) => Err(Refused::that("the file does not say in which unit its values are")
+                .help("declare it as ")
+                .and(Knob::Unit)
+                .and(format!(", one of {}", AccelerationUnit::names()))
+                .wants(Knob::Unit)),
             (_, Some(unit)) => {
                 let found = format!("{} (declared)", unit.symbol());
                 Ok((unit, reading("unit", None, &found)))
@@ -253,22 +262,19 @@ impl Draft {
         }
     }
 
-    fn per_count(&self, declared: &Declared) -> Result<(Option<f64>, Option<Reading>), ReadError> {
+    fn per_count(&self, declared: &Declared) -> Result<(Option<f64>, Option<Reading>), Refused> {
         if let Some(found) = declared.per_count
             && !(found.is_finite() && found != 0.0)
         {
-            return Err(ReadError::DeclaredPerCount { found });
+            return Err(bad_per_count(found));
         }
         match (&self.scale, declared.per_count) {
-            (Scale::Unit(stated), Some(declared)) => Err(ReadError::NoCounts {
-                place: stated.place,
-                found: stated.value,
-                declared,
-            }),
-            (Scale::Counts(stated), None) => Err(ReadError::Counts {
-                place: stated.place,
-                found: stated.text.clone(),
-            }),
+            (Scale::Unit(stated), Some(declared)) => Err(Refused::at(stated.place)
+                .goes_on(format!("says that the values are in {}", stated.value.name()))
+                .but(", but ", Knob::PerCount)
+                .and(format!(" is declared as {}", plain(declared)))
+                .help("leave it away, there are no counts to scale")),
+            (Scale::Counts(stated), None) => Err(counts(stated)),
             (_, Some(per_count)) => {
                 let found = format!("{per_count} (declared)");
                 Ok((Some(per_count), Some(reading("worth of a count", None, &found))))
@@ -279,8 +285,8 @@ impl Draft {
 
     /// Compares the largest value with the peak of the header. This checks the unit and the division into columns at no cost.
     ///
-    /// Some agencies state the peak before their last correction: a difference is reported, a large one is refused.
-    fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<(Option<Reading>, Option<Unusual>), ReadError> {
+    /// Some agencies state the peak before their last correction, so a difference is told. A large one is refused.
+    fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<(Option<Reading>, Option<Unusual>), Refused> {
         let Some(peak) = &self.peak else {
             return Ok((None, None));
         };
@@ -297,12 +303,11 @@ impl Draft {
         // Where the units differ, one of them may be wrong: 1 mg is 0.98 cm/s².
         let most = if of_header == unit { MOST_DIFFERENT * allowed } else { slack };
         if off > slack.max(most) {
-            return Err(ReadError::Peak {
-                place: stated.place,
-                stated: stated.text.clone(),
-                found,
-                unit,
-            });
+            return Err(Refused::at(stated.place)
+                .goes_on("states a peak of ")
+                .quoted(stated.text.clone())
+                .but(", but ", format!("the largest value read is {} {}", plain(found), unit.symbol()))
+                .help("one of them is damaged or in another unit: fetch the file again"));
         }
         let said = |text: &str| Some(reading("peak in the header", Some(stated.place), text));
         if off <= slack {
@@ -336,4 +341,20 @@ pub(super) fn reading(what: &'static str, place: Option<Place>, found: &str) -> 
         line: place.and_then(Place::line),
         found: found.to_owned(),
     }
+}
+
+fn counts(stated: &Stated<()>) -> Refused {
+    Refused::at(stated.place)
+        .reads(stated.text.clone())
+        .and(": the values are counts of a digitiser")
+        .help("declare what one is worth as ")
+        .and(Knob::PerCount)
+        .and(", and in which ")
+        .and(Knob::Unit)
+        .wants(Knob::PerCount)
+}
+
+fn bad_per_count(found: f64) -> Refused {
+    let said = Refused::that("the declared ").and(Knob::PerCount).and(format!(" is {found:?}"));
+    said.but(", and must be ", "finite, not 0, and keep every value finite")
 }

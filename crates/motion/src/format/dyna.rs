@@ -2,7 +2,8 @@
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError};
+use crate::refusals;
+use crate::{Identity, Place, Refused};
 
 /// Lines in which the line above the values is looked for.
 const HEADER: usize = 40;
@@ -29,9 +30,9 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &searched[..above.map_or(searched.len(), |above| above + 1)]
 }
 
-/// Text after a key and its colon.
-fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
-    let (line, value) = title::value_of(header(file), key).ok_or(ReadError::NoKey { key })?;
+/// What stands behind a key and its colon.
+fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), Refused> {
+    let (line, value) = title::value_of(header(file), key).ok_or(refusals::no_key(key))?;
     let value = value.split_once(':').map_or("", |(_, value)| value.trim());
     Ok((line, value.to_owned()))
 }
@@ -46,17 +47,17 @@ fn component(file: &File<'_>) -> Option<Component> {
     Some(Component::new(name, Place::Line(line.number)))
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let header = header(file);
     let last = header[header.len() - 1];
     let unit = title::after(&last.text(), "TIME SERIES IN").map(str::to_owned);
     // "Accelaration" in the files themselves.
     if !last.bytes.to_ascii_uppercase().starts_with(b"ACCEL") {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(last.number),
-            found: last.excerpt(),
-            instead: "the .acc file of the record",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(last.number),
+            last.excerpt(),
+            "the .acc file of the record",
+        ));
     }
     let (count_line, count) = value(file, "Number of Data")?;
     let (step_line, step) = value(file, "Time Increment (s)")?;

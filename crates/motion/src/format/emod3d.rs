@@ -3,7 +3,8 @@
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError};
+use crate::refusals;
+use crate::{Identity, Place, Refused};
 
 /// Numbers of the second line.
 const NUMBERS: usize = 8;
@@ -50,8 +51,8 @@ fn component(file: &File<'_>) -> Option<Component> {
     ))
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
-    let [names, line] = header(file).ok_or(ReadError::Empty)?;
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
+    let [names, line] = header(file).ok_or(refusals::empty())?;
     let text = line.text();
     let mut pieces = text.split_whitespace();
     let count = title::count(line, pieces.next().unwrap_or_default())?;

@@ -3,7 +3,7 @@
 use super::numbers::Values;
 use super::said::Said;
 use super::{Draft, File, Format, Reader, Spacing, title};
-use crate::ReadError;
+use crate::Refused;
 use crate::line::number;
 
 pub(super) const READER: Reader = Reader {
@@ -37,7 +37,7 @@ fn said(file: &File<'_>) -> Said {
     Said::new(&file.lines[..1], None)
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let line = file.lines[1];
     let text = line.text();
     let mut fields = text.split_whitespace();

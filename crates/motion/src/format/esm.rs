@@ -4,7 +4,8 @@ use super::columns::{decimal, leading_data};
 use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{Identity, Place, Refused, Site};
 
 /// Lines in which keys are looked for; their number is 64 in all files seen.
 const HEADER: usize = 100;
@@ -26,12 +27,12 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &searched[..searched.iter().take_while(is_key).count()]
 }
 
-fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
+fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), Refused> {
     let header = header(file);
-    title::value_of(header, key).ok_or(ReadError::NoKey { key })
+    title::value_of(header, key).ok_or(refusals::no_key(key))
 }
 
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let (line, name) = value(file, "STREAM:")?;
     let depth = value(file, "SENSOR_DEPTH_M:").ok();
     let depth = depth.map_or_else(String::new, |(_, depth)| depth);
@@ -56,16 +57,16 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let header = header(file);
     let last = header[header.len() - 1];
     let (kind_line, kind) = value(file, "DATA_TYPE:")?;
     if !kind.eq_ignore_ascii_case("ACCELERATION") {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(kind_line.number),
-            found: kind_line.excerpt(),
-            instead: "the .ACC.ASC file of the record",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(kind_line.number),
+            kind_line.excerpt(),
+            "the .ACC.ASC file of the record",
+        ));
     }
     let (count_line, count) = value(file, "NDATA:")?;
     let (step_line, step) = value(file, "SAMPLING_INTERVAL_S:")?;

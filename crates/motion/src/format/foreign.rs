@@ -1,8 +1,9 @@
 //! Files that hold no text and no record that is read: packed ones, other encodings, pictures, web pages.
 
 use super::{File, title};
-use crate::ReadError;
+use crate::Refused;
 use crate::line::Line;
+use pounding_text::Spot;
 
 /// Bytes at the start of a file that tell what it is, and what to do with it.
 const SIGNATURES: [(&[u8], &str, &str); 11] = {
@@ -30,46 +31,47 @@ const SIGNATURES: [(&[u8], &str, &str); 11] = {
 /// Bytes that are looked at for those that no text has.
 const SEARCHED: usize = 4096;
 
-/// Kind of a file that cannot be read.
-pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
+/// What a file is, where that keeps it from being read.
+pub(super) fn refusal(file: &File<'_>) -> Option<Refused> {
     let bytes = file.bytes;
     let known = SIGNATURES.iter().find(|(start, ..)| bytes.starts_with(start));
     if let Some(&(_, what, advice)) = known {
-        return Some(ReadError::Foreign { what, advice });
+        return Some(foreign(what, advice));
     }
     if is_full_seed(bytes) {
-        return Some(ReadError::Foreign {
-            what: "a full SEED volume, whose headers are not read",
-            advice: "save its waveforms as miniSEED",
-        });
+        return Some(foreign(
+            "a full SEED volume, whose headers are not read",
+            "save its waveforms as miniSEED",
+        ));
     }
     if is_table_of_records(file) {
-        return Some(ReadError::Foreign {
-            what: "PEER's table of selected records",
-            advice: "take the .AT2 files that it lists",
-        });
+        return Some(foreign("PEER's table of selected records", "take the .AT2 files that it lists"));
     }
     if is_utf16(bytes) {
-        return Some(ReadError::Foreign {
-            what: "text in UTF-16",
-            advice: "save it again as UTF-8 (an editor's \"Save as\", or `iconv -f UTF-16 -t UTF-8`)",
-        });
+        return Some(foreign(
+            "text in UTF-16",
+            "save it again as UTF-8 (an editor's \"Save as\", or `iconv -f UTF-16 -t UTF-8`)",
+        ));
     }
     let begin = file.first()?.head().trim_ascii().to_ascii_lowercase();
     let is_page = [&b"<!doctype html"[..], b"<html"].iter().any(|tag| begin.starts_with(tag));
-    is_page.then_some(ReadError::Foreign {
-        what: "a web page",
-        advice: "fetch the record again; a site that wants a log-in sends such pages instead",
-    })
+    is_page.then_some(foreign(
+        "a web page",
+        "fetch the record again; a site that wants a log-in sends such pages instead",
+    ))
 }
 
 /// The first byte that no text has, as an error; of a file that no reader knows.
-pub(super) fn binary(bytes: &[u8]) -> Option<ReadError> {
+pub(super) fn binary(bytes: &[u8]) -> Option<Refused> {
     let is_control = |byte: &u8| *byte < b' ' && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
     let at = bytes.iter().take(SEARCHED).position(is_control)?;
-    Some(ReadError::Binary {
-        byte: at + 1,
-        found: bytes[at],
+    Some({
+        let said = format!(
+            "the file is binary (byte {} is {:#04x}) and neither SAC nor miniSEED, the binary formats that are read",
+            at + 1,
+            bytes[at]
+        );
+        Refused::that_at(Spot::Byte(at + 1), said).help("fetch the record as text or in one of them")
     })
 }
 
@@ -104,4 +106,9 @@ fn is_utf16(bytes: &[u8]) -> bool {
         chosen.all(|byte| matches!(byte, b'\t' | b'\n' | b'\r' | b' '..=b'~'))
     };
     marked || (zeros(1) && ascii(0)) || (zeros(0) && ascii(1))
+}
+
+fn foreign(what: &'static str, advice: &'static str) -> Refused {
+    let said = Refused::that(format!("the file is {what}"));
+    said.allowed_is("a record as text, SAC or miniSEED").help(advice)
 }

@@ -8,7 +8,7 @@ use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Identity, Place, ReadError};
+use crate::{AccelerationUnit, Direction, Identity, Place, Refused};
 
 /// Lines of titles, of whole numbers, and of all of the header.
 const TITLES: usize = 16;
@@ -63,7 +63,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let header = needed(channel.get(..HEADER), channel.last().copied(), "the numbers of its header")?;

@@ -10,7 +10,8 @@
 use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{AccelerationUnit, Identity, Place, Refused, Site};
 
 /// Lines in which keys are looked for.
 const HEADER: usize = 40;
@@ -26,7 +27,7 @@ pub(super) const READER: Reader = Reader {
     identity: identity_of,
 };
 
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let (line, stated) = value(file, "Dir.")?;
     let site = match stated.as_str() {
         "1" | "2" | "3" => Site::Borehole(format!("Dir. {stated}, of KiK-net's borehole")),
@@ -55,12 +56,12 @@ fn direction(stated: String) -> String {
     }
 }
 
-fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
+fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), Refused> {
     let header = &file.lines[..file.lines.len().min(HEADER)];
-    title::value_of(header, key).ok_or(ReadError::NoKey { key })
+    title::value_of(header, key).ok_or(refusals::no_key(key))
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let (rate_line, rate) = value(file, "Sampling Freq(Hz)")?;
     let rate = title::first_number(&rate).and_then(|rate| number(rate.as_bytes()));
     let time_step = title::time_step(rate_line, rate.map(|rate| 1.0 / rate))?;
@@ -105,7 +106,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
 }
 
 /// Gal and counts of `3920(gal)/6182761`.
-fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), ReadError> {
+fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), Refused> {
     let parts = text.split_once('/').and_then(|(gal, counts)| {
         let gal = gal.trim().strip_suffix("(gal)")?;
         Some((number(gal.as_bytes())?, number(counts.as_bytes())?))
@@ -113,9 +114,5 @@ fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), ReadError> {
     let usable = |value: f64| value.is_finite() && value > 0.0;
     parts
         .filter(|(gal, counts)| usable(*gal) && usable(*counts) && usable(gal / counts))
-        .ok_or_else(|| ReadError::Header {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
-            allowed: "a scale factor such as 3920(gal)/6182761",
-        })
+        .ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a scale factor such as 3920(gal)/6182761"))
 }

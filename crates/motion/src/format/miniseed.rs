@@ -10,11 +10,12 @@
 mod record;
 mod samples;
 
+use crate::refusals;
 use std::collections::BTreeMap;
 
 use super::component::is_sum;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
-use crate::{Identity, Place, ReadError};
+use crate::{Identity, Place, Refused};
 use record::Record;
 
 pub(super) const READER: Reader = Reader {
@@ -25,7 +26,7 @@ pub(super) const READER: Reader = Reader {
     identity: identity_of,
 };
 
-fn records<'t>(file: &File<'t>) -> Result<Vec<Record<'t>>, ReadError> {
+fn records<'t>(file: &File<'t>) -> Result<Vec<Record<'t>>, Refused> {
     let mut records = Vec::new();
     let mut at = 0;
     while at < file.bytes.len() {
@@ -37,7 +38,7 @@ fn records<'t>(file: &File<'t>) -> Result<Vec<Record<'t>>, ReadError> {
 }
 
 /// Names of the streams and the first byte of each, in the order of the file.
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     streams(&records(file)?)
 }
 
@@ -55,8 +56,8 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-/// The streams, except sums of components.
-fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
+/// The streams, but for sums of components.
+fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, Refused> {
     let mut seen = BTreeMap::new();
     for record in records {
         let number = seen.len();
@@ -68,11 +69,11 @@ fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
     let of_none = streams.first().filter(|one| !is_component(one)).cloned();
     streams.retain(is_component);
     match of_none.filter(|_| streams.is_empty()) {
-        Some((found, (_, at))) => Err(ReadError::NotAcceleration {
-            place: Place::Byte(at + 1),
+        Some((found, (_, at))) => Err(refusals::not_acceleration(
+            Place::Byte(at + 1),
             found,
-            instead: "a stream of one component, this one sums several",
-        }),
+            "a stream of one component, this one sums several",
+        )),
         None => Ok(streams
             .into_iter()
             .map(|(name, (_, at))| Component::new(name, Place::Byte(at + 1)))
@@ -80,12 +81,12 @@ fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, ReadError> {
     }
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let records = records(file)?;
     let streams = streams(&records)?;
-    let stream = streams.get(index).ok_or(ReadError::Empty)?;
+    let stream = streams.get(index).ok_or(refusals::empty())?;
     let mut records = records.iter().filter(|record| record.stream == stream.name);
-    let first = records.next().ok_or(ReadError::Empty)?;
+    let first = records.next().ok_or(refusals::empty())?;
     let step = first.time_step;
     let mut values = Vec::new();
     let mut counts = first.append(&mut values)?;

@@ -2,7 +2,7 @@
 
 use crate::line::Line;
 use crate::record::MAX_SAMPLES;
-use crate::{Place, ReadError};
+use crate::{Place, Refused};
 
 /// The numbers of some lines.
 #[derive(Debug)]
@@ -15,11 +15,13 @@ pub(super) struct Numbers {
 }
 
 /// Refuses more values than a record may have.
-pub(super) fn at_most(n_values: usize) -> Result<(), ReadError> {
+pub(super) fn at_most(n_values: usize) -> Result<(), Refused> {
     if n_values <= MAX_SAMPLES {
         return Ok(());
     }
-    Err(ReadError::TooManySamples { allowed: MAX_SAMPLES })
+    Err(Refused::default()
+        .found(format!("more samples than the {MAX_SAMPLES} allowed"))
+        .help("cut the record to the shaking that matters, or resample it"))
 }
 
 /// Values that are read one after the other.
@@ -32,7 +34,7 @@ pub(super) struct Values<'t> {
 
 impl<'t> Values<'t> {
     /// Puts a value behind the others; the field is how it is printed.
-    pub(super) fn push(&mut self, line: Line<'_>, value: f64, field: &'t [u8]) -> Result<(), ReadError> {
+    pub(super) fn push(&mut self, line: Line<'_>, value: f64, field: &'t [u8]) -> Result<(), Refused> {
         at_most(self.found.len() + 1)?;
         self.largest.see(value, field);
         self.found.push(value);

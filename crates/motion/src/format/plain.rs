@@ -16,10 +16,12 @@ use super::said::{Other, Said};
 use super::spacing::Spacing;
 use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
 use crate::line::Line;
-use crate::{Place, ReadError, Reading, RowError, Site};
+use crate::refusals;
+use crate::{Place, Reading, Refused, Site};
 use clock::Clock;
 use layout::{Kind, Layout};
 use names::Name;
+use pounding_text::{Knob, Spot};
 use rows::first_row;
 
 pub(super) const READER: Reader = Reader {
@@ -82,7 +84,7 @@ struct Held {
     scale: Scale,
 }
 
-fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, ReadError> {
+fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, Refused> {
     let held = match &layout.kind {
         Kind::Values(name) => one_after_the_other(layout, name.as_ref())?,
         Kind::Table { clock, columns, names } => {
@@ -130,25 +132,33 @@ fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
 }
 
 /// Why numbers stand in no way that is known.
-fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> ReadError {
+fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> Refused {
     let rows = &layout.rows;
     match rows.other {
-        Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => RowError::PlainColumns {
-            line: other.number,
-            found: other.fields().count(),
-            allowed: Some(rows.n_columns),
+        Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => {
+            let found = Refused::at(Spot::Line(other.number)).goes_on(format!("has {} column(s)", other.fields().count()));
+            found
+                .allowed_are(format!("{} as in the first line of numbers", rows.n_columns))
+                .help("write time and acceleration alone, or one acceleration to a line")
         }
-        .into(),
-        _ => RowError::Rows {
-            line: rows.first().number,
-            found: rows.n_columns,
-            reason,
+        _ => {
+            let found = rows.n_columns;
+            let names = ["NS", "EW", "UD"].get(..found).unwrap_or(&["NS", "EW", "UD", "…"]);
+            Refused::at(Spot::Line(rows.first().number))
+                .goes_on(format!("has {found} numbers: {reason}"))
+                .help("if they follow one another, declare ")
+                .and(Knob::InRows)
+                .and(format!(
+                    "; if they are columns, write their names above, such as `{}` or `time {}`",
+                    names.join(" "),
+                    names[..names.len().max(2) - 1].join(" ")
+                ))
+                .wants(Knob::InRows)
         }
-        .into(),
     }
 }
 
-fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Result<Held, ReadError> {
+fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Result<Held, Refused> {
     let rows = &layout.rows;
     let first = rows.first();
     let numbers = if rows.iter().any(|row| row.bytes.contains(&b',')) {
@@ -181,7 +191,7 @@ fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Resu
     })
 }
 
-fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Option<&Name<'_>>) -> Result<Held, ReadError> {
+fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Option<&Name<'_>>) -> Result<Held, Refused> {
     let rows = &layout.rows;
     let mut values = Values::default();
     for row in rows.iter() {
@@ -214,19 +224,16 @@ fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Op
 }
 
 /// The numbers of a header that stand above rows of times and values like one of them.
-fn header_above(layout: &Layout<'_, '_>) -> Option<ReadError> {
+fn header_above(layout: &Layout<'_, '_>) -> Option<Refused> {
     let rows = &layout.rows;
     let n_rows = (1..=2).find(|n_rows| rows.behind(*n_rows).is_some_and(|rows| rows.len > 2 && rows.is_time()))?;
     let head: Vec<Line<'_>> = rows.iter().take(n_rows).collect();
     let found: Vec<String> = head.iter().map(|line| line.excerpt()).collect();
-    Some(
-        RowError::HeaderNumbers {
-            lines: [head[0].number, head[n_rows - 1].number],
-            found: found.join("; "),
-            what: "no pairs of time and value",
-        }
-        .into(),
-    )
+    Some(refusals::header_numbers(
+        [head[0].number, head[n_rows - 1].number],
+        found.join("; "),
+        "no pairs of time and value",
+    ))
 }
 
 /// Quantity and unit of the values, from the name of their column and from titles.
@@ -263,13 +270,12 @@ fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
 }
 
 /// Refuses a number of values that stands above them like one of them.
-fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), ReadError> {
+fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), Refused> {
     if values.len() > 2 && is_mark(values[0], (values.len() - 1) as f64) {
-        return Err(RowError::CountAsValue {
-            line: line.number,
-            found: line.excerpt(),
-        }
-        .into());
+        return Err(Refused::at(Spot::Line(line.number))
+            .reads(line.excerpt())
+            .and(", which is how many values follow")
+            .help("put # before it, or it would be taken for the first"));
     }
     Ok(())
 }

@@ -7,7 +7,8 @@
 use super::numbers::{at_most, is_mark};
 use super::stamp::Stamp;
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
-use crate::{Direction, Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{Direction, Identity, Place, Refused, Site};
 
 /// Bytes of the header, and of what version 7 adds behind the values.
 const HEADER: usize = 632;
@@ -89,12 +90,8 @@ impl<'t> Sac<'t> {
         (!name.is_empty() && name != "-12345").then_some(name)
     }
 
-    fn refused(&self, at: usize, allowed: &'static str) -> ReadError {
-        ReadError::Header {
-            place: byte(at),
-            found: self.whole(at).to_string(),
-            allowed,
-        }
+    fn refused(&self, at: usize, allowed: &'static str) -> Refused {
+        refusals::header(byte(at), self.whole(at).to_string(), allowed)
     }
 }
 
@@ -102,12 +99,12 @@ fn byte(at: usize) -> Place {
     Place::Byte(at + 1)
 }
 
-fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, ReadError> {
-    Sac::new(file.bytes).ok_or(ReadError::Empty)
+fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, Refused> {
+    Sac::new(file.bytes).ok_or(refusals::empty())
 }
 
 /// The channel; `UP` where that does not tell a direction and the header says that the sensor stands upright.
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let sac = sac(file)?;
     let channel = sac.name(CHANNEL);
     let tells = channel.as_deref().and_then(Direction::of_component).is_some();
@@ -150,7 +147,7 @@ fn provenance(sac: &Sac<'_>) -> String {
     names.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let sac = sac(file)?;
     if sac.whole(KIND) != 1 {
         return Err(sac.refused(KIND, "1, a time series"));
@@ -163,11 +160,11 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         8 => "acceleration",
         5 | -12345 => "not stated",
         other => {
-            return Err(ReadError::NotAcceleration {
-                place: byte(QUANTITY),
-                found: format!("IDEP {other}"),
-                instead: "the file of accelerations (IDEP 8)",
-            });
+            return Err(refusals::not_acceleration(
+                byte(QUANTITY),
+                format!("IDEP {other}"),
+                "the file of accelerations (IDEP 8)",
+            ));
         }
     };
     let count = usize::try_from(sac.whole(COUNT)).ok().filter(|count| *count > 0);
@@ -200,7 +197,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
 }
 
 /// The values, and the place of the last.
-fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), ReadError> {
+fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), Refused> {
     let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;
@@ -210,11 +207,7 @@ fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), ReadError> {
         let at = HEADER + 4 * index;
         let value = f64::from(sac.single(at));
         if !value.is_finite() {
-            return Err(ReadError::Header {
-                place: byte(at),
-                found: value.to_string(),
-                allowed: "a finite value",
-            });
+            return Err(refusals::header(byte(at), value.to_string(), "a finite value"));
         }
         values.push(value);
     }

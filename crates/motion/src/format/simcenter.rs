@@ -3,7 +3,8 @@
 use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, no_identity};
 use crate::line::Line;
-use crate::{Place, ReadError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 /// The key of the step, and how those of values begin.
 const STEP: &[u8] = b"\"dT\"";
@@ -55,9 +56,9 @@ fn line_of(bytes: &[u8], at: usize) -> usize {
     memchr::memchr_iter(b'\n', &bytes[..at]).count() + 1
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let lists = lists(file);
-    let list = lists.get(index).ok_or(ReadError::Empty)?;
+    let list = lists.get(index).ok_or(refusals::empty())?;
     let mut values = Values::default();
     for (index, field) in list.line.fields().enumerate() {
         values.push(list.line, list.line.finite(index + 1, field)?, field)?;
@@ -77,7 +78,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
 }
 
 /// The number behind the key of the step.
-fn step(file: &File<'_>) -> Result<Stated<f64>, ReadError> {
+fn step(file: &File<'_>) -> Result<Stated<f64>, Refused> {
     let at = memchr::memmem::find(file.bytes, STEP).unwrap_or_default();
     let behind = file.bytes[at..].get(STEP.len()..).unwrap_or_default();
     let of_number = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);

@@ -11,7 +11,8 @@ use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{AccelerationUnit, Identity, Place, Refused, Site};
 
 /// Lines of titles, of whole numbers, and of numbers with a point.
 const TITLES: usize = 11;
@@ -29,7 +30,7 @@ pub(super) const READER: Reader = Reader {
 /// The component of the title, such as `component=  360`, where there is one; `UP` where the header says that the sensor
 /// stands upright.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
     let whole = file.lines.get(TITLES..TITLES + WHOLE);
     let numbers = whole.map(|lines| Columns::new(8, 10).header(lines));
@@ -103,7 +104,7 @@ struct Header<'l, 't> {
 
 impl<'l, 't> Header<'l, 't> {
     /// The header, and what follows it.
-    fn split(lines: &'l [Line<'t>]) -> Result<(Self, &'l [Line<'t>]), ReadError> {
+    fn split(lines: &'l [Line<'t>]) -> Result<(Self, &'l [Line<'t>]), Refused> {
         let split = lines.split_at_checked(TITLES + WHOLE + REAL);
         let (header, rest) = needed(split, lines.last().copied(), "the numbers of its header")?;
         let (titles, numbers) = header.split_at(TITLES);
@@ -124,29 +125,29 @@ impl<'l, 't> Header<'l, 't> {
         Ok((header, rest))
     }
 
-    /// Splits off the comments; the 16th whole number, counted from 1, is their number.
-    fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), ReadError> {
+    /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
+    fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), Refused> {
         let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
         let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");
         let found = rest.iter().take_while(is_comment).count();
         if is_mark(found as f64, stated.unwrap_or(0.0)) {
             return Ok(rest.split_at(found));
         }
-        Err(ReadError::Header {
-            place: Place::Line(self.whole_lines[1].number),
-            found: self.whole_lines[1].excerpt(),
-            allowed: "the number of comment lines that follow as the eighth",
-        })
+        Err(refusals::header(
+            Place::Line(self.whole_lines[1].number),
+            self.whole_lines[1].excerpt(),
+            "the number of comment lines that follow as the eighth",
+        ))
     }
 
     /// The 17th whole number: how many numbers follow.
-    fn count(&self) -> Result<Stated<usize>, ReadError> {
+    fn count(&self) -> Result<Stated<usize>, Refused> {
         let count = number_of(&self.whole, 17).map(|count| count.to_string());
         title::count(self.whole_lines[2], &count.unwrap_or_default())
     }
 
     /// The second number with a point: samples in a second; none where it is marked as missing.
-    fn time_step(&self) -> Result<Option<Stated<f64>>, ReadError> {
+    fn time_step(&self) -> Result<Option<Stated<f64>>, Refused> {
         let rate = number_of(&self.real, 2);
         let is_missing = rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
         if is_missing {
@@ -156,15 +157,15 @@ impl<'l, 't> Header<'l, 't> {
     }
 }
 
-fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let first = file.lines[0];
     let is_unknown = first.bytes.starts_with(b"0") && title::holds(first, "UNKNOWN");
     if !(title::holds(first, "ACCELEROGRAM") || is_unknown) {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(first.number),
-            found: first.excerpt(),
-            instead: "the accelerogram of the record",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(first.number),
+            first.excerpt(),
+            "the accelerogram of the record",
+        ));
     }
     let (header, rest) = Header::split(&file.lines)?;
     let mut count = header.count()?;
@@ -182,11 +183,11 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         values = of_pairs;
         if !times.rise() {
             let line = header.real_lines[0];
-            return Err(ReadError::Header {
-                place: Place::Line(line.number),
-                found: line.excerpt(),
-                allowed: "a number of samples in a second, or below the header pairs of time and value,",
-            });
+            return Err(refusals::header(
+                Place::Line(line.number),
+                line.excerpt(),
+                "a number of samples in a second, or below the header pairs of time and value,",
+            ));
         }
         let spacing = if times.have_ties() {
             times.into_uneven()
@@ -241,7 +242,7 @@ fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
 
 /// Pairs of time and value, which stand where the header gives no rate; it counts the numbers, or the pairs. Some files go on
 /// behind them.
-fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), ReadError> {
+fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
     let fields = data.iter().flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
     let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
     let n_numbers = if fields.len() == 2 * count.value {
@@ -250,12 +251,11 @@ fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(
         count.value
     };
     let Some(fields) = fields.get(..n_numbers) else {
-        return Err(ReadError::SampleCount {
-            place: data.last().map_or(count.place, |line| Place::Line(line.number)),
-            found: fields.len(),
-            allowed: count.value,
-            next: None,
-        });
+        return Err(refusals::sample_count(
+            data.last().map_or(count.place, |line| Place::Line(line.number)),
+            fields.len(),
+            count.value,
+        ));
     };
     let mut times = TimeColumn::default();
     let mut values = Vec::new();

@@ -1,10 +1,11 @@
 //! How far apart the values of a file are, and the resampling of pairs whose times are uneven.
 
-use pounding_text::short;
+use crate::refusals;
+use pounding_text::{Knob, plain, short};
 
 use super::{Stated, reading};
 use crate::record::MAX_SAMPLES;
-use crate::{Declared, Place, ReadError, Reading};
+use crate::{Declared, Place, Reading, Refused};
 
 /// Time steps that a file may give without a declaration that repeats them \[s\]: beyond them a header is damaged or lacks
 /// them.
@@ -90,7 +91,7 @@ pub(crate) struct Uneven {
     /// Where the first stands.
     pub(crate) place: Place,
     /// How uneven they are.
-    pub(crate) refusal: ReadError,
+    pub(crate) refusal: Refused,
 }
 
 impl From<Stated<f64>> for Spacing {
@@ -119,11 +120,14 @@ impl From<(f64, Reading)> for Settled {
 }
 
 /// The time step of some values, which are resampled where their times are uneven.
-pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &mut Vec<f64>) -> Result<Settled, ReadError> {
+pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &mut Vec<f64>) -> Result<Settled, Refused> {
     if let Some(found) = declared.time_step
         && !(found.is_finite() && found > 0.0)
     {
-        return Err(ReadError::DeclaredTimeStep { found });
+        return Err(Refused::that("the declared ")
+            .and(Knob::TimeStep)
+            .and(format!(" is {} s", plain(found)))
+            .but(", and must be ", "finite and above 0 s"));
     }
     match (spacing, declared.time_step) {
         (Some(Spacing::Even(stated)), declared) => even(stated, declared).map(Settled::from),
@@ -131,10 +135,11 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
             let in_milliseconds = milliseconds(stated);
             match declared {
                 Some(step) if is_repeated(step, in_milliseconds.value) => even(&in_milliseconds, declared),
-                None if stated.value >= LARGE => Err(ReadError::TimeUnit {
-                    place: stated.place,
-                    found: stated.value,
-                }),
+                None if stated.value >= LARGE => Err(Refused::at(stated.place)
+                    .is(format!("the times rise by {}, and nothing states their unit", stated.value))
+                    .help("name the column `time_s` or `time_ms`, or declare ")
+                    .and(Knob::TimeStep)
+                    .and(format!(" as {} or {} s", stated.value, in_milliseconds.value))),
                 _ => even(stated, declared),
             }
             .map(Settled::from)
@@ -144,11 +149,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
             meant.map_or_else(
                 || {
                     let said = several.iter().map(|one| (one.place, format!("{} s", one.value)));
-                    Err(ReadError::Several {
-                        what: "time step",
-                        field: "time_step",
-                        said: said.collect(),
-                    })
+                    Err(refusals::several("time step", Knob::TimeStep, said))
                 },
                 |one| even(one, declared).map(Settled::from),
             )
@@ -159,21 +160,33 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
             let found = format!("{declared} s (declared)");
             Ok(Settled::from((declared, reading("time step", None, &found))))
         }
-        (None, None) => Err(ReadError::TimeStepNotStated),
+        (None, None) => Err(Refused::that("the file does not say how far apart its values are")
+            .help("declare it as ")
+            .and(Knob::TimeStep)
+            .and(" in seconds")
+            .wants(Knob::TimeStep)),
     }
 }
 
-fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), ReadError> {
+fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), Refused> {
     let (place, found) = (stated.place, stated.value);
     if !(found.is_finite() && found > 0.0) {
-        return Err(ReadError::TimeStep { place, found });
+        return Err(refusals::time_step(place, found));
     }
     match declared {
         None if !POSSIBLE.contains(&found) => {
-            return Err(ReadError::ImpossibleStep { place, found });
+            return Err(Refused::at(place)
+                .goes_on(format!("gives a time step of {found:?} s"))
+                .allowed_are("1e-6 to 10 s")
+                .so(": ", "the header lacks it, or is damaged; if it is right, declare the same as ")
+                .and(Knob::TimeStep));
         }
         Some(declared) if !is_repeated(declared, found) => {
-            return Err(ReadError::TimeStepContradiction { place, found, declared });
+            return Err(Refused::at(place)
+                .goes_on(format!("gives a time step of {} s", plain(found)))
+                .but(", but ", format!("{} s is declared as ", plain(declared)))
+                .and(Knob::TimeStep)
+                .help("leave the declaration away"));
         }
         _ => {}
     }
@@ -188,7 +201,7 @@ fn is_repeated(declared: f64, found: f64) -> bool {
 
 impl Uneven {
     /// The values are resampled, and what that takes off their peak is told.
-    fn settled(&self, values: &mut Vec<f64>, step: f64) -> Result<Settled, ReadError> {
+    fn settled(&self, values: &mut Vec<f64>, step: f64) -> Result<Settled, Refused> {
         let before = peak(values);
         *values = self.resampled(values, step)?;
         let after = peak(values);
@@ -206,7 +219,7 @@ impl Uneven {
     }
 
     /// The values at t₀, t₀ + Δt, … up to the last pair, linear between pairs.
-    fn resampled(&self, values: &[f64], step: f64) -> Result<Vec<f64>, ReadError> {
+    fn resampled(&self, values: &[f64], step: f64) -> Result<Vec<f64>, Refused> {
         let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
         let most = (MOST_PER_PAIR * self.times.len()).min(MAX_SAMPLES);
         // What rounding leaves of a step does not count.
@@ -214,10 +227,10 @@ impl Uneven {
         if wanted > most as f64 {
             // In two digits, rounded up.
             let allowed = format!("{:.1e}", 1.06 * (last - first) / (most - 1) as f64);
-            return Err(ReadError::FineResampling {
-                declared: step,
-                allowed: allowed.parse().expect("a number that was printed"),
-            });
+            let allowed: f64 = allowed.parse().expect("a number that was printed");
+            let said = format!(" of {step} s resamples the uneven times of the file to more than {MOST_PER_PAIR} values for each there is");
+            let said = Refused::that("the declared ").and(Knob::TimeStep).and(said);
+            return Err(said.but("; allowed is ", format!("{allowed} s and more")));
         }
         let mut samples = Vec::new();
         let mut left = 0;
@@ -243,13 +256,14 @@ pub(super) fn peak(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Uneven;
-    use crate::{Place, ReadError};
+    use crate::Place;
+    use crate::refusals;
 
     fn uneven(times: &[f64]) -> Uneven {
         Uneven {
             times: times.to_vec(),
             place: Place::Line(1),
-            refusal: ReadError::Empty,
+            refusal: refusals::empty(),
         }
     }
 
@@ -268,11 +282,9 @@ mod tests {
         let pairs = uneven(&[0.0, 1e9, 3e9]);
         assert_eq!(pairs.resampled(&[1.0, 2.0, 3.0], 1e10).expect("one"), [1.0]);
         let refused = pairs.resampled(&[1.0, 2.0, 3.0], 1e-9);
-        assert!(matches!(refused, Err(ReadError::FineResampling { .. })));
         // The step that is named is allowed.
-        let Err(ReadError::FineResampling { allowed, .. }) = refused else {
-            unreachable!("as above");
-        };
-        assert!(pairs.resampled(&[1.0, 2.0, 3.0], allowed).is_ok());
+        let allowed = refused.expect_err("too fine").parts().allowed.expect("a step");
+        let allowed = allowed.strip_suffix(" s and more").expect("its unit").parse();
+        assert!(pairs.resampled(&[1.0, 2.0, 3.0], allowed.expect("a number")).is_ok());
     }
 }

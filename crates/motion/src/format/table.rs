@@ -3,8 +3,9 @@
 use super::columns::decimal;
 use super::numbers::{Numbers, Values};
 use super::time_column::TimeColumn;
+use crate::Refused;
 use crate::line::Line;
-use crate::{ReadError, RowError};
+use pounding_text::Spot;
 
 /// Rows of as many numbers each.
 pub(super) struct Table<'l, 't, F> {
@@ -19,16 +20,14 @@ where
     F: Fn(Line<'t>) -> I,
 {
     /// Every line that is not blank, cut by `fields`.
-    pub(super) fn new(header: Line<'t>, lines: &'l [Line<'t>], n_columns: usize, fields: F) -> Result<Self, ReadError> {
+    pub(super) fn new(header: Line<'t>, lines: &'l [Line<'t>], n_columns: usize, fields: F) -> Result<Self, Refused> {
         for line in lines.iter().filter(|line| !line.is_blank()) {
             let found = fields(*line).count();
             if found != n_columns {
-                return Err(RowError::RowFields {
-                    line: line.number,
-                    found,
-                    allowed: n_columns,
-                }
-                .into());
+                return Err(Refused::at(Spot::Line(line.number))
+                    .goes_on(format!("has {found} field(s)"))
+                    .allowed_are(n_columns.to_string())
+                    .help("fetch the file again"));
             }
         }
         Ok(Self { header, lines, fields })
@@ -41,7 +40,7 @@ where
     }
 
     /// The numbers of a column, counted from 0.
-    pub(super) fn column(&self, index: usize) -> Result<Numbers, ReadError> {
+    pub(super) fn column(&self, index: usize) -> Result<Numbers, Refused> {
         let mut values = Values::default();
         for (line, field) in self.fields_of(index) {
             values.push(line, decimal(line, index + 1, field)?, field)?;
@@ -50,7 +49,7 @@ where
     }
 
     /// The first column as times.
-    pub(super) fn times(&self) -> Result<TimeColumn, ReadError> {
+    pub(super) fn times(&self) -> Result<TimeColumn, Refused> {
         let mut times = TimeColumn::default();
         for (line, field) in self.fields_of(0) {
             times.push(line, field)?;

@@ -3,7 +3,9 @@
 use super::spacing::{Spacing, Uneven};
 use super::{Stated, reading};
 use crate::line::Line;
-use crate::{Place, ReadError, Reading};
+use crate::refusals;
+use crate::{Place, Reading, Refused};
+use pounding_text::{Kind, Knob, Spot, plain};
 
 /// Largest departure from equal steps that is not due to printing, in steps.
 const UNEVENNESS: f64 = 1e-6;
@@ -31,7 +33,7 @@ enum Start {
 }
 
 impl TimeColumn {
-    pub(super) fn push(&mut self, line: Line<'_>, field: &[u8]) -> Result<(), ReadError> {
+    pub(super) fn push(&mut self, line: Line<'_>, field: &[u8]) -> Result<(), Refused> {
         self.push_time(line, line.finite(1, field)?, decimals(field));
         Ok(())
     }
@@ -68,16 +70,15 @@ impl TimeColumn {
     }
 
     /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
-    pub(super) fn into_step(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), ReadError> {
+    pub(super) fn into_step(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), Refused> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
             (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
             (Spacing::Even(step), Start::Elsewhere) => {
-                return Err(ReadError::StartTime {
-                    line: self.lines[0],
-                    found: self.times[0],
-                    time_step: step.value,
-                });
+                return Err(Refused::at(Spot::Line(self.lines[0]))
+                    .is(format!("the first time is {} s", plain(self.times[0])))
+                    .allowed_are(format!("0 s and one time step, {} s", plain(step.value)))
+                    .help("shift the time column so that the record begins there"));
             }
             _ => None,
         };
@@ -85,7 +86,7 @@ impl TimeColumn {
     }
 
     /// The same, of times that may begin anywhere: the first is taken as t = 0 there.
-    pub(super) fn into_step_from_anywhere(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), ReadError> {
+    pub(super) fn into_step_from_anywhere(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), Refused> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
             (_, Start::Zero) => None,
@@ -108,28 +109,24 @@ impl TimeColumn {
         )
     }
 
-    fn spacing(&self) -> Result<(Spacing, Start), ReadError> {
+    fn spacing(&self) -> Result<(Spacing, Start), Refused> {
         let (&[first, ..], &[.., last]) = (&self.times[..], &self.times[..]) else {
-            return Err(ReadError::TooFewSamples { found: 0 });
+            return Err(too_few(0));
         };
         if self.times.len() < 2 {
-            return Err(ReadError::TooFewSamples { found: 1 });
+            return Err(too_few(1));
         }
         if let Some(before) = self.times.windows(2).position(|pair| pair[1] <= pair[0]) {
-            return Err(ReadError::TimeOrder {
-                line: self.lines[before + 1],
-                found: self.times[before + 1],
-                allowed: self.times[before],
-            });
+            return Err(Refused::at(Spot::Line(self.lines[before + 1]))
+                .is(format!("the time is {} s", plain(self.times[before + 1])))
+                .allowed_are(format!("times after the {} s of the line before", plain(self.times[before])))
+                .help("sort the lines by time and keep one of each"));
         }
         let mean = (last - first) / (self.times.len() - 1) as f64;
         if !mean.is_finite() {
             // Times near ±1.8e308, whose difference is beyond every number.
             let line = self.lines[self.lines.len() - 1];
-            return Err(ReadError::TimeStep {
-                place: Place::Line(line),
-                found: mean,
-            });
+            return Err(refusals::time_step(Place::Line(line), mean));
         }
         let place = Place::Line(self.lines[0]);
         let Some((time_step, slack)) = self.time_step(mean) else {
@@ -202,7 +199,7 @@ impl TimeColumn {
     }
 
     /// The line whose step is furthest from the median step.
-    fn unevenness(&self) -> ReadError {
+    fn unevenness(&self) -> Refused {
         // As many decimals as the times have: the difference of two times has noise beyond them.
         let decimals = self.decimals.min(MOST_DECIMALS);
         let printed = |step: f64| format!("{step:.decimals$}").parse().unwrap_or(step);
@@ -216,12 +213,22 @@ impl TimeColumn {
                 worst = index;
             }
         }
-        ReadError::UnevenTime {
-            line: self.lines[worst + 1],
-            found: steps[worst],
-            allowed,
-            range: [sorted[0], sorted[sorted.len() - 1]],
-        }
+        Refused::that_at(
+            Spot::Line(self.lines[worst + 1]),
+            format!(
+                "the times rise in uneven steps, from {} to {} s: at line {} by {} s, where {} s are the median",
+                plain(sorted[0]),
+                plain(sorted[sorted.len() - 1]),
+                self.lines[worst + 1],
+                plain(steps[worst]),
+                plain(allowed)
+            ),
+        )
+        .help("declare the step to which they are to be resampled, linear between them, as ")
+        .and(Knob::TimeStep)
+        .and(", or print them with more decimals")
+        .wants(Knob::TimeStep)
+        .kind(Kind::Uneven)
     }
 }
 
@@ -237,4 +244,9 @@ pub(super) fn decimals(field: &[u8]) -> usize {
 /// 10⁻ⁿ to the last digit; 0 where that is below every number.
 fn power_of_ten(decimals: usize) -> f64 {
     format!("1e-{decimals}").parse().expect("a number in exponent notation")
+}
+
+fn too_few(found: usize) -> Refused {
+    let said = Refused::that(format!("{found} sample(s) found"));
+    said.but(", but ", "the time step is taken from the time column and needs at least 2")
 }

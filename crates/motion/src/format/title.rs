@@ -3,7 +3,8 @@
 use super::numbers::last_digit;
 use super::{Peak, Stated};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::refusals;
+use crate::{AccelerationUnit, Place, Refused};
 
 /// Units of an acceleration without a length over a time, in capitals.
 const UNITS: [(&str, AccelerationUnit); 8] = {
@@ -50,12 +51,9 @@ pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
 }
 
 /// The unit that a line states in a part of it, or a refusal.
-pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<AccelerationUnit>, ReadError> {
+pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<AccelerationUnit>, Refused> {
     let place = Place::Line(line.number);
-    let (unit, word) = unit_in(text).ok_or_else(|| ReadError::UnknownUnit {
-        place,
-        found: line.excerpt(),
-    })?;
+    let (unit, word) = unit_in(text).ok_or_else(|| refusals::unknown_unit(place, line.excerpt()))?;
     Ok(Stated {
         value: unit,
         place,
@@ -106,23 +104,16 @@ pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, S
     Some((line, value.trim().to_owned()))
 }
 
-/// The line, or a refusal that names the line allowed in its place.
-pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, ReadError> {
-    found.ok_or_else(|| ReadError::Truncated {
-        place: Place::Line(last.map_or(1, |line| line.number)),
-        allowed,
-    })
+/// A line or a refusal that says what should stand in its place.
+pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, Refused> {
+    found.ok_or_else(|| refusals::truncated(Place::Line(last.map_or(1, |line| line.number)), allowed))
 }
 
 /// A number of a line, as a count above zero.
-pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, ReadError> {
+pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, Refused> {
     let place = Place::Line(line.number);
     let value = text.trim().parse().ok().filter(|count| *count > 0);
-    let value = value.ok_or_else(|| ReadError::Header {
-        place,
-        found: line.excerpt(),
-        allowed: "a whole number of samples above 0",
-    })?;
+    let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a whole number of samples above 0"))?;
     Ok(Stated {
         value,
         place,
@@ -131,15 +122,11 @@ pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, ReadErr
 }
 
 /// A time step \[s\] of a line, above zero.
-pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, ReadError> {
+pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, Refused> {
     let place = Place::Line(line.number);
-    let value = value.ok_or_else(|| ReadError::Header {
-        place,
-        found: line.excerpt(),
-        allowed: "a time step",
-    })?;
+    let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a time step"))?;
     if !(value.is_finite() && value > 0.0) {
-        return Err(ReadError::TimeStep { place, found: value });
+        return Err(refusals::time_step(place, value));
     }
     Ok(Stated {
         value,

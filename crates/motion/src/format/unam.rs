@@ -7,7 +7,8 @@ use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, ReadError};
+use crate::refusals;
+use crate::{AccelerationUnit, Identity, Place, Refused};
 
 /// Lines in which the mark of the format is looked for, and keys.
 const MARK: usize = 10;
@@ -31,9 +32,9 @@ struct Slots<'t> {
 }
 
 impl<'t> Slots<'t> {
-    fn new(file: &File<'t>, key: &'static str) -> Result<Self, ReadError> {
+    fn new(file: &File<'t>, key: &'static str) -> Result<Self, Refused> {
         let header = &file.lines[..file.lines.len().min(HEADER)];
-        let line = title::line_with(header, key).ok_or(ReadError::NoKey { key })?;
+        let line = title::line_with(header, key).ok_or(refusals::no_key(key))?;
         let text = line.text();
         let values = text.split_once(':').map_or("", |(_, values)| values);
         let values = values.split('/').map(title::words).filter(|value| !value.is_empty());
@@ -48,7 +49,7 @@ impl<'t> Slots<'t> {
     }
 }
 
-fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let slots = Slots::new(file, "ORIENTACION C1-C6")?;
     let place = Place::Line(slots.line.number);
     let components = slots.values.into_iter().map(|name| Component::new(name, place));
@@ -70,7 +71,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let counts = Slots::new(file, "NUM. TOTAL DE MUESTRAS")?;
     let steps = Slots::new(file, "INTERVALO DE MUESTREO")?;
     let peaks = Slots::new(file, "ACEL. MAX.")?;

@@ -3,7 +3,8 @@
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
-use crate::{Identity, Place, ReadError, Site};
+use crate::refusals;
+use crate::{Identity, Place, Refused, Site};
 
 /// Lines of titles of a block, and that of its rate among them, the last but one.
 const TITLES: usize = 7;
@@ -57,15 +58,15 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let channels = channels(file);
     let line = file.lines[RATE];
     let Some(block) = channels.get(index) else {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
-            instead: "the file with DATA TYPE=AC",
-        });
+        return Err(refusals::not_acceleration(
+            Place::Line(line.number),
+            line.excerpt(),
+            "the file with DATA TYPE=AC",
+        ));
     };
     let (titles, data) = block.split_at(TITLES);
     let rate_text = titles[RATE].text();

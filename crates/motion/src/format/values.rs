@@ -1,11 +1,11 @@
 //! Values that stand in lines of any number: split on blanks where that works, and cut at fixed columns where numbers touch.
 
 use super::numbers::{Numbers, Values};
-use crate::ReadError;
+use crate::Refused;
 use crate::line::{Line, number};
 
 /// The values of the lines after a header, up to one that does not begin with a number.
-pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, ReadError> {
+pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, Refused> {
     let is_value = |line: &Line<'_>| line.is_blank() || begins_with_number(*line);
     let n_lines = lines.iter().position(|line| !is_value(line));
     let lines = &lines[..n_lines.unwrap_or(lines.len())];
@@ -13,7 +13,7 @@ pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, Read
 }
 
 /// The values of these lines.
-pub(super) fn of_lines<'t, I>(header: Line<'_>, filled: impl Fn() -> I) -> Result<Numbers, ReadError>
+pub(super) fn of_lines<'t, I>(header: Line<'_>, filled: impl Fn() -> I) -> Result<Numbers, Refused>
 where
     I: Iterator<Item = Line<'t>>,
 {

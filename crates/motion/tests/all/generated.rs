@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use pounding_motion::{HalfSinePulse, Harmonic, RecordError, RickerPulse};
+use pounding_motion::{HalfSinePulse, Harmonic, RickerPulse};
 
 const HARMONIC: Harmonic = Harmonic {
     amplitude: 2.0,
@@ -160,5 +160,8 @@ fn extreme_motions_that_cannot_be() {
         frequency: 1e-300,
         time_step: f64::MAX,
     };
-    assert!(matches!(tiny.record(), Err(RecordError::TimeStep { .. })), "{tiny:?}");
+    assert!(
+        tiny.record().is_err_and(|refused| refused.to_string().starts_with("time_step: ")),
+        "{tiny:?}"
+    );
 }

@@ -1,5 +1,6 @@
 //! `pounding advise`: the cheapest method and time step for an accuracy.
 
+use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -83,9 +84,9 @@ fn error(text: &str) -> Result<f64, String> {
 }
 
 /// Runs a scene with every method; returns the advice.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
-    let message = |error: Error| error.in_file(path).to_string();
+    let message = |error: Error| Refused::from(error.in_file(path));
     let mut scene: Scene = super::read(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;

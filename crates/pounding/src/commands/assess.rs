@@ -4,6 +4,7 @@ mod bumper;
 mod runs;
 mod text;
 
+use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
@@ -141,7 +142,7 @@ impl Arguments {
         }
     }
 
-    fn scaling(&self) -> Result<Scaling, String> {
+    fn scaling(&self) -> Result<Scaling, Refused> {
         match (&self.target, &self.scale) {
             (Some(text), _) => Ok(Scaling::Target(DesignSpectrum::named(text)?)),
             (None, Some(scale)) => Ok(scale.clone()),
@@ -151,9 +152,9 @@ impl Arguments {
 }
 
 /// Assesses a row under a folder of records.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
-    let message = |error: Error| error.in_file(path).to_string();
+    let message = |error: Error| Refused::from(error.in_file(path));
     let open = |out: &PathBuf| Out::open(out, args.overwrite);
     let out = args.out.as_ref().map(open).transpose()?;
     if let Some(out) = &out {
@@ -188,7 +189,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 impl Arguments {
     /// What is asked of every motion.
-    fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, String> {
+    fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, Refused> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let scene = Scene {
             method: Method::EXACT,
@@ -199,11 +200,13 @@ impl Arguments {
         let moves = |one: &Structure| !matches!(one, Structure::Wall);
         let row = &rows[0].0.structures;
         if row.len() < 2 || !row.iter().any(moves) {
-            return Err(format!(
-                "{}: structures: allowed are two or more, one of which moves: a gap lies between two; of a neighbour that is not known \
-                 give neighbour.unknown",
-                self.scene.display()
-            ));
+            let n = match row.len() {
+                0 => "none".to_owned(),
+                n => format!("{n}, of which {} move", row.iter().filter(|one| moves(one)).count()),
+            };
+            let two = Refused::at("structures").found(n).allowed_are("two or more, one of which moves");
+            let why = "a gap lies between two; of a neighbour that is not known give neighbour.unknown";
+            return Err(two.so(": ", why).in_file(&self.scene));
         }
         Ok(Asked {
             known: Scene {
@@ -219,7 +222,7 @@ impl Arguments {
     }
 
     /// The runs that were finished, summed up; `None` if there are none.
-    fn report(&self, asked: &Asked<'_>, lines: &[suite::Line<Found>]) -> Result<Option<AssessmentReport>, String> {
+    fn report(&self, asked: &Asked<'_>, lines: &[suite::Line<Found>]) -> Result<Option<AssessmentReport>, Refused> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let bumpers = match self.bumper {
             BumperAsked::None => Vec::new(),

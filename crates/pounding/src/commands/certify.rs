@@ -4,7 +4,8 @@ mod printed;
 
 use clap::ValueEnum;
 use pounding::contact::{Calibration, LawName};
-use pounding::scene::{Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod, certificate_json, usual_stiffness};
+use pounding::scene::{Certificate, CertificateRequest, FreeCollision, StepMethod, certificate_json, usual_stiffness};
+use pounding::text::Refused;
 use pounding::text::json_text;
 
 use super::positive;
@@ -111,7 +112,7 @@ fn method(name: &str) -> Result<StepMethod, String> {
 }
 
 /// The certificate that was asked for.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let law = args.law;
     let wanted = CertificateRequest {
         law,
@@ -123,8 +124,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         masses: [args.masses[0], args.masses[1]],
         speed: args.speed,
     };
-    let message = |error: CertificateError| error.to_string();
-    let certificate = Certificate::new(&wanted, &collision).map_err(message)?;
+    let certificate = Certificate::new(&wanted, &collision)?;
     let methods = args
         .time_step
         .map_or_else(Vec::new, |step| certificate.lines(&collision, step, args.method));

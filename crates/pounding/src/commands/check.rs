@@ -2,6 +2,7 @@
 
 mod json;
 
+use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
@@ -82,9 +83,9 @@ impl Expected {
 }
 
 /// Checks a scene; returns what would run.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
-    let prepared = super::prepare(path, true).map_err(|error| error.in_file(path).to_string())?;
+    let prepared = super::prepare(path, true).map_err(|error| error.in_file(path))?;
     let _waiting = Waiting::new("running the exact method");
     let plan = Plan::of(&prepared);
     Ok(if args.json { json::of(&plan) } else { text(&plan) })

@@ -2,6 +2,7 @@
 
 mod rows;
 
+use pounding::text::Refused;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -63,8 +64,8 @@ impl Run {
 }
 
 /// Runs the scenes; returns a column for each.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
-    let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path).to_string());
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
+    let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path));
     let runs: Vec<Run> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
     if args.json {
         return Ok(json_of(&runs));

@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use pounding::motion::AccelerationUnit;
 use pounding::scene::{FileUse, Scene, Unit};
+use pounding::text::Naming;
 use serde_json::json;
 
 use super::positive;
@@ -31,21 +32,6 @@ pub(super) struct Declared {
     in_rows: bool,
 }
 
-/// Fields of a scene and the options that stand for them.
-const OPTIONS: [(&str, &str); 5] = [
-    ("`record.unit`", "--unit"),
-    ("`record.time_step_s`", "--time-step"),
-    ("`record.per_count`", "--per-count"),
-    ("`record.acceleration` as true", "--acceleration"),
-    ("`record.in_rows` as true", "--in-rows"),
-];
-
-/// A message with options in place of the fields of a scene.
-pub(super) fn by_options(text: &str) -> String {
-    let all = OPTIONS.iter();
-    all.fold(text.into(), |text: String, (field, option)| text.replace(field, option))
-}
-
 /// The units by the names that scenes give them.
 fn unit() -> impl TypedValueParser<Value = Unit> {
     let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
@@ -61,6 +47,7 @@ impl Declared {
             per_count: self.per_count.or(of_scene.per_count),
             acceleration: self.acceleration || of_scene.acceleration,
             in_rows: self.in_rows || of_scene.in_rows,
+            naming: Naming::Option,
             ..of_scene
         }
     }

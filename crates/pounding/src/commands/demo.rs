@@ -1,5 +1,6 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
+use pounding::text::Refused;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -35,7 +36,7 @@ pub(crate) struct Arguments {
 }
 
 /// Writes and runs the scene; returns the summary.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let top = &args.folder;
     let results = top.join("results");
     let out = Out::open(&results, false)?;
@@ -68,14 +69,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 }
 
 /// Writes a file that is not there, or leaves one that is as it should be.
-fn write(path: &Path, text: &str) -> Result<(), String> {
+fn write(path: &Path, text: &str) -> Result<(), Refused> {
     match holds(path, text.as_bytes()) {
         Ok(true) => Ok(()),
-        Ok(false) => Err(format!(
-            "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
-            path.display()
-        )),
+        Ok(false) => {
+            let other = Refused::at(path).found("another file").allowed_is("none or that of the demo");
+            Err(other.help("name another folder: pounding demo FOLDER"))
+        }
         Err(error) if error.kind() == ErrorKind::NotFound => new_file::write(path, text.as_bytes(), false),
-        Err(error) => Err(format!("{}: cannot be read: {error}", path.display())),
+        Err(error) => Err(Refused::unreadable(path, &error)),
     }
 }

@@ -1,6 +1,7 @@
 //! `pounding explain`: what a word of the program means.
 
 use pounding::contact::LawName;
+use pounding::text::Refused;
 
 use crate::text::paragraph;
 
@@ -29,7 +30,7 @@ struct Entry {
 }
 
 /// What the word means; of a word that is not known the nearest ones.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let entries = entries();
     if args.words.is_empty() {
         let words: Vec<&str> = entries.iter().map(|one| one.word.as_str()).collect();
@@ -60,11 +61,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     Ok(text.collect::<Vec<_>>().join("\n"))
 }
 
-fn not_known(asked: &str, entries: &[Entry]) -> String {
+fn not_known(asked: &str, entries: &[Entry]) -> Refused {
     let likeness = |entry: &Entry| strsim::jaro_winkler(&entry.word, asked);
     let nearest = entries.iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
     let nearest = nearest.map_or("", |entry| entry.word.as_str());
-    format!("found no word \"{asked}\", allowed are those that `pounding explain` lists; the nearest is \"{nearest}\"")
+    let none = Refused::default().found(format!("no word \"{asked}\""));
+    let none = none.allowed_are("those that `pounding explain` lists");
+    none.help(format!("the nearest is \"{nearest}\""))
 }
 
 /// The words of the page, whose meanings go on over lines that are set in, and the contact laws.

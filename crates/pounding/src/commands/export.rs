@@ -1,5 +1,6 @@
 //! `pounding export`: a scene as a script for another program, so that anyone can check this one.
 
+use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::{OpenSees, OpenSeesError};
@@ -49,9 +50,9 @@ pub(crate) struct Arguments {
 }
 
 /// Writes the script, or returns it.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
-    let message = |error: Error| error.in_file(path).to_string();
+    let message = |error: Error| Refused::from(error.in_file(path));
     let mut scene: Scene = super::read(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
@@ -62,7 +63,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         approximate: args.approximate,
     };
     let script = asked.script(&prepared).map_err(|error| match error {
-        OpenSeesError::NotModelled(what) => format!("{}: {what}", path.display()),
+        OpenSeesError::NotModelled(what) => Refused::at(&**path).is(what.clone()),
         OpenSeesError::Run(error) => message(error),
     })?;
     drop(waiting);

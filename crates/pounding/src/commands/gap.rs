@@ -1,5 +1,6 @@
 //! `pounding gap`: how wide the gaps of a row must be under a folder of records.
 
+use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::scene::lines::failed;
@@ -54,16 +55,14 @@ pub(crate) struct Arguments {
 type Line = suite::Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
 /// The widths under every record.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
-    let message = |error: Error| error.in_file(path).to_string();
+    let message = |error: Error| Refused::from(error.in_file(path));
     let scene: Scene = super::read(path).map_err(message)?;
     if scene.structures.len() < 2 {
-        return Err(format!(
-            "{}: structures: found {}, allowed two or more: a gap lies between two",
-            path.display(),
-            scene.structures.len()
-        ));
+        let found = Refused::at("structures").found(scene.structures.len().to_string());
+        let found = found.allowed("two or more").so(": ", "a gap lies between two");
+        return Err(found.in_file(path));
     }
     let apart = scene.apart();
     let records = suite::read(&args.records, &args.declared, &scene)?;

@@ -3,6 +3,7 @@
 mod buildings;
 mod record;
 
+use pounding::text::Refused;
 use std::path::PathBuf;
 
 use serde_json::Value;
@@ -60,7 +61,7 @@ pub(crate) struct Arguments {
 }
 
 /// Writes the scene; returns what to do next.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     buildings::check(args.storeys.len())?;
     let waiting = Waiting::new("reading the record");
     let named = args.record.as_ref().map(|record| Named::of(record, &args.scene)).transpose()?;
@@ -91,7 +92,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 }
 
 /// A scene of TOML, which holds comments, as JSON, which does not.
-fn json_of(toml: &str) -> Result<String, String> {
+fn json_of(toml: &str) -> Result<String, Refused> {
     let scene: Value = toml::from_str(toml).map_err(|error| error.to_string())?;
     Ok(json_text(&scene))
 }

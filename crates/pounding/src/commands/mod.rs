@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use pounding::scene::{Error, Options, Scene, Simulation, bytes_of};
+use pounding::text::Refused;
 
 use crate::progress::Progress;
 
@@ -91,13 +92,15 @@ pub(crate) struct Failure {
     /// What is printed nevertheless.
     pub(crate) printed: String,
     /// What is said on standard error.
-    pub(crate) message: String,
+    pub(crate) refused: Refused,
 }
 
-impl From<String> for Failure {
-    fn from(message: String) -> Self {
-        let printed = String::new();
-        Self { printed, message }
+impl<R: Into<Refused>> From<R> for Failure {
+    fn from(refused: R) -> Self {
+        Self {
+            printed: String::new(),
+            refused: refused.into(),
+        }
     }
 }
 
@@ -148,10 +151,7 @@ fn read(path: &Path) -> Result<Scene, Error> {
     if path != Path::new("-") {
         return Scene::read(path);
     }
-    let text = bytes_of(std::io::stdin()).map_err(|source| Error::Unreadable {
-        path: path.to_path_buf(),
-        source,
-    })?;
+    let text = bytes_of(std::io::stdin()).map_err(|error| Refused::unreadable(path, &error))?;
     Scene::parse(&text, path)
 }
 

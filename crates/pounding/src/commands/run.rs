@@ -3,10 +3,11 @@
 mod batch;
 mod effects;
 
+use pounding::text::{Kind, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::report::{BothDirections, Report, Summary, other_direction};
-use pounding::scene::{Effects, Error, Implausible, Review, SceneError, Simulation};
+use pounding::scene::{Effects, Error, Implausible, Review, Simulation};
 use pounding::solver::LedgerError;
 
 use super::declared::Declared;
@@ -121,7 +122,7 @@ struct Results {
 
 impl Results {
     /// Takes the folder, where one is asked for.
-    fn open(&self) -> Result<Option<Out>, String> {
+    fn open(&self) -> Result<Option<Out>, Refused> {
         let open = |out: &PathBuf| Out::open(out, self.overwrite);
         self.out.as_ref().map(open).transpose()
     }
@@ -146,7 +147,7 @@ impl Arguments {
 }
 
 /// Runs a scene; returns the summary.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     if let Some(folder) = &args.suite.records {
         return batch::run(args, folder);
     }
@@ -172,8 +173,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let effects = effects.transpose().map_err(|error| {
         let is_exact = prepared.scene().method.time_step().is_none();
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
-        let message = failed(error);
-        format!("{message}{hint}")
+        failed(error).help_also(hint)
     })?;
     let other = (!args.shown.one_direction).then(|| other_direction(&prepared));
     let Some(out) = out else {
@@ -203,19 +203,19 @@ const EFFECTS_ARE_EXACT: &str =
     "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
-fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
+fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Refused {
     // JSON has the parts of one refusal; `check --json` has what is unusual.
     if args.shown.json {
-        return message;
+        return refused;
     }
     let mut doubts = prepared.doubts();
     // A record and a duration are no reasons to fail.
     doubts.retain(Implausible::is_of_row);
     let doubts = Implausible::lines(doubts.iter().map(|one| ("", one)));
     if doubts.is_empty() {
-        message
+        refused
     } else {
-        format!("{message}; unusual in this scene: {}", doubts.join("; "))
+        refused.help_also(format!("; unusual in this scene: {}", doubts.join("; ")))
     }
 }
 
@@ -243,15 +243,8 @@ fn answer(args: &Arguments, (prepared, effects): (&Simulation, Option<Effects>),
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
-fn hint(error: Error, path: &Path) -> String {
-    let refused = matches!(
-        &error,
-        Error::Broken { .. }
-            | Error::Scene {
-                source: SceneError::Unstable { .. },
-                ..
-            }
-    );
+fn hint(error: Error, path: &Path) -> Refused {
+    let is_forced = matches!(error, Error::Broken { .. }) || error.refused().is_kind(Kind::Unstable);
     let is_exact = matches!(
         &error,
         Error::Broken {
@@ -259,12 +252,12 @@ fn hint(error: Error, path: &Path) -> String {
             ..
         }
     );
-    let message = error.in_file(path).to_string();
+    let refused = Refused::from(error.in_file(path));
     if is_exact {
-        format!("{message}; --force prints its numbers with this as a warning")
-    } else if refused {
-        format!("{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite")
+        refused.help_also("; --force prints its numbers with this as a warning")
+    } else if is_forced {
+        refused.help_also("; `pounding check` says what its time step can follow, --force runs it while its numbers are finite")
     } else {
-        message
+        refused
     }
 }

@@ -1,5 +1,6 @@
 //! A scene under every record of a folder, until Ctrl-C.
 
+use pounding::text::{Kind, Refused};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -8,7 +9,7 @@ use pounding::scene::{Error, Motion, Scene, Simulation, Suite};
 
 pub(super) use pounding::scene::lines::{Line, failed, nothing_found};
 
-use super::declared::{Declared, by_options};
+use super::declared::Declared;
 use crate::progress::Progress;
 use crate::text::paragraph;
 
@@ -16,14 +17,14 @@ use crate::text::paragraph;
 ///
 /// # Errors
 /// Says that the folder cannot be read, or why nothing in it shakes a row.
-pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, String> {
-    Suite::in_folder(folder, &declared.of_files(scene)).map_err(|error| by_options(&error.to_string()))
+pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, Refused> {
+    Ok(Suite::in_folder(folder, &declared.of_files(scene))?)
 }
 
 /// Says how many files became how many events, what is left out, and what failed.
 pub(super) fn records<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> String {
     let said = [vec![suite.counts()], failed(lines), suite.remarks(details)];
-    paragraph("Records", &by_options(&said.concat().join("\n")))
+    paragraph("Records", &said.concat().join("\n"))
 }
 
 /// The lines of a folder that are finished, and how many there are to be.
@@ -37,14 +38,15 @@ impl<T> Ran<T> {
     ///
     /// # Errors
     /// Says that it was stopped.
-    pub(super) fn answer(&self, text: String) -> Result<String, String> {
+    pub(super) fn answer(&self, text: String) -> Result<String, Refused> {
         let finished = self.lines.len();
         if finished == self.n_cases {
             return Ok(text);
         }
         crate::print(&text)?;
         let of = self.n_cases;
-        Err(format!("stopped: of {of} runs the {finished} are printed that were finished"))
+        let said = format!("stopped: of {of} runs the {finished} are printed that were finished");
+        Err(Refused::that(said).kind(Kind::Stopped))
     }
 }
 
@@ -72,7 +74,7 @@ pub(super) fn lines<T: Send>(
     suite: &Suite,
     directions: &[bool],
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
-) -> Result<Ran<T>, String> {
+) -> Result<Ran<T>, Refused> {
     let scene = |_: &Motion| Ok((scene.clone(), ()));
     lines_of(suite, directions, scene, |prepared, ()| run(prepared))
 }
@@ -86,7 +88,7 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
     directions: &[bool],
     scene: impl Fn(&Motion) -> Result<(Scene, K), Error> + Sync,
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
-) -> Result<Ran<T>, String> {
+) -> Result<Ran<T>, Refused> {
     stop_when_asked();
     let progress = Progress::new();
     let step = |of| progress.step(of);

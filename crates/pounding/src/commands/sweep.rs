@@ -4,10 +4,11 @@ mod joined;
 mod summed;
 mod task;
 
+use pounding::text::Refused;
 use std::path::{Path, PathBuf};
 
 use pounding::scene::{Method, Suite};
-use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside};
+use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, beside_table, summary_beside};
 use pounding::text::digits;
 
 pub(super) use joined::{answer, result};
@@ -67,7 +68,7 @@ pub(crate) struct Arguments {
 }
 
 /// The shard of the task of a job array, where this is one; else the whole.
-fn shard_of_task(shards: Option<u64>) -> Result<Shard, String> {
+fn shard_of_task(shards: Option<u64>) -> Result<Shard, Refused> {
     let task = task::shard(shards, |name| std::env::var(name).ok())?;
     if let Some((variable, shard)) = &task {
         say(&format!("{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"));
@@ -102,30 +103,29 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     if out.exists() && !args.overwrite && !Parts::are_begun(&out) {
         return Err(new_file::there_already(&out).into());
     }
-    let words = |error: SweepError| error.to_string();
     stop_when_asked();
     let waiting = Waiting::new("reading, choosing a method");
-    let sweep = Sweep::read(&args.sweep, Some(&STOPPED)).map_err(words)?;
+    let sweep = Sweep::read(&args.sweep, Some(&STOPPED))?;
     drop(waiting);
     new_file::keep(&out, sweep.inputs())?;
     keep_errors(&sweep, &out, args.overwrite)?;
     keep_summary(&sweep, &out, args.overwrite)?;
-    let opened = Parts::open(&sweep, &out, shard, args.overwrite).map_err(words)?;
+    let opened = Parts::open(&sweep, &out, shard, args.overwrite)?;
     let Some(parts) = opened else {
         return Ok(finished(&out));
     };
     if out.exists() && !args.overwrite {
-        if !parts.made_table().map_err(words)? {
+        if !parts.made_table()? {
             return Err(new_file::there_already(&out).into());
         }
-        parts.clean_up().map_err(words)?;
+        parts.clean_up()?;
         return Ok(finished(&out));
     }
     announce(&sweep, &parts);
     let progress = Counter::new(parts.n_runs_there(), parts.n_runs());
     let filled = parts.fill(&sweep, &|runs| progress.add(runs));
     drop(progress);
-    let there = filled.map_err(words)?;
+    let there = filled?;
     let n_runs = parts.n_runs();
     if there < n_runs && sweep.is_stopped() {
         return Err(format!(
@@ -162,7 +162,7 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
         return Ok(lines.concat());
     }
     let joined = parts.join(new_file::existing(args.overwrite));
-    let joined = joined.map_err(|error| error.to_string())?;
+    let joined = joined?;
     lines.push(result(&joined, out));
     answer(lines.concat(), &joined)
 }
@@ -202,7 +202,7 @@ fn errors_beside(out: &Path) -> PathBuf {
 }
 
 /// Refuses a summary beside a table that is there already, unless an earlier process of this sweep was ended behind it.
-fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String> {
+fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refused> {
     if !sweep.has_summary_beside() {
         return Ok(());
     }
@@ -211,7 +211,7 @@ fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String
 }
 
 /// Refuses a table of errors that is there already, unless it is that of this sweep.
-fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String> {
+fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refused> {
     let Some(accuracy) = sweep.accuracy() else {
         return Ok(());
     };
@@ -221,7 +221,7 @@ fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String>
 }
 
 /// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
-fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
+fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, Refused> {
     // Every shard measures the same.
     let path = errors_beside(out);
     new_file::write(&path, accuracy.csv().as_bytes(), true)?;

@@ -108,7 +108,7 @@ fn issue_what_a_file_leaves_out_is_named_by_its_field() {
     assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0.02}), &quiet(10)), @"error: record.csv: line 2 gives a time step of 0.01 s, but 0.02 s is declared as `record.time_step_s`; leave the declaration away");
     assert_snapshot!(refused(json!({"file": "record.csv", "component": "UP"}), &quiet(10)), @r#"error: record.csv: "UP" is declared as `record.component`, but the file holds one, which has no name; leave the declaration away"#);
     assert_snapshot!(refused(json!({"file": "record.csv", "per_count": 2}), &quiet(10)), @"error: record.csv: line 1 says that the values are in m_per_s2, but `record.per_count` is declared as 2; leave it away, there are no counts to scale");
-    assert_snapshot!(refused(json!({"file": "record.csv", "resample_s": 1e-12}), &quiet(10)), @r#"error: scene.json: scene "two structures": record.resample_s: found 1e-12, which over 0.09 s makes more than 10000000 samples, allowed is a longer step"#);
+    assert_snapshot!(refused(json!({"file": "record.csv", "resample_s": 1e-12}), &quiet(10)), @r#"error: scene.json: scene "two structures": record.resample_s: found 1e-12 s, which over 0.09 s makes more than 10000000 samples, allowed is a longer step"#);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
 use crate::accuracy::price::Going;
 use crate::{Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial, parallel};
+use pounding_text::Refused;
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
 pub const LONGEST_STEP: f64 = 0.01;
@@ -12,14 +13,22 @@ pub const LONGEST_STEP: f64 = 0.01;
 /// The exact method does with some thousand pieces what a stepping method would need the finer steps for.
 pub const MOST_STEPS: u32 = 500_000;
 
+/// The exact run failed, by which others were to be measured.
+fn no_reference(error: Error) -> Error {
+    error.said(|refused| {
+        let fails = Refused::that("the exact run, by which every method is measured, fails: ").and(&refused);
+        fails.kind(refused.own_kind())
+    })
+}
+
 /// Runs a scene, whatever its method, with every method of the trade on a ladder of time steps; `done` is called after
 /// each run with the number of runs.
 ///
 /// # Errors
-/// [`Error::NoReference`] where the exact method, the measure of the others, fails.
+/// Says so where the exact method, the measure of the others, fails.
 pub fn advise(prepared: &Simulation, goal: Goal, done: &(dyn Fn(usize) + Sync)) -> Result<Advice, Error> {
     let twin = prepared.exact()?;
-    let exact = twin.run_with(Extras::COMPARED).map_err(|error| Error::NoReference(error.into()))?;
+    let exact = twin.run_with(Extras::COMPARED).map_err(no_reference)?;
     let ladder = Ladder::halved(prepared.scene(), LONGEST_STEP, MOST_STEPS.into());
     let runs: Vec<_> = entries(prepared.scene(), &ladder)
         .filter(|(contender, _)| contender.knob == Knob::TimeStep)

@@ -1,5 +1,6 @@
 //! Elastic design spectra of codes, and spectra from a table.
 
+use pounding_text::Refused;
 use std::fmt;
 use std::str::FromStr;
 
@@ -35,45 +36,6 @@ pub enum DesignSpectrum {
 pub struct Eurocode8Ground {
     soil: f64,
     corners: [f64; 3],
-}
-
-/// A spectrum that cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum DesignSpectrumError {
-    /// Neither a known code nor a table.
-    #[error(
-        "target: found \"{0}\", allowed are \"ec8:a_g=0.25g,ground=C\" (and type=2), \"asce7:s_ds=1.0,s_d1=0.6,t_l=8\" and a CSV file of \
-         periods in s and accelerations in g"
-    )]
-    Unknown(String),
-    /// A value that is left out, unknown or out of range.
-    #[error("target: {field}: found {found}, allowed {allowed}")]
-    Field {
-        /// Its name.
-        field: String,
-        /// What was found.
-        found: String,
-        /// What is allowed.
-        allowed: &'static str,
-    },
-    /// A table that is none.
-    #[error("target: line {line}: found \"{found}\", allowed are a period in s and an acceleration in g, periods rising")]
-    Line {
-        /// The line, from 1.
-        line: usize,
-        /// What it holds.
-        found: String,
-    },
-    /// A line of a table whose numbers have decimal commas.
-    #[error("target: line {line}: found \"{found}\" with decimal commas, allowed are decimal points: \"{right}\"")]
-    DecimalComma {
-        /// The line, from 1.
-        line: usize,
-        /// What it holds.
-        found: String,
-        /// The same with points.
-        right: String,
-    },
 }
 
 impl DesignSpectrum {
@@ -122,8 +84,8 @@ impl DesignSpectrum {
     /// first line of words and lines that begin with # are skipped.
     ///
     /// # Errors
-    /// [`DesignSpectrumError::Line`].
-    pub fn table(text: &str) -> Result<Self, DesignSpectrumError> {
+    /// Names the line that is none.
+    pub fn table(text: &str) -> Result<Self, Refused> {
         let mut points: Vec<[f64; 2]> = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let fields: Vec<&str> = line.split([',', ';', ' ', '\t']).filter(|field| !field.is_empty()).collect();
@@ -141,16 +103,20 @@ impl DesignSpectrum {
                 }
                 _ => {
                     let found: String = line.chars().take(60).collect();
-                    let line = index + 1;
+                    let line = Refused::at(in_target(&format!("line {}", index + 1)));
                     return Err(match with_points(&found) {
-                        Some(right) => DesignSpectrumError::DecimalComma { line, found, right },
-                        None => DesignSpectrumError::Line { line, found },
+                        Some(right) => line
+                            .found(format!("\"{found}\" with decimal commas"))
+                            .allowed_are(format!("decimal points: \"{right}\"")),
+                        None => line
+                            .found(format!("\"{found}\""))
+                            .allowed_are("a period in s and an acceleration in g, periods rising"),
                     });
                 }
             }
         }
         if points.is_empty() {
-            return Err(DesignSpectrumError::Unknown("a file without numbers".into()));
+            return Err(unknown("a file without numbers"));
         }
         Ok(Self::Table(points))
     }
@@ -265,22 +231,33 @@ fn between(points: &[[f64; 2]], period: f64) -> f64 {
     }
 }
 
+/// A setting of the spectrum, where messages name it.
+fn in_target(field: &str) -> String {
+    format!("target: {field}")
+}
+
+/// Refuses what is neither a known code nor a table.
+fn unknown(found: &str) -> Refused {
+    Refused::at("target").found(format!("\"{found}\"")).allowed_are(
+        "\"ec8:a_g=0.25g,ground=C\" (and type=2), \"asce7:s_ds=1.0,s_d1=0.6,t_l=8\" and a CSV file of periods in s and accelerations \
+         in g",
+    )
+}
+
 /// Settings such as `a_g=0.25g,ground=C`.
 struct Settings<'a>(Vec<(&'a str, &'a str)>);
 
 impl<'a> Settings<'a> {
-    fn of(text: &'a str, known: &[&str]) -> Result<Self, DesignSpectrumError> {
+    fn of(text: &'a str, known: &[&str]) -> Result<Self, Refused> {
         let setting = |one: &'a str| {
             let (field, value) = one.split_once('=').unwrap_or((one, ""));
             (field.trim(), value.trim())
         };
         let all: Vec<_> = text.split(',').map(setting).collect();
         match all.iter().find(|(field, _)| !known.contains(field)) {
-            Some((field, value)) => Err(DesignSpectrumError::Field {
-                field: (*field).into(),
-                found: (*value).into(),
-                allowed: "are a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:",
-            }),
+            Some((field, value)) => Err(Refused::at(in_target(field))
+                .found((*value).to_owned())
+                .allowed_are("a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:")),
             None => Ok(Self(all)),
         }
     }
@@ -290,50 +267,45 @@ impl<'a> Settings<'a> {
     }
 
     /// An acceleration with its unit, in g: codes give this one in m/s², others in g.
-    fn acceleration(&self, field: &str) -> Result<f64, DesignSpectrumError> {
+    fn acceleration(&self, field: &str) -> Result<f64, Refused> {
         let text = self.text(field);
         let found = text.and_then(acceleration_in_g);
-        found.ok_or_else(|| DesignSpectrumError::Field {
-            field: field.into(),
-            found: text.unwrap_or("nothing").into(),
-            allowed: "is a number > 0 with its unit, such as 0.25g or 2.45m/s2",
+        found.ok_or_else(|| {
+            let found = Refused::at(in_target(field)).found(text.unwrap_or("nothing").to_owned());
+            found.allowed_is("a number > 0 with its unit, such as 0.25g or 2.45m/s2")
         })
     }
 
     /// A number > 0, perhaps with its unit behind it.
-    fn positive(&self, field: &str, unit: &str) -> Result<f64, DesignSpectrumError> {
+    fn positive(&self, field: &str, unit: &str) -> Result<f64, Refused> {
         let text = self.text(field);
         let number = text.and_then(|text| text.strip_suffix(unit).unwrap_or(text).trim().parse::<f64>().ok());
-        match number.filter(|number| *number > 0.0 && number.is_finite()) {
-            Some(number) => Ok(number),
-            None => Err(DesignSpectrumError::Field {
-                field: field.into(),
-                found: text.unwrap_or("nothing").into(),
-                allowed: "is a number > 0",
-            }),
-        }
+        let number = number.filter(|number| *number > 0.0 && number.is_finite());
+        number.ok_or_else(|| {
+            let found = Refused::at(in_target(field)).found(text.unwrap_or("nothing").to_owned());
+            found.allowed_is("a number > 0")
+        })
     }
 }
 
 impl FromStr for DesignSpectrum {
-    type Err = DesignSpectrumError;
+    type Err = Refused;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text.split_once(':') {
             Some(("ec8", settings)) => {
                 let settings = Settings::of(settings, &["a_g", "ground", "type"])?;
                 let kind = settings.text("type").unwrap_or("1");
-                let field = |field: &str, found: &str, allowed| DesignSpectrumError::Field {
-                    field: field.into(),
-                    found: found.into(),
-                    allowed,
+                let field = |field: &str, found: &str, allowed: &'static str| {
+                    let found = Refused::at(in_target(field)).found(found.to_owned());
+                    found.allowed_are(allowed)
                 };
                 if !["1", "2"].contains(&kind) {
-                    return Err(field("type", kind, "are 1 and 2"));
+                    return Err(field("type", kind, "1 and 2"));
                 }
                 let ground = settings.text("ground").unwrap_or("nothing");
-                let corners = Eurocode8Ground::of(ground, kind)
-                    .ok_or_else(|| field("ground", ground, "are A to E, as in \"ec8:a_g=0.25g,ground=C\""))?;
+                let corners =
+                    Eurocode8Ground::of(ground, kind).ok_or_else(|| field("ground", ground, "A to E, as in \"ec8:a_g=0.25g,ground=C\""))?;
                 Ok(Self::Eurocode8 {
                     ground_acceleration: settings.acceleration("a_g")?,
                     ground: corners,
@@ -347,7 +319,7 @@ impl FromStr for DesignSpectrum {
                     long_period: settings.positive("t_l", "s")?,
                 })
             }
-            _ => Err(DesignSpectrumError::Unknown(text.into())),
+            _ => Err(unknown(text)),
         }
     }
 }

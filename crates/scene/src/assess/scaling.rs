@@ -2,13 +2,12 @@
 
 use std::fmt;
 
-use pounding_motion::{Record, RecordError};
+use pounding_motion::Record;
 use pounding_text::{digits, percent, short};
 
 use super::design::DesignSpectrum;
-use crate::{
-    Error, Motion, MotionError, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene, periods_between, response_spectrum,
-};
+use crate::ground_motion::in_setting;
+use crate::{Error, Motion, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene, periods_between, response_spectrum};
 
 /// What records are scaled to.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,8 +165,7 @@ const PLACE: &str = "record.scale";
 
 /// The spectrum of a record at some periods \[m/s²\].
 fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
-    let found =
-        response_spectrum(record, periods, DAMPING).map_err(|error| in_scene(scene, MotionError::of_spectrum(PLACE, error).into()))?;
+    let found = response_spectrum(record, periods, DAMPING).map_err(|refused| in_scene(scene, in_setting(PLACE, refused)))?;
     Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
 }
 
@@ -181,10 +179,7 @@ fn factor(found: &[f64], target: &DesignSpectrum, scene: &Scene) -> Result<f64, 
     if factor.is_finite() {
         return Ok(factor);
     }
-    let nothing = RecordError::AllZero {
-        target: target.acceleration(periods[periods.len() - 1]) * gravity,
-    };
-    Err(in_scene(scene, MotionError::of(PLACE, &nothing).into()))
+    Err(in_scene(scene, pounding_motion::at_rest().in_field(PLACE)))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use pounding_solver::Budget;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::SceneError;
+use pounding_text::{Kind, Refused};
 
 /// What a run may cost before it is given up; what ends within it has the same numbers without it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -67,9 +67,15 @@ impl Patience {
     pub(crate) const ENDLESS: Self = Self(None);
 
     /// Ends a preparation that takes longer. Look wherever work grows with the row.
-    pub(crate) fn look(self) -> Result<(), SceneError> {
+    pub(crate) fn look(self) -> Result<(), Refused> {
         match self.0 {
-            Some((until, seconds)) if Instant::now() > until => Err(SceneError::PreparedTooLong { seconds }),
+            Some((until, seconds)) if Instant::now() > until => {
+                let seconds = pounding_text::plain(seconds);
+                let over = Refused::at("budget.seconds").found(format!("{seconds}, which was over before the run began"));
+                let over = over.allowed_is("what it takes to prepare the row");
+                let over = over.help("make `budget.seconds` more, or take fewer structures or storeys");
+                Err(over.kind(Kind::Together))
+            }
             _ => Ok(()),
         }
     }

@@ -1,11 +1,12 @@
 //! Buildings of several storeys, as files give them.
 
 use pounding_solver::{Damping as SolverDamping, Elastic, Mode, Storey as SolverStorey, modes};
+use pounding_text::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::choice;
-use super::columns::{BoucWen, Columns, ColumnsFile, ColumnsFileError, positive};
+use super::columns::{BoucWen, Columns, ColumnsFile, positive};
 use crate::Damping;
 
 /// A building whose floors move as rigid plates on the columns of their storeys (shear building).
@@ -99,43 +100,24 @@ fn once() -> usize {
 /// Most storeys of a building.
 const MOST_STOREYS: usize = 200;
 
-/// A building that a file gives in too few, too many or wrong words.
-#[derive(Debug, thiserror::Error)]
-enum BuildingFileError {
-    #[error("storeys: found {0}, allowed are 1 to 200; `repeat` counts too")]
-    Storeys(usize),
-    #[error("storeys[{0}].repeat: found 0, allowed a whole number from 1; leave the storey out instead")]
-    NoRepeat(usize),
-    #[error("storeys[{0}]: found no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead; add one of them")]
-    NoStiffness(usize),
-    #[error("storeys: found `stiffness_n_per_m` in some of them, allowed is in all or, with `period_s`, in none")]
-    SomeStiffnesses,
-    #[error("storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones")]
-    NoPeriod,
-    #[error("{field}: found {}, allowed a finite number > 0", pounding_text::plain(*found))]
-    OutOfRange { field: String, found: f64 },
-    #[error("storeys[{storey}]: {source}")]
-    Columns { storey: usize, source: ColumnsFileError },
-}
-
 impl TryFrom<BuildingFile> for Building {
-    type Error = BuildingFileError;
+    type Error = Refused;
 
-    fn try_from(words: BuildingFile) -> Result<Self, BuildingFileError> {
+    fn try_from(words: BuildingFile) -> Result<Self, Refused> {
         if let Some(storey) = words.storeys.iter().position(|one| one.repeat == 0) {
-            return Err(BuildingFileError::NoRepeat(storey));
+            let none = Refused::at(format!("storeys[{storey}].repeat")).found("0");
+            return Err(none.allowed("a whole number from 1").help("leave the storey out instead"));
         }
         let count = words.storeys.iter().map(|one| one.repeat);
         let count = count.fold(0_usize, usize::saturating_add);
         if !(1..=MOST_STOREYS).contains(&count) {
-            return Err(BuildingFileError::Storeys(count));
+            let found = Refused::at("storeys").found(count.to_string()).allowed_are("1 to 200");
+            return Err(found.help("`repeat` counts too"));
         }
         let stiffnesses = words.stiffnesses()?;
         let mut storeys = Vec::with_capacity(count);
         for (index, (storey, stiffness)) in words.storeys.iter().zip(stiffnesses).enumerate() {
-            let one = storey
-                .storey(stiffness)
-                .map_err(|source| BuildingFileError::Columns { storey: index, source })?;
+            let one = storey.storey(stiffness).map_err(|refused| in_storey(index, refused))?;
             storeys.extend(std::iter::repeat_n(one, storey.repeat));
         }
         Ok(Self {
@@ -148,41 +130,53 @@ impl TryFrom<BuildingFile> for Building {
 
 impl BuildingFile {
     /// Stiffness of every storey as listed \[N/m\].
-    fn stiffnesses(&self) -> Result<Vec<f64>, BuildingFileError> {
+    fn stiffnesses(&self) -> Result<Vec<f64>, Refused> {
         let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
         let Some(period) = self.period_s else {
-            let stiffness = |(index, given): (usize, Option<f64>)| given.ok_or(BuildingFileError::NoStiffness(index));
+            let stiffness = |(index, given): (usize, Option<f64>)| given.ok_or_else(|| no_stiffness(index));
             return given.enumerate().map(stiffness).collect();
         };
         let n_given = given.clone().flatten().count();
         if n_given != 0 && n_given != self.storeys.len() {
-            return Err(BuildingFileError::SomeStiffnesses);
+            let some = Refused::at("storeys").found("`stiffness_n_per_m` in some of them");
+            return Err(some.allowed_is("in all or, with `period_s`, in none"));
         }
-        let period = check("period_s".into(), period)?;
+        let period = positive("period_s", period)?;
         let proportions: Vec<f64> = given.map(|given| given.unwrap_or(1.0)).collect();
         let mut storeys = Vec::new();
         for (index, (storey, proportion)) in self.storeys.iter().zip(&proportions).enumerate() {
-            let mass = check(format!("storeys[{index}].mass_kg"), storey.mass_kg)?;
+            let mass = positive(format!("storeys[{index}].mass_kg"), storey.mass_kg)?;
             let field = format!("storeys[{index}].stiffness_n_per_m");
-            let stiffness = check(field, *proportion)?;
+            let stiffness = positive(field, *proportion)?;
             let one = undamped(mass, stiffness);
             storeys.extend(std::iter::repeat_n(one, storey.repeat));
         }
         let found = modes(&storeys).ok();
         let found = found.and_then(|modes| modes.first().map(Mode::period));
-        let found = found.ok_or(BuildingFileError::NoPeriod)?;
+        let found = found.ok_or_else(|| {
+            let unlike = Refused::at("storeys").found("masses and stiffnesses so unlike that their modes cannot be told");
+            unlike.help("give like ones")
+        })?;
         let factor = (found / period) * (found / period);
         Ok(proportions.iter().map(|one| factor * one).collect())
     }
 }
 
-/// What is converted must be in range here: what comes of it would not tell which field is wrong.
-fn check(field: String, found: f64) -> Result<f64, BuildingFileError> {
-    positive("", found).map_err(|_| BuildingFileError::OutOfRange { field, found })
+fn no_stiffness(storey: usize) -> Refused {
+    let none = Refused::at(format!("storeys[{storey}]"));
+    none.found("no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead")
+        .help("add one of them")
+}
+
+/// The refusal of the columns of a storey, or of a field of them.
+fn in_storey(storey: usize, refused: Refused) -> Refused {
+    let field = refused.place().field.as_ref();
+    let field = field.map_or_else(String::new, |field| format!(".{}", field.path()));
+    refused.in_field(format!("storeys[{storey}]{field}"))
 }
 
 impl StoreyFile {
-    fn storey(&self, stiffness: f64) -> Result<Storey, ColumnsFileError> {
+    fn storey(&self, stiffness: f64) -> Result<Storey, Refused> {
         let words = ColumnsFile {
             yield_force_n: self.yield_force_n,
             yield_displacement_m: self.yield_displacement_m,

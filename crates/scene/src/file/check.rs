@@ -6,20 +6,28 @@ mod structure;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
+use pounding_text::{Kind, Refused, digits, plain};
+
 use crate::file::budget::Patience;
-use crate::{Method, Scene, SceneError, Structure};
+use crate::{Method, Scene, Structure};
 
 /// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
-pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), SceneError> {
+pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), Refused> {
     let usual = found == 0.0 || USUAL.contains(&found.abs());
     if valid && usual {
         return Ok(());
     }
-    Err(SceneError::OutOfRange {
-        place: place.to_string(),
-        found,
-        allowed: if valid { IN_USUAL } else { allowed },
-    })
+    Err(out_of_range(place, found, if valid { IN_USUAL } else { allowed }))
+}
+
+/// A number that is not allowed.
+pub(crate) fn out_of_range(place: impl Display, found: f64, allowed: &'static str) -> Refused {
+    Refused::at(place.to_string()).found(plain(found)).allowed(allowed)
+}
+
+/// A scene without structures.
+pub(super) fn no_structures() -> Refused {
+    Refused::at("structures").found("none").allowed("one or more")
 }
 
 /// Magnitudes of the numbers of a scene that are not 0: products of some of them, such as a mass times the square of a
@@ -35,24 +43,25 @@ impl Scene {
     /// Refuses the first field that cannot be modelled, in the order of the file.
     ///
     /// # Errors
-    /// [`SceneError`] of that field.
-    pub fn check(&self) -> Result<(), SceneError> {
+    /// [`Refused`] of that field.
+    pub fn check(&self) -> Result<(), Refused> {
         self.check_within(Patience::ENDLESS)
     }
 
     /// The same, as long as somebody waits.
-    pub(crate) fn check_within(&self, patience: Patience) -> Result<(), SceneError> {
+    pub(crate) fn check_within(&self, patience: Patience) -> Result<(), Refused> {
         named("name", &self.name, "a name, for tables and figures")?;
         record::check(&self.record)?;
         if self.structures.is_empty() {
-            return Err(SceneError::NoStructures);
+            return Err(no_structures());
         }
         for (index, structure) in self.structures.iter().enumerate() {
             structure::check(index, structure)?;
             patience.look()?;
         }
         if self.neighbour.is_some() {
-            return Err(SceneError::UnknownNeighbour);
+            let found = Refused::at("neighbour.unknown").found("a neighbour that is not known, which `pounding assess` alone takes");
+            return Err(found.help("describe it as the last of `structures` instead"));
         }
         check_budget(self)?;
         self.check_method()?;
@@ -63,8 +72,8 @@ impl Scene {
     /// Refuses settings of the method and a duration that do not fit each other.
     ///
     /// # Errors
-    /// [`SceneError`] of the field.
-    pub fn check_method(&self) -> Result<(), SceneError> {
+    /// [`Refused`] of the field.
+    pub fn check_method(&self) -> Result<(), Refused> {
         if let Method::Accuracy(accuracy) = self.method {
             let valid = accuracy > 0.0 && accuracy < 1.0;
             let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
@@ -86,16 +95,16 @@ impl Scene {
     }
 }
 
-fn check_arrivals(scene: &Scene) -> Result<(), SceneError> {
+fn check_arrivals(scene: &Scene) -> Result<(), Refused> {
     let Some(arrivals) = &scene.arrivals_s else {
         return Ok(());
     };
     let n_structures = scene.structures.len();
     if arrivals.len() != n_structures {
-        return Err(SceneError::ArrivalCount {
-            found: arrivals.len(),
-            n_structures,
-        });
+        let allowed = format!(
+            "{n_structures} (one for each of {n_structures} structures and walls), or no field `arrivals_s` when all are shaken at once"
+        );
+        return Err(Refused::at("arrivals_s").found(arrivals.len().to_string()).allowed(allowed));
     }
     for (index, &arrival) in arrivals.iter().enumerate() {
         let place = format_args!("arrivals_s[{index}]");
@@ -105,27 +114,28 @@ fn check_arrivals(scene: &Scene) -> Result<(), SceneError> {
 }
 
 /// Refuses a name without a letter.
-fn named(place: impl Display, name: &str, allowed: &'static str) -> Result<(), SceneError> {
+fn named(place: impl Display, name: &str, allowed: &'static str) -> Result<(), Refused> {
     if name.trim().is_empty() {
         let place = place.to_string();
-        return Err(SceneError::NoName { place, allowed });
+        return Err(Refused::at(place).found("an empty name").allowed_is(allowed));
     }
     Ok(())
 }
 
 /// Refuses a time step with which a structure grows without bound, though it touch nobody.
-pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
+pub(crate) fn free_limit(scene: &Scene) -> Result<(), Refused> {
     let Some(time_step) = scene.method.time_step() else {
         return Ok(());
     };
     match scene.critical_time_step() {
-        Some((structure, limit)) if time_step >= limit => Err(SceneError::Unstable {
-            method: scene.method.name(),
-            time_step,
-            limit,
-            structure,
-            name: scene.structures[structure].name().into(),
-        }),
+        Some((structure, limit)) if time_step >= limit => {
+            let place = format!("method.{}.time_step_s", scene.method.name());
+            let name = scene.structures[structure].name();
+            let limit = digits(limit);
+            let allowed = format!("less than {limit} (structures[{structure}], \"{name}\", grows without bound from there on)");
+            let found = Refused::at(place).found(plain(time_step)).allowed(allowed);
+            Err(found.help("contact can ask for less").kind(Kind::Unstable))
+        }
         _ => Ok(()),
     }
 }
@@ -133,7 +143,7 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
 /// Largest budget of steps.
 const MOST_STEPS: f64 = 1e9;
 
-fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> {
+fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), Refused> {
     let place = "duration_s";
     let steps = duration / dt;
     let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
@@ -145,16 +155,19 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> 
     if needed <= allowed {
         return Ok(());
     }
-    Err(SceneError::TooManySteps {
-        duration,
-        needed,
-        allowed,
-        substeps,
-    })
+    let (of_substeps, or_fewer) = match substeps {
+        0 | 1 => (String::new(), ""),
+        several => (format!(" with {several} sub-steps in contact"), " or fewer contact_substeps"),
+    };
+    let duration = digits(duration);
+    let found = format!("{duration}, of which the run would take {needed:.1e} time steps times floors{of_substeps}");
+    let help = format!("shorten it, take a longer time_step_s{or_fewer}, or make the budget more");
+    let found = Refused::at(place).found(found).allowed(format!("{allowed:e} (`budget.steps`)"));
+    Err(found.so(": ", help).kind(Kind::Together))
 }
 
 /// Refuses a budget of nothing.
-fn check_budget(scene: &Scene) -> Result<(), SceneError> {
+fn check_budget(scene: &Scene) -> Result<(), Refused> {
     let budget = &scene.budget;
     if let Some(steps) = budget.steps {
         let valid = steps > 0.0 && steps <= MOST_STEPS;
@@ -179,17 +192,16 @@ pub(crate) fn n_floors(scene: &Scene) -> usize {
     scene.structures.iter().map(floors).sum()
 }
 
-fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
+fn check_contacts(scene: &Scene) -> Result<(), Refused> {
     let Some(contacts) = &scene.contacts else {
         return Ok(());
     };
     let (n_structures, allowed) = (scene.structures.len(), scene.structures.len() - 1);
     if contacts.len() != allowed {
-        return Err(SceneError::ContactCount {
-            found: contacts.len(),
-            allowed,
-            n_structures,
-        });
+        let found = Refused::at("contacts").found(format!("{} for {n_structures} structures", contacts.len()));
+        return Err(found.allowed(format!(
+            "{allowed} (one between each structure and its right neighbour), or no field `contacts` when they stand apart"
+        )));
     }
     for (index, contact) in contacts.iter().enumerate() {
         require(
@@ -198,10 +210,9 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
             contact.gap_m,
             NOT_NEGATIVE,
         )?;
-        contact.law.check().map_err(|error| SceneError::OutOfRange {
-            place: format!("contacts[{index}].law.{}.{}", contact.law.name(), error.parameter),
-            found: error.found,
-            allowed: error.allowed,
+        contact.law.check().map_err(|error| {
+            let place = format!("contacts[{index}].law.{}.{}", contact.law.name(), error.parameter);
+            out_of_range(place, error.found, error.allowed)
         })?;
     }
     Ok(())

@@ -7,13 +7,14 @@ use std::marker::PhantomData;
 use std::{fmt, iter};
 
 use pounding_contact::ContactLaw;
+use pounding_text::Refused;
 use schemars::Schema;
 use serde::de::value::{MapAccessDeserializer, MapDeserializer};
 use serde::de::{DeserializeOwned, Error, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Value, json};
 
-use super::refused::CHOICE;
+use super::unfit::CHOICE;
 
 /// A type of which a file chooses one variant.
 pub(super) trait Choice: DeserializeOwned + Serialize {
@@ -75,12 +76,13 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
 }
 
 /// What is said of a choice and another word beside it.
-fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
+fn two_choices<T: Choice>(choice: &T, other: &str) -> Refused {
     let choice = json!(choice);
     let table = choice.as_object().and_then(|table| table.keys().next());
     let first = table.map(String::as_str).or(choice.as_str());
     let first = first.unwrap_or_default();
-    format!("found both `{first}` and `{other}`, allowed is one of them; delete the other")
+    let both = Refused::default().found(format!("both `{first}` and `{other}`"));
+    both.allowed_is("one of them").help("delete the other")
 }
 
 /// How to say a choice that needs settings.
@@ -91,9 +93,10 @@ fn example<T: Choice>(word: &str) -> Option<String> {
 }
 
 /// What is said of the word alone.
-fn needs_settings(word: &str, json: &str) -> String {
+fn needs_settings(word: &str, json: &str) -> Refused {
     let toml = in_toml(json);
-    format!("found the word `{word}` alone, allowed is a table with its settings, such as {json} in JSON, {toml} in TOML")
+    let alone = Refused::default().found(format!("the word `{word}` alone"));
+    alone.allowed_is(format!("a table with its settings, such as {json} in JSON, {toml} in TOML"))
 }
 
 /// An example in TOML: keys stand without quotes before an equals sign.
@@ -149,7 +152,7 @@ mod tests {
             }
             let message = alone.err().expect("settings are needed").to_string();
             let example = example::<T>(&word).expect("an example");
-            assert_eq!(message, needs_settings(&word, &example));
+            assert_eq!(message, needs_settings(&word, &example).to_string());
         }
         for json in T::examples() {
             let value: Value = serde_json::from_str(&json).expect("JSON");

@@ -1,5 +1,6 @@
 //! Columns of a storey, as files give them.
 
+use pounding_text::{Place, Refused, plain};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -57,44 +58,30 @@ pub(super) struct ColumnsFile {
     pub(super) height_m: Option<f64>,
 }
 
-/// Columns that a file gives in too many or wrong words.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum ColumnsFileError {
-    #[error(
-        "found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete \
-         the others"
-    )]
-    SeveralYieldPoints,
-    #[error("found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`")]
-    DriftWithoutHeight,
-    #[error(
-        "found `{0}` of columns that never yield; give `yield_force_n`, `yield_displacement_m` or `yield_drift_ratio`, or \
-         delete it"
-    )]
-    NeverYields(&'static str),
-    #[error("{field}: found {}, allowed a finite number > 0", pounding_text::plain(*found))]
-    OutOfRange { field: &'static str, found: f64 },
-}
-
 /// What is converted must be in range here: what comes of it would not tell which field is wrong.
-pub(super) fn positive(field: &'static str, found: f64) -> Result<f64, ColumnsFileError> {
+pub(super) fn positive(field: impl Into<Place>, found: f64) -> Result<f64, Refused> {
     if found > 0.0 && found.is_finite() {
         Ok(found)
     } else {
-        Err(ColumnsFileError::OutOfRange { field, found })
+        Err(Refused::at(field).found(plain(found)).allowed("a finite number > 0"))
     }
+}
+
+fn never_yields(field: &str) -> Refused {
+    let found = Refused::default().found(format!("`{field}` of columns that never yield"));
+    found.help("give `yield_force_n`, `yield_displacement_m` or `yield_drift_ratio`, or delete it")
 }
 
 impl ColumnsFile {
     /// Columns of a stiffness \[N/m\].
-    pub(super) fn columns(&self, stiffness: f64) -> Result<Columns, ColumnsFileError> {
+    pub(super) fn columns(&self, stiffness: f64) -> Result<Columns, Refused> {
         let yield_force = self.yield_force(stiffness)?;
         if yield_force.is_none() {
             if self.hardening_ratio.is_some() {
-                return Err(ColumnsFileError::NeverYields("hardening_ratio"));
+                return Err(never_yields("hardening_ratio"));
             }
             if self.bouc_wen.is_some() {
-                return Err(ColumnsFileError::NeverYields("bouc_wen"));
+                return Err(never_yields("bouc_wen"));
             }
         }
         Ok(Columns {
@@ -105,17 +92,23 @@ impl ColumnsFile {
         })
     }
 
-    fn yield_force(&self, stiffness: f64) -> Result<Option<f64>, ColumnsFileError> {
+    fn yield_force(&self, stiffness: f64) -> Result<Option<f64>, Refused> {
         match (self.yield_force_n, self.yield_displacement_m, self.yield_drift_ratio) {
             (force, None, None) => Ok(force),
             (None, Some(displacement), None) => Ok(Some(stiffness * positive("yield_displacement_m", displacement)?)),
             (None, None, Some(ratio)) => {
-                let height = self.height_m.ok_or(ColumnsFileError::DriftWithoutHeight)?;
+                let height = self.height_m.ok_or_else(|| {
+                    let alone = Refused::default().found("`yield_drift_ratio` without `height_m`, which it is a part of");
+                    alone.help("add the height, or give `yield_displacement_m`")
+                })?;
                 let height = positive("height_m", height)?;
                 let displacement = positive("yield_drift_ratio", ratio)? * height;
                 Ok(Some(stiffness * displacement))
             }
-            _ => Err(ColumnsFileError::SeveralYieldPoints),
+            _ => {
+                let several = Refused::default().found("several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`");
+                Err(several.allowed_is("at most one").help("delete the others"))
+            }
         }
     }
 }

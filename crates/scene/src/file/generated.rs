@@ -2,12 +2,14 @@
 
 use std::fmt;
 
-use pounding_motion::{Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RecordError, RickerPulse, StochasticMotion};
+use pounding_motion::{Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RickerPulse, StochasticMotion};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::check::out_of_range;
 use super::choice::{self, Choice};
-use crate::MotionError;
+use crate::ground_motion::in_setting;
+use pounding_text::Refused;
 
 /// A ground motion from a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -147,19 +149,19 @@ impl Generated {
     /// The motion \[m/s²\].
     ///
     /// # Errors
-    /// [`MotionError`] names the field, what was found and what is allowed.
-    pub(crate) fn record(&self) -> Result<Record, MotionError> {
+    /// Names the field, what was found and what is allowed.
+    pub(crate) fn record(&self) -> Result<Record, Refused> {
         self.made().map_err(|error| {
             if let Self::Stochastic(motion) = self
                 && let Some(error) = motion.too_short(&error)
             {
                 return error;
             }
-            MotionError::of(&format!("record.generated.{}", self.name()), &error)
+            in_setting(&format!("record.generated.{}", self.name()), error)
         })
     }
 
-    fn made(&self) -> Result<Record, RecordError> {
+    fn made(&self) -> Result<Record, Refused> {
         match *self {
             Self::Harmonic {
                 amplitude_m_per_s2: amplitude,
@@ -220,13 +222,11 @@ impl fmt::Display for Generated {
 
 impl Stochastic {
     /// Names the duration where the highest frequency that nobody wrote is refused.
-    fn too_short(&self, error: &RecordError) -> Option<MotionError> {
-        let of_cutoff = matches!(error, RecordError::Setting { setting: "cutoff", .. });
-        (of_cutoff && self.cutoff_hz.is_none()).then(|| MotionError::OutOfRange {
-            place: "record.generated.stochastic.duration_s".into(),
-            found: self.duration_s,
-            allowed: "at least 0.04 s and 2.5 times time_step_s, a period of the usual cutoff_hz",
-        })
+    fn too_short(&self, refused: &Refused) -> Option<Refused> {
+        let of_cutoff = refused.place().field.as_ref().is_some_and(|field| field.path() == "cutoff");
+        let allowed = "at least 0.04 s and 2.5 times time_step_s, a period of the usual cutoff_hz";
+        let place = "record.generated.stochastic.duration_s";
+        (of_cutoff && self.cutoff_hz.is_none()).then(|| out_of_range(place, self.duration_s, allowed))
     }
 
     fn to_motion(&self) -> StochasticMotion {

@@ -10,7 +10,6 @@ pub(crate) mod error;
 pub(crate) mod fault;
 mod generated;
 mod method;
-pub(crate) mod motion_error;
 mod neighbour;
 mod numbers;
 pub(crate) mod position;
@@ -18,17 +17,16 @@ pub(crate) mod processed;
 mod processing;
 pub(crate) mod reading;
 mod record;
-pub(crate) mod refused;
-pub(crate) mod scene_error;
 pub(crate) mod schema;
 mod structure;
 mod tree;
+mod unfit;
 
 use pounding_contact::ContactLaw;
+use pounding_text::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::SceneError;
 use budget::Patience;
 
 pub use budget::RunBudget;
@@ -41,8 +39,8 @@ pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
 pub use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
+pub use structure::SdofFile;
 pub use structure::{Sdof, Structure};
-pub use structure::{SdofFile, SdofFileError};
 
 /// One row of structures under one record, with the method that integrates it.
 ///
@@ -102,7 +100,7 @@ impl Scene {
     }
 
     /// The same, as long as somebody waits.
-    pub(crate) fn duration_within(&self, record: f64, patience: Patience) -> Result<f64, SceneError> {
+    pub(crate) fn duration_within(&self, record: f64, patience: Patience) -> Result<f64, Refused> {
         if let Some(duration) = self.duration_s {
             return Ok(duration);
         }

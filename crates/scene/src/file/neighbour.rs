@@ -1,11 +1,12 @@
 //! A neighbour that is not known, of which a file gives ranges.
 
+use pounding_text::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::check::{NOT_NEGATIVE, POSITIVE, require};
+use super::check::{NOT_NEGATIVE, POSITIVE, no_structures, require};
 use super::{Building, Contact};
-use crate::{Damping, Scene, SceneError, Structure};
+use crate::{Damping, Scene, Structure};
 
 /// What stands on the right of the last structure, if nobody knows it.
 ///
@@ -87,7 +88,7 @@ impl UnknownNeighbour {
         (0..self.samples).map(one).collect()
     }
 
-    fn check(&self) -> Result<(), SceneError> {
+    fn check(&self) -> Result<(), Refused> {
         let ranges = [("period_s", self.period_s), ("mass_ratio", self.mass_ratio)];
         for (name, [from, to]) in ranges {
             let place = |end: usize| format!("{PLACE}.{name}[{end}]");
@@ -132,12 +133,19 @@ impl UnknownNeighbour {
     }
 }
 
+fn contact_of_none(found: &'static str) -> Refused {
+    let place = format!("{PLACE}.contact");
+    let allowed = "one if the scene has `contacts` or has one structure, and none if it has none";
+    let found = Refused::at(place).found(found).allowed_is(allowed);
+    found.so(": ", "gaps are given for all neighbours or for no one")
+}
+
 impl Scene {
     /// The scene beside every neighbour that its unknown one may be; the scene alone if all are known.
     ///
     /// # Errors
-    /// [`SceneError`] of the field that does not fit.
-    pub fn beside_neighbours(&self) -> Result<Vec<(Self, Option<DrawnNeighbour>)>, SceneError> {
+    /// [`Refused`] of the field that does not fit.
+    pub fn beside_neighbours(&self) -> Result<Vec<(Self, Option<DrawnNeighbour>)>, Refused> {
         let Some(Neighbour { unknown }) = &self.neighbour else {
             return Ok(vec![(self.clone(), None)]);
         };
@@ -146,13 +154,13 @@ impl Scene {
             neighbour: None,
             ..self.clone()
         };
-        let last = self.structures.last().ok_or(SceneError::NoStructures)?;
+        let last = self.structures.last().ok_or_else(no_structures)?;
         let contacts = match (&self.contacts, &unknown.contact, self.structures.len()) {
             (None, None, _) => None,
             (Some(all), Some(one), _) => Some([&all[..], std::slice::from_ref(one)].concat()),
             (None, Some(one), 1) => Some(vec![one.clone()]),
-            (None, Some(_), _) => return Err(SceneError::NeighbourContact { found: "one" }),
-            (Some(_), None, _) => return Err(SceneError::NeighbourContact { found: "none" }),
+            (None, Some(_), _) => return Err(contact_of_none("one")),
+            (Some(_), None, _) => return Err(contact_of_none("none")),
         };
         if let Some(contact) = &unknown.contact {
             let gap = contact.gap_m;
@@ -161,7 +169,13 @@ impl Scene {
         }
         let beside = |drawn: DrawnNeighbour| {
             let building = unknown.building(drawn, last);
-            let building = building.ok_or(SceneError::NeighbourOfWall)?;
+            let building = building.ok_or_else(|| {
+                let wall = Refused::at(PLACE).found("a wall as the last of `structures`");
+                wall.allowed_is("a structure that moves").so(
+                    ": ",
+                    "the mass of the neighbour is a multiple of its; or masses and periods so far from the usual that no building has them",
+                )
+            })?;
             let mut scene = known.clone();
             scene.structures.push(Structure::Building(building));
             scene.contacts.clone_from(&contacts);

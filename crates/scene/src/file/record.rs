@@ -1,6 +1,7 @@
 //! The ground motion of a scene and how it is used.
 
 use pounding_motion::AccelerationUnit;
+use pounding_text::{Naming, Refused};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -99,6 +100,8 @@ pub struct FileUse {
     pub acceleration: bool,
     /// Whether several numbers to a line without names are consecutive values.
     pub in_rows: bool,
+    /// Whose names a message gives to what may be declared here.
+    pub naming: Naming,
 }
 
 impl FileUse {
@@ -238,24 +241,19 @@ fn standard_gravity() -> f64 {
     STANDARD_GRAVITY
 }
 
-/// A ground motion that a file gives in too few or too many words.
-#[derive(Debug, thiserror::Error)]
-enum WordsError {
-    #[error("found neither `file` nor `generated`, allowed is one of them; name the record")]
-    NoSource,
-    #[error("found both `file` and `generated`, allowed is one of them; delete the other")]
-    TwoSources,
-    #[error("found `{0}` beside `generated`, allowed is it beside `file`; delete it")]
-    OfFile(&'static str),
-}
-
 impl TryFrom<RecordUseFile> for RecordUse {
-    type Error = WordsError;
+    type Error = Refused;
 
-    fn try_from(words: RecordUseFile) -> Result<Self, WordsError> {
+    fn try_from(words: RecordUseFile) -> Result<Self, Refused> {
         let source = match (words.file, words.generated) {
-            (None, None) => return Err(WordsError::NoSource),
-            (Some(_), Some(_)) => return Err(WordsError::TwoSources),
+            (None, None) => {
+                let neither = Refused::default().found("neither `file` nor `generated`");
+                return Err(neither.allowed_is("one of them").help("name the record"));
+            }
+            (Some(_), Some(_)) => {
+                let both = Refused::default().found("both `file` and `generated`");
+                return Err(both.allowed_is("one of them").help("delete the other"));
+            }
             (Some(file), None) => Source::File(FileUse {
                 file,
                 unit: words.unit,
@@ -264,6 +262,7 @@ impl TryFrom<RecordUseFile> for RecordUse {
                 per_count: words.per_count,
                 acceleration: words.acceleration,
                 in_rows: words.in_rows,
+                naming: Naming::Scene,
             }),
             (None, Some(generated)) => {
                 let of_file = [
@@ -275,7 +274,8 @@ impl TryFrom<RecordUseFile> for RecordUse {
                     ("in_rows", words.in_rows),
                 ];
                 if let Some((field, _)) = of_file.into_iter().find(|(_, given)| *given) {
-                    return Err(WordsError::OfFile(field));
+                    let found = Refused::default().found(format!("`{field}` beside `generated`"));
+                    return Err(found.allowed_is("it beside `file`").help("delete it"));
                 }
                 Source::Generated(generated)
             }

@@ -1,5 +1,6 @@
 //! The structures of a row, as files give them.
 
+use pounding_text::{Refused, plain};
 use std::f64::consts::PI;
 
 use pounding_solver::{Mode, Oscillation};
@@ -9,7 +10,7 @@ use serde_json::json;
 
 use super::Building;
 use super::choice::{self, Choice, also};
-use super::columns::{BoucWen, Columns, ColumnsFile, ColumnsFileError, positive};
+use super::columns::{BoucWen, Columns, ColumnsFile, positive};
 use crate::Damping;
 
 /// A structure or a wall of a row.
@@ -189,31 +190,10 @@ pub struct SdofFile {
     pub(super) initial_velocity_m_per_s: f64,
 }
 
-/// A structure that a file gives in too few or too many words.
-#[derive(Debug, thiserror::Error)]
-#[error(transparent)]
-pub struct SdofFileError(#[from] SdofFault);
-
-#[derive(Debug, thiserror::Error)]
-enum SdofFault {
-    #[error("found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known")]
-    NoStiffness,
-    #[error("found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other")]
-    TwoStiffnesses,
-    #[error(
-        "period_s: found {}, with which the stiffness is {} N/m, allowed is a period whose stiffness is a finite number > 0",
-        pounding_text::plain(*period),
-        pounding_text::plain(*stiffness)
-    )]
-    FarPeriod { period: f64, stiffness: f64 },
-    #[error(transparent)]
-    Columns(#[from] ColumnsFileError),
-}
-
 impl TryFrom<SdofFile> for Sdof {
-    type Error = SdofFileError;
+    type Error = Refused;
 
-    fn try_from(mut words: SdofFile) -> Result<Self, SdofFileError> {
+    fn try_from(mut words: SdofFile) -> Result<Self, Refused> {
         let columns = words.columns()?;
         let name = std::mem::take(&mut words.name);
         Ok(words.sdof(name, columns))
@@ -244,7 +224,7 @@ impl SdofFile {
         }
     }
 
-    fn columns(&self) -> Result<Columns, SdofFault> {
+    fn columns(&self) -> Result<Columns, Refused> {
         let columns = ColumnsFile {
             yield_force_n: self.yield_force_n,
             yield_displacement_m: self.yield_displacement_m,
@@ -253,13 +233,19 @@ impl SdofFile {
             bouc_wen: self.bouc_wen,
             height_m: self.height_m,
         };
-        Ok(columns.columns(self.stiffness()?)?)
+        columns.columns(self.stiffness()?)
     }
 
-    fn stiffness(&self) -> Result<f64, SdofFault> {
+    fn stiffness(&self) -> Result<f64, Refused> {
         match (self.stiffness_n_per_m, self.period_s) {
-            (None, None) => Err(SdofFault::NoStiffness),
-            (Some(_), Some(_)) => Err(SdofFault::TwoStiffnesses),
+            (None, None) => Err(Refused::default()
+                .found("neither `stiffness_n_per_m` nor `period_s`")
+                .allowed_is("one of them")
+                .help("add the one that is known")),
+            (Some(_), Some(_)) => Err(Refused::default()
+                .found("both `stiffness_n_per_m` and `period_s`")
+                .allowed_is("one of them")
+                .help("delete the other")),
             (Some(stiffness), None) => Ok(stiffness),
             (None, Some(period)) => {
                 let omega = 2.0 * PI / positive("period_s", period)?;
@@ -267,7 +253,10 @@ impl SdofFile {
                 if stiffness > 0.0 && stiffness.is_finite() {
                     Ok(stiffness)
                 } else {
-                    Err(SdofFault::FarPeriod { period, stiffness })
+                    let [period, stiffness] = [period, stiffness].map(plain);
+                    let found = format!("{period}, with which the stiffness is {stiffness} N/m");
+                    let far = Refused::at("period_s").found(found);
+                    Err(far.allowed_is("a period whose stiffness is a finite number > 0"))
                 }
             }
         }

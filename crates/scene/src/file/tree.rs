@@ -8,7 +8,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::forward_to_deserialize_any;
 
-use super::refused::{CHOICE, Refused};
+use super::unfit::{CHOICE, Unfit};
 
 /// What stands at a place of a file; fields keep their order, and those that are there twice are there twice.
 #[derive(Debug)]
@@ -125,7 +125,7 @@ impl<'de> Visitor<'de> for Grower<'_> {
     }
 }
 
-impl<'de> IntoDeserializer<'de, Refused> for &'de Tree {
+impl<'de> IntoDeserializer<'de, Unfit> for &'de Tree {
     type Deserializer = Self;
 
     fn into_deserializer(self) -> Self {
@@ -134,9 +134,9 @@ impl<'de> IntoDeserializer<'de, Refused> for &'de Tree {
 }
 
 impl<'de> Deserializer<'de> for &'de Tree {
-    type Error = Refused;
+    type Error = Unfit;
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refused> {
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
         match self {
             Tree::Nothing => visitor.visit_unit(),
             Tree::Truth(truth) => visitor.visit_bool(*truth),
@@ -154,7 +154,7 @@ impl<'de> Deserializer<'de> for &'de Tree {
         }
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refused> {
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
         if matches!(self, Tree::Nothing) {
             visitor.visit_none()
         } else {
@@ -162,16 +162,11 @@ impl<'de> Deserializer<'de> for &'de Tree {
         }
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Refused> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Unfit> {
         visitor.visit_newtype_struct(self)
     }
 
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        name: &'static str,
-        words: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Refused> {
+    fn deserialize_enum<V: Visitor<'de>>(self, name: &'static str, words: &'static [&'static str], visitor: V) -> Result<V::Value, Unfit> {
         if let Tree::Text(word) = self {
             return visitor.visit_enum(word.as_str().into_deserializer());
         }
@@ -181,7 +176,7 @@ impl<'de> Deserializer<'de> for &'de Tree {
             let fields = Fields { table, next: 0 };
             return MapAccessDeserializer::new(fields).deserialize_enum(name, words, visitor);
         }
-        Err(Refused::invalid_type(self.unexpected(), &CHOICE))
+        Err(Unfit::invalid_type(self.unexpected(), &CHOICE))
     }
 
     forward_to_deserialize_any! {
@@ -198,19 +193,19 @@ struct Items<'t> {
 
 impl Items<'_> {
     /// Refuses a list longer than what was read of it.
-    fn end(&self) -> Result<(), Refused> {
+    fn end(&self) -> Result<(), Unfit> {
         if self.next == self.list.len() {
             return Ok(());
         }
         let allowed = format!("an array of length {}", self.next);
-        Err(Refused::invalid_length(self.list.len(), &allowed.as_str()))
+        Err(Unfit::invalid_length(self.list.len(), &allowed.as_str()))
     }
 }
 
 impl<'de> SeqAccess<'de> for &mut Items<'de> {
-    type Error = Refused;
+    type Error = Unfit;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Refused> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Unfit> {
         let Some(item) = self.list.get(self.next) else {
             return Ok(None);
         };
@@ -232,17 +227,17 @@ struct Fields<'t> {
 }
 
 impl<'de> MapAccess<'de> for Fields<'de> {
-    type Error = Refused;
+    type Error = Unfit;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Refused> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Unfit> {
         let Some((name, _)) = self.table.get(self.next) else {
             return Ok(None);
         };
         let read = seed.deserialize(name.as_str().into_deserializer());
-        read.map(Some).map_err(|refused: Refused| refused.at_name(name))
+        read.map(Some).map_err(|unfit: Unfit| unfit.at_name(name))
     }
 
-    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Refused> {
+    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Unfit> {
         let (name, value) = &self.table[self.next];
         self.next += 1;
         let read = seed.deserialize(value);

@@ -1,9 +1,10 @@
 //! What a contact law and a method really deliver to two free masses.
 
 use crate::Method;
-use crate::judge::free_collision::{CollisionError, Delivered, FreeCollision};
-use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, LawName};
+use crate::judge::free_collision::{Delivered, FreeCollision};
+use pounding_contact::{Calibration, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
+use pounding_text::Refused;
 
 /// What is asked of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,8 +40,8 @@ impl Certificate {
     /// Calibrates a law and lets two free masses collide.
     ///
     /// # Errors
-    /// [`CertificateError`] for a parameter out of range, and where no run gives an answer.
-    pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, CertificateError> {
+    /// Refuses a parameter out of range, and where no run gives an answer.
+    pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, Refused> {
         let pair = collision.free_pair();
         let calibrated = |calibration| {
             let asked = (wanted.restitution, calibration);
@@ -69,20 +70,9 @@ impl Certificate {
     /// What a method delivers.
     ///
     /// # Errors
-    /// [`CertificateError::Collision`] where it fails.
-    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, CertificateError> {
+    /// Says why, where it fails.
+    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, Refused> {
         let duration = self.impact.map(|impact| impact.duration);
-        Ok(collision.delivered(self.law, method, self.by_exact, duration)?)
+        collision.delivered(self.law, method, self.by_exact, duration)
     }
-}
-
-/// Why there is no certificate.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum CertificateError {
-    /// A parameter of the law.
-    #[error(transparent)]
-    Law(#[from] CalibrationError),
-    /// A collision that cannot be run.
-    #[error(transparent)]
-    Collision(#[from] CollisionError),
 }

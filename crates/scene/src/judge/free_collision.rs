@@ -4,6 +4,8 @@ use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Recorders, Row, RunError};
 
 use crate::Method;
+use crate::file::error::ended;
+use pounding_text::{Refused, plain, short};
 
 /// Two masses that collide, with nothing else acting on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,14 +36,8 @@ impl FreeCollision {
     /// What a method delivers under a law, beside the e that is right.
     ///
     /// # Errors
-    /// [`CollisionError`] where it fails.
-    pub(crate) fn delivered(
-        &self,
-        law: ContactLaw,
-        method: &Method,
-        right: f64,
-        duration: Option<f64>,
-    ) -> Result<Delivered, CollisionError> {
+    /// Says why, where it fails.
+    pub(crate) fn delivered(&self, law: ContactLaw, method: &Method, right: f64, duration: Option<f64>) -> Result<Delivered, Refused> {
         let contact = duration.unwrap_or(0.0);
         let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -70,8 +66,8 @@ impl FreeCollision {
     /// The masses at a gap \[m\], moving towards each other.
     ///
     /// # Errors
-    /// [`CollisionError`] of a number that the solver refuses.
-    pub fn row(&self, law: ContactLaw, gap: f64) -> Result<AnyRow, CollisionError> {
+    /// Refuses a number that the solver refuses.
+    pub fn row(&self, law: ContactLaw, gap: f64) -> Result<AnyRow, Refused> {
         let inverse = self.masses.map(|mass| 1.0 / mass);
         // About the common centre, so that neither velocity is small against the other's rounding.
         let node = |inverse_mass: f64, sign: f64| Node {
@@ -81,17 +77,17 @@ impl FreeCollision {
         };
         let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
         let pair = Pair::of_floors(0, 1, gap, law);
-        let row = Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)?;
+        let row = Row::new(nodes, vec![pair]).map_err(|_| Refused::that("masses and speed: allowed are finite numbers > 0"))?;
         Ok(AnyRow::Elastic(row))
     }
 
     /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
-    pub(crate) fn run(&self, law: ContactLaw, integrator: &Integrator, step: f64, part: f64, contact: f64) -> Result<Seen, CollisionError> {
+    pub(crate) fn run(&self, law: ContactLaw, integrator: &Integrator, step: f64, part: f64, contact: f64) -> Result<Seen, Refused> {
         let until = (f64::from(BEFORE) + part) * step;
         let row = self.row(law, self.speed * until)?;
         let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
         if !(step.is_finite() && step > 0.0 && n_steps <= MOST_STEPS) {
-            return Err(CollisionError::TimeStep { found: step });
+            return Err(no_step(step));
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -100,7 +96,7 @@ impl FreeCollision {
         )]
         let n_steps = n_steps as usize;
         let clock = Clock { time_step: step, n_steps };
-        let rest = Excitation::new(step, &[0.0]).map_err(|_| CollisionError::TimeStep { found: step })?;
+        let rest = Excitation::new(step, &[0.0]).map_err(|_| no_step(step))?;
         let budget = Budget {
             pieces: MOST_PIECES,
             ..Budget::default()
@@ -111,8 +107,14 @@ impl FreeCollision {
         };
         match row.run(integrator, rest, clock.within(budget), &mut recorders) {
             Ok(_) => Ok(Seen::of(&recorders)),
-            Err(RunError::TooManyPieces { .. }) => Err(CollisionError::TooManyPieces { contact }),
-            Err(error) => Err(error.into()),
+            Err(RunError::TooManyPieces { .. }) => {
+                let duration = short(contact);
+                let found =
+                    format!("a collision that lasts {duration} s and takes more than 1e5 pieces of the exact method, all that it may");
+                let found = Refused::at("stiffness, masses and speed").found(found);
+                Err(found.help("take a stiffness nearer to that of buildings"))
+            }
+            Err(error) => Err(ended(&error)),
         }
     }
 }
@@ -144,32 +146,10 @@ impl Seen {
     }
 }
 
-/// Why a collision cannot be run.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum CollisionError {
-    /// Masses or speed out of range.
-    #[error("masses and speed: allowed are finite numbers > 0")]
-    Masses,
-    /// A time step out of range.
-    #[error(
-        "time step: found {} s, allowed a finite number > 0 and at most 1e6 steps in the collision; take longer steps",
-        pounding_text::plain(*found)
-    )]
-    TimeStep {
-        /// The time step \[s\].
-        found: f64,
-    },
-    /// A collision that the exact method cuts into too many pieces.
-    #[error(
-        "stiffness, masses and speed: found a collision that lasts {} s and takes more than 1e5 pieces of the exact method, all that it \
-         may; take a stiffness nearer to that of buildings",
-        pounding_text::short(*contact)
-    )]
-    TooManyPieces {
-        /// Its duration \[s\].
-        contact: f64,
-    },
-    /// A run that ended early.
-    #[error(transparent)]
-    Run(#[from] RunError),
+/// Refuses a time step \[s\] of a collision.
+pub fn no_step(found: f64) -> Refused {
+    Refused::at("time step")
+        .found(format!("{} s", plain(found)))
+        .allowed("a finite number > 0 and at most 1e6 steps in the collision")
+        .help("take longer steps")
 }

@@ -297,6 +297,7 @@ impl Error {
 #[cfg(test)]
 mod tests {
     use pounding_solver::LedgerError;
+    use pounding_text::Refused;
 
     use super::*;
 
@@ -312,11 +313,10 @@ mod tests {
     }"#;
 
     fn broken(found: f64) -> Error {
-        Error::Broken {
-            scene: "two".into(),
-            structures: Vec::new(),
-            source: LedgerError::EnergyUnexplained { found, allowed: 1e-11 },
-        }
+        let source = LedgerError::EnergyUnexplained { found, allowed: 1e-11 };
+        let mut refused = Refused::that(source.to_string());
+        refused.place_mut().scene = Some("two".into());
+        Error::Broken { refused, source }
     }
 
     /// A run that left 4e-5 of its energy unexplained was printed with "none beyond rounding".

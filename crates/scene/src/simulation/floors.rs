@@ -4,11 +4,12 @@ mod levels;
 mod unwatched;
 
 use pounding_solver::Levels;
+use pounding_text::Refused;
 
 use levels::elevations;
 pub use unwatched::Unwatched;
 
-use crate::{Columns, Scene, SceneError, Sdof, Structure};
+use crate::{Columns, Scene, Sdof, Structure};
 
 /// Heights of floors that differ by no more are equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -117,9 +118,9 @@ impl Floors {
     /// Of a scene whose structures were checked.
     ///
     /// # Errors
-    /// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour, [`SceneError::NotFacing`] and
-    /// [`SceneError::NoLevels`] where a contact names levels at which nothing can touch.
-    pub fn of(scene: &Scene) -> Result<Self, SceneError> {
+    /// [`Refused`] where a floor would hit the columns of a neighbour, [`Refused`] and
+    /// [`Refused`] where a contact names levels at which nothing can touch.
+    pub fn of(scene: &Scene) -> Result<Self, Refused> {
         let levels = levels::of(scene)?;
         let contacts = scene.contacts.iter().flatten().enumerate();
         let mut facing = Vec::new();

@@ -13,10 +13,13 @@ use std::sync::atomic::AtomicBool;
 use crate::file::budget::Patience;
 use crate::file::check;
 use crate::ground_motion::SharedMotion;
+use crate::ground_motion::in_setting;
 use crate::simulation::floors::{Floor, Floors};
-use crate::{Error, Method, Origin, Scene, SceneError};
-use pounding_motion::{Record, RecordError};
+use crate::simulation::refused::of_model;
+use crate::{Error, Method, Origin, Scene};
+use pounding_motion::Record;
 use pounding_solver::{AnyRow, Budget, Clock, Integrator};
+use pounding_text::Refused;
 
 pub use advice::{Advice, Goal, QuantityGroup, StepSizes, Trial, holding};
 pub(crate) use pair_outcome::LEANS;
@@ -33,7 +36,7 @@ pub struct Simulation {
     /// Whether it runs though its time step or its results are refused.
     forced: bool,
     /// Why its time step is refused.
-    unstable: Option<SceneError>,
+    unstable: Option<Refused>,
     floors: Floors,
     row: AnyRow,
     record: Arc<Record>,
@@ -122,7 +125,7 @@ impl Simulation {
     /// Those of the lean model, which were found before.
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
-        let row = model::full(scene, floors).map_err(|error| in_scene(scene, SceneError::of_model(error, scene, floors)))?;
+        let row = model::full(scene, floors).map_err(|error| in_scene(scene, of_model(&error, scene, floors)))?;
         Ok(Self { row, ..self })
     }
 
@@ -164,7 +167,7 @@ impl Simulation {
             ..self.scene.clone()
         };
         let floors = self.floors.apart();
-        let row = model::lean(&scene, &floors).map_err(|error| in_scene(&scene, SceneError::of_model(error, &scene, &floors)))?;
+        let row = model::lean(&scene, &floors).map_err(|error| in_scene(&scene, of_model(&error, &scene, &floors)))?;
         Ok(Self {
             scene,
             floors,
@@ -310,8 +313,9 @@ impl Simulation {
     ///
     /// # Errors
     /// [`Error::Scene`] when `change` refuses.
-    pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, RecordError>) -> Result<Self, Error> {
-        let record = change(&self.record).map_err(|error| in_scene(&self.scene, error.into()))?;
+    pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, Refused>) -> Result<Self, Error> {
+        let record = change(&self.record);
+        let record = record.map_err(|refused| in_scene(&self.scene, in_setting("record", refused)))?;
         Ok(Self {
             record: Arc::new(record),
             ..self.clone()
@@ -320,18 +324,21 @@ impl Simulation {
 }
 
 /// The floors of a checked scene, and the leanest row of them.
-fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), SceneError> {
+fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), Refused> {
     let floors = Floors::of(scene)?;
     patience.look()?;
-    let row = model::lean(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
+    let row = model::lean(scene, &floors).map_err(|error| of_model(&error, scene, &floors))?;
     patience.look()?;
     Ok((floors, row))
 }
 
 /// An error of a scene by its name.
-pub fn in_scene(scene: &Scene, source: SceneError) -> Error {
-    Error::Scene {
-        scene: scene.name.clone(),
-        source,
-    }
+pub fn in_scene(scene: &Scene, refused: Refused) -> Error {
+    in_scene_named(&scene.name, refused)
+}
+
+/// The same by the name alone.
+pub(crate) fn in_scene_named(scene: &str, mut refused: Refused) -> Error {
+    refused.place_mut().scene = Some(scene.to_owned());
+    Error::Refused(refused)
 }

@@ -8,7 +8,10 @@ use pounding_solver::{
 };
 
 use super::Simulation;
-use crate::{Error, Method, SceneError, Structure};
+use crate::file::check::out_of_range;
+use crate::file::error::ended;
+use crate::{Error, Method, Structure, in_scene};
+use pounding_text::{Kind, Refused, digits, short};
 
 /// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
@@ -317,27 +320,28 @@ impl Simulation {
             | LedgerError::Imbalance { pair, .. } => self.pairs()[pair].left()..self.pairs()[pair].right() + 1,
             LedgerError::EnergyUnexplained { .. } | _ => 0..0,
         };
-        Error::Broken {
-            scene: self.scene.name.clone(),
-            structures: self.named(concerned),
-            source,
-        }
+        let refused = self.said(Refused::that(source.to_string()), concerned);
+        Error::Broken { refused, source }
     }
 
-    /// Index and name of some structures.
-    fn named(&self, indices: Range<usize>) -> Vec<(usize, String)> {
-        let name = |index: usize| (index, self.floors.all()[index].name.clone());
-        indices.map(name).collect()
+    /// What happened in the scene, with the names of the structures concerned.
+    fn said(&self, mut refused: Refused, concerned: Range<usize>) -> Refused {
+        refused.place_mut().scene = Some(self.scene.name.clone());
+        let name = |index: usize| format!("structure {index} is \"{}\"", self.floors.all()[index].name);
+        let names: Vec<String> = concerned.map(name).collect();
+        if names.is_empty() {
+            refused
+        } else {
+            refused.help(names.join("; "))
+        }
     }
 
     /// Says in the words of the scene why a run ended early.
     pub(super) fn ended(&self, source: RunError) -> Error {
-        let scene = self.scene.name.clone();
         let concerned = match source {
             RunError::Setting { setting, found, allowed } => {
                 let place = format!("method.{}.{setting}", self.scene.method.name());
-                let source = SceneError::OutOfRange { place, found, allowed };
-                return Error::Scene { scene, source };
+                return in_scene(&self.scene, out_of_range(place, found, allowed));
             }
             RunError::TooStiff {
                 structure,
@@ -345,14 +349,16 @@ impl Simulation {
                 allowed,
             } if pieces * self.record.duration() <= allowed * self.duration() => {
                 let structure = self.floors.all()[structure].structure;
-                let source = SceneError::TooLong {
-                    duration: self.duration(),
-                    structure,
-                    name: self.scene.structures[structure].name().into(),
-                    pieces,
-                    allowed,
-                };
-                return Error::Scene { scene, source };
+                let name = self.scene.structures[structure].name();
+                let duration = self.duration();
+                let most = format!(
+                    "up to about {} by the exact method, which would need {pieces:.1e} pieces of the motion of structures[{structure}], \
+                     \"{name}\", of {allowed:e} at most (`budget.pieces`)",
+                    short(duration / pieces * allowed)
+                );
+                let found = Refused::at("duration_s").found(digits(duration)).allowed(most);
+                let help = "use a shorter duration_s, or leave it out for that of the record and two periods";
+                return in_scene(&self.scene, found.so(": ", help).kind(Kind::Together));
             }
             RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } | RunError::OutOfNumbers { structure, .. } => {
                 structure..structure + 1
@@ -365,10 +371,7 @@ impl Simulation {
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
-        Error::Run {
-            scene,
-            structures: self.named(concerned),
-            source,
-        }
+        let refused = self.said(ended(&source), concerned);
+        Error::Run { refused, source }
     }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::{File, LeftOut, ReasonKind};
 use crate::Error;
 use crate::ground_motion::shown_name;
+use pounding_text::Refused;
 
 /// An entry of a folder, or a file that was named.
 pub(super) enum Entry {
@@ -16,7 +17,7 @@ pub(super) enum Entry {
 /// The entries of folders, and files that are named themselves, each folder in the order of its names.
 ///
 /// # Errors
-/// [`Error::Unreadable`] for a folder that cannot be read.
+/// Refuses a folder that cannot be read.
 pub(super) fn entries_of(paths: &[PathBuf]) -> Result<Vec<Entry>, Error> {
     let mut entries = Vec::new();
     for path in paths {
@@ -36,7 +37,7 @@ pub(super) fn entries_of(paths: &[PathBuf]) -> Result<Vec<Entry>, Error> {
 /// The regular files of a folder in the order of their names, without those that it hides.
 ///
 /// # Errors
-/// [`Error::Unreadable`] when the folder cannot be read.
+/// Says so where the folder cannot be read.
 pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let found = names_in(folder)?.into_iter();
     let files = found.filter(|(_, about)| about.as_ref().is_ok_and(fs::Metadata::is_file));
@@ -49,10 +50,7 @@ type Named = (PathBuf, std::io::Result<fs::Metadata>);
 /// The entries of a folder in the order of their names. Those whose names begin with a dot are passed over, and those that end with
 /// `.provenance.json`: such a file tells where the record beside it comes from.
 fn names_in(folder: &Path) -> Result<Vec<Named>, Error> {
-    let unreadable = |source| Error::Unreadable {
-        path: folder.to_path_buf(),
-        source,
-    };
+    let unreadable = |error| Refused::unreadable(folder, &error);
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
@@ -74,7 +72,7 @@ fn entry(path: PathBuf, about: std::io::Result<fs::Metadata>) -> Entry {
         Ok(about) if about.is_file() => return Entry::File(File { path, named: false }),
         Ok(about) if about.is_dir() => ReasonKind::Folder.saying(""),
         Ok(_) => ReasonKind::NoFile.saying(""),
-        Err(error) => ReasonKind::Unreadable.saying(error.to_string()),
+        Err(error) => ReasonKind::Unreadable.saying(format!("cannot be read: {error}")),
     };
     Entry::Other(LeftOut {
         name: shown_name(&path),

@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use pounding_motion::{Quantity, ReadError};
-use pounding_text::short;
+use pounding_text::{Kind, short};
 use serde_json::{Value, json};
 
 use super::{Motion, Suite};
@@ -112,22 +111,16 @@ impl ReasonKind {
 
 impl Reason {
     /// What an error of reading a file is.
-    #[expect(clippy::wildcard_enum_match_arm, reason = "an error that is not told apart is a refusal")]
     pub(super) fn of(error: &Error) -> Self {
-        match error {
-            Error::NoRecord { source, .. } => ReasonKind::Unreadable.saying(source.to_string()),
-            Error::Record { source, .. } => match source {
-                ReadError::UnknownFormat { .. } | ReadError::Empty => ReasonKind::NoRecord.saying(""),
-                ReadError::Velocity { found, .. } => ReasonKind::Velocity.saying(found),
-                ReadError::NotAcceleration { found, .. } | ReadError::Quantity { found, .. } => ReasonKind::NoAcceleration.saying(found),
-                _ => ReasonKind::Refused.saying(error.reason()),
-            },
-            Error::NameSaysOtherwise { quantity, .. } => match quantity {
-                Quantity::Displacement => ReasonKind::Displacement.saying("by its name"),
-                Quantity::Spectrum => ReasonKind::NoAcceleration.saying("by its name"),
-                Quantity::Velocity | Quantity::Acceleration => ReasonKind::Velocity.saying("by its name"),
-            },
-            other => ReasonKind::Refused.saying(other.reason()),
+        let refused = error.refused();
+        let word = refused.word().unwrap_or("by its name");
+        match refused.own_kind() {
+            Kind::System(_) => ReasonKind::Unreadable.saying(error.reason()),
+            Kind::NoRecord => ReasonKind::NoRecord.saying(""),
+            Kind::Velocity => ReasonKind::Velocity.saying(word),
+            Kind::Displacement => ReasonKind::Displacement.saying(word),
+            Kind::OtherQuantity => ReasonKind::NoAcceleration.saying(word),
+            Kind::Wrong | Kind::CutShort | Kind::Stopped | _ => ReasonKind::Refused.saying(error.reason()),
         }
     }
 
@@ -138,9 +131,7 @@ impl Reason {
             "" => String::new(),
             said => format!(" ({said})"),
         };
-        if self.kind == ReasonKind::Unreadable {
-            format!("cannot be read: {}", self.said)
-        } else if self.kind == ReasonKind::Refused {
+        if self.kind.hides_a_record() {
             self.said.clone()
         } else if why.is_empty() {
             format!("{one}{said}")

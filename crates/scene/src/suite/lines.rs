@@ -127,7 +127,7 @@ pub fn lines_of<T: Send, K: Send + Sync>(
 }
 
 /// The first reason, where there are nothing but reasons.
-pub fn nothing_found<'a, T: 'a>(mut found: impl Iterator<Item = &'a Result<T, String>>) -> Option<&'a str> {
+pub fn nothing_found<'a, T: 'a, E: 'a>(mut found: impl Iterator<Item = &'a Result<T, E>>) -> Option<&'a E> {
     let first = found.next()?.as_ref().err()?;
     found.all(Result::is_err).then_some(first)
 }
@@ -201,6 +201,6 @@ mod tests {
         assert_eq!(failed(&[line("d", true, Err("x"))]), ["d: x"]);
         assert_eq!(nothing_found(lines.iter().map(|line| &line.found)), None);
         let refused = lines[2..].iter().map(|line| &line.found);
-        assert_eq!(nothing_found(refused), Some("no record"));
+        assert_eq!(nothing_found(refused).map(String::as_str), Some("no record"));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{Error, Scene, SceneError, Simulation};
+use pounding_scene::{Refused, Scene, Simulation};
 
 /// Storeys of 3 m: four beside two, and these beside a wall.
 const ROW: &str = r#"
@@ -39,12 +39,11 @@ fn scene(levels: [Option<&[usize]>; 2]) -> Scene {
     scene
 }
 
-fn prepared(scene: &Scene) -> Result<Simulation, SceneError> {
+fn prepared(scene: &Scene) -> Result<Simulation, Refused> {
     Simulation::new(scene, Path::new("")).map_err(|error| {
-        let Error::Scene { source, .. } = error else {
-            panic!("{error}");
-        };
-        source
+        let mut refused = Refused::from(error);
+        refused.place_mut().scene = None;
+        refused
     })
 }
 

@@ -3,7 +3,7 @@
 use pounding_contact::{Calibration, FreePair, LawName, reduced_mass};
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Certificate, CertificateError, CertificateRequest, FreeCollision, Structure};
+use pounding_scene::{Certificate, CertificateRequest, FreeCollision, Refused, Structure};
 
 /// What the atlas of contact laws asks of each of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ impl AtlasSettings {
     }
 
     /// The certificate of a law calibrated exactly.
-    pub(crate) fn certificate(&self, law: LawName, restitution: f64) -> Result<Certificate, CertificateError> {
+    pub(crate) fn certificate(&self, law: LawName, restitution: f64) -> Result<Certificate, Refused> {
         let wanted = CertificateRequest {
             law,
             stiffness: self.stiffness(law),

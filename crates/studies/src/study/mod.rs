@@ -9,6 +9,7 @@ pub(crate) mod output;
 pub(crate) mod stress;
 pub(crate) mod surveys;
 
+use pounding_text::Refused;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -90,10 +91,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`] for the first file that cannot be read.
     pub fn read_all(folder: &Path) -> Result<Vec<Self>, StudyError> {
-        let unreadable = |source| pounding_scene::Error::Unreadable {
-            path: folder.to_path_buf(),
-            source,
-        };
+        let unreadable = |error| pounding_scene::Error::Refused(Refused::unreadable(folder, &error));
         let entries = std::fs::read_dir(folder).map_err(unreadable)?;
         let paths = entries.map(|entry| Ok(entry.map_err(unreadable)?.path()));
         let mut paths = paths.collect::<Result<Vec<_>, pounding_scene::Error>>()?;

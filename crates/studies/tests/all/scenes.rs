@@ -118,15 +118,13 @@ fn extreme_scene_that_diverges_is_named() {
     let law = &mut study["scenes"][2]["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     let error = make("diverges", &study).expect_err("contact far too stiff for the time step");
-    let StudyError::Scene(pounding_scene::Error::InFile { path, source, .. }) = &error else {
-        panic!("the error should name its file: {error}");
-    };
-    assert!(path.ends_with("study.json"), "{}", path.display());
-    let pounding_scene::Error::Run { scene, structures, .. } = &**source else {
+    let StudyError::Scene(pounding_scene::Error::Run { refused, .. }) = &error else {
         panic!("the run should have ended early: {error}");
     };
-    assert_eq!(scene, "viscoelastic elastic");
-    assert_eq!(structures[..], [(0, "weak".to_string())]);
+    let place = refused.place();
+    assert!(place.file.as_ref().is_some_and(|path| path.ends_with("study.json")), "{place:?}");
+    assert_eq!(place.scene.as_deref(), Some("viscoelastic elastic"));
+    assert_eq!(refused.parts().help.as_deref(), Some("structure 0 is \"weak\""));
 }
 
 #[test]
@@ -251,17 +249,16 @@ fn extreme_a_run_that_creates_energy_names_pair_and_structures() {
     study["scenes"][0]["method"]["central_difference"]["time_step_s"] = json!(0.05);
     study.as_object_mut().expect("a study").remove("program");
     let error = make("energy", &study).expect_err("steps far too long for the contact");
-    let StudyError::Scene(pounding_scene::Error::InFile { source, .. }) = &error else {
-        panic!("the error should name its file: {error}");
-    };
-    let pounding_scene::Error::Broken { structures, source, .. } = &**source else {
+    let StudyError::Scene(pounding_scene::Error::Broken { refused, source }) = &error else {
         panic!("a law should be broken: {error}");
     };
     let LedgerError::GainInContact { pair, .. } = source else {
         panic!("energy should be created: {error}");
     };
-    let indices: Vec<_> = structures.iter().map(|(index, _)| *index).collect();
-    assert_eq!(indices, [*pair, pair + 1]);
+    assert!(refused.place().file.is_some(), "the error should name its file: {error}");
+    let help = refused.parts().help.expect("the structures");
+    let indices = [*pair, pair + 1].map(|index| help.contains(&format!("structure {index} is")));
+    assert_eq!((indices, help.matches("structure ").count()), ([true; 2], 2), "{help}");
 }
 
 #[test]

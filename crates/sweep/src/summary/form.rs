@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::summary_file::{Summary, SummaryError};
+use crate::summary_file::Summary;
+use pounding_text::Refused;
 
 /// Most cells: each holds about fifteen kilobytes for each of its columns.
 const MOST_CELLS: u64 = 1000;
@@ -64,7 +65,7 @@ impl Form {
         words: &Summary,
         (listed, value): (&[Listed], impl Fn(&str, u64) -> String),
         mut columns: Vec<Summed>,
-    ) -> Result<Self, SummaryError> {
+    ) -> Result<Self, Refused> {
         let chosen = chosen(&words.by, listed)?;
         for (found, thresholds) in &words.exceedance {
             count_above(found, thresholds, &mut columns)?;
@@ -111,32 +112,34 @@ impl Form {
     }
 }
 
-/// The values that make cells.
-fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, SummaryError> {
+/// Those of what takes turns that make cells.
+fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, Refused> {
     let mut chosen: Vec<&Listed> = Vec::new();
     for found in by {
         let is_named = |one: &&Listed| one.name == *found || one.name.split(" = ").any(|part| part == found);
-        let one = listed.iter().find(is_named).ok_or_else(|| SummaryError::By {
-            found: found.clone(),
-            allowed: listing(listed.iter().map(|one| &one.name)),
+        let one = listed.iter().find(is_named).ok_or_else(|| {
+            let named = Refused::at("summary.by").found(format!("`{found}`"));
+            let listed = listing(listed.iter().map(|one| &one.name));
+            let named = named.allowed_are(format!("what has listed values: {listed}"));
+            named.help("give the field a `grid` or `values` in `vary`")
         })?;
         if chosen.iter().any(|other| other.name == one.name) {
-            return Err(SummaryError::Twice(found.clone()));
+            let twice = Refused::at("summary.by").found(format!("`{found}` a second time"));
+            return Err(twice.allowed_is("once").help("delete one"));
         }
         chosen.push(one);
     }
     let cells = chosen.iter().map(|one| one.count).fold(1, u64::saturating_mul);
     if cells > MOST_CELLS {
-        return Err(SummaryError::Cells {
-            found: cells,
-            allowed: MOST_CELLS,
-        });
+        let found = Refused::at("summary.by").found(format!("{cells} cells"));
+        let found = found.allowed_are(format!("up to {MOST_CELLS}"));
+        return Err(found.help("leave one out of `by`, or take fewer values"));
     }
     Ok(chosen)
 }
 
 /// Sets thresholds of a quantity, or of a column.
-fn count_above(found: &str, thresholds: &[f64], columns: &mut [Summed]) -> Result<(), SummaryError> {
+fn count_above(found: &str, thresholds: &[f64], columns: &mut [Summed]) -> Result<(), Refused> {
     let is_named = |column: &&mut Summed| column.quantity == found || column.name == found;
     let mut is_known = false;
     for column in columns.iter_mut().filter(is_named) {
@@ -148,10 +151,12 @@ fn count_above(found: &str, thresholds: &[f64], columns: &mut [Summed]) -> Resul
     if is_known {
         return Ok(());
     }
-    Err(SummaryError::Column {
-        found: found.into(),
-        allowed: listing(columns.iter().map(|column| &column.quantity)),
-    })
+    {
+        let known = listing(columns.iter().map(|column| &column.quantity));
+        let found = Refused::at("summary.exceedance").found(format!("`{found}`"));
+        let found = found.allowed_are(format!("{known}, and names of columns"));
+        Err(found.help("add the quantity to `outputs`, or name one of these"))
+    }
 }
 
 /// Names in words, each once.

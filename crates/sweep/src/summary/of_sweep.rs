@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use super::form::{Form, Listed, Summed};
 use super::tally::Tally;
+use crate::Sweep;
 use crate::summary_file::Summary;
-use crate::{Sweep, SweepError};
+use pounding_text::Refused;
 
 impl Sweep {
-    /// The form of a summary in these words, if each record shakes in this many directions.
-    pub(crate) fn form(&self, words: &Summary, n_directions: usize) -> Result<Form, SweepError> {
+    /// Of what a summary in these words is made, where each record shakes in so many directions.
+    pub(crate) fn form(&self, words: &Summary, n_directions: usize) -> Result<Form, Refused> {
         let (listed, axes) = (self.listed(n_directions), self.plan.axes());
         let value = |name: &str, place: u64| {
             if let Some(axis) = axes.iter().find(|axis| axis.name == name) {
@@ -22,7 +23,7 @@ impl Sweep {
                 self.motions.all[place * n_directions].name.clone()
             }
         };
-        Ok(Form::of(words, (&listed, value), self.summed_columns())?)
+        Form::of(words, (&listed, value), self.summed_columns())
     }
 
     /// Possible axes of cells: the motion, and every field with a list of values.

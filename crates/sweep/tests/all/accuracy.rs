@@ -1,7 +1,8 @@
 //! Sweeps whose scene requests an accuracy: the chosen method, and the reported errors.
 
 use pounding_scene::Method;
-use pounding_sweep::{Sweep, SweepError};
+use pounding_sweep::Sweep;
+use pounding_text::Kind;
 use serde_json::{Value, json};
 
 use crate::{STOPPED, folder, read, scene, sweep, table};
@@ -134,7 +135,7 @@ fn issue_a_stop_while_a_method_is_chosen_is_told() {
     let words = with_periods(&scene);
     let refused = read(&folder("accuracy_stopped"), &words, Some(&STOPPED));
     let refused = refused.expect_err("somebody said stop");
-    assert!(matches!(refused, SweepError::Stopped), "{refused}");
+    assert!(refused.is_kind(Kind::Stopped), "{refused}");
 }
 
 /// The chosen steps cost more than exact runs, after a search that cost even more. If there are fewer runs than measure a method, only the

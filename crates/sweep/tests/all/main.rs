@@ -13,7 +13,8 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_files::Existing;
 use pounding_scene::{Scene, Simulation};
-use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
+use pounding_sweep::{Parts, Shard, Sweep, merge};
+use pounding_text::Refused;
 use serde_json::{Value, json};
 
 /// A stop flag that is set.
@@ -48,8 +49,8 @@ fn sweep(folder: &Path, words: &Value) -> Sweep {
     read(folder, words, None).expect("a sweep")
 }
 
-/// Reads a sweep with a stop flag.
-pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, SweepError> {
+/// The same, until somebody says stop.
+pub(crate) fn read(folder: &Path, words: &Value, stop: Option<&'static AtomicBool>) -> Result<Sweep, Refused> {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
     Sweep::read(&path, stop)

@@ -4,7 +4,9 @@ use super::super::identity::text;
 use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
-use crate::{Direction, Identity, Place, ReadError};
+use crate::refusals;
+use crate::{Direction, Identity, Place, Refused};
+use pounding_text::{Kind, Spot};
 
 /// Lines in which NPTS and DT are looked for. PEER has them on line 4, rotated and matched records
 /// on line 7.
@@ -32,10 +34,14 @@ pub(super) struct Header<'l, 't> {
 }
 
 /// Splits a file at its line with NPTS and DT; a line such as `*** Begin data ***` below it is passed over.
-pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, ReadError> {
-    let index = count_line(lines).ok_or(ReadError::NoCountLine {
-        searched: HEADER_LINES.min(lines.len()),
-    })?;
+pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, Refused> {
+    let index = count_line(lines).ok_or(
+        Refused::that(format!(
+            "no line among the first {} gives the number of samples and the time step",
+            HEADER_LINES.min(lines.len())
+        ))
+        .help("write line 4 as `NPTS= 4000, DT= .01000 SEC`"),
+    )?;
     let mut data = &lines[index + 1..];
     if let [first, rest @ ..] = data
         && first.bytes.trim_ascii().starts_with(b"***")
@@ -126,10 +132,15 @@ pub(super) struct Stated<'t> {
 }
 
 /// Reads a line with NPTS and DT.
-pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, ReadError> {
-    let refused = || ReadError::CountLine {
-        line: line.number,
-        found: line.excerpt(),
+pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, Refused> {
+    let refused = || {
+        Refused::at(Spot::Line(line.number))
+            .reads(line.excerpt())
+            .but(
+                ", but ",
+                "must give a whole number of samples above 0 and the time step in seconds, and no other number",
+            )
+            .help("write it as `NPTS= 4000, DT= .01000 SEC`")
     };
     let text = line.text().to_ascii_uppercase();
     let [count, step] = printed(&text).ok_or_else(refused)?;
@@ -139,10 +150,7 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, ReadError> {
         return Err(refused());
     }
     if !(step.is_finite() && step > 0.0) {
-        return Err(ReadError::TimeStep {
-            place: Place::Line(line.number),
-            found: step,
-        });
+        return Err(refusals::time_step(Place::Line(line.number), step));
     }
     Ok(Stated { line, count, step })
 }
@@ -190,17 +198,14 @@ pub(super) fn points<'t>(titles: &[Line<'t>]) -> Option<Stated<'t>> {
 
 /// The title line that says acceleration in g, the one next to the numbers first; none where no
 /// line names a unit.
-pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, ReadError> {
+pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, Refused> {
     let mut other: Option<Line<'t>> = None;
     for line in titles.iter().rev() {
         let words = words(*line);
         let says = |known: &[&str]| words.iter().any(|word| known.contains(&word.as_str()));
         let acceleration = says(&["ACCELERATION"]);
         if !acceleration && says(&["VELOCITY", "DISPLACEMENT"]) {
-            return Err(ReadError::Quantity {
-                line: line.number,
-                found: line.excerpt(),
-            });
+            return Err(quantity(*line));
         }
         if !acceleration && !says(&["UNIT", "UNITS"]) {
             continue;
@@ -215,12 +220,16 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, ReadErro
         other.get_or_insert(*line);
     }
     match other {
-        Some(line) => Err(ReadError::Quantity {
-            line: line.number,
-            found: line.excerpt(),
-        }),
+        Some(line) => Err(quantity(line)),
         None => Ok(None),
     }
+}
+
+/// A line that names another quantity or unit than acceleration in g.
+fn quantity(line: Line<'_>) -> Refused {
+    let read = Refused::at(Spot::Line(line.number)).reads(line.excerpt()).kind(Kind::OtherQuantity);
+    read.but(", but ", "only acceleration in units of g is read")
+        .help("take the .AT2 file of the record")
 }
 
 /// The words of a line in capitals. A unit such as `CM/S` is one word; its `S` alone would say

@@ -3,7 +3,8 @@
 use super::super::numbers::at_most;
 use super::super::stamp::Stamp;
 use super::samples;
-use crate::{Place, ReadError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 /// Bytes of the fixed headers.
 const HEADER_2: usize = 48;
@@ -57,7 +58,7 @@ fn year(bytes: &[u8], at: usize) -> Option<(u16, bool)> {
 
 impl<'t> Record<'t> {
     /// The record that begins at a byte of a file.
-    pub(super) fn new(file: &'t [u8], at: usize) -> Result<Self, ReadError> {
+    pub(super) fn new(file: &'t [u8], at: usize) -> Result<Self, Refused> {
         let bytes = &file[at..];
         if !begins(bytes) {
             return Err(header(at, &bytes[..bytes.len().min(8)], "a record of miniSEED"));
@@ -70,14 +71,11 @@ impl<'t> Record<'t> {
         if record.time_step.is_finite() && record.time_step > 0.0 {
             Ok(record)
         } else {
-            Err(ReadError::TimeStep {
-                place: Place::Byte(at + 1),
-                found: record.time_step,
-            })
+            Err(refusals::time_step(Place::Byte(at + 1), record.time_step))
         }
     }
 
-    fn version_2(bytes: &'t [u8], at: usize) -> Result<Self, ReadError> {
+    fn version_2(bytes: &'t [u8], at: usize) -> Result<Self, Refused> {
         let cut = || truncated(at, bytes);
         let (year, big_endian) = year(bytes, 20).ok_or_else(cut)?;
         let short = |at: usize| {
@@ -126,7 +124,7 @@ impl<'t> Record<'t> {
         })
     }
 
-    fn version_3(bytes: &'t [u8], at: usize) -> Result<Self, ReadError> {
+    fn version_3(bytes: &'t [u8], at: usize) -> Result<Self, Refused> {
         let cut = || truncated(at, bytes);
         let fixed = bytes.get(..HEADER_3).ok_or_else(cut)?;
         let short = |at: usize| u16::from_le_bytes([fixed[at], fixed[at + 1]]);
@@ -160,7 +158,7 @@ impl<'t> Record<'t> {
     }
 
     /// Unpacks the values behind others; whether they are whole numbers.
-    pub(super) fn append(&self, values: &mut Vec<f64>) -> Result<bool, ReadError> {
+    pub(super) fn append(&self, values: &mut Vec<f64>) -> Result<bool, Refused> {
         let before = values.len();
         if !matches!(self.encoding, 1 | 3 | 4 | 5 | 10 | 11) {
             let found = format!("encoding {}", self.encoding);
@@ -174,12 +172,11 @@ impl<'t> Record<'t> {
         at_most(values.len() + found.len())?;
         values.extend(found);
         if values.len() - before != self.n_samples {
-            return Err(ReadError::SampleCount {
-                place: Place::Byte(self.at + 1),
-                found: values.len() - before,
-                allowed: self.n_samples,
-                next: None,
-            });
+            return Err(refusals::sample_count(
+                Place::Byte(self.at + 1),
+                values.len() - before,
+                self.n_samples,
+            ));
         }
         if !values[before..].iter().all(|value| value.is_finite()) {
             return Err(self.refused("a value that is not finite".to_owned(), "finite values"));
@@ -198,12 +195,8 @@ impl<'t> Record<'t> {
         }
     }
 
-    pub(super) fn refused(&self, found: String, allowed: &'static str) -> ReadError {
-        ReadError::Header {
-            place: Place::Byte(self.at + 1),
-            found,
-            allowed,
-        }
+    pub(super) fn refused(&self, found: String, allowed: &'static str) -> Refused {
+        refusals::header(Place::Byte(self.at + 1), found, allowed)
     }
 }
 
@@ -285,17 +278,10 @@ fn stream_of(name: &str) -> String {
     }
 }
 
-fn header(at: usize, found: &[u8], allowed: &'static str) -> ReadError {
-    ReadError::Header {
-        place: Place::Byte(at + 1),
-        found: found.escape_ascii().to_string(),
-        allowed,
-    }
+fn header(at: usize, found: &[u8], allowed: &'static str) -> Refused {
+    refusals::header(Place::Byte(at + 1), found.escape_ascii().to_string(), allowed)
 }
 
-fn truncated(at: usize, bytes: &[u8]) -> ReadError {
-    ReadError::Truncated {
-        place: Place::Byte(at + bytes.len()),
-        allowed: "the end of its last record",
-    }
+fn truncated(at: usize, bytes: &[u8]) -> Refused {
+    refusals::truncated(Place::Byte(at + bytes.len()), "the end of its last record")
 }

@@ -3,7 +3,8 @@
 use super::super::Stated;
 use super::rows::Rows;
 use crate::line::{Line, number};
-use crate::{Place, ReadError, RowError};
+use crate::refusals;
+use crate::{Place, Refused};
 
 /// Most that is a plausible step above values \[s\].
 const LONGEST: f64 = 0.1;
@@ -24,7 +25,7 @@ pub(super) struct Above<'t> {
 
 impl<'t> Above<'t> {
     /// The first of these rows, or the first two, where they are numbers of a header.
-    pub(super) fn new(rows: &Rows<'_, 't>) -> Result<Option<Self>, ReadError> {
+    pub(super) fn new(rows: &Rows<'_, 't>) -> Result<Option<Self>, Refused> {
         match rows.n_columns {
             2 => Ok(Self::of_one_line(rows)),
             1 => match Self::of_count(rows) {
@@ -68,7 +69,7 @@ impl<'t> Above<'t> {
         })
     }
 
-    fn of_two_lines(rows: &Rows<'_, 't>) -> Result<Option<Self>, ReadError> {
+    fn of_two_lines(rows: &Rows<'_, 't>) -> Result<Option<Self>, Refused> {
         let head: Vec<Line<'t>> = rows.iter().take(3).collect();
         let [first, second, third] = head[..] else {
             return Ok(None);
@@ -102,12 +103,11 @@ impl<'t> Above<'t> {
         }
         let is_factor = |factor: &f64| (one - factor).abs() < 1e-9 * factor;
         if is_one || FACTORS.iter().any(is_factor) {
-            return Err(RowError::HeaderNumbers {
-                lines: [first.number, second.number],
-                found: format!("{}, {}", first.excerpt(), second.excerpt()),
-                what: "perhaps a scale and a time step",
-            }
-            .into());
+            return Err(refusals::header_numbers(
+                [first.number, second.number],
+                format!("{}, {}", first.excerpt(), second.excerpt()),
+                "perhaps a scale and a time step",
+            ));
         }
         Ok(None)
     }

@@ -4,8 +4,9 @@ use super::super::stamp::Stamp;
 use super::super::time_column::{self, TimeColumn};
 use super::names::Name;
 use super::rows::{Rows, stamp};
+use crate::Refused;
 use crate::line::{Line, excerpt, number};
-use crate::{ReadError, RowError};
+use crate::refusals;
 
 /// A column of times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,18 +84,14 @@ impl Clock {
     }
 
     /// The times of the rows.
-    pub(super) fn read(&self, rows: &Rows<'_, '_>) -> Result<TimeColumn, ReadError> {
+    pub(super) fn read(&self, rows: &Rows<'_, '_>) -> Result<TimeColumn, Refused> {
         let mut times = TimeColumn::default();
         let mut first = None;
         for row in rows.iter() {
             let field = row.fields().nth(self.column).unwrap_or_default();
             match self.kind {
                 Kind::Stamps => {
-                    let moment = stamp(field).ok_or_else(|| RowError::NotANumber {
-                        line: row.number,
-                        field: self.column + 1,
-                        found: excerpt(field),
-                    })?;
+                    let moment = stamp(field).ok_or_else(|| refusals::not_a_number(row.number, self.column + 1, excerpt(field)))?;
                     let first: &Stamp = first.get_or_insert_with(|| moment.clone());
                     times.push_time(row, moment.since(first), moment.n_decimals());
                 }
@@ -109,7 +106,7 @@ impl Clock {
     }
 
     /// A time \[s\] that is printed in decimals of a second.
-    fn scaled(&self, row: Line<'_>, field: &[u8], decimals: usize) -> Result<f64, ReadError> {
+    fn scaled(&self, row: Line<'_>, field: &[u8], decimals: usize) -> Result<f64, Refused> {
         let divisor: f64 = format!("1e{decimals}").parse().expect("a number");
         Ok(row.finite(self.column + 1, field)? / divisor)
     }

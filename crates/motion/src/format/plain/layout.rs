@@ -7,7 +7,9 @@ use super::clock::Clock;
 use super::names::{Name, of_columns, spectrum};
 use super::rows::{Rows, first_row};
 use crate::line::Line;
-use crate::{Place, ReadError, RowError};
+use crate::refusals;
+use crate::{Place, Refused};
+use pounding_text::{Knob, Spot};
 
 /// Rows of numbers and what is known of them.
 pub(super) struct Layout<'l, 't> {
@@ -37,24 +39,24 @@ pub(super) enum Kind<'t> {
 }
 
 impl<'l, 't> Layout<'l, 't> {
-    pub(super) fn new(file: &'l File<'t>) -> Result<Self, ReadError> {
-        let first = first_row(&file.lines).ok_or(ReadError::Empty)?;
+    pub(super) fn new(file: &'l File<'t>) -> Result<Self, Refused> {
+        let first = first_row(&file.lines).ok_or(refusals::empty())?;
         let (titles, lines) = file.lines.split_at(first);
-        let mut rows = Rows::new(lines).ok_or(ReadError::Empty)?;
+        let mut rows = Rows::new(lines).ok_or(refusals::empty())?;
         rows.check_commas()?;
         let above = Above::new(&rows)?;
         if let Some(above) = &above {
-            rows = rows.behind(above.n_rows).ok_or(ReadError::Empty)?;
+            rows = rows.behind(above.n_rows).ok_or(refusals::empty())?;
         }
         let names = of_columns(titles, rows.n_columns);
         if let Some(names) = &names
             && let Some(instead) = spectrum(names)
         {
-            return Err(ReadError::NotAcceleration {
-                place: Place::Line(names[0].line.number),
-                found: names[0].line.excerpt(),
+            return Err(refusals::not_acceleration(
+                Place::Line(names[0].line.number),
+                names[0].line.excerpt(),
                 instead,
-            });
+            ));
         }
         let of_names = names.as_ref().map(|names| names[0].line.number);
         let said = Said::new(titles, of_names);
@@ -70,7 +72,7 @@ impl<'l, 't> Layout<'l, 't> {
         })
     }
 
-    fn kind(rows: &Rows<'_, '_>, names: Option<Vec<Name<'t>>>, counts: &[usize], in_rows: bool) -> Result<Kind<'t>, ReadError> {
+    fn kind(rows: &Rows<'_, '_>, names: Option<Vec<Name<'t>>>, counts: &[usize], in_rows: bool) -> Result<Kind<'t>, Refused> {
         let n_columns = rows.n_columns;
         if n_columns == 1 {
             let name = names.and_then(|mut names| names.pop());
@@ -80,12 +82,13 @@ impl<'l, 't> Layout<'l, 't> {
                 Kind::Unknown("the rows below have others")
             });
         }
-        let not_in_rows = |line: Line<'_>| -> ReadError {
-            RowError::NotInRows {
-                place: Place::Line(line.number),
-                found: line.excerpt(),
-            }
-            .into()
+        let not_in_rows = |line: Line<'_>| -> Refused {
+            Refused::at(Spot::Line(line.number))
+                .reads(line.excerpt())
+                .and(": the numbers stand in columns")
+                .but(", but ", Knob::InRows)
+                .and(" is declared")
+                .help("leave the declaration away")
         };
         if let Some(names) = names {
             if in_rows {

@@ -2,8 +2,9 @@
 
 use super::super::stamp::Stamp;
 use super::super::time_column::TimeColumn;
+use crate::Refused;
 use crate::line::{Line, number};
-use crate::{ReadError, RowError};
+use pounding_text::Spot;
 
 /// Rows of numbers, at least one; between them may stand blank lines and comments.
 pub(super) struct Rows<'l, 't> {
@@ -72,12 +73,8 @@ pub(in super::super) fn may_be_cut(line: Line<'_>) -> bool {
 }
 
 /// The refusal of such a line.
-pub(in super::super) fn cut_by_commas(line: Line<'_>) -> ReadError {
-    RowError::DecimalComma {
-        line: line.number,
-        found: line.excerpt(),
-    }
-    .into()
+pub(in super::super) fn cut_by_commas(line: Line<'_>) -> Refused {
+    Refused::at(Spot::Line(line.number)).reads(line.excerpt()).so(": ", "its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas")
 }
 
 fn rows_in<'t>(lines: &[Line<'t>]) -> impl Iterator<Item = Line<'t>> {
@@ -177,7 +174,7 @@ impl<'l, 't> Rows<'l, 't> {
     }
 
     /// Refuses rows that decimal commas may cut. More than two columns are counts, unless a fraction begins with a zero.
-    pub(super) fn check_commas(&self) -> Result<(), ReadError> {
+    pub(super) fn check_commas(&self) -> Result<(), Refused> {
         let is_fraction = |field: &[u8]| field.len() > 1 && field.starts_with(b"0");
         let has_fraction = |row: Line<'t>| row.fields().skip(1).step_by(2).any(is_fraction);
         let may_be = self.iter().all(may_be_cut) && (self.n_columns == 2 || self.iter().any(has_fraction));

@@ -1,5 +1,6 @@
 //! The runs of an assessment: every motion in both directions, beside every neighbour, and once more with bumpers.
 
+use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -42,7 +43,7 @@ struct Shared {
 
 impl Asked<'_> {
     /// Assesses every row under every motion.
-    pub(super) fn run(&self) -> Result<suite::Ran<Found>, String> {
+    pub(super) fn run(&self) -> Result<suite::Ran<Found>, Refused> {
         let [from, to] = self.stiffness;
         let shared = |motion: &Motion| {
             let (scene, spectrum) = self.scaling.applied(&self.known, motion)?;
@@ -91,7 +92,7 @@ impl Asked<'_> {
     }
 
     /// What bumpers change in the runs in which something touches, by motion, direction and row; runs that fail are left out.
-    pub(super) fn with_bumpers(&self, lines: &[suite::Line<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, String> {
+    pub(super) fn with_bumpers(&self, lines: &[suite::Line<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
         if bumpers.is_empty() {
             return Ok(BumperRuns::new());
         }

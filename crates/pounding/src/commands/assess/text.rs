@@ -4,7 +4,6 @@ use pounding::report::AssessmentReport;
 use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
 use pounding::text::{millimetres, millimetres_up, two_decimals, two_digits};
 
-use crate::commands::declared::by_options;
 use crate::text::{NONE, paragraph, short, table, unusual};
 
 /// Most lines of a table on the first screen.
@@ -26,7 +25,7 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     parts.extend(storeys(report, most));
     parts.extend(pairs(report, most));
     if !report.remarks().is_empty() {
-        parts.push(paragraph("Records", &by_options(&report.remarks().join("\n"))));
+        parts.push(paragraph("Records", &report.remarks().join("\n")));
     }
     if details {
         parts.push(runs(report));

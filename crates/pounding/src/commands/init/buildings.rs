@@ -1,5 +1,6 @@
 //! Buildings of several storeys to begin with, and the contacts between neighbours.
 
+use pounding::text::Refused;
 use pounding::text::digits;
 
 /// More storeys than any building has, and more buildings than a street.
@@ -14,13 +15,13 @@ pub(super) fn storeys(text: &str) -> Result<usize, String> {
 }
 
 /// Refuses more buildings than anybody fills in.
-pub(super) fn check(buildings: usize) -> Result<(), String> {
+pub(super) fn check(buildings: usize) -> Result<(), Refused> {
     if buildings <= MOST {
         return Ok(());
     }
-    Err(format!(
-        "--storeys: found {buildings} buildings, allowed are up to {MOST}; write a longer row with a program"
-    ))
+    let found = Refused::at("--storeys").found(format!("{buildings} buildings"));
+    let found = found.allowed_are(format!("up to {MOST}"));
+    Err(found.help("write a longer row with a program"))
 }
 
 /// A gap \[m\].

@@ -1,9 +1,10 @@
 //! A record of one's own: how a scene names it, and what of it the scene has to say.
 
+use pounding::text::{Kind, Knob, Naming, Refused};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use pounding::motion::{AccelerationUnit, Accelerogram, Declared, ReadError, read_declared};
+use pounding::motion::{AccelerationUnit, Accelerogram, Declared, components, read_declared};
 use pounding::scene::{STANDARD_GRAVITY, record_bytes};
 use pounding::text::{digits, steers, visible};
 use serde_json::json;
@@ -41,24 +42,23 @@ impl Named {
     ///
     /// # Errors
     /// Says what cannot be read, or is no record.
-    pub(super) fn of(record: &Path, scene: &Path) -> Result<Self, String> {
-        let refused = |reason: &str| format!("--record {}: {reason}", record.display());
-        let unreadable = |error: std::io::Error| refused(&format!("cannot be read: {error}"));
+    pub(super) fn of(record: &Path, scene: &Path) -> Result<Self, Refused> {
+        let option = || format!("--record {}", record.display());
+        let unreadable = |error: std::io::Error| Refused::at(option()).is(format!("cannot be read: {error}"));
         if fs::metadata(record).map_err(unreadable)?.is_dir() {
-            return Err(refused(
-                "found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
-            ));
+            let folder = Refused::at(option()).found("a folder").allowed_is("a file");
+            return Err(folder.help("`pounding run SCENE --records` takes a folder"));
         }
         let bytes = record_bytes(record).map_err(unreadable)?;
-        let (holds, missing) = read(&bytes).map_err(|reason| refused(&reason))?;
+        let (holds, missing) = read(&bytes).map_err(|refused| in_option(refused, record))?;
         let (path, is_absolute) = match from_scene(record, scene) {
             Some(path) => (path, false),
             None => (std::path::absolute(record).map_err(unreadable)?, true),
         };
-        let path = path
-            .into_os_string()
-            .into_string()
-            .map_err(|_| refused("found a name that is not UTF-8, allowed is one that is: a scene is text; rename the file"))?;
+        let path = path.into_os_string().into_string().map_err(|_| {
+            let name = Refused::at(option()).found("a name that is not UTF-8");
+            name.allowed_is("one that is: a scene is text").help("rename the file")
+        })?;
         Ok(Self {
             path,
             is_absolute,
@@ -112,41 +112,53 @@ impl Named {
     }
 }
 
+/// The refusal of a record that an option names.
+fn in_option(mut refused: Refused, record: &Path) -> Refused {
+    let option = format!("--record {}", record.display());
+    refused.place_mut().file = Some(option.into());
+    refused
+}
+
 /// What a record holds, in words, or what is missing before that can be known.
-fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
+fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
     let mut declared = Declared::default();
     let mut missing: Vec<Missing> = Vec::new();
     loop {
         // What is declared below only finds out what else is missing.
-        let (field, example, allowed) = match read_declared(bytes, &declared) {
+        let refused = match read_declared(bytes, &declared) {
             Ok(file) if missing.is_empty() => {
                 return Ok((Some(held(file)?), missing));
             }
             Ok(_) => return Ok((None, missing)),
-            Err(ReadError::UnitNotStated) => {
+            Err(refused) => refused,
+        };
+        let (field, example, allowed) = match refused.wanted() {
+            Some(Knob::Unit) => {
                 declared.unit = Some(AccelerationUnit::MetrePerSecondSquared);
                 let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
                 ("unit", "\"g\"", format!("one of {}", names.join(", ")))
             }
-            Err(ReadError::TimeStepNotStated) => {
+            Some(Knob::TimeStep) if !refused.is_kind(Kind::Uneven) => {
                 declared.time_step = Some(1.0);
                 ("time_step_s", "0.01", "time between samples [s]".into())
             }
-            Err(ReadError::Counts { .. }) => {
+            Some(Knob::PerCount) => {
                 declared.per_count = Some(1.0);
                 let allowed = "what one count of the digitiser is worth, in `unit`";
                 ("per_count", "1e-6", allowed.into())
             }
-            Err(ReadError::Velocity { found, .. }) => {
+            Some(Knob::Acceleration) if refused.is_kind(Kind::Velocity) => {
+                let found = refused.word().unwrap_or_default();
                 declared.acceleration = true;
                 let allowed = format!("only if the values are accelerations, though {found:?} speaks for velocities");
                 ("acceleration", "true", allowed)
             }
-            Err(ReadError::ComponentNeeded { names }) => {
+            Some(Knob::Component) => {
+                let names = components(bytes)?;
                 declared.component = Some("1".into());
                 ("component", "\"1\"", format!("one of {}", names.join("; ")))
             }
-            Err(other) => return Err(other.to_string()),
+            _ => return Err(refused.by(Naming::Scene)),
         };
         let why = if field == "component" {
             "the file holds several"
@@ -167,10 +179,10 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
 }
 
 /// What a record holds, in words.
-fn held(file: Accelerogram) -> Result<String, String> {
+fn held(file: Accelerogram) -> Result<String, Refused> {
     let format = file.format().name();
     let record = file.into_record(STANDARD_GRAVITY);
-    let record = record.map_err(|error| error.to_string())?;
+    let record = record?;
     let (time, peak) = record.peak();
     Ok(format!(
         "{format}, {} samples, {} s apart, peak {} m/s² at {} s",

@@ -3,6 +3,7 @@
 mod processing;
 mod provenance;
 
+use pounding::text::Refused;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -77,7 +78,7 @@ struct Motion {
 }
 
 /// Writes the CSV, and beside it where it comes from; returns what was written.
-pub(super) fn run(args: &Arguments) -> Result<String, String> {
+pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     let _waiting = Waiting::new("processing");
     let ending = args.file.extension().unwrap_or_default();
     let motion = if ending == "toml" || ending == "json" {
@@ -110,7 +111,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
     ))
 }
 
-fn of_file(args: &Arguments) -> Result<Motion, String> {
+fn of_file(args: &Arguments) -> Result<Motion, Refused> {
     let record = RecordUse {
         detrend: args.processing.detrend(),
         band_pass: args.processing.band_pass(),
@@ -130,18 +131,15 @@ fn of_file(args: &Arguments) -> Result<Motion, String> {
     })
 }
 
-fn of_scene(args: &Arguments) -> Result<Motion, String> {
+fn of_scene(args: &Arguments) -> Result<Motion, Refused> {
     let path = &args.file;
     if !args.processing.is_empty() || !args.declared.is_empty() {
-        return Err(format!(
-            "{}: found options for its record, allowed are --to and --overwrite: a scene says itself how its record is \
-             used; change its `record`",
-            path.display()
-        ));
+        let found = Refused::at(path.as_path()).found("options for its record");
+        let found = found.allowed_are("--to and --overwrite: a scene says itself how its record is used");
+        return Err(found.help("change its `record`"));
     }
-    let scene: Scene = Scene::read(path).map_err(|error| error.in_file(path).to_string())?;
-    let motion =
-        GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name).map_err(|error| error.in_file(path).to_string())?;
+    let scene: Scene = Scene::read(path).map_err(|error| error.in_file(path))?;
+    let motion = GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name).map_err(|error| error.in_file(path))?;
     Ok(Motion {
         record: motion.record,
         gravity: scene.record.gravity_m_per_s2,

@@ -2,6 +2,7 @@
 
 mod printed;
 
+use pounding::text::{Naming, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::motion::{Direction, Drift, Measures};
@@ -10,7 +11,6 @@ use rayon::prelude::*;
 
 use super::source::{Declared, Opened};
 use crate::commands::Failure;
-use crate::commands::declared::by_options;
 use crate::commands::suite::nothing_found;
 use crate::progress::Progress;
 
@@ -51,7 +51,7 @@ struct Line {
     named: bool,
     /// Its name, where the file holds several or one is asked for.
     component: Option<String>,
-    found: Result<Found, String>,
+    found: Result<Found, Refused>,
 }
 
 /// A motion and its measures.
@@ -66,7 +66,7 @@ struct Found {
 /// What the files hold.
 pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     let listed = Suite::listed(&args.files, &args.declared.of_files());
-    let (suite, _) = listed.map_err(|error| error.to_string())?;
+    let (suite, _) = listed?;
     if suite.n_entries == 0 {
         return Err(Failure::from(format!(
             "{}: found no file, allowed is a folder with one record or more",
@@ -84,7 +84,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     };
     match named_refused(&lines) {
         None => Ok(printed),
-        Some(message) => Err(Failure { printed, message }),
+        Some(refused) => Err(Failure { printed, refused }),
     }
 }
 
@@ -104,10 +104,7 @@ fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
         let chosen = motion.and_then(Motion::component).map(String::from);
         let declared = || args.declared.of_component(chosen.clone());
         let opened = match (motion, placed) {
-            (None, Err(one)) if !named || !whole(one) => {
-                let reason = by_options(&one.reason.sentence());
-                Err(format!("{}: {reason}", one.name))
-            }
+            (None, Err(one)) if !named || !whole(one) => Err(Refused::at(Path::new(&one.name)).is(one.reason.sentence())),
             // One alone is held against all that is declared.
             (Some(_), _) if named && args.files.len() == 1 => declared().open(path),
             (Some(motion), _) => args.declared.use_motion(motion),
@@ -133,21 +130,27 @@ fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
 }
 
 /// The reason, where nothing was read.
-fn all_refused(lines: &[Line]) -> Result<(), String> {
+fn all_refused(lines: &[Line]) -> Result<(), Refused> {
     match nothing_found(lines.iter().map(|line| &line.found)) {
         None => Ok(()),
-        Some(reason) if lines.len() == 1 => Err(reason.into()),
-        Some(first) => Err(format!("none of the {} motions is read; the first: {first}", lines.len())),
+        Some(refused) if lines.len() == 1 => Err(refused.clone()),
+        Some(first) => {
+            let none = format!("none of the {} motions is read; the first: ", lines.len());
+            Err(Refused::that(none).and(first).by(Naming::Option))
+        }
     }
 }
 
 /// What is said of files that were named and are refused; a folder may hold other files than records.
-fn named_refused(lines: &[Line]) -> Option<String> {
+fn named_refused(lines: &[Line]) -> Option<Refused> {
     let refused = lines.iter().filter(|line| line.named);
     let mut reasons = refused.filter_map(|line| line.found.as_ref().err());
     let first = reasons.next()?;
     Some(match reasons.count() {
         0 => first.clone(),
-        others => format!("{} of the motions named are refused; the first: {first}", others + 1),
+        others => {
+            let some = format!("{} of the motions named are refused; the first: ", others + 1);
+            Refused::that(some).and(first).by(Naming::Option)
+        }
     })
 }

@@ -1,5 +1,6 @@
 //! What a record file does not say itself, and the opening of such files.
 
+use pounding::text::Refused;
 use std::path::Path;
 
 use std::sync::Arc;
@@ -8,6 +9,7 @@ use pounding::motion::{Accelerogram, Record};
 use pounding::scene::{Error, FileUse, GroundMotion, Motion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened};
 
 use crate::commands::{declared, positive};
+use pounding::text::Naming;
 
 /// What files do not say themselves, which component is taken, and what one g is worth.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -67,7 +69,7 @@ impl Declared {
     }
 
     /// Reads a file as it is.
-    pub(super) fn open(&self, path: &Path) -> Result<Opened, String> {
+    pub(super) fn open(&self, path: &Path) -> Result<Opened, Refused> {
         processed(path, &self.use_of(path))
     }
 
@@ -85,19 +87,19 @@ impl Declared {
     }
 
     /// A motion that was read, as it is.
-    pub(super) fn use_motion(&self, motion: &Motion) -> Result<Opened, String> {
+    pub(super) fn use_motion(&self, motion: &Motion) -> Result<Opened, Refused> {
         let record = self.use_of(&motion.path);
-        used(&record, Arc::clone(motion.origin())).map_err(|error| message(&motion.path, &error))
+        used(&record, Arc::clone(motion.origin())).map_err(|error| by_options(&motion.path, error))
     }
 
     /// Reads one of several files: what is declared holds only where the file does not say it.
-    pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, String> {
+    pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, Refused> {
         let record = self.use_of(path);
         let read = || {
             let origin = Origin::of_silent(path, &opened(path)?, file_of(&record))?.0;
             used(&record, Arc::new(origin))
         };
-        read().map_err(|error| message(path, &error))
+        read().map_err(|error| by_options(path, error))
     }
 }
 
@@ -112,10 +114,7 @@ fn file_of(record: &RecordUse) -> &FileUse {
 /// A file that was read, used as a scene says.
 fn used(record: &RecordUse, origin: Arc<Origin>) -> Result<Opened, Error> {
     let motion = GroundMotion::of_file(record, origin);
-    let motion = motion.map_err(|source| Error::Scene {
-        scene: String::new(),
-        source,
-    })?;
+    let motion = motion?;
     Ok(Opened {
         record: motion.record,
         origin: motion.origin.expect("the source is a file"),
@@ -123,41 +122,14 @@ fn used(record: &RecordUse, origin: Arc<Origin>) -> Result<Opened, Error> {
 }
 
 /// Reads a file and processes it.
-pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, String> {
+pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, Refused> {
     let read = Origin::read(path, file_of(record)).and_then(|origin| used(record, Arc::new(origin)));
-    read.map_err(|error| message(path, &error))
+    read.map_err(|error| by_options(path, error))
 }
 
-/// Fields of a scene and the options that stand for them; a field comes before the table that it is in.
-const OPTIONS: [(&str, &str); 15] = [
-    ("`record.component`", "--component"),
-    ("record.gravity_m_per_s2", "--gravity"),
-    ("record.detrend", "--detrend"),
-    ("record.band_pass.low_hz", "--band-pass LOW"),
-    ("record.band_pass.high_hz", "--band-pass HIGH"),
-    ("record.band_pass.order", "--order"),
-    ("record.band_pass.causal", "--causal"),
-    ("record.band_pass", "--band-pass"),
-    ("record.resample_s", "--resample"),
-    ("record.scale_to.pga_g", "--scale-to-pga"),
-    ("record.scale_to.sa.period_s", "--scale-to-sa T"),
-    ("record.scale_to.sa.damping_ratio", "--scale-to-sa Z"),
-    ("record.scale_to.sa.sa_g", "--scale-to-sa SA"),
-    ("record.scale_to.sa", "--scale-to-sa"),
-    ("record.scale", "--scale"),
-];
-
-/// The message of a record that is refused, with the options of the program where a scene has fields.
-fn message(path: &Path, error: &Error) -> String {
-    let text = if let Error::NoRecord { source, .. } = error {
-        format!("cannot be read: {source}")
-    } else if let Error::Scene { source, .. } = error {
-        source.to_string()
-    } else {
-        error.reason()
-    };
-    let by_options = OPTIONS
-        .iter()
-        .fold(declared::by_options(&text), |text, (field, option)| text.replace(field, option));
-    format!("{}: {by_options}", path.display())
+/// A record that is refused, with the options of the program where a scene has fields.
+fn by_options(path: &Path, error: Error) -> Refused {
+    let mut refused = Refused::from(error).by(Naming::Option);
+    refused.place_mut().scene = None;
+    refused.in_file(path)
 }

@@ -1,5 +1,6 @@
 //! `pounding motion spectrum`: response spectra of a record, by the exact method.
 
+use pounding::text::Refused;
 use std::path::{Path, PathBuf};
 
 use pounding::report::{SpectraLabels, spectra_figure};
@@ -93,7 +94,7 @@ const COUNT: u32 = 100;
 const DRAWN: u32 = 400;
 
 /// The spectra.
-pub(super) fn run(args: &Arguments) -> Result<String, String> {
+pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     let opened = args.declared.open(&args.file)?;
     if let Some(figure) = &args.figure {
         new_file::check(figure, std::slice::from_ref(&args.file), args.overwrite)?;
@@ -123,15 +124,15 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
 }
 
 /// The periods that are asked for.
-fn periods(args: &Arguments) -> Result<Vec<f64>, String> {
+fn periods(args: &Arguments) -> Result<Vec<f64>, Refused> {
     if !args.periods.is_empty() {
         return Ok(args.periods.clone());
     }
     let (from, to) = (args.from, args.to);
     if from >= to && args.count != Some(1) {
-        return Err(format!(
-            "--from: found {from}, allowed less than --to, which is {to}; exchange them, or ask for --count 1",
-        ));
+        let found = Refused::at("--from").found(from.to_string());
+        let found = found.allowed(format!("less than --to, which is {to}"));
+        return Err(found.help("exchange them, or ask for --count 1"));
     }
     Ok(match args.count {
         Some(count) => pounding::scene::periods_between(from, to, count),
@@ -164,7 +165,7 @@ fn with(mut curves: Vec<Spectrum>, listed: &[Spectrum]) -> Vec<Spectrum> {
     curves
 }
 
-fn draw(args: &Arguments, opened: &Opened, spectra: &[Spectrum], path: &Path) -> Result<(), String> {
+fn draw(args: &Arguments, opened: &Opened, spectra: &[Spectrum], path: &Path) -> Result<(), Refused> {
     let name = args.file.file_name().unwrap_or_default();
     let title = match component(args, opened) {
         Some(component) => format!("{} {component}", name.to_string_lossy()),

@@ -3,6 +3,7 @@
 mod data;
 mod effects;
 
+use pounding::text::Refused;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -101,9 +102,9 @@ impl Found {
 }
 
 /// The scene under every record of a folder.
-pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
+pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, Refused> {
     let path = &args.scene;
-    let scene: Scene = super::super::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
+    let scene: Scene = super::super::read(path).map_err(|error: Error| error.in_file(path))?;
     let directions: &[bool] = if args.suite.both {
         &[false, true]
     } else {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use pounding::sweep::{Joined, summary_beside};
+use pounding::text::Refused;
 
 use super::summed;
 use crate::commands::Failure;
@@ -18,8 +19,8 @@ pub(in crate::commands) fn answer(printed: String, joined: &Joined) -> Result<St
     } else {
         "the summary says why the first of them did"
     };
-    let message = format!("all {} runs failed: {why}", joined.runs);
-    Err(Failure { printed, message })
+    let refused = Refused::that(format!("all {} runs failed: {why}", joined.runs));
+    Err(Failure { printed, refused })
 }
 
 /// What is said of a table.

@@ -1,17 +1,18 @@
 //! The shard of a task of a job array, from the variables that the schedulers set.
 
 use pounding::sweep::Shard;
+use pounding::text::Refused;
 
 /// The shard of this process with the variable that names its task; nothing where none does.
 ///
 /// With a number of shards tasks count from 1, so that some of them can be submitted again; task 0, of an array that counts from
 /// there, has the last shard. Without it the array itself says how many tasks it has.
-pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<String>) -> Result<Option<(&'static str, Shard)>, String> {
-    let number = |name: &'static str| -> Result<Option<u64>, String> {
+pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<String>) -> Result<Option<(&'static str, Shard)>, Refused> {
+    let number = |name: &'static str| -> Result<Option<u64>, Refused> {
         let Some(text) = variable(name).filter(|text| !text.is_empty()) else {
             return Ok(None);
         };
-        let refused = || format!("{name}: found \"{text}\", allowed is a whole number >= 0");
+        let refused = || Refused::at(name).found(format!("\"{text}\"")).allowed_is("a whole number >= 0");
         text.parse().map(Some).map_err(|_| refused())
     };
     let slurm = number("SLURM_ARRAY_TASK_ID")?;
@@ -21,20 +22,22 @@ pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<Strin
     };
     match (task, shards) {
         (None, None) => Ok(None),
-        (None, Some(_)) => Err(
-            "--shards: found neither SLURM_ARRAY_TASK_ID nor HQ_TASK_ID, allowed is it in a job array; elsewhere say --shard I/N".into(),
-        ),
+        (None, Some(_)) => Err(Refused::at("--shards")
+            .found("neither SLURM_ARRAY_TASK_ID nor HQ_TASK_ID")
+            .allowed_is("it in a job array")
+            .help("elsewhere say --shard I/N")),
         (Some((name, task)), Some(shards)) => {
             let index = if task == 0 { shards } else { task };
             Shard::new(index, shards).map(|shard| Some((name, shard))).map_err(|_| {
-                format!(
-                    "{name}: found {task}, allowed are 1 to {shards} with --shards {shards}, or 0 to {last}; change --shards or the array",
-                    last = shards.saturating_sub(1)
-                )
+                let last = shards.saturating_sub(1);
+                let found = Refused::at(name).found(task.to_string());
+                let found = found.allowed_are(format!("1 to {shards} with --shards {shards}, or 0 to {last}"));
+                found.help("change --shards or the array")
             })
         }
         (Some(("HQ_TASK_ID", _)), None) => {
-            Err("HQ_TASK_ID: found a task, but not how many there are; add --shards N, or --shard 1/1 for the whole".into())
+            let task = Refused::at("HQ_TASK_ID").found("a task, but not how many there are");
+            Err(task.help("add --shards N, or --shard 1/1 for the whole"))
         }
         (Some((name, task)), None) => {
             let count = number("SLURM_ARRAY_TASK_COUNT")?;
@@ -43,7 +46,8 @@ pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<Strin
             let away = task.checked_sub(first).filter(|away| away % step == 0);
             let shard = count.zip(away).and_then(|(count, away)| Shard::new(away / step + 1, count).ok());
             shard.map(|shard| Some((name, shard))).ok_or_else(|| {
-                "SLURM_ARRAY_TASK_ID: found a task of an array without equal steps; number the tasks from 1 and add --shards N".into()
+                let task = Refused::at("SLURM_ARRAY_TASK_ID").found("a task of an array without equal steps");
+                task.help("number the tasks from 1 and add --shards N")
             })
         }
     }
@@ -65,7 +69,7 @@ mod tests {
                 shard.to_string()
             }
             Ok(None) => "the whole".into(),
-            Err(message) => message,
+            Err(refused) => refused.to_string(),
         }
     }
 

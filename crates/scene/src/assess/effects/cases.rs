@@ -1,7 +1,8 @@
 //! The runs that effects are told from.
 
-use pounding_motion::{Record, RecordError};
+use pounding_motion::Record;
 use pounding_solver::SimultaneousImpacts;
+use pounding_text::Refused;
 
 use super::super::peaks::{FloorPeaks, peaks};
 use crate::{Error, Method, RunResult, Scene, Simulation};
@@ -120,7 +121,7 @@ impl Case {
         changes.into_iter().flatten().collect()
     }
 
-    fn change(self, record: &Record) -> Result<Record, RecordError> {
+    fn change(self, record: &Record) -> Result<Record, Refused> {
         let direction = if self.reversed { -1.0 } else { 1.0 };
         let scaled = record.scaled(direction * self.scale)?;
         scaled.stretched(self.stretch)

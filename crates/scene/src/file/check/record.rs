@@ -1,10 +1,11 @@
 //! Checks the use of a ground motion, field by field, as far as that takes no motion.
 
 use super::{FINITE, POSITIVE, require};
-use crate::{RecordUse, ScaleTo, SceneError};
+use crate::{RecordUse, ScaleTo};
+use pounding_text::Refused;
 
 /// Refuses the first field of a record that cannot be used, in the order of the file.
-pub(crate) fn check(record: &RecordUse) -> Result<(), SceneError> {
+pub(crate) fn check(record: &RecordUse) -> Result<(), Refused> {
     let gravity = record.gravity_m_per_s2;
     require(gravity > 0.0, "record.gravity_m_per_s2", gravity, POSITIVE)?;
     if let Some(step) = record.resample_s {

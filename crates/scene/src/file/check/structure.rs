@@ -1,9 +1,10 @@
 //! Checks a structure, field by field.
 
+use pounding_text::Refused;
 use std::fmt::{self, Display};
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
-use crate::{Building, Columns, Damping, SceneError, Sdof, Structure};
+use crate::{Building, Columns, Damping, Sdof, Structure};
 
 /// A structure, or a storey of it, whose fields have names.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +42,7 @@ impl Display for Field<'_> {
 const NAME: &str = "a name, by which results tell structures";
 
 /// Refuses the first field of a structure that cannot be modelled.
-pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneError> {
+pub(super) fn check(index: usize, structure: &Structure) -> Result<(), Refused> {
     let place = |kind| Place {
         structure: index,
         kind,
@@ -54,7 +55,7 @@ pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneErro
     }
 }
 
-fn check_sdof(structure: &Sdof, place: Place) -> Result<(), SceneError> {
+fn check_sdof(structure: &Sdof, place: Place) -> Result<(), Refused> {
     named(place.field("name"), &structure.name, NAME)?;
     let (m, columns) = (structure.mass_kg, structure.columns());
     require(m > 0.0, place.field("mass_kg"), m, POSITIVE)?;
@@ -74,7 +75,7 @@ fn check_sdof(structure: &Sdof, place: Place) -> Result<(), SceneError> {
     check_start(start, place)
 }
 
-fn check_building(building: &Building, place: Place) -> Result<(), SceneError> {
+fn check_building(building: &Building, place: Place) -> Result<(), Refused> {
     named(place.field("name"), &building.name, NAME)?;
     for (index, storey) in building.storeys.iter().enumerate() {
         let place = Place {
@@ -98,7 +99,7 @@ fn check_building(building: &Building, place: Place) -> Result<(), SceneError> {
 }
 
 /// Refuses modes that the building does not have.
-fn check_modes(building: &Building, place: Place) -> Result<(), SceneError> {
+fn check_modes(building: &Building, place: Place) -> Result<(), Refused> {
     let Damping::Modes { modes, .. } = building.damping else {
         return Ok(());
     };
@@ -117,17 +118,17 @@ fn number(count: usize) -> f64 {
     count as f64
 }
 
-fn check_stiffness(columns: &Columns, place: Place) -> Result<(), SceneError> {
+fn check_stiffness(columns: &Columns, place: Place) -> Result<(), Refused> {
     let k = columns.stiffness_n_per_m;
     require(k > 0.0, place.field("stiffness_n_per_m"), k, POSITIVE)
 }
 
-fn check_height(height: Option<f64>, place: Place) -> Result<(), SceneError> {
+fn check_height(height: Option<f64>, place: Place) -> Result<(), Refused> {
     let Some(height) = height else { return Ok(()) };
     require(height > 0.0, place.field("height_m"), height, POSITIVE)
 }
 
-fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
+fn check_yielding(columns: &Columns, place: Place) -> Result<(), Refused> {
     if let Some(force) = columns.yield_force_n {
         require(force > 0.0, place.field("yield_force_n"), force, POSITIVE)?;
     }
@@ -146,12 +147,12 @@ fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
     Ok(())
 }
 
-fn check_start((displacement, velocity): (f64, f64), place: Place) -> Result<(), SceneError> {
+fn check_start((displacement, velocity): (f64, f64), place: Place) -> Result<(), Refused> {
     require(true, place.field("initial_displacement_m"), displacement, FINITE)?;
     require(true, place.field("initial_velocity_m_per_s"), velocity, FINITE)
 }
 
-fn check_damping(damping: &Damping, place: Place) -> Result<(), SceneError> {
+fn check_damping(damping: &Damping, place: Place) -> Result<(), Refused> {
     let check_ratios = |of: &str, ratios: [f64; 2]| {
         for (index, ratio) in ratios.into_iter().enumerate() {
             let name = format!("damping.{of}.ratios[{index}]");

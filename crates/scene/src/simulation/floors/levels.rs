@@ -1,25 +1,26 @@
 //! At which levels the floors and walls of a scene stand, and that contacts let floors touch that face each other.
 
 use pounding_solver::Levels;
+use pounding_text::{Refused, digits};
 
 use super::EQUAL_HEIGHTS;
-use crate::{Contact, Scene, SceneError, Structure};
+use crate::{Contact, Scene, Structure};
 
 /// The levels of a scene whose structures were checked.
 ///
 /// # Errors
-/// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour, [`SceneError::NotFacing`] and
-/// [`SceneError::NoLevels`] where a contact names levels at which nothing can touch.
-pub(super) fn of(scene: &Scene) -> Result<Levels, SceneError> {
+/// [`Refused`] where a floor would hit the columns of a neighbour, [`Refused`] and
+/// [`Refused`] where a contact names levels at which nothing can touch.
+pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
     let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
     let known = Heights::of(scene, &elevations);
     let mut levels = levels_of(scene, &elevations, known);
     for (contact, one) in scene.contacts.iter().flatten().enumerate() {
         let facing = facing(scene, &levels, contact);
         match &one.levels {
-            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, facing)?,
+            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, &facing)?,
             _ if known == Heights::Known => {
-                check_heights(scene, &elevations, contact, facing)?;
+                check_heights(scene, &elevations, contact, &facing)?;
             }
             _ => {}
         }
@@ -97,25 +98,36 @@ fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
 }
 
 /// Refuses levels at which nothing faces the neighbour.
-fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: Vec<usize>) -> Result<(), SceneError> {
-    let names = names(scene, [contact, contact + 1]).into();
+fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: &[usize]) -> Result<(), Refused> {
+    let [left, right] = names(scene, [contact, contact + 1]);
+    let (facing, place) = (list(allowed), format!("contacts[{contact}].levels"));
     if chosen.is_empty() {
-        return Err(SceneError::NoLevels { contact, names, allowed });
+        let none = Refused::at(place).found("none");
+        let allowed = format!("one or more of {facing}, at which floors of \"{left}\" and \"{right}\" face each other");
+        return Err(none
+            .allowed(allowed)
+            .help("leave out `levels` for all of them; neighbours that never touch take a wide gap_m"));
     }
     match chosen.iter().position(|level| !allowed.contains(level)) {
-        Some(place) => Err(SceneError::NotFacing {
-            contact,
-            place,
-            found: chosen[place],
-            names,
-            allowed,
-        }),
+        Some(index) => {
+            let found = Refused::at(format!("{place}[{index}]")).found(chosen[index].to_string());
+            let why = format!(
+                "{facing}: the levels at which floors of \"{left}\" and \"{right}\" face each other, counted from 1 for the lowest"
+            );
+            Err(found.allowed(why).help("leave out `levels` for all of them"))
+        }
         None => Ok(()),
     }
 }
 
+/// Counts in a list.
+fn list(counts: &[usize]) -> String {
+    let counts: Vec<_> = counts.iter().map(ToString::to_string).collect();
+    counts.join(", ")
+}
+
 /// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
-fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: Vec<usize>) -> Result<(), SceneError> {
+fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: &[usize]) -> Result<(), Refused> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());
     };
@@ -128,13 +140,23 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
         };
         let mut below = own.iter().filter(|height| **height <= lower);
         if let Some(height) = below.find(|height| !faces(height)) {
-            return Err(SceneError::LevelsDiffer {
-                contact,
-                names: names(scene, [structure, 2 * contact + 1 - structure]).into(),
-                height: *height,
-                others: others.clone(),
-                facing,
-            });
+            let [own, other] = names(scene, [structure, 2 * contact + 1 - structure]);
+            let heights: Vec<_> = others.iter().map(|height| digits(*height)).collect();
+            let found = format!(
+                "a floor of \"{own}\" at {} m, beside the columns of \"{other}\", whose floors are at {} m",
+                digits(*height),
+                heights.join(", ")
+            );
+            let those_that_face = match list(facing) {
+                none if none.is_empty() => none,
+                levels => format!("levels = [{levels}] lets those touch that do, and no others; or "),
+            };
+            let found = Refused::at(format!("contacts[{contact}]")).found(found);
+            let found = found.but("; allowed are ", "floors that face floors, up to the lower roof");
+            return Err(found.so(": ", those_that_face).and(
+                "change height_m of a storey. A floor that hits columns between floors can bring a building down, and is not \
+                 modelled: no gap from here is safe for it",
+            ));
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use crate::noise::Noise;
 use crate::{Completed, StudyError, StudyFile};
-use pounding_motion::{Record, RecordError};
+use pounding_motion::{Record, Refused};
 use pounding_scene::{Extras, Method, Scene, Simulation, in_scene};
 
 /// Scenes of the paper by another method, ready to run under any record.
@@ -116,7 +116,7 @@ impl Part {
         Self::prepared(file, self.looked_at, |index, scene| {
             let prepared = &self.prepared[index];
             let record = ended(prepared.record(), prepared.duration());
-            prepared.variant(scene, record.map_err(|error| in_scene(scene, error.into()))?)
+            prepared.variant(scene, record.map_err(|error| in_scene(scene, error))?)
         })
     }
 
@@ -153,7 +153,7 @@ impl Part {
 }
 
 /// A record that ends after so long \[s\], and is zero a sample later.
-fn ended(record: &Record, duration: f64) -> Result<Record, RecordError> {
+fn ended(record: &Record, duration: f64) -> Result<Record, Refused> {
     let step = record.time_step();
     let is_shaken = |(index, _): &(usize, &f64)| *index as f64 * step <= duration * (1.0 + 1e-9);
     let samples = record.samples().iter().enumerate().take_while(is_shaken);

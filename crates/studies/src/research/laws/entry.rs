@@ -4,7 +4,7 @@ use pounding_contact::{ContactLaw, LawName};
 
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Mark, Shade};
-use pounding_scene::{Certificate, CertificateError};
+use pounding_scene::{Certificate, Refused};
 
 /// A law calibrated exactly, with all names that lead to it: four formulas choose the damping of one force.
 #[derive(Debug)]
@@ -18,7 +18,7 @@ pub(super) const N_LAWS: usize = LawName::ALL.len() - 3;
 
 impl Entry {
     /// Every law once, in the order of its first name.
-    pub(super) fn all(settings: &AtlasSettings) -> Result<Vec<Self>, CertificateError> {
+    pub(super) fn all(settings: &AtlasSettings) -> Result<Vec<Self>, Refused> {
         let mut entries: Vec<Self> = Vec::new();
         for law in LawName::ALL {
             let certificate = settings.certificate(law, settings.restitution(law))?;

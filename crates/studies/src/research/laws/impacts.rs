@@ -6,7 +6,7 @@ use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders
 use super::entry::{Entry, by_name, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
-use pounding_scene::{CollisionError, FreeCollision, parallel};
+use pounding_scene::{FreeCollision, Refused, ended, no_step, parallel};
 use pounding_text::Table;
 
 /// Points of a history, from touch to parting.
@@ -24,7 +24,7 @@ pub(super) struct Impact {
 }
 
 /// Lets the free pair collide under every law; nothing for an impulsive one.
-pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec<Option<Impact>>, CollisionError> {
+pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec<Option<Impact>>, Refused> {
     let collision = settings.collision();
     parallel::try_each(entries, |entry| match entry.certificate.impact {
         Some(impact) => Impact::new(entry.certificate.law, &collision, impact.duration).map(Some),
@@ -34,7 +34,7 @@ pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec
 
 impl Impact {
     /// The exact method.
-    fn new(law: ContactLaw, collision: &FreeCollision, duration: f64) -> Result<Self, CollisionError> {
+    fn new(law: ContactLaw, collision: &FreeCollision, duration: f64) -> Result<Self, Refused> {
         let interval = duration / f64::from(N_POINTS);
         let touch = f64::from(BESIDE) * interval;
         let gap = collision.speed * touch;
@@ -44,13 +44,14 @@ impl Impact {
             time_step: end,
             n_steps: 1,
         };
-        let rest = Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
+        let rest = Excitation::new(end, &[0.0]).map_err(|_| no_step(end))?;
         let mut recorders = Recorders {
             histories: Some(Histories::new(2, interval, end)),
             ..Recorders::usual(2, row.pairs())
         };
         let exact = Integrator::Exact(Exact::default());
-        row.run(&exact, rest, clock.into(), &mut recorders)?;
+        let ran = row.run(&exact, rest, clock.into(), &mut recorders);
+        ran.map_err(|error| ended(&error))?;
         let states = |structure| {
             let histories = recorders.histories.iter();
             histories.flat_map(move |all| all.of(structure).states.iter())

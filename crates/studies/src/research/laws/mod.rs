@@ -15,7 +15,7 @@ use crate::files::{Files, drawn, in_folder};
 use crate::study::laws::AtlasSettings;
 use crate::{Completed, StudyError};
 use pounding_plot::Figure;
-use pounding_scene::{CertificateError, Scene};
+use pounding_scene::{Refused, Scene};
 use std::path::PathBuf;
 
 use entry::Entry;
@@ -40,12 +40,12 @@ impl Atlas {
     /// # Errors
     /// [`StudyError::Study`] for settings with which no law can be calibrated or no impact followed.
     pub fn draw(completed: &Completed, settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        let refuse = |error: CertificateError| {
+        let refuse = |error: Refused| {
             let allowed = "masses, speed, stiffness and restitution that every law takes";
             completed.refuse("output.laws", error.to_string(), allowed)
         };
         let entries = Entry::all(settings).map_err(refuse)?;
-        let impacts = impacts::collide(&entries, settings).map_err(|error| refuse(error.into()))?;
+        let impacts = impacts::collide(&entries, settings).map_err(refuse)?;
         Ok(Self {
             asked: restitution::ask(settings),
             ladders: time_step::climb(&entries, settings, done),

@@ -3,7 +3,7 @@
 use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
 use pounding_motion::Record;
-use pounding_scene::{GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum};
+use pounding_scene::{GroundMotion, Method, Motion, RecordUse, Refused, ScaleTo, Scene, response_spectrum};
 use pounding_text::Table;
 use std::path::Path;
 
@@ -31,8 +31,8 @@ impl Target {
     /// The strength of the first motion, where a study scales by one.
     ///
     /// # Errors
-    /// [`SpectrumError`] for a spectral acceleration that cannot be computed.
-    pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, SpectrumError> {
+    /// Refuses a spectral acceleration that cannot be computed.
+    pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, Refused> {
         let value = |strength| match strength {
             Strength::Pga => Ok(first.record.peak().1.abs()),
             Strength::Sa { period_s, damping_ratio } => sa(&first.record, period_s, damping_ratio),
@@ -138,7 +138,7 @@ impl Shaking {
 }
 
 /// Pseudo-spectral acceleration \[m/s²\].
-fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, SpectrumError> {
+fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, Refused> {
     let values = response_spectrum(record, &[period], damping)?;
     Ok(values[0].pseudo_acceleration)
 }

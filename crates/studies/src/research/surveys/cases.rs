@@ -41,12 +41,12 @@ impl Case {
     /// The same, every acceleration multiplied by a factor.
     ///
     /// # Errors
-    /// [`pounding_scene::Error::Scene`] for a factor that leaves no finite numbers.
+    /// Names the scene, for a factor that leaves no finite numbers.
     pub(super) fn scaled(&self, factor: f64) -> Result<Self, StudyError> {
         let motion = self.motion.scaled(factor);
-        let motion = motion.map_err(|source| pounding_scene::Error::Scene {
-            scene: self.name.clone(),
-            source,
+        let motion = motion.map_err(|mut refused| {
+            refused.place_mut().scene = Some(self.name.clone());
+            pounding_scene::Error::Refused(refused)
         })?;
         Ok(Self { motion, ..self.clone() })
     }

@@ -334,10 +334,8 @@ impl Failure {
             variant(source)
         } else if let Error::Broken { source, .. } = error {
             variant(source)
-        } else if let Error::Scene { source, .. } = error {
-            variant(source)
         } else {
-            variant(error)
+            variant(&error.refused().own_kind())
         };
         Self::new(kind, error.to_string())
     }

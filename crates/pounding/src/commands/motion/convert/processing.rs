@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use pounding::scene::{Detrend, FilterBand, ScaleTo};
+use pounding::text::Refused;
 
 use crate::commands::{part_of_one, positive};
 
@@ -96,7 +97,7 @@ impl Processing {
     ///
     /// # Errors
     /// A word that is not the number it should be: only a damping ratio may be per cent.
-    pub(super) fn scale_to(&self) -> Result<Option<ScaleTo>, String> {
+    pub(super) fn scale_to(&self) -> Result<Option<ScaleTo>, Refused> {
         if let Some(peak) = self.scale_to_pga {
             return Ok(Some(ScaleTo::PgaG(peak)));
         }

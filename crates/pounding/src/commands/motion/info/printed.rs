@@ -6,7 +6,6 @@ use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};
-use crate::commands::declared::by_options;
 use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
@@ -14,7 +13,7 @@ pub(super) fn text(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     match lines {
         [line] => match &line.found {
             Ok(found) => paragraphs(line, found, gravity),
-            Err(reason) => paragraph("Left out", reason),
+            Err(refused) => paragraph("Left out", &refused.to_string()),
         },
         lines => several(lines, suite, gravity),
     }
@@ -121,7 +120,7 @@ fn several(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     }
     parts.push(table_of(lines, gravity, of_one_file));
     let said = suite.said(true).join("\n");
-    parts.push(paragraph("Records", &by_options(&said)));
+    parts.push(paragraph("Records", &said));
     let unusual: Vec<String> = lines.iter().flat_map(|line| unusual(line, of_one_file)).collect();
     if !unusual.is_empty() {
         parts.push(paragraph("Unusual", &unusual.join("\n")));
@@ -266,7 +265,7 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
             }
             Err(reason) => {
                 row.resize(words.len() + names.len() + 1, Cell::default());
-                row.push(reason.as_str().into());
+                row.push(reason.to_string().as_str().into());
             }
         }
         row
@@ -280,7 +279,7 @@ pub(super) fn json_of(lines: &[Line], suite: &Suite, gravity: f64) -> String {
     let line = |line: &Line| {
         let mut all = json!({"file": line.path.display().to_string(), "component": line.component});
         match &line.found {
-            Err(reason) => all["refused"] = json!(reason),
+            Err(reason) => all["refused"] = json!(reason.to_string()),
             Ok(found) => {
                 let file = found.opened.file();
                 let readings = file.readings().iter().map(reading);

@@ -2,28 +2,29 @@
 
 use std::fmt::Display;
 
+use pounding_text::Refused;
 use serde::de::{Error, Expected, Unexpected};
 
-use super::fault::Fault;
+use super::fault;
 
 /// What a choice expects, for those that read one.
 pub(super) const CHOICE: &str = "string or map";
 /// A choice in the words of a file.
-const ONE_CHOICE: &str = "the name of one, or a table with one of them and its settings";
+const ONE_CHOICE: &str = "one, the name of one, or a table with one of them and its settings";
 /// The choice that is met most often.
-const ONE_DAMPING: &str = "such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
+const ONE_DAMPING: &str = "one, such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
 /// What the exponent of a knee may be, where it is no whole number; the check of a scene holds the others to it.
 const EXPONENT: &str = "a whole number from 1 to 20";
 
 /// What is wrong with words, and at which place of them.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {fault}", self.place())]
-pub struct Refused {
+#[derive(Debug)]
+pub(super) struct Unfit {
     /// Empty for the whole.
-    place: String,
+    way: String,
     /// What of the place is to blame.
     pub(super) blames: Blames,
-    fault: Fault,
+    is: Is,
+    refused: Refused,
 }
 
 /// What of a place is to blame.
@@ -37,18 +38,31 @@ pub(super) enum Blames {
     Field,
 }
 
-impl Refused {
-    pub(super) fn new(place: String, fault: Fault) -> Self {
-        let blames = Blames::Value;
-        Self { place, blames, fault }
+/// What the place may change in the words.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Is {
+    NoChoice,
+    NotWhole,
+    UnknownChoice,
+    Other,
+}
+
+impl Unfit {
+    fn new(is: Is, refused: Refused) -> Self {
+        Self {
+            way: String::new(),
+            blames: Blames::Value,
+            is,
+            refused,
+        }
     }
 
     /// The same, seen from the table or list in which the value stands.
     pub(super) fn within(mut self, outer: &str) -> Self {
-        if !self.place.is_empty() && !self.place.starts_with('[') {
-            self.place.insert(0, '.');
+        if !self.way.is_empty() && !self.way.starts_with('[') {
+            self.way.insert(0, '.');
         }
-        self.place.insert_str(0, outer);
+        self.way.insert_str(0, outer);
         self
     }
 
@@ -60,63 +74,58 @@ impl Refused {
 
     /// The way to what is to blame.
     pub(super) fn way(&self) -> &str {
-        &self.place
+        &self.way
     }
 
-    /// The field, for example `structures[1].sdof.mass_kg`.
-    pub fn place(&self) -> &str {
-        // Of a choice that is not known the place is what makes it, and no field of that name.
-        let makes = match (&self.fault, self.blames) {
-            (Fault::UnknownChoice { found, .. }, Blames::Name) => self.place.strip_suffix(found.as_str()),
-            _ => None,
+    /// The refusal of the field, for example `structures[1].sdof.mass_kg`.
+    pub(super) fn into_refused(self) -> Refused {
+        let way = self.way;
+        let refused = match self.is {
+            Is::NoChoice if way.ends_with("damping") => self.refused.allowed_is(ONE_DAMPING),
+            Is::NotWhole if way.ends_with("bouc_wen.exponent") => self.refused.allowed_is(EXPONENT),
+            Is::NoChoice | Is::NotWhole | Is::UnknownChoice | Is::Other => self.refused,
         };
-        let place = makes.map_or(self.place.as_str(), |makes| makes.trim_end_matches('.'));
-        if place.is_empty() { "top level" } else { place }
-    }
-
-    /// What is wrong there.
-    pub fn into_fault(mut self) -> Fault {
-        if let Fault::Choice(one) = &mut self.fault
-            && self.place.ends_with("damping")
-        {
-            *one = ONE_DAMPING;
-        }
-        if let Fault::Type { allowed, .. } = &mut self.fault
-            && allowed == WHOLE
-            && self.place.ends_with("bouc_wen.exponent")
-        {
-            *allowed = EXPONENT.into();
-        }
-        self.fault
+        // Of a choice that is not known the place is what makes it, and no field of that name.
+        let makes = way.rfind('.').map_or("", |end| &way[..end]);
+        let is_choice = self.is == Is::UnknownChoice && self.blames == Blames::Name;
+        let field = if is_choice { makes.to_owned() } else { way };
+        refused.in_field(if field.is_empty() { "top level".to_owned() } else { field })
     }
 }
 
-impl Error for Refused {
-    /// Of a message that begins with a field of the table, the field is to blame.
+impl Display for Unfit {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(out, "{}: {}", self.way, self.refused)
+    }
+}
+
+impl std::error::Error for Unfit {}
+
+impl Error for Unfit {
+    /// Of a refusal in a field of the table, the field is to blame.
     fn custom<T: Display>(message: T) -> Self {
-        let message = message.to_string();
-        let in_field = |letter: char| letter.is_ascii_alphanumeric() || "_.[]".contains(letter);
-        if let Some((field, rest)) = message.split_once(": ")
-            && rest.starts_with("found ")
-            && field.chars().all(in_field)
-        {
-            let refused = Self::new(field.into(), Fault::Own(rest.into()));
-            let blames = Blames::Field;
-            return Self { blames, ..refused };
+        let mut refused = Refused::handed(&message);
+        let field = refused.place_mut().field.take();
+        let new = Self::new(Is::Other, refused);
+        match field {
+            Some(field) => Self {
+                way: field.path().to_owned(),
+                blames: Blames::Field,
+                ..new
+            },
+            None => new,
         }
-        Self::new(String::new(), Fault::Own(message))
     }
 
     fn invalid_type(found: Unexpected<'_>, allowed: &dyn Expected) -> Self {
         let (found, allowed) = (in_words(found), allowed.to_string());
         // A table without a choice comes with the word of serde.
-        let fault = if allowed == CHOICE || allowed == "enum" {
-            Fault::Choice(ONE_CHOICE)
-        } else {
-            let allowed = allowed_in_words(&allowed);
-            Fault::Type { found, allowed }
-        };
-        Self::new(String::new(), fault)
+        if allowed == CHOICE || allowed == "enum" {
+            return Self::new(Is::NoChoice, Refused::default().found("no choice").allowed_is(ONE_CHOICE));
+        }
+        let allowed = allowed_in_words(&allowed);
+        let is = if allowed == WHOLE { Is::NotWhole } else { Is::Other };
+        Self::new(is, Refused::default().found(found).allowed_is(allowed))
     }
 
     fn invalid_value(found: Unexpected<'_>, allowed: &dyn Expected) -> Self {
@@ -124,34 +133,27 @@ impl Error for Refused {
     }
 
     fn invalid_length(length: usize, allowed: &dyn Expected) -> Self {
-        let fault = Fault::Type {
-            found: format!("a list of {length}"),
-            allowed: allowed_in_words(&allowed.to_string()),
-        };
-        Self::new(String::new(), fault)
+        let found = Refused::default().found(format!("a list of {length}"));
+        Self::new(Is::Other, found.allowed_is(allowed_in_words(&allowed.to_string())))
     }
 
     fn unknown_variant(found: &str, allowed: &'static [&'static str]) -> Self {
-        let (found, allowed) = (found.into(), owned(allowed));
-        Self::new(String::new(), Fault::UnknownChoice { found, allowed })
+        Self::new(Is::UnknownChoice, fault::unknown_choice(found, allowed))
     }
 
     fn unknown_field(found: &str, allowed: &'static [&'static str]) -> Self {
-        let fault = Fault::unknown_field(found.into(), owned(allowed));
-        Self::new(String::new(), fault)
+        Self::new(Is::Other, fault::unknown_field(found, allowed))
     }
 
     fn missing_field(field: &'static str) -> Self {
-        Self::new(String::new(), Fault::Missing(field.into()))
+        let found = Refused::default().found(format!("no `{field}`, which must be there"));
+        Self::new(Is::Other, found.help("add it"))
     }
 
     fn duplicate_field(field: &'static str) -> Self {
-        Self::new(String::new(), Fault::Twice(field.into()))
+        let found = Refused::default().found(format!("`{field}` twice"));
+        Self::new(Is::Other, found.allowed_is("once").help("delete one"))
     }
-}
-
-fn owned(words: &[&str]) -> Vec<String> {
-    words.iter().copied().map(String::from).collect()
 }
 
 /// What was found, in the words of a file.

@@ -1,0 +1,114 @@
+//! Refusals that several readers make.
+
+use pounding_text::{Kind, Knob, Refused, Spot, plain};
+
+use crate::Place;
+
+impl From<Place> for pounding_text::Place {
+    fn from(place: Place) -> Self {
+        let spot = match place {
+            Place::Line(line) => Spot::Line(line),
+            Place::Byte(byte) => Spot::Byte(byte),
+        };
+        spot.into()
+    }
+}
+
+/// The text holds nothing but blank lines and comments.
+pub(crate) fn empty() -> Refused {
+    let said = Refused::that("the text holds nothing but blank lines and comments");
+    said.help("give a header followed by numbers").kind(Kind::NoRecord)
+}
+
+/// A part of a header is not what the format asks for.
+pub(crate) fn header(place: Place, found: String, allowed: &str) -> Refused {
+    let read = Refused::at(place).reads(found);
+    read.but(", but ", format!("{allowed} should stand there"))
+        .help("fetch the file again")
+}
+
+/// No line of a header begins with a key that is needed.
+pub(crate) fn no_key(key: &str) -> Refused {
+    Refused::that(format!("no line of the header begins with {key:?}")).help("fetch the file again")
+}
+
+/// A file ends before what must follow.
+pub(crate) fn truncated(place: Place, allowed: &'static str) -> Refused {
+    let ends = Refused::that_at(place, format!("the file ends at {place}"));
+    ends.but(", before ", allowed).help("fetch it again")
+}
+
+/// A file holds something else than a history of accelerations.
+pub(crate) fn not_acceleration(place: Place, found: String, instead: &str) -> Refused {
+    let read = Refused::at(place).reads(found).kind(Kind::OtherQuantity);
+    read.but(", but ", "only histories of acceleration are read")
+        .help(format!("take {instead}"))
+}
+
+/// A file names a unit that is none of an acceleration that is known.
+pub(crate) fn unknown_unit(place: Place, found: String) -> Refused {
+    let read = Refused::at(place).reads(found);
+    read.and(" and names no unit of an acceleration that is known")
+        .but(", such as ", "g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s")
+        .help("if one of them is meant, write it there")
+}
+
+/// The time step is not a finite number above zero.
+pub(crate) fn time_step(place: Place, found: f64) -> Refused {
+    let is = Refused::at(place).is(format!("the time step is {} s", plain(found)));
+    is.but(", and must be ", "finite and above 0 s").help("correct it there")
+}
+
+/// A file holds more or fewer values than its header declares.
+pub(crate) fn sample_count(place: Place, found: usize, allowed: usize) -> Refused {
+    let kind = if found < allowed { Kind::CutShort } else { Kind::Wrong };
+    Refused::that_at(place, format!("the values end at {place} after {found} of them"))
+        .kind(kind)
+        .but(", but the header declares ", allowed.to_string())
+        .help("fetch the file again, or correct the header if the values are complete")
+}
+
+/// A field is not a number.
+pub(crate) fn not_a_number(line: usize, field: usize, found: String) -> Refused {
+    let how = if found.contains("**") {
+        "a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"
+    } else if found.contains(',') {
+        "write a decimal point for the comma, as in -0.00640"
+    } else {
+        "write it like -0.00640 or -.6403182E-02"
+    };
+    let at = Refused::at(Spot::Field(line, field)).is("");
+    at.quoted(found).and(" is not a number").help(how)
+}
+
+/// Numbers stand above the rows that are none of them: first and last line, what they read, and what they seem to be.
+pub(crate) fn header_numbers([first, last]: [usize; 2], found: String, what: &'static str) -> Refused {
+    let (reading, them) = if first == last { ("reads ", "it") } else { ("read ", "them") };
+    Refused::at(Spot::Lines(first, last))
+        .goes_on(reading)
+        .quoted(found)
+        .and(": ")
+        .and(what)
+        .and(", unlike the values below")
+        .help(format!("delete {them}, or put # before each line"))
+}
+
+/// A file says several things of its values that differ: what it is, how a caller declares it, and what is said in which places.
+pub(crate) fn several(what: &str, knob: Knob, said: impl Iterator<Item = (Place, String)>) -> Refused {
+    let said: Vec<_> = said.take(MOST_LISTED).map(|(place, text)| format!("{text} ({place})")).collect();
+    let said = Refused::that(format!("the file gives more than one {what}: {}", said.join(", ")));
+    said.help("declare the right one as ").and(knob).and(", or correct the file")
+}
+
+/// Most components that a message lists.
+const MOST_LISTED: usize = 50;
+
+/// Components with their numbers, which count from 0 here.
+pub(crate) fn listed(components: &[(usize, &str)]) -> String {
+    let first = components.iter().take(MOST_LISTED);
+    let mut listed: Vec<String> = first.map(|(index, name)| format!("{} = {name:?}", index + 1)).collect();
+    if components.len() > MOST_LISTED {
+        listed.push("…".to_owned());
+    }
+    listed.join(", ")
+}

@@ -1,0 +1,536 @@
+//! A refusal: place, what was found, what is allowed, what to do. It is made where the fault is found, and put into words last.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::io;
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::{Knob, Naming, Place, message};
+
+/// Why something is refused, in parts: `place: found this, allowed is that; help`.
+///
+/// Its sentence is that of [`Display`](fmt::Display). Leading words of a part, such as `, allowed is `, belong to the sentence alone.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Refused(Box<Parts>);
+
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct Parts {
+    place: Place,
+    /// Whether the sentence names line or byte itself.
+    names_spot: bool,
+    /// What was found, what is allowed, and what to do.
+    said: [Part; 3],
+    /// The part that was said last.
+    last: usize,
+    kind: Kind,
+    wants: Option<Knob>,
+    naming: Naming,
+}
+
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct Part {
+    lead: Cow<'static, str>,
+    words: Words,
+}
+
+/// What goes through a text that knows no values: the field, and lead and words of every part.
+type Packed = (String, [(String, String); 3]);
+
+/// What those must tell apart who do not only repeat a refusal.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Something that its user can put right.
+    #[default]
+    Wrong,
+    /// Something that the system refuses.
+    System(io::ErrorKind),
+    /// A text that is no record at all.
+    NoRecord,
+    /// Values that do not suit each other or the budget, though each is allowed.
+    Together,
+    /// A time step from which on a scene grows without bound.
+    Unstable,
+    /// A file of the program's own that is not as it was written.
+    Damaged,
+    /// Times in uneven steps.
+    Uneven,
+    /// Fewer values than were announced.
+    CutShort,
+    /// A record of another quantity than accelerations.
+    OtherQuantity,
+    /// A record of velocities, unless its user says otherwise.
+    Velocity,
+    /// A record of displacements, by the name of its file.
+    Displacement,
+    /// Somebody ended it.
+    Stopped,
+}
+
+/// Words of a message, with knobs among them that are named last.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Words(Vec<Piece>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Piece {
+    Text(Cow<'static, str>),
+    Quoted(String),
+    Knob(Knob),
+}
+
+impl Words {
+    /// The words with names for the knobs.
+    pub fn by(&self, naming: Naming) -> String {
+        let pieces = self.0.iter().map(|piece| match piece {
+            Piece::Text(text) => Cow::Borrowed(text.as_ref()),
+            Piece::Quoted(text) => format!("{text:?}").into(),
+            Piece::Knob(knob) => knob.asked(naming).into(),
+        });
+        pieces.collect()
+    }
+}
+
+impl From<&'static str> for Words {
+    fn from(text: &'static str) -> Self {
+        Self(vec![Piece::Text(text.into())])
+    }
+}
+
+impl From<String> for Words {
+    fn from(text: String) -> Self {
+        Self(vec![Piece::Text(text.into())])
+    }
+}
+
+impl From<Knob> for Words {
+    fn from(knob: Knob) -> Self {
+        Self(vec![Piece::Knob(knob)])
+    }
+}
+
+/// The sentence of another refusal, within one.
+impl From<&Refused> for Words {
+    fn from(refused: &Refused) -> Self {
+        let parts = &refused.0;
+        let place = parts.written_place();
+        let mut pieces = Vec::new();
+        if !place.is_empty() {
+            let colon = if parts.goes_on() { "" } else { ": " };
+            pieces.push(Piece::Text(format!("{place}{colon}").into()));
+        }
+        for part in parts.said.iter().filter(|part| !part.words.0.is_empty()) {
+            pieces.push(Piece::Text(part.lead.clone()));
+            pieces.extend(part.words.0.iter().cloned());
+        }
+        Self(pieces)
+    }
+}
+
+impl Parts {
+    /// The place as the sentence names it.
+    fn written_place(&self) -> String {
+        let mut place = self.place.clone();
+        place.spot = place.spot.filter(|_| !self.names_spot);
+        place.words(self.naming)
+    }
+
+    /// Whether the sentence goes on from its place without a colon.
+    fn goes_on(&self) -> bool {
+        self.said[0].lead.starts_with(' ')
+    }
+}
+
+impl Refused {
+    /// A refusal of something in one place.
+    pub fn at(place: impl Into<Place>) -> Self {
+        let mut new = Self::default();
+        new.0.place = place.into();
+        new
+    }
+
+    /// A refusal in a sentence of its own, without a place.
+    pub fn that(sentence: impl Into<Words>) -> Self {
+        Self::default().is(sentence)
+    }
+
+    /// The same of a place in a file that the sentence names itself.
+    pub fn that_at(place: impl Into<Place>, sentence: impl Into<Words>) -> Self {
+        let mut new = Self::at(place).is(sentence);
+        new.0.names_spot = true;
+        new
+    }
+
+    /// The refusal that a deserialiser is handed as something to be displayed, or a sentence.
+    ///
+    /// In its alternate form a refusal displays its parts, which a sentence does not tell.
+    pub fn handed(said: &impl fmt::Display) -> Self {
+        let text = format!("{said:#}");
+        let Ok((field, said)) = serde_json::from_str::<Packed>(&text) else {
+            return Self::that(text);
+        };
+        let mut new = Self::default();
+        new.0.place.field = Some(field).filter(|field| !field.is_empty()).map(Knob::field);
+        new.0.said = said.map(|(lead, words)| Part {
+            lead: lead.into(),
+            words: words.into(),
+        });
+        new
+    }
+
+    /// A file that the system refuses.
+    pub fn by_system(file: &Path, error: &io::Error) -> Self {
+        Self::at(file).is(error.to_string()).kind(Kind::System(error.kind()))
+    }
+
+    /// A file that the system does not let be read.
+    pub fn unreadable(file: &Path, error: &io::Error) -> Self {
+        let kind = Kind::System(error.kind());
+        Self::at(file).is("cannot be read: ").and(error.to_string()).kind(kind)
+    }
+
+    /// What was found.
+    #[must_use]
+    pub fn found(self, words: impl Into<Words>) -> Self {
+        self.say(0, "found ", words.into())
+    }
+
+    /// What is wrong, where the sentence does not begin with "found".
+    #[must_use]
+    pub fn is(self, words: impl Into<Words>) -> Self {
+        self.say(0, "", words.into())
+    }
+
+    /// The same, where the sentence goes on from its place: `line 3 gives a peak of …`.
+    #[must_use]
+    pub fn goes_on(self, words: impl Into<Words>) -> Self {
+        self.say(0, " ", words.into())
+    }
+
+    /// What a line or a byte of a file reads.
+    #[must_use]
+    pub fn reads(self, text: impl Into<String>) -> Self {
+        self.say(0, " reads ", Words(vec![Piece::Quoted(text.into())]))
+    }
+
+    /// What is allowed.
+    #[must_use]
+    pub fn allowed(self, words: impl Into<Words>) -> Self {
+        self.but(", allowed ", words)
+    }
+
+    /// The one thing that is allowed.
+    #[must_use]
+    pub fn allowed_is(self, words: impl Into<Words>) -> Self {
+        self.but(", allowed is ", words)
+    }
+
+    /// The things that are allowed.
+    #[must_use]
+    pub fn allowed_are(self, words: impl Into<Words>) -> Self {
+        self.but(", allowed are ", words)
+    }
+
+    /// What is allowed, after words of the caller's own.
+    #[must_use]
+    pub fn but(self, lead: &'static str, words: impl Into<Words>) -> Self {
+        self.say(1, lead, words.into())
+    }
+
+    /// What to do.
+    #[must_use]
+    pub fn help(self, words: impl Into<Words>) -> Self {
+        self.so("; ", words)
+    }
+
+    /// What to do, after words of the caller's own.
+    #[must_use]
+    pub fn so(self, lead: &'static str, words: impl Into<Words>) -> Self {
+        self.say(2, lead, words.into())
+    }
+
+    /// Goes on with what was said last: with words, or with a knob.
+    #[must_use]
+    pub fn and(mut self, words: impl Into<Words>) -> Self {
+        let parts = &mut *self.0;
+        parts.said[parts.last].words.0.extend(words.into().0);
+        self
+    }
+
+    /// Goes on with a text as its writer wrote it, in quotes.
+    #[must_use]
+    pub fn quoted(self, text: impl Into<String>) -> Self {
+        self.and(Words(vec![Piece::Quoted(text.into())]))
+    }
+
+    /// Says more of what was found.
+    #[must_use]
+    pub fn found_also(mut self, words: impl Into<Words>) -> Self {
+        self.0.said[0].words.0.extend(words.into().0);
+        self
+    }
+
+    /// Says more of what to do, behind all else that is said.
+    #[must_use]
+    pub fn help_also(mut self, words: impl Into<Words>) -> Self {
+        self.0.said[2].words.0.extend(words.into().0);
+        self
+    }
+
+    fn say(mut self, part: usize, lead: &'static str, words: Words) -> Self {
+        self.0.last = part;
+        let lead = lead.into();
+        self.0.said[part] = Part { lead, words };
+        self
+    }
+
+    /// What tells it apart from others.
+    #[must_use]
+    pub fn kind(mut self, kind: Kind) -> Self {
+        self.0.kind = kind;
+        self
+    }
+
+    /// The knob that is missing, and that alone would put it right.
+    #[must_use]
+    pub fn wants(mut self, knob: Knob) -> Self {
+        self.0.wants = Some(knob);
+        self
+    }
+
+    /// Whose names it uses.
+    #[must_use]
+    pub fn by(mut self, naming: Naming) -> Self {
+        self.0.naming = naming;
+        self
+    }
+
+    /// The same in a field, or in one within that field, as the caller names it.
+    #[must_use]
+    pub fn in_field(mut self, field: impl Into<Cow<'static, str>>) -> Self {
+        self.0.place.field = Some(Knob::field(field));
+        self
+    }
+
+    /// The same in a file, unless one is known.
+    #[must_use]
+    pub fn in_file(mut self, file: &Path) -> Self {
+        self.0.place.file.get_or_insert_with(|| file.to_path_buf());
+        self
+    }
+
+    /// Where it is.
+    pub fn place(&self) -> &Place {
+        &self.0.place
+    }
+
+    /// Where it is, to say more of that.
+    pub fn place_mut(&mut self) -> &mut Place {
+        &mut self.0.place
+    }
+
+    /// What tells it apart from others.
+    pub fn is_kind(&self, kind: Kind) -> bool {
+        self.0.kind == kind
+    }
+
+    /// The same, to hand it on.
+    pub fn own_kind(&self) -> Kind {
+        self.0.kind
+    }
+
+    /// The knob that is missing.
+    pub fn wanted(&self) -> Option<&Knob> {
+        self.0.wants.as_ref()
+    }
+
+    /// The word that was found, as its writer wrote it.
+    pub fn word(&self) -> Option<&str> {
+        let pieces = self.0.said[0].words.0.iter();
+        let mut words = pieces.filter_map(|piece| match piece {
+            Piece::Quoted(text) => Some(text.as_str()),
+            Piece::Text(_) | Piece::Knob(_) => None,
+        });
+        words.next()
+    }
+
+    /// The sentence without the name of the file, beside which it stands.
+    pub fn reason(&self) -> String {
+        let mut inner = self.clone();
+        inner.0.place.file = None;
+        inner.to_string()
+    }
+
+    /// The parts, for a program; none of them steers a terminal.
+    pub fn parts(&self) -> Refusal {
+        let shown = |text: String| message(&text).into_owned();
+        let naming = self.0.naming;
+        let [found, allowed, help] = self.0.said.each_ref().map(|part| {
+            let text = part.words.by(naming);
+            (!text.is_empty()).then(|| shown(text))
+        });
+        let place = Some(self.0.place.words(naming)).filter(|place| !place.is_empty());
+        Refusal {
+            message: shown(self.to_string()),
+            place: place.map(shown),
+            found,
+            allowed,
+            help,
+        }
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let naming = self.0.naming;
+        if out.alternate() {
+            let field = self.0.place.field.as_ref().map_or("", |field| field.named(naming));
+            let said = self.0.said.each_ref().map(|part| (&*part.lead, part.words.by(naming)));
+            return out.write_str(&serde_json::json!((field, said)).to_string());
+        }
+        out.write_str(&Words::from(self).by(naming))
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl From<String> for Refused {
+    fn from(sentence: String) -> Self {
+        Self::that(sentence)
+    }
+}
+
+impl From<&'static str> for Refused {
+    fn from(sentence: &'static str) -> Self {
+        Self::that(sentence)
+    }
+}
+
+/// The parts of a refusal in words. One that it does not have is `null`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Refusal {
+    /// The whole sentence.
+    pub message: String,
+    /// File, line and field.
+    pub place: Option<String>,
+    /// What stands there.
+    pub found: Option<String>,
+    /// What may stand there.
+    pub allowed: Option<String>,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+/// The refusal as a line of JSON, `{"error": {…}}`.
+///
+/// # Panics
+/// Never: texts are JSON.
+pub fn refusal_json(refused: &Refused) -> String {
+    #[derive(Serialize)]
+    struct Line {
+        error: Refusal,
+    }
+    let error = refused.parts();
+    serde_json::to_string(&Line { error }).expect("texts are JSON")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{Kind, Refused};
+    use crate::{Knob, Naming, Spot};
+
+    fn parts(refused: &Refused) -> [String; 5] {
+        let of = refused.parts();
+        let rest = [of.place, of.found, of.allowed, of.help].map(Option::unwrap_or_default);
+        let [place, found, allowed, help] = rest;
+        [of.message, place, found, allowed, help]
+    }
+
+    #[test]
+    fn reference_parts_and_sentence() {
+        let mut gap = Refused::at("contacts[0].gap_m")
+            .found("-0.01")
+            .allowed_is("a number >= 0")
+            .help("widen it");
+        gap.place_mut().spot = Some(Spot::Letter(3, 1));
+        assert_eq!(
+            parts(&gap.in_file(Path::new("a.toml"))),
+            [
+                "a.toml, line 3, column 1: contacts[0].gap_m: found -0.01, allowed is a number >= 0; widen it",
+                "a.toml, line 3, column 1: contacts[0].gap_m",
+                "-0.01",
+                "a number >= 0",
+                "widen it"
+            ]
+        );
+        let line = Refused::at(Spot::Line(7))
+            .reads("DT=")
+            .but(", but ", "a time step should stand there");
+        assert_eq!(line.word(), Some("DT="));
+        assert_eq!(
+            parts(&line.in_file(Path::new("q.AT2"))),
+            [
+                "q.AT2: line 7 reads \"DT=\", but a time step should stand there",
+                "q.AT2: line 7",
+                "\"DT=\"",
+                "a time step should stand there",
+                ""
+            ]
+        );
+        let end = Refused::that_at(Spot::Line(9), "the values end at line 9").help("fetch it again");
+        assert_eq!(
+            parts(&end),
+            [
+                "the values end at line 9; fetch it again",
+                "line 9",
+                "the values end at line 9",
+                "",
+                "fetch it again"
+            ]
+        );
+        assert_eq!(parts(&"stopped".into()), ["stopped", "", "stopped", "", ""]);
+    }
+
+    /// Parts were found again in sentences: a name with ": found " in it took the place of the place.
+    #[test]
+    fn issue_a_deserialiser_hands_on_parts_and_no_sentence() {
+        let own = Refused::at("count").found("x: found y, allowed z; q").allowed_is("1").help("w");
+        let handed = Refused::handed(&own);
+        assert_eq!(parts(&handed), parts(&own));
+        assert_eq!(
+            Refused::handed(&"found 1, allowed 2"),
+            Refused::that("found 1, allowed 2".to_owned())
+        );
+    }
+
+    /// The program and Python spoke of fields of a scene where none was written, or replaced words in finished sentences.
+    #[test]
+    fn issue_a_knob_is_named_by_whom_it_is_turned() {
+        let unit = Refused::that("no unit").help("declare it as ").and(Knob::Unit).wants(Knob::Unit);
+        let switch = Refused::that("rows").help("declare ").and(Knob::InRows);
+        let corner = Refused::at("record.band_pass.low_hz").found("0").so(", see ", Knob::field("x.y"));
+        for (naming, wanted) in [
+            (
+                Naming::Scene,
+                [
+                    "`record.unit`",
+                    "`record.in_rows` as true",
+                    "record.band_pass.low_hz: found 0, see `x.y`",
+                ],
+            ),
+            (Naming::Option, ["--unit", "--in-rows", "--band-pass LOW: found 0, see `x.y`"]),
+            (
+                Naming::Argument,
+                ["`unit`", "`in_rows`", "record.band_pass.low_hz: found 0, see `x.y`"],
+            ),
+        ] {
+            let said = [&unit, &switch, &corner].map(|one| one.clone().by(naming).to_string());
+            assert!(said.iter().zip(wanted).all(|(said, wanted)| said.ends_with(wanted)), "{said:?}");
+        }
+        assert_eq!(unit.wanted(), Some(&Knob::Unit));
+        assert!(unit.is_kind(Kind::Wrong));
+    }
+}
