@@ -40,6 +40,7 @@ mod ground_motion;
 mod judge;
 pub mod parallel;
 mod quantity;
+mod settings;
 mod simulation;
 mod spectrum;
 mod statistics;

@@ -144,7 +144,7 @@ fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<
     if valid {
         return Ok(());
     }
-    Err(crate::file::check::out_of_range(place, found, allowed))
+    Err(crate::settings::out_of_range(place, found, allowed))
 }
 
 /// What a structure of period 0 does.

@@ -6,7 +6,7 @@ use pounding_motion::Record;
 use pounding_text::{digits, percent, short};
 
 use super::design::DesignSpectrum;
-use crate::ground_motion::in_setting;
+use crate::settings::in_setting;
 use crate::{Error, Motion, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene, periods_between, response_spectrum};
 
 /// What records are scaled to.

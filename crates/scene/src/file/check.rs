@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use pounding_text::{Kind, Refused, digits, plain};
 
 use crate::file::budget::Patience;
+use crate::settings::out_of_range;
 use crate::{Method, Scene, Structure};
 
 /// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
@@ -18,11 +19,6 @@ pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'s
         return Ok(());
     }
     Err(out_of_range(place, found, if valid { IN_USUAL } else { allowed }))
-}
-
-/// A number that is not allowed.
-pub(crate) fn out_of_range(place: impl Display, found: f64, allowed: &'static str) -> Refused {
-    Refused::at(place.to_string()).found(plain(found)).allowed(allowed)
 }
 
 /// A scene without structures.

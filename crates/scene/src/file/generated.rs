@@ -6,9 +6,9 @@ use pounding_motion::{Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, R
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::check::out_of_range;
 use super::choice::{self, Choice};
-use crate::ground_motion::in_setting;
+use crate::settings::in_setting;
+use crate::settings::out_of_range;
 use pounding_text::Refused;
 
 /// A ground motion from a formula.

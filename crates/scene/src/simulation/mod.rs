@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 use crate::file::budget::Patience;
 use crate::file::check;
 use crate::ground_motion::SharedMotion;
-use crate::ground_motion::in_setting;
+use crate::settings::in_setting;
 use crate::simulation::floors::{Floor, Floors};
 use crate::simulation::refused::of_model;
 use crate::{Error, Method, Origin, Scene};

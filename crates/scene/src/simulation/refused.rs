@@ -3,7 +3,7 @@
 use pounding_solver::ModelError;
 use pounding_text::{Kind, Refused, digits, plain};
 
-use crate::file::check::out_of_range;
+use crate::settings::out_of_range;
 use crate::simulation::floors::{Floor, Floors};
 use crate::{Scene, Structure};
 

@@ -8,8 +8,8 @@ use pounding_solver::{
 };
 
 use super::Simulation;
-use crate::file::check::out_of_range;
 use crate::file::error::ended;
+use crate::settings::out_of_range;
 use crate::{Error, Method, Structure, in_scene};
 use pounding_text::{Kind, Refused, digits, short};
 
