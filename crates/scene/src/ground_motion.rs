@@ -7,7 +7,6 @@ use std::sync::Arc;
 use crate::file::fault::FOR_A_BACKSLASH;
 use crate::file::{FileUse, Generated, ScaleTo, check};
 use crate::settings::in_setting;
-use crate::simulation::in_scene_named;
 use crate::{Error, RecordUse, Source, record_bytes};
 use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, Record, read_declared};
 use pounding_text::{Kind, Knob, Refused};
@@ -42,7 +41,7 @@ impl GroundMotion {
     /// [`Error::NoRecord`], [`Error::Record`] for a file that cannot be read, and what cannot be done to it in
     /// `scene`.
     pub fn of(record: &RecordUse, base: &Path, scene: &str) -> Result<Self, Error> {
-        let in_scene = |refused| in_scene_named(scene, refused);
+        let in_scene = |refused| Error::in_scene(scene, refused);
         match &record.source {
             Source::File(file) => {
                 let origin = Origin::read(&base.join(&file.file), file)?;
@@ -109,7 +108,7 @@ impl GroundMotion {
             Source::Generated(_) => &FileUse::default(),
         };
         let origin = Origin::of(path, bytes, declared)?;
-        Self::of_file(record, Arc::new(origin)).map_err(|refused| in_scene_named(scene, refused))
+        Self::of_file(record, Arc::new(origin)).map_err(|refused| Error::in_scene(scene, refused))
     }
 }
 

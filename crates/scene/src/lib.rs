@@ -67,8 +67,8 @@ pub use assess::run::{AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTOR
 pub use assess::scaling::{MotionSpectrum, Scaling};
 pub use assess::separation::{Rule, Separation};
 pub use assess::target_fit::{LEAST_SHARE, TargetFit};
-pub use file::error::{Error, ended, in_file};
-pub use file::reading::{bytes, bytes_of, is_json, parse, read_file, record_bytes};
+pub use file::error::{Error, ended};
+pub use file::reading::{bytes, bytes_of, in_file, is_json, parse, read_file, record_bytes};
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand, Generated, Ground, Jumps, Method,

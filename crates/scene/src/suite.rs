@@ -70,7 +70,7 @@ impl Motion {
             ..record.clone()
         };
         let motion = GroundMotion::of_file(&record, Arc::clone(&self.origin));
-        let motion = motion.map_err(|refused| crate::simulation::in_scene_named(scene, refused))?;
+        let motion = motion.map_err(|refused| Error::in_scene(scene, refused))?;
         Ok((record, motion))
     }
 

@@ -1,9 +1,5 @@
-use std::path::Path;
-
 use pounding_solver::{LedgerError, RunError};
 use pounding_text::{Kind, Refused};
-
-use super::reading::position_in;
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -54,11 +50,13 @@ impl Error {
     pub fn reason(&self) -> String {
         self.refused().reason()
     }
+}
 
-    /// Names the file that holds the scene, and the line of the field, where the message does not yet name a file.
-    #[must_use]
-    pub fn in_file(self, path: &Path) -> Self {
-        self.said(|refused| in_file(refused, path))
+impl Error {
+    /// A refusal of a scene, by its name.
+    pub(crate) fn in_scene(scene: &str, mut refused: Refused) -> Self {
+        refused.place_mut().scene = Some(scene.to_owned());
+        Self::Refused(refused)
     }
 }
 
@@ -67,17 +65,6 @@ impl From<Error> for Refused {
         let (Error::Refused(refused) | Error::Run { refused, .. } | Error::Broken { refused, .. }) = error;
         refused
     }
-}
-
-/// Names the file of a field, and its line where it is found there, unless a file is named already.
-pub fn in_file(mut refused: Refused, path: &Path) -> Refused {
-    let place = refused.place_mut();
-    if place.file.is_none() {
-        let field = place.field.as_ref();
-        place.spot = place.spot.or(field.and_then(|field| position_in(path, field.path())));
-        place.file = Some(path.to_path_buf());
-    }
-    refused
 }
 
 /// What is said of a run that ended early.

@@ -213,3 +213,22 @@ fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let column = before.chars().rev().take_while(|letter| *letter != '\n').count() + 1;
     (line, column)
 }
+
+impl Error {
+    /// Names the file that holds the scene, and the line of the field, where the message does not yet name a file.
+    #[must_use]
+    pub fn in_file(self, path: &Path) -> Self {
+        self.said(|refused| in_file(refused, path))
+    }
+}
+
+/// Names the file of a field, and its line where it is found there, unless a file is named already.
+pub fn in_file(mut refused: Refused, path: &Path) -> Refused {
+    let place = refused.place_mut();
+    if place.file.is_none() {
+        let field = place.field.as_ref();
+        place.spot = place.spot.or(field.and_then(|field| position_in(path, field.path())));
+        place.file = Some(path.to_path_buf());
+    }
+    refused
+}

@@ -334,11 +334,5 @@ fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), Refus
 
 /// An error of a scene by its name.
 pub fn in_scene(scene: &Scene, refused: Refused) -> Error {
-    in_scene_named(&scene.name, refused)
-}
-
-/// The same by the name alone.
-pub(crate) fn in_scene_named(scene: &str, mut refused: Refused) -> Error {
-    refused.place_mut().scene = Some(scene.to_owned());
-    Error::Refused(refused)
+    Error::in_scene(&scene.name, refused)
 }
