@@ -5,9 +5,8 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use serde::Serialize;
-
-use crate::{Knob, Naming, Place, message};
+use crate::words::{Piece, Words};
+use crate::{Kind, Knob, Naming, Place, Refusal, message};
 
 /// Why something is refused, in parts: `place: found this, allowed is that; help`.
 ///
@@ -37,78 +36,6 @@ struct Part {
 
 /// What goes through a text that knows no values: the field, and lead and words of every part.
 type Packed = (String, [(String, String); 3]);
-
-/// What those must tell apart who do not only repeat a refusal.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Kind {
-    /// Something that its user can put right.
-    #[default]
-    Wrong,
-    /// Something that the system refuses.
-    System(io::ErrorKind),
-    /// A text that is no record at all.
-    NoRecord,
-    /// Values that do not suit each other or the budget, though each is allowed.
-    Together,
-    /// A time step from which on a scene grows without bound.
-    Unstable,
-    /// A file of the program's own that is not as it was written.
-    Damaged,
-    /// Times in uneven steps.
-    Uneven,
-    /// Fewer values than were announced.
-    CutShort,
-    /// A record of another quantity than accelerations.
-    OtherQuantity,
-    /// A record of velocities, unless its user says otherwise.
-    Velocity,
-    /// A record of displacements, by the name of its file.
-    Displacement,
-    /// Somebody ended it.
-    Stopped,
-}
-
-/// Words of a message, with knobs among them that are named last.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Words(Vec<Piece>);
-
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum Piece {
-    Text(Cow<'static, str>),
-    Quoted(String),
-    Knob(Knob),
-}
-
-impl Words {
-    /// The words with names for the knobs.
-    pub fn by(&self, naming: Naming) -> String {
-        let pieces = self.0.iter().map(|piece| match piece {
-            Piece::Text(text) => Cow::Borrowed(text.as_ref()),
-            Piece::Quoted(text) => format!("{text:?}").into(),
-            Piece::Knob(knob) => knob.asked(naming).into(),
-        });
-        pieces.collect()
-    }
-}
-
-impl From<&'static str> for Words {
-    fn from(text: &'static str) -> Self {
-        Self(vec![Piece::Text(text.into())])
-    }
-}
-
-impl From<String> for Words {
-    fn from(text: String) -> Self {
-        Self(vec![Piece::Text(text.into())])
-    }
-}
-
-impl From<Knob> for Words {
-    fn from(knob: Knob) -> Self {
-        Self(vec![Piece::Knob(knob)])
-    }
-}
 
 /// The sentence of another refusal, within one.
 impl From<&Refused> for Words {
@@ -150,12 +77,12 @@ impl Refused {
         new
     }
 
-    /// A refusal in a sentence of its own, without a place.
+    /// A refusal in own words, without a place.
     pub fn that(sentence: impl Into<Words>) -> Self {
         Self::default().is(sentence)
     }
 
-    /// The same of a place in a file that the sentence names itself.
+    /// A refusal in own words that name line or byte themselves.
     pub fn that_at(place: impl Into<Place>, sentence: impl Into<Words>) -> Self {
         let mut new = Self::at(place).is(sentence);
         new.0.names_spot = true;
@@ -190,31 +117,31 @@ impl Refused {
         Self::at(file).is("cannot be read: ").and(error.to_string()).kind(kind)
     }
 
-    /// What was found.
+    /// Says the thing that was found.
     #[must_use]
     pub fn found(self, words: impl Into<Words>) -> Self {
         self.say(0, "found ", words.into())
     }
 
-    /// What is wrong, where the sentence does not begin with "found".
+    /// Says the fault in words that do not begin with "found".
     #[must_use]
     pub fn is(self, words: impl Into<Words>) -> Self {
         self.say(0, "", words.into())
     }
 
-    /// The same, where the sentence goes on from its place: `line 3 gives a peak of …`.
+    /// Says the fault in words that go on from the place: `line 3 gives a peak of …`.
     #[must_use]
     pub fn goes_on(self, words: impl Into<Words>) -> Self {
         self.say(0, " ", words.into())
     }
 
-    /// What a line or a byte of a file reads.
+    /// Quotes a line or a byte of a file.
     #[must_use]
     pub fn reads(self, text: impl Into<String>) -> Self {
         self.say(0, " reads ", Words(vec![Piece::Quoted(text.into())]))
     }
 
-    /// What is allowed.
+    /// Says the values allowed.
     #[must_use]
     pub fn allowed(self, words: impl Into<Words>) -> Self {
         self.but(", allowed ", words)
@@ -232,19 +159,19 @@ impl Refused {
         self.but(", allowed are ", words)
     }
 
-    /// What is allowed, after words of the caller's own.
+    /// Says the values allowed, after the caller's words.
     #[must_use]
     pub fn but(self, lead: &'static str, words: impl Into<Words>) -> Self {
         self.say(1, lead, words.into())
     }
 
-    /// What to do.
+    /// Says the remedy.
     #[must_use]
     pub fn help(self, words: impl Into<Words>) -> Self {
         self.so("; ", words)
     }
 
-    /// What to do, after words of the caller's own.
+    /// Says the remedy, after the caller's words.
     #[must_use]
     pub fn so(self, lead: &'static str, words: impl Into<Words>) -> Self {
         self.say(2, lead, words.into())
@@ -407,40 +334,12 @@ impl From<&'static str> for Refused {
     }
 }
 
-/// The parts of a refusal in words. One that it does not have is `null`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Refusal {
-    /// The whole sentence.
-    pub message: String,
-    /// File, line and field.
-    pub place: Option<String>,
-    /// What stands there.
-    pub found: Option<String>,
-    /// What may stand there.
-    pub allowed: Option<String>,
-    /// What to do.
-    pub help: Option<String>,
-}
-
-/// The refusal as a line of JSON, `{"error": {…}}`.
-///
-/// # Panics
-/// Never: texts are JSON.
-pub fn refusal_json(refused: &Refused) -> String {
-    #[derive(Serialize)]
-    struct Line {
-        error: Refusal,
-    }
-    let error = refused.parts();
-    serde_json::to_string(&Line { error }).expect("texts are JSON")
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
-    use super::{Kind, Refused};
-    use crate::{Knob, Naming, Spot};
+    use super::Refused;
+    use crate::{Kind, Knob, Naming, Spot};
 
     fn parts(refused: &Refused) -> [String; 5] {
         let of = refused.parts();
