@@ -4,7 +4,7 @@ use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use pounding::scene::{
     Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene, Simulation, Trial, advise, is_json,
@@ -35,44 +35,20 @@ pub(crate) struct Arguments {
     #[arg(long, allow_negative_numbers = true, value_parser = error)]
     error: f64,
     /// Of what.
-    #[arg(long, value_enum, default_value_t = OfWhat::All)]
-    quantity: OfWhat,
+    #[arg(long, default_value = "all", value_parser = quantity())]
+    quantity: QuantityGroup,
     /// Print JSON, SI units.
     #[arg(long)]
     json: bool,
 }
 
-/// The quantity whose error counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum OfWhat {
-    /// Transferred momentum of every structure.
-    Momentum,
-    /// Peak displacements, storey drifts, both at the end, least openings.
-    Displacement,
-    /// Peak absolute acceleration of every floor.
-    Acceleration,
-    /// Peak shear forces and peak pounding forces.
-    Force,
-    /// First and largest impulse of every pair, sum of its impulses.
-    Impulse,
-    /// Time of the first collision of every pair, time of touching.
-    Time,
-    /// All of these, and equal numbers of collisions.
-    All,
-}
-
-impl From<OfWhat> for QuantityGroup {
-    fn from(of_what: OfWhat) -> Self {
-        match of_what {
-            OfWhat::Momentum => Self::Momentum,
-            OfWhat::Displacement => Self::Displacement,
-            OfWhat::Acceleration => Self::Acceleration,
-            OfWhat::Force => Self::Force,
-            OfWhat::Impulse => Self::Impulse,
-            OfWhat::Time => Self::Time,
-            OfWhat::All => Self::All,
-        }
-    }
+/// Reads the quantity whose error counts.
+fn quantity() -> impl TypedValueParser<Value = QuantityGroup> {
+    let known = QuantityGroup::EVERY.map(|group| PossibleValue::new(group.name()).help(group.meaning()));
+    PossibleValuesParser::new(known).map(|name| {
+        let named = QuantityGroup::EVERY.into_iter().find(|group| group.name() == name);
+        named.expect("clap takes the known names alone")
+    })
 }
 
 /// An error as a part of 1 or in per cent.
@@ -94,7 +70,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let progress = Progress::new();
     let goal = Goal {
         error: args.error,
-        quantity: args.quantity.into(),
+        quantity: args.quantity,
     };
     let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
     Ok(if args.json {

@@ -139,7 +139,24 @@ impl QuantityGroup {
 
     /// Its name, as users write it.
     pub fn name(self) -> &'static str {
-        ["momentum", "displacement", "acceleration", "force", "impulse", "time", "all"][self as usize]
+        self.told()[0]
+    }
+
+    /// Its meaning in few words.
+    pub fn meaning(self) -> &'static str {
+        self.told()[1]
+    }
+
+    fn told(self) -> [&'static str; 2] {
+        match self {
+            Self::Momentum => ["momentum", "Transferred momentum of every structure"],
+            Self::Displacement => ["displacement", "Peak displacements, storey drifts, both at the end, least openings"],
+            Self::Acceleration => ["acceleration", "Peak absolute acceleration of every floor"],
+            Self::Force => ["force", "Peak shear forces and peak pounding forces"],
+            Self::Impulse => ["impulse", "First and largest impulse of every pair, sum of its impulses"],
+            Self::Time => ["time", "Time of the first collision of every pair, time of touching"],
+            Self::All => ["all", "All of these, and equal numbers of collisions"],
+        }
     }
 }
 
