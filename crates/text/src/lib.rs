@@ -39,9 +39,9 @@ mod words;
 pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
 pub use knob::{Knob, Naming};
 pub use place::{Place, Spot};
-pub use refused::Refused;
+pub use refused::{Refusal, Refused, refusal_json};
 pub use visible::{message, steers, visible};
-pub use words::{Kind, Refusal, Words, refusal_json};
+pub use words::{Kind, Words};
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
 /// 309 digits of 1.7e308.

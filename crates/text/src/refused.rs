@@ -5,8 +5,10 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
+use serde::Serialize;
+
 use crate::words::{Piece, Words};
-use crate::{Kind, Knob, Naming, Place, Refusal, message};
+use crate::{Kind, Knob, Naming, Place, message};
 
 /// Why something is refused, in parts: `place: found this, allowed is that; help`.
 ///
@@ -332,6 +334,34 @@ impl From<&'static str> for Refused {
     fn from(sentence: &'static str) -> Self {
         Self::that(sentence)
     }
+}
+
+/// The parts of a refusal in words. One that it does not have is `null`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Refusal {
+    /// The whole sentence.
+    pub message: String,
+    /// File, line and field.
+    pub place: Option<String>,
+    /// The thing found.
+    pub found: Option<String>,
+    /// The values allowed.
+    pub allowed: Option<String>,
+    /// The remedy.
+    pub help: Option<String>,
+}
+
+/// The refusal as a line of JSON, `{"error": {…}}`.
+///
+/// # Panics
+/// Never: texts are JSON.
+pub fn refusal_json(refused: &Refused) -> String {
+    #[derive(Serialize)]
+    struct Line {
+        error: Refusal,
+    }
+    let error = refused.parts();
+    serde_json::to_string(&Line { error }).expect("texts are JSON")
 }
 
 #[cfg(test)]

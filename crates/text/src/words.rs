@@ -1,11 +1,9 @@
-//! Words of messages, with knobs that are named last; kinds of refusals, and their parts for programs.
+//! Words of messages, with knobs that are named last, and kinds of refusals.
 
 use std::borrow::Cow;
 use std::io;
 
-use serde::Serialize;
-
-use crate::{Knob, Naming, Refused};
+use crate::{Knob, Naming};
 
 /// The kind of a refusal, for callers that do not only repeat it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -77,32 +75,4 @@ impl From<Knob> for Words {
     fn from(knob: Knob) -> Self {
         Self(vec![Piece::Knob(knob)])
     }
-}
-
-/// The parts of a refusal in words. One that it does not have is `null`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Refusal {
-    /// The whole sentence.
-    pub message: String,
-    /// File, line and field.
-    pub place: Option<String>,
-    /// The thing found.
-    pub found: Option<String>,
-    /// The values allowed.
-    pub allowed: Option<String>,
-    /// The remedy.
-    pub help: Option<String>,
-}
-
-/// The refusal as a line of JSON, `{"error": {…}}`.
-///
-/// # Panics
-/// Never: texts are JSON.
-pub fn refusal_json(refused: &Refused) -> String {
-    #[derive(Serialize)]
-    struct Line {
-        error: Refusal,
-    }
-    let error = refused.parts();
-    serde_json::to_string(&Line { error }).expect("texts are JSON")
 }
