@@ -38,8 +38,7 @@ impl GroundMotion {
     /// Reads or generates the ground motion of a scene; `base` is the folder that its file is named from.
     ///
     /// # Errors
-    /// [`Error::NoRecord`], [`Error::Record`] for a file that cannot be read, and what cannot be done to it in
-    /// `scene`.
+    /// Refuses a file that is missing or cannot be read as a record, and processing in `scene` that does not suit it.
     pub fn of(record: &RecordUse, base: &Path, scene: &str) -> Result<Self, Error> {
         let in_scene = |refused| Error::in_scene(scene, refused);
         match &record.source {
@@ -101,7 +100,7 @@ impl GroundMotion {
     /// Reads the file of a record from its bytes, which came from `path`, and uses it as a scene says.
     ///
     /// # Errors
-    /// [`Error::Record`] for bytes that cannot be read, and what cannot be done to it in `scene`.
+    /// Refuses bytes that cannot be read as a record, and processing in `scene` that does not suit it.
     pub fn of_bytes(record: &RecordUse, (path, bytes): (&Path, &[u8]), scene: &str) -> Result<Self, Error> {
         let declared = match &record.source {
             Source::File(file) => file,
@@ -160,7 +159,7 @@ impl Origin {
     /// Reads a file of which this is declared.
     ///
     /// # Errors
-    /// [`Error::NoRecord`], and those of [`Self::of`].
+    /// Refuses a missing file, and what [`Self::of`] refuses.
     pub fn read(path: &Path, declared: &FileUse) -> Result<Self, Error> {
         Self::of(path, &opened(path)?, declared)
     }
@@ -168,8 +167,8 @@ impl Origin {
     /// Reads the bytes of the file `path`, of which this is declared.
     ///
     /// # Errors
-    /// [`Error::Record`]; [`Error::NameSaysOtherwise`] if the name of the file alone says what its values are, and that is no
-    /// acceleration.
+    /// Refuses bytes that cannot be read as a record. Also refuses values that are no accelerations by the name of the file, if nothing else
+    /// says what they are.
     pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
         let file = read_declared(bytes, &declared.declared());
         let file = file.map_err(|refused| refused.by(declared.naming).in_file(path))?;
@@ -243,7 +242,7 @@ fn name_says_otherwise(path: &Path, declared: &FileUse) -> Option<Refused> {
 /// Returns the bytes of a record file.
 ///
 /// # Errors
-/// [`Error::NoRecord`].
+/// Refuses a missing file.
 pub fn opened(path: &Path) -> Result<Vec<u8>, Error> {
     record_bytes(path).map_err(|error| {
         let said = format!(

@@ -50,7 +50,7 @@ impl SweepFile {
     /// Reads a sweep from the text of a JSON or TOML file; [`is_json`](pounding_scene::is_json) decides which.
     ///
     /// # Errors
-    /// [`Error::Form`], with the `path` of the text.
+    /// Refuses text that is no sweep, with `path` as its file.
     pub fn parse(text: &[u8], path: &Path) -> Result<Self, Error> {
         pounding_scene::parse(text, path)
     }

@@ -55,8 +55,8 @@ pub fn summary_beside(out: &Path) -> PathBuf {
 /// when this returns; no other process writes it meanwhile.
 ///
 /// # Errors
-/// [`Refused::NoParts`], [`Refused::OtherSweep`] and [`Refused::DamagedManifest`] of a folder, [`Refused::Missing`],
-/// [`Refused::Damaged`], [`Refused::Lock`], and what the system refuses.
+/// Refuses folders without parts, of another sweep or with a damaged manifest, missing or damaged parts, and folders that another process
+/// has locked. Also refuses what the system refuses.
 pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, Refused> {
     let lock = Lock::of(out, Users::One).map_err(error::locked)?;
     put(out, &Sources::of(folders)?, existing, &lock)

@@ -53,8 +53,8 @@ impl Parts {
     /// interrupted process of this sweep had already written its table: its remaining parts are now deleted.
     ///
     /// # Errors
-    /// [`Refused::TooManyParts`], [`Refused::Lock`], [`Refused::ThereAlready`] of a table without parts,
-    /// [`Refused::OtherSweep`], [`Refused::DamagedManifest`], and what the system refuses.
+    /// Refuses too many parts, a locked folder, a table without parts that exists already, parts of another sweep and a damaged manifest.
+    /// Also refuses what the system refuses.
     pub fn open(sweep: &Sweep, out: &Path, shard: Shard, overwritten: bool) -> Result<Option<Self>, Refused> {
         let folder = Self::folder_of(out);
         let manifest = Manifest::of(sweep);

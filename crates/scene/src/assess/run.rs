@@ -131,7 +131,7 @@ impl Simulation {
     /// The same motion under another row of structures, as it shakes this one, and for as long as that row asks for.
     ///
     /// # Errors
-    /// [`Error::Scene`] when a value of the row cannot be modelled.
+    /// Refuses a value of the row that cannot be modelled.
     pub fn under_row(&self, row: &Scene) -> Result<Self, Error> {
         let row = Scene {
             record: self.scene().record.clone(),

@@ -141,7 +141,7 @@ impl Simulation {
     /// Another scene, shaken by a record at hand as it is.
     ///
     /// # Errors
-    /// [`Error::Scene`] when a value of the scene cannot be modelled.
+    /// Refuses a value of the scene that cannot be modelled.
     pub fn variant(&self, scene: &Scene, record: Record) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
         scene.check().map_err(in_scene)?;
@@ -312,7 +312,7 @@ impl Simulation {
     /// The same scene under a record that `change` makes of its own.
     ///
     /// # Errors
-    /// [`Error::Scene`] when `change` refuses.
+    /// Refuses what `change` refuses.
     pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, Refused>) -> Result<Self, Error> {
         let record = change(&self.record);
         let record = record.map_err(|refused| in_scene(&self.scene, in_setting("record", refused)))?;
