@@ -5,9 +5,10 @@
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
+use pounding_scene::file::RunBudget;
 use pounding_scene::{
-    Building, COMPARED_METHODS, Columns, Contact, Damping, Error, FileUse, Method, REFERENCE, RIVAL, RecordUse, RunBudget,
-    STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure, label_of,
+    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, Method, RecordUse, STANDARD_GRAVITY, Scene, Simulation, Source,
+    Storey, Structure,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -89,7 +90,7 @@ impl TimedRow {
     /// The methods to be timed, with their names in tables.
     pub(crate) fn methods() -> impl Iterator<Item = (&'static str, Method)> {
         let timed = |key: &str| METHODS.iter().any(|(name, ..)| *name == key);
-        let contenders = COMPARED_METHODS.iter().filter(move |one| timed(one.key));
+        let contenders = ComparedMethod::ALL.iter().filter(move |one| timed(one.key));
         contenders.map(|contender| {
             let method = (contender.method)(TIME_STEP);
             match method.time_step() {
@@ -196,13 +197,13 @@ pub(crate) struct FloorCost {
 
 /// Methods that are timed, by their names in tables, and their looks.
 const METHODS: [(&str, Shade, Mark); 7] = [
-    (RIVAL, Shade::Blue, Mark::Disc),
+    (ComparedMethod::RIVAL, Shade::Blue, Mark::Disc),
     ("velocity_verlet", Shade::Green, Mark::Diamond),
     ("newmark_average_acceleration", Shade::Vermilion, Mark::Square),
     ("hht", Shade::Amber, Mark::HollowSquare),
     ("moreau_jean", Shade::Grey, Mark::Cross),
     ("rk4", Shade::Rose, Mark::Inverted),
-    (REFERENCE, Shade::Ink, Mark::HollowTriangle),
+    (ComparedMethod::REFERENCE, Shade::Ink, Mark::HollowTriangle),
 ];
 
 /// Elastic rows over their storeys and over their buildings, apart and touching, as a PNG; `fixed` is the row that both have
@@ -247,7 +248,7 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         if !points.is_empty() {
             let curve = Curve::new(Kind::Line, shade, points).marked(mark);
-            curves.push(curve.named(label_of(method)));
+            curves.push(curve.named(ComparedMethod::label_of(method)));
         }
     }
     curves

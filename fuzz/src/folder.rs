@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use pounding_scene::{FileUse, Suite, Unit};
+use pounding_assess::Suite;
+use pounding_scene::FileUse;
+use pounding_scene::file::Unit;
 
 /// Beginnings and ends of names; a byte chooses one of each.
 const STEMS: [&str; 12] = [
@@ -66,7 +68,7 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
         };
         assert!(names.iter().filter(|name| !hidden(name)).all(|name| told(&name)), "{names:?}");
         let mut bytes = BTreeSet::new();
-        let is_new = |one: &pounding_scene::Motion| bytes.insert((one.origin().sha256.clone(), one.component().map(str::to_owned)));
+        let is_new = |one: &pounding_assess::SuiteMotion| bytes.insert((one.origin().sha256.clone(), one.component().map(str::to_owned)));
         assert_eq!(suite.motions.iter().map(is_new).filter(|new| !new).count(), 0, "a copy counts");
         let events: BTreeSet<usize> = suite.motions.iter().map(|one| one.event).collect();
         assert!(events.into_iter().eq(0..suite.n_events), "an event without a motion");

@@ -7,7 +7,8 @@
 use std::path::Path;
 
 use pounding_motion::Accelerogram;
-use pounding_scene::{Error, Method, RunBudget, RunResult, Scene, Simulation, Source};
+use pounding_scene::file::RunBudget;
+use pounding_scene::{Error, Method, RunResult, Scene, Simulation, Source};
 
 use crate::quick::is_quickly_shaken;
 

@@ -5,7 +5,8 @@
 
 use std::path::Path;
 
-use pounding_scene::{Method, RunBudget, Scene, Source};
+use pounding_scene::file::RunBudget;
+use pounding_scene::{Method, Scene, Source};
 use pounding_sweep::{SceneOf, Spread, Sweep, SweepFile, Vary};
 use serde_json::Value;
 

@@ -14,11 +14,12 @@ use circles::circle;
 use source::Source;
 
 /// Folders of the crates in storeys, from the ground up: a crate may use crates below its storey.
-const CRATES: [&[&str]; 8] = [
+const CRATES: [&[&str]; 9] = [
     &["crates/files", "crates/text"],
     &["crates/contact", "crates/motion", "crates/plot"],
     &["crates/solver"],
     &["crates/lanes", "crates/reference", "crates/scene"],
+    &["crates/assess"],
     &["crates/report", "crates/sweep"],
     &["crates/pounding", "crates/python", "crates/studies"],
     &["bench"],

@@ -33,6 +33,7 @@ pub use read::{Length, holds, read, read_stream};
 pub use same::input_at;
 
 use std::ffi::OsString;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 /// The folder that a path lies in; `.` for a bare name.
@@ -41,6 +42,18 @@ pub fn folder_of(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
+}
+
+/// The name of a file for people. Bytes that are not UTF-8 are spelt as `\xff`, so that no two names look alike.
+pub fn shown_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+    name.utf8_chunks().fold(String::new(), |mut shown, chunk| {
+        shown.push_str(chunk.valid());
+        for byte in chunk.invalid() {
+            write!(shown, "\\x{byte:02x}").expect("a string takes all");
+        }
+        shown
+    })
 }
 
 /// A hidden name next to a file.

@@ -26,7 +26,8 @@
 //! | [`motion`] | ground motions: formats, processing, measures, formulas | structures |
 //! | [`contact`] | contact laws and the restitution each really delivers | time steps, rows |
 //! | [`solver`] | structures, rows, methods of time integration, recorders | files, units other than SI |
-//! | [`scene`] | scenes as TOML and JSON: read, checked, run, judged | sweeps, figures |
+//! | [`scene`] | scenes as TOML and JSON: read, checked, run, judged | folders of records, sweeps, figures |
+//! | [`assess`] | a row under many records: effects of pounding, required gaps | sweeps, figures |
 //! | [`sweep`] | one scene over many values | figures |
 //! | [`plot`] | figures as data, drawn to SVG and PNG | mechanics |
 //! | [`report`] | a run as a folder of tables and figures | sweeps |
@@ -43,6 +44,7 @@
 //! - `examples/` beside the source: a row from numbers, a record of your own, a sweep.
 //! - [`report::Report`] for a folder of results, [`sweep::Sweep`] for thousands of runs.
 
+pub use pounding_assess as assess;
 pub use pounding_contact as contact;
 pub use pounding_files as files;
 pub use pounding_motion as motion;

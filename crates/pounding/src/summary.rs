@@ -5,7 +5,7 @@ pub(crate) mod direction;
 mod tables;
 
 use pounding::report::Shown;
-use pounding::scene::{Errors, Implausible, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Scene, Simulation, Warning};
+use pounding::scene::{Errors, Implausible, Method, PairErrors, QuantityGroup, Review, Scene, Simulation, Values, Warning};
 use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::text::digits;
 
@@ -138,7 +138,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
             format!(
                 "below each number, its distance from the exact run; that of a residual below {} of the peak is relative to {0} \
                  of it;\n{largest}",
-                percent(LEAST_PART)
+                percent(Values::LEAST_PART)
             )
         }
     }

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
+use pounding_assess::Effects;
 use pounding_contact::{Calibration, LawName};
 use pounding_report::{OpenSees, OpenSeesError, Sketch};
 use pounding_scene::{
-    Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
-    StepMethod, certificate_json, in_scene, usual_stiffness,
+    Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod,
 };
 use pounding_text::{Refused, json_text};
 use pyo3::prelude::*;
@@ -26,7 +26,7 @@ pub(crate) fn visible(text: &str) -> String {
 /// The text of a JSON or TOML file, read within the bounds of the program.
 #[pyfunction]
 pub(crate) fn read_words(py: Python<'_>, path: PathBuf) -> PyResult<String> {
-    let read = || -> Result<Vec<u8>, Error> { Ok(pounding_scene::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?) };
+    let read = || -> Result<Vec<u8>, Error> { Ok(pounding_scene::file::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?) };
     let bytes = py.detach(read).or_refused(py)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -39,7 +39,7 @@ pub(crate) fn read_words(py: Python<'_>, path: PathBuf) -> PyResult<String> {
 /// The words of a JSON or TOML file as JSON, whatever they say.
 #[pyfunction]
 pub(crate) fn words_of(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
-    let words = pounding_scene::parse::<Value>(text.as_bytes(), &path);
+    let words = pounding_scene::file::parse::<Value>(text.as_bytes(), &path);
     Ok(words.or_refused(py)?.to_string())
 }
 
@@ -75,7 +75,7 @@ fn at_rest() -> SharedMotion {
 #[pyfunction]
 pub(crate) fn sketch_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
     let scene = Given::of(text, path, None).scene().or_refused(py)?;
-    let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source));
+    let floors = Floors::of(&scene).map_err(|refused| Error::in_scene(&scene.name, refused));
     let sketch = Sketch {
         scene: &scene,
         floors: &floors.or_refused(py)?,
@@ -131,7 +131,7 @@ pub(crate) fn advise(
         };
         let simulation = given.simulation_of(&scene, watch)?;
         let goal = Goal { error, quantity };
-        let advice = pounding_scene::advise(&simulation, goal, &|of| watch.step(1, of as u64));
+        let advice = pounding_scene::Advice::of(&simulation, goal, &|of| watch.step(1, of as u64));
         let advice = advice.map_err(|error| given.in_file(error))?;
         Ok(json_text(&advice.to_json(simulation.scene())))
     })?;
@@ -170,7 +170,7 @@ pub(crate) fn certify(
     }
     let wanted = CertificateRequest {
         law,
-        stiffness: stiffness.unwrap_or_else(|| usual_stiffness(law)),
+        stiffness: stiffness.unwrap_or_else(|| Certificate::usual_stiffness(law)),
         restitution,
         calibration: if literature { Calibration::Literature } else { Calibration::Exact },
     };
@@ -179,7 +179,7 @@ pub(crate) fn certify(
         let certificate = Certificate::new(&wanted, &collision)?;
         let facts = certificate.facts(&wanted, &collision);
         let lines = time_step.map(|step| certificate.lines(&collision, step, method));
-        Ok(json_text(&certificate_json(&facts, &lines.unwrap_or_default())))
+        Ok(json_text(&Certificate::json(&facts, &lines.unwrap_or_default())))
     })?;
     found.or_refused(py)
 }

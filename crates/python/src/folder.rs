@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use pounding_assess::{AssessedRun, DesignSpectrum, MotionLine, MotionLines, Scaling, Separation, Suite, Watched};
 use pounding_report::{AssessmentReport, ScalingAsked};
-use pounding_scene::lines::{Line, Watched, failed, lines_of};
-use pounding_scene::{DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite};
+use pounding_scene::file::ScaleTo;
+use pounding_scene::{Error, Excess, Implausible, Method, Scene};
 use pounding_text::Refused;
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -50,12 +51,12 @@ pub(crate) fn assess(
             ..given.scene()?
         };
         let suite = suite_of(&folder, &scene)?;
-        let lines = lines_of(
+        let lines = MotionLines::of(
             &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |motion| scaling.applied(&scene, motion),
-            |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
+            |prepared, spectrum| Ok((AssessedRun::of(prepared, None, [from, 1.0, to])?, spectrum.clone())),
         )?;
         let report = AssessmentReport::of_lines(scene, &suite, &lines.lines)?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
@@ -84,7 +85,7 @@ fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
         (None, "scene") => Ok(Scaling::AsScene),
         (None, "none") => Ok(Scaling::Unscaled),
         (None, table) => {
-            let to = pounding_scene::parse::<ScaleTo>(table.as_bytes(), "scale.json".as_ref())?;
+            let to = pounding_scene::file::parse::<ScaleTo>(table.as_bytes(), "scale.json".as_ref())?;
             Ok(Scaling::To(to))
         }
     }
@@ -155,17 +156,17 @@ pub(crate) fn required_gap(
         let scene = given.scene()?;
         let apart = scene.apart();
         let suite = suite_of(&folder, &scene)?;
-        let lines = lines_of(
+        let lines = MotionLines::of(
             &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
             |prepared, ()| {
-                let (gaps, excesses) = prepared.judged_separations()?;
+                let (gaps, excesses) = Separation::judged(prepared)?;
                 Ok((gaps, excesses, prepared.doubts()))
             },
         )?;
-        let said = [vec![suite.counts()], failed(&lines.lines), suite.remarks(true)];
+        let said = [vec![suite.counts()], MotionLine::failed(&lines.lines), suite.remarks(true)];
         Ok((scene, lines.lines, said.concat()))
     })?;
     let (scene, lines, said) = found.or_refused(py)?;
@@ -174,7 +175,7 @@ pub(crate) fn required_gap(
 }
 
 /// The widths under a motion in one direction, what the motion is beyond its model, and what looks wrong.
-type Widths = Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
+type Widths = MotionLine<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
 /// What the widths rest on and should not, a sentence for each kind.
 fn warnings(lines: &[Widths]) -> Vec<String> {

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use pounding_motion::Record as Samples;
-use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, record_bytes, response_spectra};
+use pounding_scene::file::record_bytes;
+use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, response_spectra};
 use pounding_text::{Naming, Refused, json_text};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -36,12 +37,12 @@ const WORDS: &str = "record.json";
 
 impl Record {
     fn new(raw: Raw, words: String) -> Result<Self, Error> {
-        let mut record: RecordUse = pounding_scene::parse(words.as_bytes(), WORDS.as_ref())?;
+        let mut record: RecordUse = pounding_scene::file::parse(words.as_bytes(), WORDS.as_ref())?;
         if let Source::File(file) = &mut record.source {
             file.naming = Naming::Argument;
         }
         let motion = match (&raw, &record.source) {
-            (Raw::File { path, bytes }, _) => GroundMotion::of_bytes(&record, (path, bytes), "record")?,
+            (Raw::File { path, bytes }, _) => GroundMotion::of_bytes(&record, path, bytes, "record")?,
             (Raw::Samples(samples), _) => GroundMotion::of_record(&record, samples.clone())?,
             (Raw::Formula, Source::Generated(generated)) => GroundMotion::of_formula(&record, generated)?,
             (Raw::Formula, Source::File(_)) => GroundMotion::of(&record, Path::new(""), "record")?,

@@ -1,41 +1,43 @@
-//! From the use of a record in a scene to the ground motion that shakes a row.
+//! The ground motion that shakes a row, from the use of a record in a scene.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::file::fault::FOR_A_BACKSLASH;
+use crate::file::record_bytes;
 use crate::file::{FileUse, Generated, ScaleTo, check};
 use crate::settings::in_setting;
-use crate::{Error, RecordUse, Source, record_bytes};
+use crate::{Error, RecordUse, Source};
+use pounding_files::shown_name;
 use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, Record, read_declared};
 use pounding_text::{Kind, Knob, Refused};
 use sha2::{Digest, Sha256};
 
-/// A ground motion as a scene uses it, and where it came from.
+/// A ground motion as a scene uses it, and its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundMotion {
     /// The ground acceleration \[m/s²\], processed, scaled, reversed.
     pub record: Record,
-    /// What its source was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    /// Product of all factors on the source \[–\]; a reversal does not change its sign.
     pub scale: f64,
-    /// The file; nothing for a motion from a formula.
+    /// The file; `None` for a motion from a formula.
     pub origin: Option<Arc<Origin>>,
 }
 
-/// A file that a ground motion came from.
+/// The file of a ground motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Origin {
-    /// The file; empty for one that was never opened.
+    /// Path of the file; empty if it was never opened.
     pub path: PathBuf,
     /// SHA-256 of its bytes, in hexadecimal digits.
     pub sha256: String,
-    /// What it holds.
+    /// Content of the file.
     pub file: Accelerogram,
 }
 
 impl GroundMotion {
-    /// Reads or generates the ground motion of a scene; `base` is the folder that its file is named from.
+    /// Reads or generates the ground motion of a scene. `base` is the folder for relative paths of files.
     ///
     /// # Errors
     /// Refuses a file that is missing or cannot be read as a record, and processing in `scene` that does not suit it.
@@ -50,12 +52,12 @@ impl GroundMotion {
         }
     }
 
-    /// A file at hand, used as a scene says.
+    /// Uses a file that was read as `record` says.
     ///
     /// # Errors
-    /// [`Refused`] of a field of `record`.
+    /// [`Refused`] with the place of a field of `record`.
     pub fn of_file(record: &RecordUse, origin: Arc<Origin>) -> Result<Self, Refused> {
-        check::record::check(record)?;
+        check::check_record(record)?;
         let file = origin.file.clone();
         let read = file.into_record(record.gravity_m_per_s2).map_err(at("record.gravity_m_per_s2"))?;
         let (record, scale) = used(record, read)?;
@@ -66,12 +68,12 @@ impl GroundMotion {
         })
     }
 
-    /// A motion from a formula, used as a scene says.
+    /// Uses a motion from a formula as `record` says.
     ///
     /// # Errors
-    /// [`Refused`] of a field of `record`.
+    /// [`Refused`] with the place of a field of `record`.
     pub fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, Refused> {
-        check::record::check(record)?;
+        check::check_record(record)?;
         let made = generated.record()?;
         let (record, scale) = used(record, made)?;
         Ok(Self {
@@ -83,12 +85,12 @@ impl GroundMotion {
 }
 
 impl GroundMotion {
-    /// A record at hand, used as a scene says, whatever its source.
+    /// Uses a given record as `record` says, whatever its source.
     ///
     /// # Errors
-    /// [`Refused`] of a field of `record`.
+    /// [`Refused`] with the place of a field of `record`.
     pub fn of_record(record: &RecordUse, at_hand: Record) -> Result<Self, Refused> {
-        check::record::check(record)?;
+        check::check_record(record)?;
         let (record, scale) = used(record, at_hand)?;
         Ok(Self {
             record,
@@ -97,11 +99,11 @@ impl GroundMotion {
         })
     }
 
-    /// Reads the file of a record from its bytes, which came from `path`, and uses it as a scene says.
+    /// Reads a record file from its bytes, which came from `path`, and uses it as `record` says.
     ///
     /// # Errors
     /// Refuses bytes that cannot be read as a record, and processing in `scene` that does not suit it.
-    pub fn of_bytes(record: &RecordUse, (path, bytes): (&Path, &[u8]), scene: &str) -> Result<Self, Error> {
+    pub fn of_bytes(record: &RecordUse, path: &Path, bytes: &[u8], scene: &str) -> Result<Self, Error> {
         let declared = match &record.source {
             Source::File(file) => file,
             Source::Generated(_) => &FileUse::default(),
@@ -111,12 +113,12 @@ impl GroundMotion {
     }
 }
 
-/// A ground motion that scenes share: a sweep runs many under one.
+/// A ground motion that many scenes share, as in a sweep.
 #[derive(Debug, Clone)]
 pub struct SharedMotion {
     pub(crate) record: Arc<Record>,
     pub(crate) scale: f64,
-    /// The file that it came from; nothing for one from a formula.
+    /// The file of the motion; `None` for a motion from a formula.
     pub origin: Option<Arc<Origin>>,
 }
 
@@ -126,15 +128,15 @@ impl SharedMotion {
         &self.record
     }
 
-    /// Returns what its source was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    /// Returns the product of all factors on the source \[–\]; a reversal does not change its sign.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// The same, multiplied once more by `factor`, which comes from `record.scale`.
+    /// Multiplies the motion by `factor`, which comes from `record.scale`.
     ///
     /// # Errors
-    /// [`Refused`] of a factor that is not finite or too large.
+    /// [`Refused`] if the factor is not finite or too large.
     pub fn scaled(&self, factor: f64) -> Result<Self, Refused> {
         let record = self.record.scaled(factor).map_err(at("record.scale"))?;
         Ok(Self {
@@ -156,19 +158,37 @@ impl From<GroundMotion> for SharedMotion {
 }
 
 impl Origin {
-    /// Reads a file of which this is declared.
+    /// Returns the bytes of a record file.
+    ///
+    /// # Errors
+    /// Refuses a missing file.
+    pub fn bytes(path: &Path) -> Result<Vec<u8>, Error> {
+        record_bytes(path).map_err(|error| {
+            let said = format!(
+                "{} cannot be read (it is looked for from the folder of the scene's file): {error}",
+                path.display()
+            );
+            let refused = Refused::at("record.file").is(said).kind(Kind::System(error.kind()));
+            // Nobody types a control character: the path `"records\\new.csv"` in double quotes has a line break.
+            let is_escape = path.to_string_lossy().chars().any(char::is_control);
+            let escape = format!("in double quotes a backslash begins an escape: write {}", FOR_A_BACKSLASH[0]);
+            if is_escape { refused.help(escape) } else { refused }.into()
+        })
+    }
+
+    /// Reads a file with these declarations.
     ///
     /// # Errors
     /// Refuses a missing file, and what [`Self::of`] refuses.
     pub fn read(path: &Path, declared: &FileUse) -> Result<Self, Error> {
-        Self::of(path, &opened(path)?, declared)
+        Self::of(path, &Self::bytes(path)?, declared)
     }
 
-    /// Reads the bytes of the file `path`, of which this is declared.
+    /// Reads the bytes of the file `path` with these declarations.
     ///
     /// # Errors
-    /// Refuses bytes that cannot be read as a record. Also refuses values that are no accelerations by the name of the file, if nothing else
-    /// says what they are.
+    /// Refuses bytes that cannot be read as a record. Also refuses values that are not accelerations by the name of the file, if nothing
+    /// else shows their quantity.
     pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
         let file = read_declared(bytes, &declared.declared());
         let file = file.map_err(|refused| refused.by(declared.naming).in_file(path))?;
@@ -183,10 +203,10 @@ impl Origin {
         }
     }
 
-    /// Reads the bytes of one of several files: of what is declared, only what this file does not say. Returns that as well.
+    /// Reads the bytes of one of several files. It takes only the declarations that this file needs, and returns them, too.
     ///
     /// # Errors
-    /// Those of [`Self::of`].
+    /// Errors of [`Self::of`].
     pub fn of_silent(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<(Self, FileUse), Error> {
         let mut taken = FileUse {
             unit: None,
@@ -214,7 +234,8 @@ impl Origin {
     }
 }
 
-/// The error of a file that lacks what nobody declared, unless its name says that it is no acceleration: then no declaration helps.
+/// Returns the error of a file that needs a declaration. If its name shows that it holds no accelerations, the error says so, because no
+/// declaration helps.
 fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
     let wanted = error.refused().wanted();
     let lacks = wanted.is_some_and(|knob| [Knob::TimeStep, Knob::Unit, Knob::PerCount].contains(knob));
@@ -225,7 +246,7 @@ fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
     }
 }
 
-/// The refusal of a file whose name says that it holds no accelerations, unless it says otherwise itself.
+/// Returns the refusal of a file whose name shows that it holds no accelerations; `None` if the name does not.
 fn name_says_otherwise(path: &Path, declared: &FileUse) -> Option<Refused> {
     let (what, kind) = match NamedFile::of(shown_name(path)).quantity? {
         Quantity::Acceleration => return None,
@@ -239,38 +260,8 @@ fn name_says_otherwise(path: &Path, declared: &FileUse) -> Option<Refused> {
     Some(help.by(declared.naming))
 }
 
-/// Returns the bytes of a record file.
-///
-/// # Errors
-/// Refuses a missing file.
-pub fn opened(path: &Path) -> Result<Vec<u8>, Error> {
-    record_bytes(path).map_err(|error| {
-        let said = format!(
-            "{} cannot be read (it is looked for from the folder of the scene's file): {error}",
-            path.display()
-        );
-        let refused = Refused::at("record.file").is(said).kind(Kind::System(error.kind()));
-        // A letter that nobody types, such as the line break that `"records\\new.csv"` has.
-        let is_escape = path.to_string_lossy().chars().any(char::is_control);
-        let escape = format!("in double quotes a backslash begins an escape: write {}", FOR_A_BACKSLASH[0]);
-        if is_escape { refused.help(escape) } else { refused }.into()
-    })
-}
-
-/// The name of a file; bytes that are not UTF-8 are spelt as `\xff`, so that no two names look alike.
-pub(crate) fn shown_name(path: &Path) -> String {
-    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
-    name.utf8_chunks().fold(String::new(), |mut shown, chunk| {
-        shown.push_str(chunk.valid());
-        for byte in chunk.invalid() {
-            write!(shown, "\\x{byte:02x}").expect("a string takes all");
-        }
-        shown
-    })
-}
-
 impl FileUse {
-    /// What is said of the file that it may not say itself.
+    /// Converts the declarations for the reader.
     fn declared(&self) -> Declared {
         Declared {
             unit: self.unit.map(crate::file::Unit::to_motion),
@@ -283,12 +274,12 @@ impl FileUse {
     }
 }
 
-/// SHA-256 of some bytes in hexadecimal digits.
+/// Returns the SHA-256 of bytes in hexadecimal digits.
 pub fn sha256(bytes: &[u8]) -> String {
     hexadecimal(&Sha256::digest(bytes))
 }
 
-/// Bytes in hexadecimal digits.
+/// Writes bytes in hexadecimal digits.
 pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().fold(String::new(), |mut digits, byte| {
         write!(digits, "{byte:02x}").expect("a string takes all");
@@ -296,12 +287,12 @@ pub fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
-/// Names the field of a scene that asks for what is refused.
+/// Adds the field of a scene to a refusal of its value.
 fn at(place: &'static str) -> impl Fn(Refused) -> Refused {
     move |refused| in_setting(place, refused)
 }
 
-/// The record as the scene uses it, and what it was multiplied by.
+/// Processes a record as the scene asks for, and returns the product of all factors.
 fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), Refused> {
     if let Some(trend) = record.detrend {
         used = used.detrended(trend.to_motion()).map_err(at("record.detrend"))?;

@@ -23,19 +23,18 @@
 //!
 //! Errors name the place, what was found, what is allowed and what to change. A warning names the numbers of a run that it concerns.
 //!
-//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`), many values of one field (`pounding-sweep`), pages and
-//! figures (`pounding-report`).
+//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`), many records (`pounding-assess`), many values of one
+//! field (`pounding-sweep`), pages and figures (`pounding-report`).
 //!
 //! Where to start:
 //!
-//! - [`Scene`] and its fields: the words of a file. Its folder in the source is `file/`.
+//! - [`Scene`] and its fields: the words of a file. [`file`] has all of them, and reads other files of this form.
 //! - [`Simulation`]: [`Simulation::new`], [`Simulation::run`] for numbers, [`Simulation::review`] for numbers with errors and warnings.
-//! - [`Assessment`]: a row under many records; [`Effects`] and [`Separation`] are what pounding does and which gap avoids it.
-//! - [`advise`]: a method and its step for an accuracy.
+//! - [`Advice::of`]: a method and its step for an accuracy.
+//! - [`parallel`]: work on many scenes by all threads.
 
 mod accuracy;
-mod assess;
-mod file;
+pub mod file;
 mod ground_motion;
 mod judge;
 pub mod parallel;
@@ -43,55 +42,27 @@ mod quantity;
 mod settings;
 mod simulation;
 mod spectrum;
-mod statistics;
-mod suite;
 
-pub use accuracy::errors::{MEASURE, PairErrors, RunErrors, relative, relative_to};
-pub use accuracy::ladder::{EVALUATIONS_PER_PIECE, Ladder, cost, entries, price};
-pub use accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob, REFERENCE, RIVAL, StepMethod, is_compliant, label_of};
+pub use accuracy::errors::{PairErrors, RunErrors};
+pub use accuracy::ladder::Ladder;
+pub use accuracy::methods::{ComparedMethod, Knob, StepMethod};
 pub use accuracy::opening::Options;
-pub use accuracy::price::{Going, LEDGER_OF_PIECE};
-pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
-pub use assess::FloorPeaks;
-pub use assess::alone::Alone;
-pub use assess::assessment::{
-    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RequiredGap, RuleAssessment, RunOfCase, StiffnessEffect,
-    WORSE,
-};
-pub use assess::bumper::{Bumper, BumperPair, BumperRun, COMPRESSION, THICKNESS};
-pub use assess::bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
-pub use assess::design::{DesignSpectrum, Eurocode8Ground, acceleration_in_g};
-pub use assess::distribution::Distribution;
-pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
-pub use assess::run::{AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors};
-pub use assess::scaling::{MotionSpectrum, Scaling};
-pub use assess::separation::{Rule, Separation};
-pub use assess::target_fit::{LEAST_SHARE, TargetFit};
-pub use file::error::{Error, ended};
-pub use file::reading::{bytes, bytes_of, in_file, is_json, parse, read_file, record_bytes};
-pub use file::schema::{scene_schema, schema_of};
+pub use accuracy::price::Going;
+pub use file::error::Error;
 pub use file::{
-    BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand, Generated, Ground, Jumps, Method,
-    Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile, SetNumber, Source, Start, Stochastic, Storey,
-    Structure, Unit, UnknownNeighbour, set_number,
+    Building, Columns, Contact, Damping, FileUse, Generated, Method, RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
 };
-pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
+pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
-pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json, usual_stiffness};
-pub use judge::free_collision::{Delivered, FreeCollision, no_step};
-pub use judge::implausible::{Implausible, USUAL_FACTORS};
-pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
-pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY};
-pub use judge::review::{DOUBTFUL, Errors, Review};
-pub use judge::warning::{Place, Warning};
+pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy};
+pub use judge::free_collision::{Delivered, FreeCollision};
+pub use judge::implausible::Implausible;
+pub use judge::limits::{ContactLimit, FreeLimit, Limits};
+pub use judge::response::{Excess, ExcessKind};
+pub use judge::review::{Errors, Review};
+pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;
-pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values, ZERO};
+pub use quantity::{About, FloorQuantity, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
-pub use simulation::{
-    Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial, holding, in_scene,
-    least_opening,
-};
+pub use simulation::{Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial};
 pub use spectrum::{SpectralValues, Spectrum, periods_between, response_spectra, response_spectrum, scaled_to_sa};
-pub use statistics::wilson;
-pub use suite::lines;
-pub use suite::{LeftOut, Motion, Reason, ReasonKind, Suite, files_in};

@@ -4,12 +4,12 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-/// What `work` makes of every item, in their order.
+/// Applies `work` to every item and returns the results in the order of the items.
 pub fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let made: Vec<_> = items.iter().map(|_| Mutex::new(None)).collect();
     for_each(items.len(), &|index| {
         let one = work(&items[index]);
-        // Nobody else has this item, so that the lock is free and sound.
+        // Only this thread has the item, so that the lock is free and valid.
         if let Ok(mut place) = made[index].lock() {
             *place = Some(one);
         }
@@ -18,16 +18,16 @@ pub fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec
     made.filter_map(|place| place.into_inner().ok().flatten()).collect()
 }
 
-/// The same of two items.
+/// Applies `work` to two items.
 pub fn both<T: Sync, R: Send>(items: &[T; 2], work: impl Fn(&T) -> R + Sync) -> [R; 2] {
     let [one, other] = items;
     rayon::join(|| work(one), || work(other)).into()
 }
 
-/// The same, or the first error in the order of the items, whichever came first in time.
+/// Applies `work` to every item. Returns the results, or the first error in the order of the items, whichever error came first in time.
 ///
 /// # Errors
-/// Those of `work`.
+/// Errors of `work`.
 pub fn try_each<T: Sync, R: Send, E: Send>(items: &[T], work: impl Fn(&T) -> Result<R, E> + Sync) -> Result<Vec<R>, E> {
     each(items, work).into_iter().collect()
 }

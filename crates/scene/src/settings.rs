@@ -4,12 +4,12 @@ use std::fmt::Display;
 
 use pounding_text::{Refused, plain};
 
-/// A number that is not allowed.
+/// Refuses a number.
 pub(crate) fn out_of_range(place: impl Display, found: f64, allowed: &'static str) -> Refused {
     Refused::at(place.to_string()).found(plain(found)).allowed(allowed)
 }
 
-/// Names the field of a scene, in `place`, behind the setting that is refused of a filter, a formula or a spectrum.
+/// Adds the field of a scene to the refusal of a setting of a filter, a formula or a spectrum.
 pub(crate) fn in_setting(place: &str, refused: Refused) -> Refused {
     let setting = refused.place().field.as_ref();
     let field = match setting.map_or("", |setting| setting.path()) {

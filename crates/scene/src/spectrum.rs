@@ -1,9 +1,8 @@
 //! Response spectra of a record, by the exact method.
 //!
-//! The recurrence of Nigam and Jennings takes a hundredth of the time, but finds peaks at samples only; tests compare with it.
+//! The recurrence of Nigam and Jennings takes a hundredth of the time, but it finds peaks only at samples. Tests compare with it.
 
-use crate::file::error::ended;
-use crate::parallel;
+use crate::{Error, parallel};
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
@@ -13,7 +12,7 @@ use pounding_solver::{
 };
 use pounding_text::{Refused, plain};
 
-/// Most values of a record's spectra, periods times damping ratios: an hour under a usual record.
+/// Largest number of values in the spectra of a record, periods times damping ratios. They take an hour for a usual record.
 const MOST_VALUES: usize = 1_000_000;
 
 /// The response spectrum of a record for one damping ratio.
@@ -45,21 +44,20 @@ pub struct SpectralValues {
 
 /// Response spectrum of a record at `periods` \[s\], each 0 or 1e-6 ..= 1e6, in their order, for a damping ratio 0 ..= 1.
 ///
-/// Peaks are found between samples too. A run goes on for one natural period after the end of the record: in free
-/// vibration displacement and absolute acceleration obey the same equation, and their largest magnitude occurs
-/// within half a period. Time grows with samples and with natural periods in the record: on one core 100
-/// periods from 0.02 s to 10 s take 0.4 s under 1 560 samples of El Centro, 1 s under 8 000 samples.
+/// Peaks are found between samples, too. The run lasts one natural period longer than the record: in free vibration the largest magnitude
+/// occurs within half a period. Time grows with the number of samples and with the number of natural periods in the record. On one core,
+/// 100 periods from 0.02 s to 10 s take 0.4 s for the 1 560 samples of El Centro, and 1 s for 8 000 samples.
 ///
 /// # Errors
-/// Refuses a period or a damping ratio out of range, and a period so short that the record holds some hundred thousand.
+/// Refuses a period or a damping ratio out of range, and a period that is shorter than the record by a factor of some hundred thousand.
 pub fn response_spectrum(record: &Record, periods: &[f64], damping_ratio: f64) -> Result<Vec<SpectralValues>, Refused> {
-    spectrum(record, periods, damping_ratio, (None, &|| ()))
+    spectrum(record, periods, damping_ratio, None, &|| ())
 }
 
-/// Response spectra for several damping ratios; `done` is called after each period, and whoever sets `stop` ends them.
+/// Response spectra for several damping ratios. `done` is called after each period; setting `stop` ends the work.
 ///
 /// # Errors
-/// Those of [`response_spectrum`], and more than a million values.
+/// Errors of [`response_spectrum`]; refuses more than a million values.
 pub fn response_spectra(
     record: &Record,
     periods: &[f64],
@@ -76,7 +74,7 @@ pub fn response_spectra(
     let of_ratio = |&damping_ratio: &f64| {
         Ok(Spectrum {
             damping_ratio,
-            values: spectrum(record, periods, damping_ratio, (stop, done))?,
+            values: spectrum(record, periods, damping_ratio, stop, done)?,
         })
     };
     damping_ratios.iter().map(of_ratio).collect()
@@ -87,7 +85,8 @@ fn spectrum(
     record: &Record,
     periods: &[f64],
     damping_ratio: f64,
-    (stop, done): (Option<&'static AtomicBool>, &(dyn Fn() + Sync)),
+    stop: Option<&'static AtomicBool>,
+    done: &(dyn Fn() + Sync),
 ) -> Result<Vec<SpectralValues>, Refused> {
     let budget = Budget { stop, ..Budget::default() };
     let excitation = Excitation::new(record.time_step(), record.samples());
@@ -102,8 +101,8 @@ fn spectrum(
             Ok(of_the_ground(record))
         } else {
             let end = record.duration() + period;
-            values(excitation, end, (period, damping_ratio), budget).map_err(|source| {
-                let said = ended(&source);
+            values(excitation, end, period, damping_ratio, budget).map_err(|source| {
+                let said = Error::ended(&source);
                 let of = format!("period of {} s: ", plain(period));
                 Refused::that(of).and(&said).kind(said.own_kind())
             })
@@ -114,7 +113,7 @@ fn spectrum(
     parallel::try_each(periods, values)
 }
 
-/// Periods from one to another, both > 0 \[s\], in equal ratios; the first alone where one is asked for.
+/// Returns `count` periods between two periods > 0 \[s\], in equal ratios; only the first if `count` is 1.
 pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
     let ratio = libm::log(to / from);
     let period = |index: u32| match index {
@@ -125,10 +124,10 @@ pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
     (0..count).map(period).collect()
 }
 
-/// The record times one factor > 0, such that its pseudo-acceleration at a period \[s\] is `target` \[m/s²\], > 0.
+/// Multiplies the record by the factor > 0 for which its pseudo-acceleration at a period \[s\] is `target` \[m/s²\], > 0.
 ///
 /// # Errors
-/// Those of [`response_spectrum`]; a target that is not a finite number > 0; a record that is zero throughout.
+/// Errors of [`response_spectrum`]; refuses a target that is not a finite number > 0, and a record that is zero throughout.
 pub fn scaled_to_sa(record: &Record, period: f64, damping_ratio: f64, target: f64) -> Result<Record, Refused> {
     let valid = target.is_finite() && target > 0.0;
     check("target", target, valid, "a finite number > 0 m/s²")?;
@@ -147,7 +146,7 @@ fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<
     Err(crate::settings::out_of_range(place, found, allowed))
 }
 
-/// What a structure of period 0 does.
+/// Responses of a structure of period 0.
 fn of_the_ground(record: &Record) -> SpectralValues {
     let peak = record.peak().1.abs();
     SpectralValues {
@@ -159,8 +158,8 @@ fn of_the_ground(record: &Record) -> SpectralValues {
     }
 }
 
-/// Runs a structure of unit mass to `end` \[s\].
-fn values(excitation: Excitation<'_>, end: f64, (period, damping_ratio): (f64, f64), budget: Budget) -> Result<SpectralValues, RunError> {
+/// Runs a structure of unit mass until `end` \[s\].
+fn values(excitation: Excitation<'_>, end: f64, period: f64, damping_ratio: f64, budget: Budget) -> Result<SpectralValues, RunError> {
     let frequency = TAU / period;
     let stiffness = frequency * frequency;
     let damping = Damping::Ratio(damping_ratio).coefficient(1.0, stiffness);

@@ -1,32 +1,32 @@
 //! The lines of methods in figures.
 
 use pounding_plot::{Kind, Mark, Shade};
-use pounding_scene::{REFERENCE, RIVAL};
+use pounding_scene::ComparedMethod;
 
 /// The line of a method, by its name in tables; nothing where it would lie on that of another one.
 pub(crate) fn line_of(key: &str) -> Option<(Shade, Kind, Mark)> {
     Some(match key {
-        RIVAL => (Shade::Blue, Kind::Line, Mark::Disc),
+        ComparedMethod::RIVAL => (Shade::Blue, Kind::Line, Mark::Disc),
         "central_difference_10_contact_substeps" => (Shade::Amber, Kind::Line, Mark::Diamond),
         "velocity_verlet" => (Shade::Green, Kind::Line, Mark::Diamond),
         "velocity_verlet_located" => (Shade::Green, Kind::Dashed, Mark::HollowDiamond),
         "newmark_average_acceleration" => (Shade::Vermilion, Kind::Line, Mark::Square),
         "moreau_jean" => (Shade::Grey, Kind::Line, Mark::Cross),
         "rk4" => (Shade::Rose, Kind::Line, Mark::Inverted),
-        REFERENCE => (Shade::Ink, Kind::Line, Mark::Triangle),
+        ComparedMethod::REFERENCE => (Shade::Ink, Kind::Line, Mark::Triangle),
         _ => return None,
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use pounding_scene::COMPARED_METHODS;
+    use pounding_scene::ComparedMethod;
 
     use super::*;
 
     #[test]
     fn limit_lines_of_methods_can_be_told_apart() {
-        let lines: Vec<_> = COMPARED_METHODS.iter().filter_map(|one| line_of(one.key)).collect();
+        let lines: Vec<_> = ComparedMethod::ALL.iter().filter_map(|one| line_of(one.key)).collect();
         assert!(lines.len() > 5, "most methods have one");
         for (n, (shade, kind, _)) in lines.iter().enumerate() {
             for other in &lines[..n] {

@@ -15,7 +15,7 @@ use super::output::Output;
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Prices, mean, step};
 use super::sampling::Point;
-use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
+use pounding_scene::{Going, Method, Simulation};
 use pounding_text::to_csv;
 
 /// Number of runs that choose the method, and number of runs that measure it.
@@ -173,7 +173,7 @@ impl Sweep {
 
     /// A price of runs alone by the exact method without a ledger; runs in lanes have none.
     fn without_ledger(&self, price: f64) -> f64 {
-        if self.verdict { price / LEDGER_OF_PIECE } else { price }
+        if self.verdict { price / Going::LEDGER_OF_PIECE } else { price }
     }
 
     /// Mean cost of some runs by the exact method alone.

@@ -6,7 +6,7 @@ use super::Sweep;
 use super::output::Output;
 use crate::side_by_side::{alone_because, side_by_side};
 use pounding_lanes::{PairSums, SceneSums};
-use pounding_scene::{Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening};
+use pounding_scene::{Floor, FloorQuantity, PairOutcome, PairQuantity, Quantity, Simulation, Values};
 use pounding_solver::Pair;
 
 impl Sweep {
@@ -123,7 +123,7 @@ const TALLIED: &[(Quantity, Take)] = &[
     }),
     (Quantity::Pair(PairQuantity::TotalImpulseNS), |one| Some(one.sums().impulse)),
     (Quantity::Pair(PairQuantity::LeastOpeningM), |one| {
-        Some(least_opening(one.pair().gap(), one.sums().closing?, one.touches()))
+        Some(PairOutcome::opening_after(one.pair().gap(), one.sums().closing?, one.touches()))
     }),
 ];
 
@@ -160,6 +160,6 @@ impl One<'_> {
             return 0.0;
         }
         let peak = |floor| self.tallies.displacement(self.scene, floor).abs();
-        LEAST_PART * peak(self.pair().left()).max(peak(self.pair().right()))
+        Values::LEAST_PART * peak(self.pair().left()).max(peak(self.pair().right()))
     }
 }

@@ -10,7 +10,8 @@ use serde_json::Value;
 use super::distribution::{LogNormal, Normal};
 use super::spread::{Between, Grid, Spread};
 use super::summary_file::Summary;
-use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
+use pounding_scene::file::RunBudget;
+use pounding_scene::{Error, FloorQuantity, PairQuantity};
 
 /// A sweep: a scene that runs many times with other values of its fields, under one or many records.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -47,18 +48,18 @@ pub struct SweepFile {
 
 /// Deserialisers are large: they are compiled here once instead of in every program that reads a sweep.
 impl SweepFile {
-    /// Reads a sweep from the text of a JSON or TOML file; [`is_json`](pounding_scene::is_json) decides which.
+    /// Reads a sweep from the text of a JSON or TOML file; [`is_json`](pounding_scene::file::is_json) decides which.
     ///
     /// # Errors
     /// Refuses text that is no sweep, with `path` as its file.
     pub fn parse(text: &[u8], path: &Path) -> Result<Self, Error> {
-        pounding_scene::parse(text, path)
+        pounding_scene::file::parse(text, path)
     }
 }
 
 /// The JSON Schema (2020-12) of a sweep file, generated from its types.
 pub fn sweep_schema() -> String {
-    pounding_scene::schema_of::<SweepFile>()
+    pounding_scene::file::schema_of::<SweepFile>()
 }
 
 fn yes() -> bool {

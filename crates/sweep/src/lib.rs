@@ -86,7 +86,9 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::Summary;
 
-use pounding_scene::{Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite, in_file};
+use pounding_assess::Suite;
+use pounding_scene::file::in_file;
+use pounding_scene::{Implausible, Method, PairQuantity, Quantity, Scene, Simulation};
 use pounding_text::{Kind, Refused};
 
 /// A sweep with its scene and records, after a trial of its values.
@@ -129,7 +131,7 @@ impl Sweep {
     /// # Errors
     /// Names the line of the field. Of [`Kind::Stopped`] where somebody says stop while a method is chosen.
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
-        let bytes = pounding_scene::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
+        let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
         Self::of((file, &bytes), path, stop).map_err(|refused| {
             let is_stopped = refused.is_kind(Kind::Stopped);
@@ -296,11 +298,11 @@ impl Read {
             }),
             SceneOf::File(name) => {
                 let path = path.parent().unwrap_or_else(|| Path::new("")).join(name);
-                let bytes = pounding_scene::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?;
+                let bytes = pounding_scene::file::bytes(&path).map_err(|error| Refused::unreadable(&path, &error))?;
                 // Its faults are told with their lines.
                 Scene::parse(&bytes, &path)?;
                 Ok(Self {
-                    scene: pounding_scene::parse(&bytes, &path)?,
+                    scene: pounding_scene::file::parse(&bytes, &path)?,
                     path,
                     bytes,
                 })

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::file::SweepFile;
 use super::plan::Axis;
-use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SharedMotion, Source, Suite, in_scene};
+use pounding_assess::Suite;
+use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SharedMotion, Source};
 use pounding_text::Refused;
 
 /// A ground motion in one direction.
@@ -156,7 +157,7 @@ impl Motions {
         };
         match motion {
             Ok(motion) => Ok((scene, motion)),
-            Err(refused) => Err(in_scene(&scene, refused)),
+            Err(refused) => Err(Error::in_scene(&scene.name, refused)),
         }
     }
 

@@ -8,7 +8,8 @@ use super::Sweep;
 use super::place::Place;
 use super::plan::{Setting, value_of};
 use super::spread::Spread;
-use pounding_scene::{Contact, SdofFile, SetNumber, Simulation, Structure, set_number};
+use pounding_scene::file::{SdofFile, SetNumber};
+use pounding_scene::{Contact, Simulation, Structure};
 
 /// Destination of the number of an axis.
 #[derive(Debug)]
@@ -81,7 +82,7 @@ impl Sweep {
 impl Renumbered {
     fn slot(&mut self, place: &Place) -> Option<Slot> {
         if let Some((index, field)) = place.in_item_of("structures") {
-            let set = set_number(field.strip_prefix("sdof.")?)?;
+            let set = SdofFile::setter(field.strip_prefix("sdof.")?)?;
             let mut known = self.structures.iter();
             if let Some(known) = known.position(|(structure, _)| *structure == index) {
                 return Some(Slot::Structure(known, set));

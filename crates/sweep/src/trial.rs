@@ -9,7 +9,8 @@ use super::manifest::PRICES;
 use super::output::Row;
 use super::plan::{Axis, Plan, Setting};
 use super::spread::{Between, Spread};
-use pounding_scene::{Floors, Scene, SharedMotion, Simulation, in_file, in_scene};
+use pounding_scene::file::in_file;
+use pounding_scene::{Error, Floors, Scene, SharedMotion, Simulation};
 use pounding_text::{Kind, Refused, plain};
 
 /// Number of first values of a grid or list that are tried.
@@ -20,7 +21,7 @@ const NEAR: f64 = 1e-6;
 /// The row of a scene that does not run.
 pub(super) fn row_of(scene: &Scene) -> Result<Row, Refused> {
     let floors = scene.check().and_then(|()| Floors::of(scene));
-    Ok(Row::of(&floors.map_err(|refused| in_scene(scene, refused))?))
+    Ok(Row::of(&floors.map_err(|refused| Error::in_scene(&scene.name, refused))?))
 }
 
 /// Reads a scene whose fields were set; an error names the field.

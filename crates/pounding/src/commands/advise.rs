@@ -6,9 +6,8 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use pounding::scene::{
-    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene, Simulation, Trial, advise, is_json,
-};
+use pounding::scene::file::is_json;
+use pounding::scene::{Advice, Error, Goal, Method, QuantityGroup, RunErrors, Scene, Simulation, Trial};
 use pounding::text::{digits, json_text};
 
 use super::part_of_one;
@@ -72,11 +71,11 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         error: args.error,
         quantity: args.quantity,
     };
-    let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
+    let advice = Advice::of(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
     Ok(if args.json {
         json_text(&advice.to_json(prepared.scene()))
     } else {
-        let text = pounding::scene::bytes(path);
+        let text = pounding::scene::file::bytes(path);
         let json = text.is_ok_and(|text| is_json(&text, path));
         of(&prepared, &advice, json)
     })
@@ -127,11 +126,14 @@ fn snippet(method: &Method, json: bool) -> String {
 
 fn notes(prepared: &Simulation) -> String {
     format!(
-        "Errors: the largest distance from the exact run, and in what; {MEASURE}.\nGoal met: at this step and at every shorter one \
+        "Errors: the largest distance from the exact run, and in what; {}.\nGoal met: at this step and at every shorter one \
          tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \
-         not met. Steps are halved from {LONGEST_STEP} s while a run has at most {MOST_STEPS} steps of \
+         not met. Steps are halved from {} s while a run has at most {} steps of \
          structures.\nCost: force evaluations; a piece of motion of the exact method counts as {} here, which \
          is about the time it takes.",
+        RunErrors::MEASURE,
+        Advice::LONGEST_STEP,
+        Advice::MOST_STEPS,
         prepared.evaluations_per_piece()
     )
 }

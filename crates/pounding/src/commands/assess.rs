@@ -7,8 +7,10 @@ mod text;
 use pounding::text::Refused;
 use std::path::PathBuf;
 
+use pounding::assess::{DesignSpectrum, Scaling, Suite};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
-use pounding::scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g, in_scene};
+use pounding::scene::file::ScaleTo;
+use pounding::scene::{Error, Method, Scene, Structure};
 use pounding::text::{digits, json_text};
 
 use super::declared::Declared;
@@ -100,7 +102,7 @@ fn scaling(text: &str) -> Result<Scaling, String> {
         return Ok(Scaling::Unscaled);
     }
     let (what, value) = text.split_once('=').ok_or(ALLOWED)?;
-    let value = acceleration_in_g(value).ok_or_else(|| match super::positive(value.trim()) {
+    let value = DesignSpectrum::in_g(value).ok_or_else(|| match super::positive(value.trim()) {
         Ok(_) => format!("{value} has no unit: write {value}g or {value}m/s2"),
         Err(_) => ALLOWED.into(),
     })?;
@@ -196,7 +198,7 @@ impl Arguments {
             ..scene
         };
         let rows = scene.beside_neighbours();
-        let rows = rows.map_err(|source| message(in_scene(&scene, source)))?;
+        let rows = rows.map_err(|source| message(Error::in_scene(&scene.name, source)))?;
         let moves = |one: &Structure| !matches!(one, Structure::Wall);
         let row = &rows[0].0.structures;
         if row.len() < 2 || !row.iter().any(moves) {
@@ -222,7 +224,7 @@ impl Arguments {
     }
 
     /// The runs that were finished, summed up; `None` if there are none.
-    fn report(&self, asked: &Asked<'_>, lines: &[suite::Line<Found>]) -> Result<Option<AssessmentReport>, Refused> {
+    fn report(&self, asked: &Asked<'_>, lines: &[suite::MotionLine<Found>]) -> Result<Option<AssessmentReport>, Refused> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let bumpers = match self.bumper {
             BumperAsked::None => Vec::new(),

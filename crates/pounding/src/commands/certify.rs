@@ -4,7 +4,7 @@ mod printed;
 
 use clap::ValueEnum;
 use pounding::contact::{Calibration, LawName};
-use pounding::scene::{Certificate, CertificateRequest, FreeCollision, StepMethod, certificate_json, usual_stiffness};
+use pounding::scene::{Certificate, CertificateRequest, FreeCollision, StepMethod};
 use pounding::text::Refused;
 use pounding::text::json_text;
 
@@ -116,7 +116,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let law = args.law;
     let wanted = CertificateRequest {
         law,
-        stiffness: args.stiffness.unwrap_or_else(|| usual_stiffness(law)),
+        stiffness: args.stiffness.unwrap_or_else(|| Certificate::usual_stiffness(law)),
         restitution: args.restitution,
         calibration: args.calibration.into(),
     };
@@ -132,6 +132,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     Ok(match args.format() {
         Format::Text => printed::text(wanted.calibration, &facts, &methods),
         Format::Csv => printed::csv(&facts, &methods),
-        Format::Json => json_text(&certificate_json(&facts, &methods)),
+        Format::Json => json_text(&Certificate::json(&facts, &methods)),
     })
 }

@@ -2,7 +2,8 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use pounding::motion::AccelerationUnit;
-use pounding::scene::{FileUse, Scene, Unit};
+use pounding::scene::file::Unit;
+use pounding::scene::{FileUse, Scene};
 use pounding::text::Naming;
 use serde_json::json;
 

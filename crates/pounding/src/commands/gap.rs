@@ -3,8 +3,8 @@
 use pounding::text::Refused;
 use std::path::PathBuf;
 
-use pounding::scene::lines::failed;
-use pounding::scene::{Error, Excess, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation, Structure, Suite};
+use pounding::assess::{MotionLine, RequiredGap, Rule, RuleAssessment, Separation, Suite};
+use pounding::scene::{Error, Excess, Floors, Implausible, Scene, Structure};
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
 }
 
 /// The widths under one motion in one direction, what the motion is beyond its model, and what looks wrong.
-type Line = suite::Line<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
+type Line = MotionLine<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
 /// The widths under every record.
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
@@ -67,7 +67,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let apart = scene.apart();
     let records = suite::read(&args.records, &args.declared, &scene)?;
     let ran = suite::lines(&apart, &records, &[false, true], |prepared| {
-        let (widths, excesses) = prepared.judged_separations()?;
+        let (widths, excesses) = Separation::judged(prepared)?;
         Ok((widths, excesses, prepared.doubts()))
     })?;
     let lines = &ran.lines;
@@ -101,7 +101,7 @@ fn warnings(scene: &Scene, records: &Suite, lines: &[Line]) -> Vec<String> {
     let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
     let beyond = beyond.filter(|one| one.kind.is_caution());
     let no_level = Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level());
-    let missing = records.says_missing(failed(lines).len()).into_iter();
+    let missing = records.says_missing(MotionLine::failed(lines).len()).into_iter();
     let beyond = beyond.map(|one| one.to_string());
     missing.chain(beyond).chain(no_level).collect()
 }

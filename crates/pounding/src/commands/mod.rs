@@ -23,7 +23,8 @@ mod sweep;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use pounding::scene::{Error, Options, Scene, Simulation, bytes_of};
+use pounding::scene::file::bytes_of;
+use pounding::scene::{Error, Options, Scene, Simulation};
 use pounding::text::Refused;
 
 use crate::progress::Progress;

@@ -6,8 +6,9 @@ mod effects;
 use pounding::text::{Kind, Refused};
 use std::path::{Path, PathBuf};
 
+use pounding::assess::Effects;
 use pounding::report::{BothDirections, Report, Summary, other_direction};
-use pounding::scene::{Effects, Error, Implausible, Review, Simulation};
+use pounding::scene::{Error, Implausible, Review, Simulation};
 use pounding::solver::LedgerError;
 
 use super::declared::Declared;

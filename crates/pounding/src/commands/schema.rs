@@ -1,6 +1,6 @@
 //! `pounding schema`: the form of a scene or sweep file, for editors.
 
-use pounding::scene::scene_schema;
+use pounding::scene::file;
 use pounding::sweep::sweep_schema;
 
 const EXAMPLES: &str = "\
@@ -23,5 +23,5 @@ pub(crate) struct Arguments {
 
 /// The JSON Schema.
 pub(crate) fn run(args: &Arguments) -> String {
-    if args.sweep { sweep_schema() } else { scene_schema() }
+    if args.sweep { sweep_schema() } else { file::schema() }
 }

@@ -4,10 +4,10 @@ use pounding::text::{Kind, Refused};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::scene::lines::{self, Watched};
-use pounding::scene::{Error, Motion, Scene, Simulation, Suite};
+use pounding::assess::{MotionLines, Suite, SuiteMotion, Watched};
+use pounding::scene::{Error, Scene, Simulation};
 
-pub(super) use pounding::scene::lines::{Line, failed, nothing_found};
+pub(super) use pounding::assess::{MotionLine, nothing_found};
 
 use super::declared::Declared;
 use crate::progress::Progress;
@@ -22,14 +22,14 @@ pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<
 }
 
 /// Says how many files became how many events, what is left out, and what failed.
-pub(super) fn records<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> String {
-    let said = [vec![suite.counts()], failed(lines), suite.remarks(details)];
+pub(super) fn records<T>(suite: &Suite, lines: &[MotionLine<T>], details: bool) -> String {
+    let said = [vec![suite.counts()], MotionLine::failed(lines), suite.remarks(details)];
     paragraph("Records", &said.concat().join("\n"))
 }
 
 /// The lines of a folder that are finished, and how many there are to be.
 pub(super) struct Ran<T> {
-    pub(super) lines: Vec<Line<T>>,
+    pub(super) lines: Vec<MotionLine<T>>,
     n_cases: usize,
 }
 
@@ -75,7 +75,7 @@ pub(super) fn lines<T: Send>(
     directions: &[bool],
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, Refused> {
-    let scene = |_: &Motion| Ok((scene.clone(), ()));
+    let scene = |_: &SuiteMotion| Ok((scene.clone(), ()));
     lines_of(suite, directions, scene, |prepared, ()| run(prepared))
 }
 
@@ -86,7 +86,7 @@ pub(super) fn lines<T: Send>(
 pub(super) fn lines_of<T: Send, K: Send + Sync>(
     suite: &Suite,
     directions: &[bool],
-    scene: impl Fn(&Motion) -> Result<(Scene, K), Error> + Sync,
+    scene: impl Fn(&SuiteMotion) -> Result<(Scene, K), Error> + Sync,
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, Refused> {
     stop_when_asked();
@@ -96,7 +96,7 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
         stop: &STOPPED,
         step: &step,
     };
-    let ran = lines::lines_of(suite, directions, watched, scene, run)?;
+    let ran = MotionLines::of(suite, directions, watched, scene, run)?;
     Ok(Ran {
         lines: ran.lines,
         n_cases: ran.n_cases,

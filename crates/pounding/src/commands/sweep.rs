@@ -7,7 +7,8 @@ mod task;
 use pounding::text::Refused;
 use std::path::{Path, PathBuf};
 
-use pounding::scene::{Method, Suite};
+use pounding::assess::Suite;
+use pounding::scene::Method;
 use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, beside_table, summary_beside};
 use pounding::text::digits;
 

@@ -1,6 +1,6 @@
 //! What an assessment says of bumpers in the gaps.
 
-use pounding_scene::{Bumper, BumperEffect, COMPRESSION, Distribution};
+use pounding_assess::{Bumper, BumperEffect, Distribution};
 use pounding_text::{millimetres, short, two_decimals, two_digits};
 use serde_json::{Value, json};
 
@@ -69,7 +69,7 @@ impl AssessmentReport {
         } else {
             format!(
                 ", half of the gap, the softest that stop the approach that 84 % of the runs do not exceed at {:.0} % of it",
-                100.0 * COMPRESSION
+                100.0 * Bumper::COMPRESSION
             )
         };
         let bumpers = format!("Bumpers at the given gap ({}{why})", bumpers.join("; "));

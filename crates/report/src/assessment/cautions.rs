@@ -1,6 +1,7 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_scene::{DesignSpectrum, Excess, Implausible, LEAST_SHARE, USUAL_FACTORS};
+use pounding_assess::{DesignSpectrum, TargetFit};
+use pounding_scene::{Excess, Implausible};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport};
@@ -11,7 +12,7 @@ const ENOUGH: usize = 11;
 impl AssessmentReport {
     /// Records that belong to other earthquakes by the factors that they need, once for both directions.
     fn far(&self) -> Vec<&AssessedMotion> {
-        let is_usual = |scale| (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&scale);
+        let is_usual = |scale| (Implausible::USUAL_FACTORS[0]..=Implausible::USUAL_FACTORS[1]).contains(&scale);
         let first = self.motions.first().and_then(|one| one.neighbour);
         let once = |one: &&AssessedMotion| !one.reversed && one.neighbour == first;
         let once = self.motions.iter().filter(once);
@@ -33,7 +34,7 @@ impl AssessmentReport {
         let beyond = beyond.filter(|one| one.kind.is_caution());
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
         let least = self.fit.as_ref().map(|fit| fit.least().0);
-        said.extend(least.filter(|share| *share < LEAST_SHARE).map(|share| {
+        said.extend(least.filter(|share| *share < TargetFit::LEAST_SHARE).map(|share| {
             let per_cent = (100.0 * share).floor();
             format!("the mean spectrum has {per_cent:.0} % of the target")
         }));
@@ -53,8 +54,8 @@ impl AssessmentReport {
         if !far.is_empty() {
             said.push(format!(
                 "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes",
-                digits(USUAL_FACTORS[0]),
-                digits(USUAL_FACTORS[1]),
+                digits(Implausible::USUAL_FACTORS[0]),
+                digits(Implausible::USUAL_FACTORS[1]),
                 far.join(", ")
             ));
         }
@@ -78,7 +79,7 @@ impl AssessmentReport {
     fn misfit(&self) -> Option<String> {
         let fit = self.fit.as_ref()?;
         let (share, period) = fit.least();
-        let (share, what) = if share < LEAST_SHARE {
+        let (share, what) = if share < TargetFit::LEAST_SHARE {
             (share, format!("at {} s", two_digits(period)))
         } else if fit.peak_share < 1.0 && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. })) {
             return Some(format!(
@@ -93,8 +94,8 @@ impl AssessmentReport {
             "the mean spectrum of the scaled records has {:.0} % of the target {what}; EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, \
              16.2.3.2, want {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target",
             (100.0 * share).floor(),
-            100.0 * LEAST_SHARE,
-            two_decimals((100.0 * LEAST_SHARE / share).ceil() / 100.0)
+            100.0 * TargetFit::LEAST_SHARE,
+            two_decimals((100.0 * TargetFit::LEAST_SHARE / share).ceil() / 100.0)
         ))
     }
 

@@ -1,6 +1,6 @@
 //! An assessment for machines: JSON, and a table with a line per number.
 
-use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment, TargetFit};
+use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment, TargetFit};
 use pounding_text::{Cell, csv_text};
 use serde_json::{Value, json};
 

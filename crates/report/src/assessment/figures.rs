@@ -1,7 +1,7 @@
 //! What the page of an assessment shows: the share of runs that need more than a gap, and amplifications.
 
+use pounding_assess::{Distribution, GapAssessment};
 use pounding_plot::{Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable};
-use pounding_scene::{BUILT_IN_STEPS_OF, Distribution, GapAssessment};
 use pounding_text::millimetres;
 
 use super::AssessmentReport;
@@ -90,7 +90,7 @@ fn share(report: &AssessmentReport) -> Figure {
     let gaps = &all[..all.len().min(MOST_GAPS)];
     let widest = gaps.iter().map(|gap| gap.required.largest().max(gap.own.unwrap_or(0.0)));
     // Beyond what every run needs, so that the curves are seen to end on the axis.
-    let end = 1e3 * 1.05 * widest.fold(BUILT_IN_STEPS_OF, f64::max);
+    let end = 1e3 * 1.05 * widest.fold(GapAssessment::BUILT_IN_STEPS_OF, f64::max);
     let panel = |gap: &GapAssessment| {
         let [left, right] = report.gap_names(gap);
         let mut curves = vec![Curve::new(Kind::Line, Shade::Blue, needing(gap, end))];
@@ -147,7 +147,7 @@ fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
     };
     let (median, most, all) = (of(Distribution::median), of(Distribution::p84), of(Distribution::largest));
     let widest = all.iter().map(|point| point.1).fold(0.0, f64::max);
-    let end = 1.05 * widest.max(1e3 * own.unwrap_or(BUILT_IN_STEPS_OF));
+    let end = 1.05 * widest.max(1e3 * own.unwrap_or(GapAssessment::BUILT_IN_STEPS_OF));
     for (from, to) in median.iter().zip(most) {
         curves.push(Curve::new(Kind::Line, Shade::Blue, vec![*from, to]));
     }

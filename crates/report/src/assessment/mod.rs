@@ -12,10 +12,11 @@ mod words;
 
 use std::collections::BTreeMap;
 
-use pounding_scene::{
-    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour, Error, Floors, MotionSpectrum, RunOfCase,
-    Scaling, Scene, TargetFit, in_scene,
+use pounding_assess::{
+    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, MotionSpectrum, RunOfCase, Scaling, TargetFit,
 };
+use pounding_scene::file::DrawnNeighbour;
+use pounding_scene::{Error, Floors, Scene};
 use serde_json::Value;
 
 use crate::animation::{Animation, FILE};
@@ -112,7 +113,7 @@ impl AssessmentReport {
     /// # Errors
     /// Those of [`Floors::of`].
     pub fn of(scene: Scene, motions: Vec<AssessedMotion>) -> Result<Option<Self>, Error> {
-        let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source))?;
+        let floors = Floors::of(&scene).map_err(|source| Error::in_scene(&scene.name, source))?;
         let runs = runs_of_cases(&motions);
         let assessment = Assessment::of(&scene, &runs)?;
         Ok(assessment.map(|assessment| Self {

@@ -1,14 +1,14 @@
 //! An assessment of the runs under a folder of records.
 
-use pounding_scene::lines::{Line, failed};
-use pounding_scene::{AssessedRun, Error, MotionSpectrum, Scene, Suite};
+use pounding_assess::{AssessedRun, MotionLine, MotionSpectrum, Suite};
+use pounding_scene::{Error, Scene};
 
 use super::{AssessedMotion, AssessmentReport, FolderOfMotions};
 
 impl FolderOfMotions {
     /// What became of the records of a folder, in these runs.
-    pub fn of<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> Self {
-        let failed = failed(lines);
+    pub fn of<T>(suite: &Suite, lines: &[MotionLine<T>], details: bool) -> Self {
+        let failed = MotionLine::failed(lines);
         Self {
             missing: suite.says_missing(failed.len()),
             counts: suite.counts(),
@@ -23,7 +23,11 @@ impl AssessmentReport {
     ///
     /// # Errors
     /// Those of [`Self::of`].
-    pub fn of_lines(scene: Scene, suite: &Suite, lines: &[Line<(AssessedRun, Option<MotionSpectrum>)>]) -> Result<Option<Self>, Error> {
+    pub fn of_lines(
+        scene: Scene,
+        suite: &Suite,
+        lines: &[MotionLine<(AssessedRun, Option<MotionSpectrum>)>],
+    ) -> Result<Option<Self>, Error> {
         let found = lines.iter().filter_map(|line| {
             let (run, spectrum) = line.found.as_ref().ok()?.clone();
             Some(AssessedMotion {

@@ -1,6 +1,6 @@
 //! `report.html` of an assessment: the answer on the first page, the rest behind it.
 
-use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
+use pounding_assess::{Distribution, FloorAssessment, GapAssessment};
 
 use pounding_text::{millimetres, millimetres_up, two_decimals, two_digits};
 

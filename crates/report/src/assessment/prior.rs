@@ -1,6 +1,7 @@
 //! What an assessment says of a neighbour that is not known.
 
-use pounding_scene::{Distribution, DrawnNeighbour, GapAssessment, UnknownNeighbour};
+use pounding_assess::{Distribution, GapAssessment};
+use pounding_scene::file::{DrawnNeighbour, UnknownNeighbour};
 use pounding_text::{digits, millimetres, two_decimals};
 use serde_json::{Value, json};
 
@@ -55,7 +56,7 @@ impl AssessmentReport {
                 .filter(|(_, pair)| pair.contact == gap.left)
                 .map(|(index, _)| index)
                 .collect();
-            let touches = |run: &&pounding_scene::AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
+            let touches = |run: &&pounding_assess::AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
             Some(OfNeighbour {
                 drawn,
                 required: Distribution::of(needed)?,

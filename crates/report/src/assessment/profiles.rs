@@ -1,7 +1,7 @@
 //! Peak drift and shear force over the height of the buildings, alone and beside their neighbours, over all runs.
 
+use pounding_assess::{AssessedFloor, Distribution, FloorPeaks};
 use pounding_plot::{Curve, Figure, Kind, Mark, Shade};
-use pounding_scene::{AssessedFloor, Distribution, FloorPeaks};
 
 use super::AssessmentReport;
 use crate::figures::profiles::{MOST, of_storeys, over, panels};

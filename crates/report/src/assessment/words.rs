@@ -1,6 +1,6 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
-use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, WORSE};
+use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessment};
 use pounding_text::{digits, millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
@@ -270,7 +270,7 @@ impl<'f> Worst<'f> {
         } else {
             ("shear force", &floor.shear)
         };
-        if ratio.p84() > WORSE {
+        if ratio.p84() > FloorAssessment::WORSE {
             return Self {
                 strains: true,
                 what,

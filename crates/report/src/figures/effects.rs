@@ -1,11 +1,12 @@
 //! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
 
+use pounding_assess::Effects;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, writable};
-use pounding_scene::{Effects, Simulation};
+use pounding_scene::Simulation;
 
 /// Most storeys of one figure; of more those are shown that pounding changes most.
 const MOST: usize = 30;
-/// What the panels show, in the order of [`responses`](pounding_scene::FloorEffects::responses).
+/// What the panels show, in the order of [`responses`](pounding_assess::FloorEffects::responses).
 const PANELS: [&str; 3] = ["Drift", "Shear", "Acceleration"];
 /// How far the two directions of a storey stand apart, in storeys.
 const APART: f64 = 0.16;

@@ -11,8 +11,9 @@ mod thin;
 
 use super::history::Motion;
 use crate::PairSummary;
+use pounding_assess::Effects;
 use pounding_plot::{Curve, Figure, PlotError, minus, render_both, writable};
-use pounding_scene::{Effects, Floor, Floors, RunResult, Simulation};
+use pounding_scene::{Floor, Floors, RunResult, Simulation};
 use pounding_solver::Collision;
 use pounding_text::digits;
 use rayon::prelude::*;

@@ -2,7 +2,8 @@
 
 use super::markup::{Cell, digits, short, table};
 use crate::summary::Summary;
-use pounding_scene::{Effect, FloorEffects, Floors, Known, NOTHING_TOUCHES, ROBUST};
+use pounding_assess::{Effect, Effects, FloorEffects, Known};
+use pounding_scene::Floors;
 use pounding_text::percent;
 
 /// The section with its figure; nothing where nobody asked.
@@ -11,7 +12,7 @@ pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> Strin
         return String::new();
     };
     if !effects.touch() {
-        let why = floors.says_no_contact().unwrap_or(NOTHING_TOUCHES);
+        let why = floors.says_no_contact().unwrap_or(Effects::NOTHING_TOUCHES);
         return format!("<h2>What pounding does to every storey</h2>\n<p>None: {why}.</p>\n");
     }
     let header = [
@@ -39,7 +40,7 @@ pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> Strin
          that. All by the exact method; another exact run, with a tolerance ten thousand times as large and a record \
          larger by one part in 10¹², is within {} of every multiple. Impulsive impacts accelerate without bound and \
          are left out of accelerations. Collisions and impulses are those of both sides of a floor together.</p>\n{figure}{}",
-        percent(ROBUST),
+        percent(Known::ROBUST),
         percent(effects.largest_error()),
         table(&header, &rows)
     )

@@ -54,7 +54,7 @@ fn row(structure: &Structure, (floor, made): (&Floor, StoreyProperties)) -> Vec<
     };
     let given = given(structure).filter(|_| first);
     vec![
-        Cell::new(&floor.name).over(start(made.initial)),
+        Cell::new(&floor.name).over(start(made.initial_displacement_m, made.initial_velocity_m_per_s)),
         Cell::new(scaled(made.mass_kg, 1e-3)),
         Cell::new(scaled(columns.stiffness_n_per_m, 1e-6)),
         Cell::known(made.height_m.map(digits)),
@@ -66,7 +66,7 @@ fn row(structure: &Structure, (floor, made): (&Floor, StoreyProperties)) -> Vec<
 }
 
 /// How a floor starts, where it is not at rest.
-fn start((displacement, velocity): (f64, f64)) -> Option<String> {
+fn start(displacement: f64, velocity: f64) -> Option<String> {
     (displacement != 0.0 || velocity != 0.0).then(|| {
         let (displacement, velocity) = (digits(1e3 * displacement), digits(velocity));
         format!("starts at {displacement} mm, {velocity} m/s")

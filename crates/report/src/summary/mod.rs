@@ -8,7 +8,8 @@ pub use numbers::{ErrorSummary, Numbers};
 use pounding_solver::{Terms, Work};
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Effects, Implausible, Scene};
+use pounding_assess::Effects;
+use pounding_scene::{Implausible, Scene};
 
 /// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and what stands beside a
 /// converted record. A field or column that is added keeps it; one that goes, or changes its meaning, raises it.

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use pounding_assess::{Rule, Separation};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_report::PairSummary;
-use pounding_scene::{Contact, PairQuantity, Rule, Scene, Separation, Simulation, Structure};
+use pounding_scene::{Contact, PairQuantity, Scene, Simulation, Structure};
 
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
@@ -45,7 +46,7 @@ fn limit_the_width_is_where_touching_begins() {
     for reversed in [false, true] {
         let mut scene = scene();
         scene.record.reversed = reversed;
-        let separations = prepared(&scene).separations().expect("it runs");
+        let separations = Separation::of(&prepared(&scene)).expect("it runs");
         hold(&scene, &separations);
     }
 }
@@ -74,7 +75,7 @@ fn issue_what_stays_open_is_no_sample() {
         };
         3
     ]);
-    let separations = prepared(&scene).separations().expect("it runs");
+    let separations = Separation::of(&prepared(&scene)).expect("it runs");
     for method in [
         r#"{"exact": {}}"#,
         r#"{"rk4": {"time_step_s": 0.01}}"#,
@@ -122,7 +123,7 @@ fn limit_the_width_is_that_of_structures_alone() {
     touching.duration_s = Some(10.0);
     let mut alone = scene;
     alone.duration_s = Some(10.0);
-    let [a, b] = [&alone, &touching].map(|scene| prepared(scene).separations().expect("it runs"));
+    let [a, b] = [&alone, &touching].map(|scene| Separation::of(&prepared(scene)).expect("it runs"));
     assert_eq!(a, b);
 }
 
@@ -139,11 +140,11 @@ fn limit_rules_for_like_neighbours_and_walls() {
         Structure::Sdof(sdof)
     };
     twins.structures = vec![twin("one"), twin("other")];
-    let found = prepared(&twins).separations().expect("it runs")[0];
+    let found = Separation::of(&prepared(&twins)).expect("it runs")[0];
     assert!(found.required.abs() < 1e-300, "twins move alike: {}", found.required);
     let ddc = Rule::Ddc.width(&found).expect("a width");
     assert!(ddc < 1e-7 * Rule::Abs.width(&found).expect("a width"), "{ddc}");
-    let beside_wall = prepared(&scene).separations().expect("it runs")[2];
+    let beside_wall = Separation::of(&prepared(&scene)).expect("it runs")[2];
     for rule in Rule::COMMON {
         let width = rule.width(&beside_wall).expect("a width");
         assert!((width / beside_wall.peaks[0] - 1.0).abs() < 1e-15, "{rule:?}");
@@ -156,7 +157,7 @@ fn limit_rules_for_like_neighbours_and_walls() {
                 sdof.height_m = height;
             }
         }
-        let found = prepared(&scene).separations().expect("it runs")[0];
+        let found = Separation::of(&prepared(&scene)).expect("it runs")[0];
         let found = Rule::Eurocode8.width(&found).expect("a width") / Rule::Srss.width(&found).expect("a width");
         assert!((found - share).abs() < 1e-15, "{heights:?}: {found}");
     }
@@ -165,7 +166,7 @@ fn limit_rules_for_like_neighbours_and_walls() {
 /// ρ by hand for T₁/T₂ = 2, ζ₁ = 2 % and ζ₂ = 10 %, term by term of the formula.
 #[test]
 fn reference_correlation_of_the_double_difference_combination() {
-    let found = prepared(&scene()).separations().expect("it runs")[0];
+    let found = Separation::of(&prepared(&scene())).expect("it runs")[0];
     let mut pair = found;
     pair.peaks = [1.0, 1.0];
     pair.oscillations = [Some((1.0, 0.02)), Some((0.5, 0.10))];
@@ -186,7 +187,7 @@ fn reference_correlation_of_the_double_difference_combination() {
 fn limit_the_width_where_the_motion_travels() {
     let mut scene = scene();
     scene.arrivals_s = Some(vec![0.0, 0.11, 0.2, 0.33]);
-    let separations = prepared(&scene).separations().expect("it runs");
+    let separations = Separation::of(&prepared(&scene)).expect("it runs");
     hold(&scene, &separations);
 }
 
@@ -251,12 +252,12 @@ fn issue_a_wall_beside_storeys_is_as_far_as_their_roof_goes() {
         law.stereomechanical.restitution = 0.6
     "#;
     let mut scene = Scene::parse(text, Path::new("scene.toml")).expect("a scene");
-    let all = prepared(&scene).separations().expect("it runs")[0];
+    let all = Separation::of(&prepared(&scene)).expect("it runs")[0];
     let contact = &mut scene.contacts.as_mut().expect("one")[0];
     contact.levels = Some(vec![1]);
-    let lowest = prepared(&scene).separations().expect("it runs")[0];
+    let lowest = Separation::of(&prepared(&scene)).expect("it runs")[0];
     scene.contacts = None;
-    assert_eq!(prepared(&scene).separations().expect("it runs")[0], all);
+    assert_eq!(Separation::of(&prepared(&scene)).expect("it runs")[0], all);
     let apart = prepared(&scene).run(None).expect("it runs");
     let peak = |floor: usize| apart.peaks.of(floor).displacement.value.abs();
     let floors = prepared(&scene).floors().of_structure(0).to_vec();

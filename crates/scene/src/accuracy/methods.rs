@@ -1,4 +1,4 @@
-//! The methods that compete, in the trade and for advice: to add one is a line.
+//! The methods that studies compare and that advice chooses from: a new one is an entry in the list.
 
 use pounding_solver::{Newmark, SimultaneousImpacts, VerletImpacts};
 
@@ -11,37 +11,32 @@ pub struct ComparedMethod {
     pub key: &'static str,
     /// Name in figures.
     pub label: &'static str,
-    /// What its ladder changes.
+    /// Setting that its ladder changes.
     pub knob: Knob,
-    /// Where it differs from another contender.
+    /// Scenes in which it differs from the other methods of the list.
     pub(crate) differs: Differs,
     /// The method at a time step \[s\] or tolerance \[–\].
     pub method: fn(f64) -> Method,
 }
 
-/// What the ladder of a method changes.
+/// Setting that the ladder of a method changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Knob {
     /// The time step \[s\].
     TimeStep,
-    /// The tolerance \[–\]; it acts in compliant contact only.
+    /// The tolerance \[–\], which matters only in compliant contact.
     Tolerance,
 }
 
-/// The scenes in which a method is not the same as another one of the list.
+/// Scenes in which a method differs from the other methods of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Differs {
     Everywhere,
-    /// Where structures can touch.
+    /// Scenes in which structures can touch.
     InContact,
-    /// Where contact is impulsive; elsewhere Moreau–Jean time stepping with θ = 1/2 is Newmark's average acceleration.
+    /// Scenes with impulsive contact. Elsewhere Moreau–Jean time stepping with θ = 1/2 is Newmark's average acceleration.
     InImpacts,
 }
-
-/// The method whose results the others are measured by, at its finest.
-pub const REFERENCE: &str = "exact";
-/// The stepping method that the exact one is held against.
-pub const RIVAL: &str = "central_difference";
 
 /// A method with a time step, by name.
 #[derive(Debug, Clone, Copy)]
@@ -51,10 +46,10 @@ impl StepMethod {
     /// Every method with a time step, in the order of tables.
     pub fn all() -> impl Iterator<Item = Self> {
         let steps = |contender: &&ComparedMethod| contender.knob == Knob::TimeStep;
-        COMPARED_METHODS.iter().filter(steps).map(Self)
+        ComparedMethod::ALL.iter().filter(steps).map(Self)
     }
 
-    /// Those of them that are not the same as another one under an impulsive law, or a compliant one.
+    /// Every method with a time step that differs from the others under an impulsive law, or under a compliant one.
     pub fn differing(impulsive: bool) -> impl Iterator<Item = Self> {
         let differs = move |method: &Self| impulsive || method.0.differs != Differs::InImpacts;
         Self::all().filter(differs)
@@ -76,89 +71,6 @@ impl StepMethod {
     }
 }
 
-/// Every contender, in the order of tables and legends.
-pub const COMPARED_METHODS: &[ComparedMethod] = &[
-    ComparedMethod {
-        key: RIVAL,
-        label: "Central difference",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |step| Method::central_difference(step, 1),
-    },
-    ComparedMethod {
-        key: "central_difference_10_contact_substeps",
-        label: "Central difference, 10 sub-steps in contact",
-        knob: Knob::TimeStep,
-        differs: Differs::InContact,
-        method: |step| Method::central_difference(step, 10),
-    },
-    ComparedMethod {
-        key: "velocity_verlet",
-        label: "Velocity Verlet",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |step| verlet(step, VerletImpacts::VelocityJump),
-    },
-    ComparedMethod {
-        key: "velocity_verlet_located",
-        label: "Velocity Verlet, impacts located",
-        knob: Knob::TimeStep,
-        differs: Differs::InImpacts,
-        method: |step| verlet(step, VerletImpacts::Located),
-    },
-    ComparedMethod {
-        key: "newmark_average_acceleration",
-        label: "Newmark, average acceleration",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |step| newmark(step, Newmark::AVERAGE_ACCELERATION),
-    },
-    ComparedMethod {
-        key: "newmark_linear_acceleration",
-        label: "Newmark, linear acceleration",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |step| newmark(step, Newmark::LINEAR_ACCELERATION),
-    },
-    ComparedMethod {
-        key: "hht",
-        label: "HHT, α = −0.1",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |time_step_s| Method::Hht { time_step_s, alpha: -0.1 },
-    },
-    ComparedMethod {
-        key: "moreau_jean",
-        label: "Moreau–Jean, θ = 1/2",
-        knob: Knob::TimeStep,
-        differs: Differs::InImpacts,
-        method: |time_step_s| Method::MoreauJean { time_step_s, theta: 0.5 },
-    },
-    ComparedMethod {
-        key: "rk4",
-        label: "Runge–Kutta 4",
-        knob: Knob::TimeStep,
-        differs: Differs::Everywhere,
-        method: |time_step_s| Method::Rk4 { time_step_s },
-    },
-    ComparedMethod {
-        key: REFERENCE,
-        label: "Exact",
-        knob: Knob::Tolerance,
-        differs: Differs::Everywhere,
-        method: |tolerance| Method::Exact {
-            tolerance,
-            simultaneous_impacts: SimultaneousImpacts::Together,
-        },
-    },
-];
-
-/// Name of a contender in figures, by its name in tables.
-pub fn label_of(key: &str) -> &'static str {
-    let found = COMPARED_METHODS.iter().find(|contender| contender.key == key);
-    found.map_or("", |contender| contender.label)
-}
-
 fn verlet(time_step_s: f64, impacts: VerletImpacts) -> Method {
     Method::VelocityVerlet { time_step_s, impacts }
 }
@@ -168,6 +80,95 @@ fn newmark(time_step_s: f64, Newmark { beta, gamma }: Newmark) -> Method {
 }
 
 impl ComparedMethod {
+    /// Key of the method that is the reference for the others, at its finest tolerance.
+    pub const REFERENCE: &str = "exact";
+
+    /// Key of the stepping method that the exact method is compared with.
+    pub const RIVAL: &str = "central_difference";
+
+    /// Every method, in the order of tables and legends.
+    pub const ALL: &[Self] = &[
+        Self {
+            key: Self::RIVAL,
+            label: "Central difference",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |step| Method::central_difference(step, 1),
+        },
+        Self {
+            key: "central_difference_10_contact_substeps",
+            label: "Central difference, 10 sub-steps in contact",
+            knob: Knob::TimeStep,
+            differs: Differs::InContact,
+            method: |step| Method::central_difference(step, 10),
+        },
+        Self {
+            key: "velocity_verlet",
+            label: "Velocity Verlet",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |step| verlet(step, VerletImpacts::VelocityJump),
+        },
+        Self {
+            key: "velocity_verlet_located",
+            label: "Velocity Verlet, impacts located",
+            knob: Knob::TimeStep,
+            differs: Differs::InImpacts,
+            method: |step| verlet(step, VerletImpacts::Located),
+        },
+        Self {
+            key: "newmark_average_acceleration",
+            label: "Newmark, average acceleration",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |step| newmark(step, Newmark::AVERAGE_ACCELERATION),
+        },
+        Self {
+            key: "newmark_linear_acceleration",
+            label: "Newmark, linear acceleration",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |step| newmark(step, Newmark::LINEAR_ACCELERATION),
+        },
+        Self {
+            key: "hht",
+            label: "HHT, α = −0.1",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |time_step_s| Method::Hht { time_step_s, alpha: -0.1 },
+        },
+        Self {
+            key: "moreau_jean",
+            label: "Moreau–Jean, θ = 1/2",
+            knob: Knob::TimeStep,
+            differs: Differs::InImpacts,
+            method: |time_step_s| Method::MoreauJean { time_step_s, theta: 0.5 },
+        },
+        Self {
+            key: "rk4",
+            label: "Runge–Kutta 4",
+            knob: Knob::TimeStep,
+            differs: Differs::Everywhere,
+            method: |time_step_s| Method::Rk4 { time_step_s },
+        },
+        Self {
+            key: Self::REFERENCE,
+            label: "Exact",
+            knob: Knob::Tolerance,
+            differs: Differs::Everywhere,
+            method: |tolerance| Method::Exact {
+                tolerance,
+                simultaneous_impacts: SimultaneousImpacts::Together,
+            },
+        },
+    ];
+
+    /// Name of a method in figures, by its name in tables; empty if there is no such method.
+    pub fn label_of(key: &str) -> &'static str {
+        let found = Self::ALL.iter().find(|contender| contender.key == key);
+        found.map_or("", |contender| contender.label)
+    }
+
     /// Whether the method is run on a scene.
     pub(crate) fn enters(&self, scene: &Scene) -> bool {
         match self.differs {
@@ -176,10 +177,4 @@ impl ComparedMethod {
             Differs::InImpacts => scene.is_impulsive(),
         }
     }
-}
-
-/// Whether a contact of the scene has a force over time, and not only impulses.
-pub fn is_compliant(scene: &Scene) -> bool {
-    let mut contacts = scene.contacts.iter().flatten();
-    contacts.any(|contact| contact.law.is_compliant())
 }

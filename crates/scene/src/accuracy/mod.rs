@@ -1,4 +1,4 @@
-//! How far a run is from the exact one, and the method that keeps an accuracy at the least cost.
+//! Errors of a run against the exact run, and the cheapest method that keeps an accuracy.
 
 pub(crate) mod errors;
 pub(crate) mod ladder;

@@ -1,4 +1,4 @@
-//! From a scene to a simulation: its record is read, and where it asks for an accuracy, a method is found.
+//! From a scene to a simulation: reads the record, and finds a method if the scene asks for an accuracy.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -6,25 +6,23 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_motion::Accelerogram;
 
-use crate::accuracy::search::advise;
 use crate::ground_motion::SharedMotion;
-use crate::simulation::in_scene;
-use crate::{Error, Goal, GroundMotion, Method, Origin, QuantityGroup, Scene, Simulation};
+use crate::{Advice, Error, Goal, GroundMotion, Method, Origin, QuantityGroup, Scene, Simulation};
 
-/// How a scene becomes a simulation.
+/// Options for making a simulation of a scene.
 #[derive(Default)]
 #[expect(missing_debug_implementations, reason = "what is told of progress is a closure")]
 pub struct Options<'a> {
-    /// The folder that the scene names its record from; that of the file which holds the scene.
+    /// Folder for relative paths in the scene: that of its file.
     pub base: Option<&'a Path>,
-    /// The ground motion instead of the one that the scene names, of which nothing is read then.
+    /// Ground motion that replaces the one of the scene, whose file is then not read.
     pub motion: Option<SharedMotion>,
-    /// Whether a time step beyond the limit of stability is taken, and [`Simulation::review`] reports a run that breaks a law of
-    /// mechanics; both with a [`Warning`](crate::Warning) instead of an error.
+    /// Whether to accept a time step beyond the limit of stability, and to report a run that breaks a law of mechanics in
+    /// [`Simulation::review`]. Each gives a [`Warning`](crate::Warning) instead of an error.
     pub force: bool,
-    /// Whoever sets it ends the simulation's runs, and those that find its method.
+    /// Setting it ends the simulation's runs, and the runs that find its method.
     pub stop: Option<&'static AtomicBool>,
-    /// Is told of the runs that find a method, as by [`advise`].
+    /// Is called after each run that finds a method, as in [`Advice::of`].
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
 }
 
@@ -40,11 +38,11 @@ impl<'a, Folder: AsRef<Path> + ?Sized> From<&'a Folder> for Options<'a> {
 impl Simulation {
     /// Checks a scene and reads its record; `options` may be the folder of the file that holds the scene.
     ///
-    /// A scene that asks for an accuracy is run with every method ([`advise`]), which takes a second or so.
+    /// If the scene asks for an accuracy, it is run with every method ([`Advice::of`]), which takes about a second.
     ///
     /// # Errors
-    /// [`Error`] when the record cannot be read or a value of the scene cannot be modelled; of a scene that asks for an
-    /// accuracy, also when its exact run fails.
+    /// [`Error`] if the record cannot be read, or if a value of the scene cannot be modelled. If the scene asks for an accuracy, also if
+    /// its exact run fails.
     #[expect(single_use_lifetimes, reason = "stable Rust asks for its name here")]
     pub fn new<'a>(scene: &Scene, options: impl Into<Options<'a>>) -> Result<Self, Error> {
         let Options {
@@ -56,7 +54,7 @@ impl Simulation {
         } = options.into();
         let patience = scene.budget.begin();
         let checked = scene.check_within(patience);
-        checked.map_err(|source| in_scene(scene, source))?;
+        checked.map_err(|refused| Error::in_scene(&scene.name, refused))?;
         let motion = if let Some(motion) = motion {
             motion
         } else {
@@ -73,7 +71,7 @@ impl Simulation {
                 quantity: QuantityGroup::All,
             };
             let exact = Self::prepared(&exact, motion, stop, patience)?;
-            let advice = advise(&exact, goal, progress.unwrap_or(&|_| ()))?;
+            let advice = Advice::of(&exact, goal, progress.unwrap_or(&|_| ()))?;
             exact.advised(advice)?
         } else {
             Self::prepared(scene, motion, stop, patience)?
@@ -81,26 +79,26 @@ impl Simulation {
         if force { Ok(simulation) } else { simulation.enforced() }
     }
 
-    /// The same, shaken with a record at hand; the file that the scene names is not opened.
+    /// Checks a scene that is shaken by a given record. The file that the scene names is not opened.
     ///
     /// # Errors
-    /// Those of [`Self::new`] but of reading.
+    /// Errors of [`Self::new`], except those of reading a file.
     pub fn with_record(scene: &Scene, record: Accelerogram) -> Result<Self, Error> {
-        scene.check().map_err(|source| in_scene(scene, source))?;
+        scene.check().map_err(|refused| Error::in_scene(&scene.name, refused))?;
         let origin = Origin {
             path: PathBuf::new(),
             sha256: String::new(),
             file: record,
         };
         let motion = GroundMotion::of_file(&scene.record, Arc::new(origin));
-        let motion = motion.map_err(|source| in_scene(scene, source))?;
+        let motion = motion.map_err(|refused| Error::in_scene(&scene.name, refused))?;
         Self::shaken(scene, motion.into())
     }
 
-    /// The same, shaken by a ground motion at hand, whatever its `record` names.
+    /// Checks a scene that is shaken by a given ground motion, whatever its `record` says.
     ///
     /// # Errors
-    /// Those of [`Self::new`] but of reading.
+    /// Errors of [`Self::new`], except those of reading a file.
     pub fn shaken(scene: &Scene, motion: SharedMotion) -> Result<Self, Error> {
         Self::new(
             scene,

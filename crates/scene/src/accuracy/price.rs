@@ -1,28 +1,25 @@
-//! What a run costs: evaluations of a restoring force in a step of the central difference method that take as long.
+//! Cost of a run, in evaluations of a restoring force in a step of the central difference method that take the same time.
 //!
-//! Counts of work, which are the same on every machine, with weights that were measured: processor time of sweeps of nearly the
-//! same scene, with and without a ledger, of two to ten structures and of buildings of six and three storeys, elastic and hardening,
-//! with impacts and with compliant laws. Times of runs are within a fifth of what they count for; long contacts of compliant laws take more.
+//! Costs are counts of work, equal on every machine, times measured weights. The weights come from the processor time of sweeps over nearly
+//! equal scenes: with and without a ledger, two to ten structures, buildings of three and six storeys, elastic and hardening columns,
+//! impulsive and compliant laws. Times of runs are within a fifth of these costs; long contacts of compliant laws take more.
 
 use pounding_solver::Work;
 
-use crate::accuracy::methods::is_compliant;
+use crate::accuracy::methods::ComparedMethod;
 use crate::simulation::Simulation;
-use crate::{EVALUATIONS_PER_PIECE, Method, Structure};
+use crate::{Method, Structure};
 
-/// Where scenes go side by side by a stepping method, how many of them cost as much as one alone: 27 to 48, and 22 of buildings
+/// Number of scenes side by side that cost as much as one alone, by a stepping method: 27 to 48, and 22 for buildings
 /// (docs/performance.md).
 const BESIDE: [f64; 2] = [40.0, 20.0];
-/// What a ledger adds to an evaluation in a step: 0.5 to 0.8, and 0.3 in buildings.
+/// Cost that a ledger adds to an evaluation in a step: 0.5 to 0.8, and 0.3 in buildings.
 const LEDGER_OF_STEP: f64 = 0.6;
 
-/// How many times as much a piece of motion of the exact method costs with a ledger: 1.6 to 1.8.
-pub const LEDGER_OF_PIECE: f64 = 1.7;
-
-/// How a run goes on.
+/// How a scene is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Going {
-    /// Alone, held to no law.
+    /// Alone, without a ledger.
     Alone,
     /// Alone, with a ledger.
     Judged,
@@ -30,16 +27,21 @@ pub enum Going {
     Beside,
 }
 
-/// The price of a piece of motion of the exact method, by the kind of row.
+impl Going {
+    /// Factor by which a ledger increases the cost of a piece of motion of the exact method: 1.6 to 1.8.
+    pub const LEDGER_OF_PIECE: f64 = 1.7;
+}
+
+/// Cost of a piece of motion of the exact method, by the kind of row.
 ///
-/// Without contact forces and without storeys a piece is a closed form (measured: 8 to 9), else a series: of the floors of a building
-/// (20), of contact forces (pieces in contact take some 40; of all of a run 11 to 12, with storeys 21), or of the power of a Bouc–Wen
-/// column (22 to 36, with storeys 32 to 42).
+/// Without contact forces and storeys, a piece is a closed form (8 to 9). Otherwise it is a series. For the floors of a building it costs
+/// 20, for contact forces 11 to 12 on average and 40 in contact, for both 21. For a power of a Bouc–Wen column it costs 22 to 36, with
+/// storeys 32 to 42.
 fn of_piece(prepared: &Simulation) -> u64 {
     let scene = prepared.scene();
     let storeys = scene.structures.iter().any(is_storeyed);
-    match (storeys, prepared.yields_smoothly(), is_compliant(scene)) {
-        (false, false, false) => EVALUATIONS_PER_PIECE,
+    match (storeys, prepared.yields_smoothly(), scene.is_compliant()) {
+        (false, false, false) => ComparedMethod::EVALUATIONS_PER_PIECE,
         (false, false, true) => 12,
         (true, false, false) => 20,
         (true, false, true) => 22,
@@ -52,12 +54,12 @@ fn is_storeyed(structure: &Structure) -> bool {
     matches!(structure, Structure::Building(building) if building.storeys.len() > 1)
 }
 
-/// The price of an evaluation of a restoring force in a step of a method.
+/// Cost of an evaluation of a restoring force in a step of a method.
 fn of_evaluation(method: &Method) -> f64 {
     match method {
-        // It keeps velocities at nodes, and looks where gaps close.
+        // It keeps velocities at nodes, and checks where gaps close.
         Method::VelocityVerlet { .. } => 1.5,
-        // Its four evaluations share the books of a step.
+        // Its four evaluations share the overhead of a step.
         Method::Rk4 { .. } => 0.7,
         Method::CentralDifference { .. }
         | Method::Newmark { .. }
@@ -69,15 +71,15 @@ fn of_evaluation(method: &Method) -> f64 {
 }
 
 impl Simulation {
-    /// What a piece of motion of the exact method costs in this scene, in force evaluations of equal time.
+    /// Cost of a piece of motion of the exact method in this scene, in force evaluations of equal time.
     pub fn evaluations_per_piece(&self) -> u64 {
         of_piece(self)
     }
 
-    /// What a run of the scene by its method has cost.
+    /// Cost of a run of the scene with its method.
     pub fn price(&self, work: Work, going: Going) -> f64 {
         let ledger = match going {
-            Going::Judged => LEDGER_OF_PIECE,
+            Going::Judged => Going::LEDGER_OF_PIECE,
             Going::Alone | Going::Beside => 1.0,
         };
         let of_piece = ledger * of_piece(self) as f64;
@@ -85,7 +87,7 @@ impl Simulation {
         of_step * work.force_evaluations as f64 + of_piece * work.segments as f64
     }
 
-    /// The price of a floor in a step of a method.
+    /// Cost of a floor in a step of a method.
     fn of_step(&self, method: &Method, going: Going) -> f64 {
         let alone = of_evaluation(method);
         match going {
@@ -98,7 +100,7 @@ impl Simulation {
         }
     }
 
-    /// What a run of the scene by its method will cost alone, roughly: by the exact method a piece of every floor from sample to
+    /// Rough cost of a run of the scene alone, before it begins. The exact method is taken to have a piece for every floor from sample to
     /// sample.
     pub fn expected_price(&self) -> f64 {
         if self.method().time_step().is_some() {
@@ -108,7 +110,7 @@ impl Simulation {
         of_piece(self) as f64 * samples * self.floors().all().len() as f64
     }
 
-    /// What a run will cost by an explicit method with this time step \[s\].
+    /// Cost of a run with an explicit method at its time step, before it begins.
     pub fn price_of_steps(&self, method: &Method, going: Going) -> f64 {
         let steps = method.time_step().map_or(0.0, |step| self.duration() / step);
         self.of_step(method, going) * steps * self.floors().all().len() as f64

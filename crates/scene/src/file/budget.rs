@@ -1,4 +1,4 @@
-//! What a run of a scene may cost before it is given up.
+//! Limits on the work of a run, and on its preparation.
 
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
@@ -9,33 +9,32 @@ use serde::{Deserialize, Serialize};
 
 use pounding_text::{Kind, Refused};
 
-/// What a run may cost before it is given up; what ends within it has the same numbers without it.
+/// Limits on the work of a run. A run that reaches a limit ends with an error. Other runs do not depend on the limits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RunBudget {
-    /// Most time steps times floors \[–\], > 0 and at most 1e9, sub-steps counted as if structures touched all the time; 1e8 if
-    /// left out.
+    /// Largest number of time steps times floors \[–\], > 0 and at most 1e9; 1e8 by default. Sub-steps count as if structures touched all
+    /// the time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<f64>,
-    /// Most pieces of the motion of floors by the exact method \[–\], > 0; 1e7 if left out.
+    /// Largest number of pieces of the motion of floors in the exact method \[–\], > 0; 1e7 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pieces: Option<f64>,
-    /// Longest time of a run \[s\], > 0, and of what prepares it, which depends on the machine; if left out both may take as long as they
-    /// take.
+    /// Longest time of a run, and of its preparation \[s\], > 0; no limit by default. It depends on the machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
 }
 
-/// Steps times floors, which bound the time of a run and what it remembers: some minutes, and 0.8 GB.
+/// Default of steps times floors. It bounds a run to some minutes, and its memory to 0.8 GB.
 const STEPS: f64 = 1e8;
 
 impl RunBudget {
-    /// Most time steps times floors.
+    /// Largest number of time steps times floors.
     pub(crate) fn most_steps(&self) -> f64 {
         self.steps.unwrap_or(STEPS)
     }
 
-    /// As the solver knows it; whoever sets `stop` ends the run.
+    /// Converts the limits for the solver. Setting `stop` ends the run.
     pub(crate) fn of_run(&self, stop: Option<&'static AtomicBool>) -> Budget {
         Budget {
             pieces: self.pieces.unwrap_or(Budget::PIECES),
@@ -44,7 +43,7 @@ impl RunBudget {
         }
     }
 
-    /// Begins to prepare a run.
+    /// Starts the clock of a preparation.
     pub(crate) fn begin(&self) -> Patience {
         let until = |seconds| {
             let end = Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?)?;
@@ -58,15 +57,15 @@ impl RunBudget {
     }
 }
 
-/// Until when what comes before a run may take, and how long that is \[s\]; `None` for ever.
+/// Deadline of a preparation, and its length \[s\]; `None` for no deadline.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Patience(Option<(Instant, f64)>);
 
 impl Patience {
-    /// That of whoever waits for ever.
+    /// No deadline.
     pub(crate) const ENDLESS: Self = Self(None);
 
-    /// Ends a preparation that takes longer. Look wherever work grows with the row.
+    /// Refuses to go on after the deadline. Call it wherever work grows with the row.
     pub(crate) fn look(self) -> Result<(), Refused> {
         match self.0 {
             Some((until, seconds)) if Instant::now() > until => {

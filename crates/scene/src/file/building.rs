@@ -11,15 +11,15 @@ use crate::Damping;
 
 /// A building whose floors move as rigid plates on the columns of their storeys (shear building).
 ///
-/// A file may give the natural period of the building instead of the stiffness of its storeys, and a storey may stand for
-/// several equal ones.
+/// A file may give the natural period of the building instead of the stiffness of its storeys. A storey may stand for several equal
+/// storeys.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "BuildingFile")]
 #[schemars(with = "BuildingFile")]
 pub struct Building {
     /// Name for tables and figures.
     pub name: String,
-    /// Viscous damping; it stays that of the elastic building when columns yield.
+    /// Viscous damping. It does not change if columns yield.
     pub damping: Damping,
     /// The storeys, from the ground up.
     pub storeys: Vec<Storey>,
@@ -33,13 +33,13 @@ pub struct Storey {
     /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
-    /// Its columns.
+    /// Columns of the storey.
     #[serde(flatten)]
     pub columns: Columns,
     /// Displacement of the floor at t = 0 \[m\], relative to the ground.
     #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_displacement_m: f64,
-    /// Its velocity at t = 0 \[m/s\].
+    /// Velocity of the floor at t = 0 \[m/s\].
     #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_velocity_m_per_s: f64,
 }
@@ -54,8 +54,8 @@ struct BuildingFile {
     /// Viscous damping: a `ratio` holds in the first two modes.
     #[serde(deserialize_with = "choice::one")]
     damping: Damping,
-    /// First natural period of the building \[s\], > 0: storeys then need no stiffness; with `stiffness_n_per_m` in all of
-    /// them, only their proportions count.
+    /// First natural period of the building \[s\], > 0: storeys then need no stiffness. If all storeys have `stiffness_n_per_m`, only their
+    /// proportions count.
     period_s: Option<f64>,
     /// The storeys, from the ground up, 1 to 200.
     storeys: Vec<StoreyFile>,
@@ -67,28 +67,28 @@ struct BuildingFile {
 struct StoreyFile {
     /// Mass of the floor \[kg\], > 0.
     mass_kg: f64,
-    /// Stiffness of the columns \[N/m\], > 0; may be left out where the building gives `period_s`.
+    /// Stiffness of the columns \[N/m\], > 0; optional if the building has `period_s`.
     stiffness_n_per_m: Option<f64>,
-    /// Shear force at which the columns yield \[N\], > 0; without it, and without a yield displacement or drift ratio, they
-    /// stay elastic.
+    /// Shear force at which the columns yield \[N\], > 0. Columns without yield force, yield displacement and yield drift ratio stay
+    /// elastic.
     yield_force_n: Option<f64>,
     /// Drift at which the columns yield \[m\], > 0.
     yield_displacement_m: Option<f64>,
-    /// The same divided by `height_m` \[–\], > 0.
+    /// Drift at which the columns yield over `height_m` \[–\], > 0.
     yield_drift_ratio: Option<f64>,
-    /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
+    /// Ratio of the stiffness after yielding to the stiffness before \[–\], 0 to less than 1; 0 by default.
     hardening_ratio: Option<f64>,
-    /// Smooth yielding; if left out, columns yield at one point.
+    /// Smooth yielding; by default columns yield at one point.
     bouc_wen: Option<BoucWen>,
     /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other.
     height_m: Option<f64>,
     /// Displacement of the floor at t = 0 \[m\], relative to the ground.
     #[serde(default)]
     initial_displacement_m: f64,
-    /// Its velocity at t = 0 \[m/s\].
+    /// Velocity of the floor at t = 0 \[m/s\].
     #[serde(default)]
     initial_velocity_m_per_s: f64,
-    /// Number of equal storeys, one above the other; 1 if left out.
+    /// Number of equal storeys, one above the other; 1 by default.
     #[serde(default = "once")]
     repeat: usize,
 }
@@ -97,7 +97,7 @@ fn once() -> usize {
     1
 }
 
-/// Most storeys of a building.
+/// Largest number of storeys of a building.
 const MOST_STOREYS: usize = 200;
 
 impl TryFrom<BuildingFile> for Building {
@@ -129,7 +129,7 @@ impl TryFrom<BuildingFile> for Building {
 }
 
 impl BuildingFile {
-    /// Stiffness of every storey as listed \[N/m\].
+    /// Stiffness of every storey in the list \[N/m\].
     fn stiffnesses(&self) -> Result<Vec<f64>, Refused> {
         let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
         let Some(period) = self.period_s else {
@@ -168,7 +168,7 @@ fn no_stiffness(storey: usize) -> Refused {
         .help("add one of them")
 }
 
-/// The refusal of the columns of a storey, or of a field of them.
+/// Names the storey in a refusal of its columns, or of a field of them.
 fn in_storey(storey: usize, refused: Refused) -> Refused {
     let field = refused.place().field.as_ref();
     let field = field.map_or_else(String::new, |field| format!(".{}", field.path()));
@@ -195,7 +195,7 @@ impl StoreyFile {
     }
 }
 
-/// A storey without damping, for modes.
+/// A storey without damping, from which modes are found.
 fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
     SolverStorey {
         mass,
@@ -206,8 +206,8 @@ fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
 }
 
 impl Building {
-    /// An elastic building of equal storeys with these heights \[m\], of a mass \[kg\] and a first natural period \[s\], both > 0; `None`
-    /// if those are out of range.
+    /// Returns an elastic building of equal storeys with these heights \[m\], this mass \[kg\], > 0, and this first natural period \[s\], >
+    /// 0; `None` if they are out of range.
     pub(super) fn uniform(mass: f64, period: f64, damping: Damping, heights: &[Option<f64>]) -> Option<Self> {
         let storey = |height_m: &Option<f64>| StoreyFile {
             mass_kg: mass / heights.len() as f64,
@@ -231,7 +231,7 @@ impl Building {
         words.try_into().ok()
     }
 
-    /// Natural modes of the elastic building, the slowest first; none of values that its check refuses.
+    /// Natural modes of the elastic building, the slowest first; empty if a value is refused by the check of the building.
     pub fn modes(&self) -> Vec<Mode> {
         modes(&self.elastic()).unwrap_or_default()
     }
@@ -247,20 +247,19 @@ impl Building {
         storeys.map(storey).collect()
     }
 
-    /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
-    /// ground.
+    /// Damping coefficients of every storey \[N·s/m\]: between its floor and the floor below, and of its floor against the ground.
     pub fn dampings(&self) -> Vec<(f64, f64)> {
-        // Its modes take as long as the cube of the storeys.
+        // Finding modes takes time with the cube of the number of storeys.
         let damping = self.rayleigh();
         let of = |storey: &Storey| match damping {
             SolverDamping::Rayleigh { alpha, beta } => (beta * storey.columns.stiffness_n_per_m, alpha * storey.mass_kg),
-            // Of one storey.
+            // One storey.
             SolverDamping::Ratio(_) => (damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m), 0.0),
         };
         self.storeys.iter().map(of).collect()
     }
 
-    /// Rayleigh damping of all storeys; a ratio for a building of one.
+    /// Rayleigh damping of all storeys; a damping ratio for a building of one storey.
     fn rayleigh(&self) -> SolverDamping {
         let (of_modes, ratios) = match self.damping {
             Damping::Ratio(ratio) if self.storeys.len() > 1 => ([1, 2], [ratio, ratio]),
@@ -278,7 +277,7 @@ impl Building {
         let found = mode(of_modes[0])
             .zip(mode(of_modes[1]))
             .and_then(|(one, other)| SolverDamping::rayleigh_from_modes([one, other], ratios).ok());
-        // Modes that are not there are refused by the check of a scene.
+        // The check of a scene refuses modes that do not exist.
         found.unwrap_or(SolverDamping::Ratio(0.0))
     }
 }

@@ -1,6 +1,5 @@
 //! Checks a scene, field by field, before anything is built from it.
 
-pub(crate) mod record;
 mod structure;
 
 use std::fmt::Display;
@@ -8,11 +7,12 @@ use std::ops::RangeInclusive;
 
 use pounding_text::{Kind, Refused, digits, plain};
 
+use crate::file::ScaleTo;
 use crate::file::budget::Patience;
 use crate::settings::out_of_range;
-use crate::{Method, Scene, Structure};
+use crate::{Method, RecordUse, Scene, Structure};
 
-/// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
+/// Refuses a value that is not `valid`. The place becomes text only then, because a sweep checks millions of scenes.
 pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), Refused> {
     let usual = found == 0.0 || USUAL.contains(&found.abs());
     if valid && usual {
@@ -21,13 +21,13 @@ pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'s
     Err(out_of_range(place, found, if valid { IN_USUAL } else { allowed }))
 }
 
-/// A scene without structures.
+/// Refuses a scene without structures.
 pub(super) fn no_structures() -> Refused {
     Refused::at("structures").found("none").allowed("one or more")
 }
 
-/// Magnitudes of the numbers of a scene that are not 0: products of some of them, such as a mass times the square of a
-/// frequency, remain numbers, and so does what follows from them.
+/// Magnitudes of the numbers of a scene that are not 0. Within them, products such as a mass times the square of a frequency remain finite,
+/// and so do all results.
 const USUAL: RangeInclusive<f64> = 1e-100..=1e100;
 const IN_USUAL: &str = "0, or numbers from 1e-100 to 1e100 in magnitude";
 
@@ -39,15 +39,15 @@ impl Scene {
     /// Refuses the first field that cannot be modelled, in the order of the file.
     ///
     /// # Errors
-    /// [`Refused`] of that field.
+    /// [`Refused`] with the place of that field.
     pub fn check(&self) -> Result<(), Refused> {
         self.check_within(Patience::ENDLESS)
     }
 
-    /// The same, as long as somebody waits.
+    /// Refuses the first field that cannot be modelled; gives up at the deadline.
     pub(crate) fn check_within(&self, patience: Patience) -> Result<(), Refused> {
         named("name", &self.name, "a name, for tables and figures")?;
-        record::check(&self.record)?;
+        check_record(&self.record)?;
         if self.structures.is_empty() {
             return Err(no_structures());
         }
@@ -65,10 +65,10 @@ impl Scene {
         check_arrivals(self)
     }
 
-    /// Refuses settings of the method and a duration that do not fit each other.
+    /// Refuses a method and a duration that do not fit each other.
     ///
     /// # Errors
-    /// [`Refused`] of the field.
+    /// [`Refused`] with the place of the field.
     pub fn check_method(&self) -> Result<(), Refused> {
         if let Method::Accuracy(accuracy) = self.method {
             let valid = accuracy > 0.0 && accuracy < 1.0;
@@ -118,7 +118,7 @@ fn named(place: impl Display, name: &str, allowed: &'static str) -> Result<(), R
     Ok(())
 }
 
-/// Refuses a time step with which a structure grows without bound, though it touch nobody.
+/// Refuses a time step with which the response of some structure grows without bound, even if nothing touches.
 pub(crate) fn free_limit(scene: &Scene) -> Result<(), Refused> {
     let Some(time_step) = scene.method.time_step() else {
         return Ok(());
@@ -162,7 +162,7 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), Refused> {
     Err(found.so(": ", help).kind(Kind::Together))
 }
 
-/// Refuses a budget of nothing.
+/// Refuses a budget that allows no work.
 fn check_budget(scene: &Scene) -> Result<(), Refused> {
     let budget = &scene.budget;
     if let Some(steps) = budget.steps {
@@ -179,7 +179,7 @@ fn check_budget(scene: &Scene) -> Result<(), Refused> {
     Ok(())
 }
 
-/// Number of floors of all structures, of which each wall is one.
+/// Number of floors of all structures; a wall counts as one.
 pub(crate) fn n_floors(scene: &Scene) -> usize {
     let floors = |structure: &Structure| match structure {
         Structure::Building(building) => building.storeys.len(),
@@ -212,4 +212,26 @@ fn check_contacts(scene: &Scene) -> Result<(), Refused> {
         })?;
     }
     Ok(())
+}
+
+/// Refuses the first field of a record that cannot be used, in the order of the file.
+pub(crate) fn check_record(record: &RecordUse) -> Result<(), Refused> {
+    let gravity = record.gravity_m_per_s2;
+    require(gravity > 0.0, "record.gravity_m_per_s2", gravity, POSITIVE)?;
+    if let Some(step) = record.resample_s {
+        require(step > 0.0, "record.resample_s", step, POSITIVE)?;
+    }
+    let is_finite = |target: f64| (target * gravity).is_finite();
+    match record.scale_to {
+        None => {}
+        Some(ScaleTo::PgaG(peak)) => {
+            let (valid, allowed) = (peak >= 0.0 && is_finite(peak), "a number >= 0 that is finite in m/s²");
+            require(valid, "record.scale_to.pga_g", peak, allowed)?;
+        }
+        Some(ScaleTo::Sa { sa_g, .. }) => {
+            let (valid, allowed) = (sa_g > 0.0 && is_finite(sa_g), "a number > 0 that is finite in m/s²");
+            require(valid, "record.scale_to.sa.sa_g", sa_g, allowed)?;
+        }
+    }
+    require(true, "record.scale", record.scale, FINITE)
 }

@@ -1,7 +1,6 @@
-//! Choices in the words of a file: a word, or a table with one key and its settings.
+//! Choices in a file: a word, or a table with one key and its settings.
 //!
-//! A word alone stands for the table with nothing in it, `"exact"` for `{"exact": {}}`. Where the choice needs settings, the
-//! message shows them by an example.
+//! A word is short for a table without settings: `"exact"` for `{"exact": {}}`. If the choice needs settings, the message shows an example.
 
 use std::marker::PhantomData;
 use std::{fmt, iter};
@@ -16,9 +15,9 @@ use serde_json::{Value, json};
 
 use super::unfit::CHOICE;
 
-/// A type of which a file chooses one variant.
+/// A type with variants: a file chooses one of them.
 pub(super) trait Choice: DeserializeOwned + Serialize {
-    /// [`Self::examples`], where they are written by hand.
+    /// Examples that are written by hand, for [`Self::examples`].
     const EXAMPLES: &'static [&'static str] = &[];
 
     /// An example in JSON of every variant that needs settings.
@@ -32,7 +31,7 @@ pub(super) fn one<'de, T: Choice, D: Deserializer<'de>>(from: D) -> Result<T, D:
     from.deserialize_any(OfFile(PhantomData))
 }
 
-/// Reads a choice that may be left out.
+/// Reads an optional choice.
 pub(super) fn maybe<'de, T: Choice, D: Deserializer<'de>>(from: D) -> Result<Option<T>, D::Error> {
     Ok(Option::<Chosen<T>>::deserialize(from)?.map(|Chosen(choice)| choice))
 }
@@ -75,7 +74,7 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
     }
 }
 
-/// What is said of a choice and another word beside it.
+/// Refusal of a choice with a second key beside it.
 fn two_choices<T: Choice>(choice: &T, other: &str) -> Refused {
     let choice = json!(choice);
     let table = choice.as_object().and_then(|table| table.keys().next());
@@ -85,21 +84,21 @@ fn two_choices<T: Choice>(choice: &T, other: &str) -> Refused {
     both.allowed_is("one of them").help("delete the other")
 }
 
-/// How to say a choice that needs settings.
+/// Help for a choice that needs settings.
 fn example<T: Choice>(word: &str) -> Option<String> {
     let begin = format!("{{\"{word}\":");
     let mut examples = T::examples().into_iter();
     examples.find(|example| example.starts_with(&begin))
 }
 
-/// What is said of the word alone.
+/// Refusal of a word whose choice needs settings.
 fn needs_settings(word: &str, json: &str) -> Refused {
     let toml = in_toml(json);
     let alone = Refused::default().found(format!("the word `{word}` alone"));
     alone.allowed_is(format!("a table with its settings, such as {json} in JSON, {toml} in TOML"))
 }
 
-/// An example in TOML: keys stand without quotes before an equals sign.
+/// Converts an example to TOML: keys without quotes, followed by an equals sign.
 fn in_toml(json: &str) -> String {
     json.replace("\": ", " = ")
         .replace("{\"", "{ ")
@@ -107,7 +106,7 @@ fn in_toml(json: &str) -> String {
         .replace('}', " }")
 }
 
-/// Adds a way to say a choice to its schema.
+/// Adds a form of a choice to its schema.
 pub(super) fn also(schema: &mut Schema, way: Value) {
     if let Some(Value::Array(ways)) = schema.get_mut("oneOf") {
         ways.push(way);
@@ -127,13 +126,13 @@ mod tests {
     use serde_json::Value;
 
     use super::{Choice, Chosen, example, in_toml, needs_settings};
-    use crate::file::structure::Named;
-    use crate::{Damping, Generated, Ground, Method, ScaleTo};
+    use crate::file::structure::NamedStructure;
+    use crate::file::{Damping, Generated, Ground, Method, ScaleTo};
 
-    /// Words that say all there is to say.
+    /// Words of choices that need no settings.
     const ENOUGH: [&str; 5] = ["exact", "wall", "firm", "medium", "soft"];
 
-    /// The words that a type knows, as it lists them itself.
+    /// Words of all choices of a type, in its own order.
     fn words<T: Choice>() -> Vec<String> {
         let refused = serde_json::from_str::<T>("{\"?\": {}}").err();
         let message = refused.expect("no choice has that name").to_string();
@@ -170,7 +169,7 @@ mod tests {
         check::<Generated>();
         check::<Ground>();
         check::<Method>();
-        check::<Named>();
+        check::<NamedStructure>();
         check::<ScaleTo>();
     }
 }

@@ -12,16 +12,17 @@ pub struct Columns {
     /// Yield force \[N\], > 0; absent for elastic columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub yield_force_n: Option<f64>,
-    /// Stiffness after yielding over that before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic columns.
+    /// Ratio of the stiffness after yielding to the stiffness before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic
+    /// columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardening_ratio: Option<f64>,
-    /// How columns yield smoothly; absent where they yield at one point.
+    /// Smooth yielding; absent if columns yield at one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bouc_wen: Option<BoucWen>,
 }
 
 impl Columns {
-    /// Columns that never yield, of a stiffness \[N/m\].
+    /// Returns columns of a stiffness \[N/m\] that never yield.
     pub fn elastic(stiffness_n_per_m: f64) -> Self {
         Self {
             stiffness_n_per_m,
@@ -38,7 +39,7 @@ impl Columns {
 pub struct BoucWen {
     /// n \[–\], 1 to 20: the larger, the sharper.
     pub exponent: u32,
-    /// β \[–\], 0 to 1; 0.5 if left out: unloading along the elastic line.
+    /// β \[–\], 0 to 1; 0.5 by default, which unloads along the elastic line.
     #[serde(default = "half")]
     pub beta: f64,
 }
@@ -47,7 +48,7 @@ fn half() -> f64 {
     0.5
 }
 
-/// How a file says when columns yield.
+/// Yielding of columns in a file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ColumnsFile {
     pub(super) yield_force_n: Option<f64>,
@@ -58,7 +59,7 @@ pub(super) struct ColumnsFile {
     pub(super) height_m: Option<f64>,
 }
 
-/// What is converted must be in range here: what comes of it would not tell which field is wrong.
+/// Refuses a value that is converted, if it is not > 0: the result would not show which field is wrong.
 pub(super) fn positive(field: impl Into<Place>, found: f64) -> Result<f64, Refused> {
     if found > 0.0 && found.is_finite() {
         Ok(found)
@@ -73,7 +74,7 @@ fn never_yields(field: &str) -> Refused {
 }
 
 impl ColumnsFile {
-    /// Columns of a stiffness \[N/m\].
+    /// Returns columns of a stiffness \[N/m\].
     pub(super) fn columns(&self, stiffness: f64) -> Result<Columns, Refused> {
         let yield_force = self.yield_force(stiffness)?;
         if yield_force.is_none() {

@@ -1,4 +1,4 @@
-//! How the viscous damping of a structure is given.
+//! Viscous damping of a structure, as files give it.
 
 use pounding_solver::Damping as SolverDamping;
 use schemars::JsonSchema;
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::choice::Choice;
 
-/// How the viscous damping of a structure is given.
+/// Viscous damping of a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Damping {
@@ -23,7 +23,7 @@ pub enum Damping {
     TwoFrequencies {
         /// The frequencies \[Hz\], 0 < first < second.
         frequencies_hz: [f64; 2],
-        /// The damping ratio at each \[–\], ≥ 0.
+        /// The damping ratio at each frequency \[–\], ≥ 0.
         ratios: [f64; 2],
     },
     /// Rayleigh damping that has these ratios in two modes of a building.
@@ -45,8 +45,8 @@ impl Choice for Damping {
 }
 
 impl Damping {
-    /// In the words of the solver; an undamped structure where two frequencies are out of range, which the check of a
-    /// scene refuses.
+    /// Converts the damping for the solver. If two frequencies are out of range, which the check of a scene refuses, the structure is
+    /// undamped.
     pub(super) fn to_solver(self) -> SolverDamping {
         match self {
             Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
@@ -57,7 +57,7 @@ impl Damping {
             Self::TwoFrequencies { frequencies_hz, ratios } => {
                 SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios).unwrap_or(SolverDamping::Ratio(0.0))
             }
-            // Of a structure of one storey, which the check of a scene refuses; a building finds its own.
+            // The check of a scene refuses this for a structure of one storey, and a building finds its own coefficients.
             Self::Modes { .. } => SolverDamping::Ratio(0.0),
         }
     }

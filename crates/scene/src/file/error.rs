@@ -1,39 +1,39 @@
 use pounding_solver::{LedgerError, RunError};
 use pounding_text::{Kind, Refused};
 
-/// What can go wrong between a file and a result; each names place, found and allowed.
+/// Errors between a file and a result. Each names the place, what was found and what is allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// Something that its user can put right, or ended.
+    /// A refusal that the user can put right, or a stop by the user.
     #[error(transparent)]
     Refused(#[from] Refused),
     /// A run that ended early.
     #[error("{refused}")]
     Run {
-        /// What happened, in words.
+        /// Message.
         refused: Refused,
-        /// What happened, in which structure and when.
+        /// Error of the solver, with structure and instant.
         source: RunError,
     },
-    /// A run that broke a law of mechanics; an exact one also where its energies do not add up to rounding.
+    /// A run that broke a law of mechanics, or an exact run whose energies do not add up to rounding.
     #[error("{refused}")]
     Broken {
-        /// What happened, in words.
+        /// Message.
         refused: Refused,
-        /// The law, where and when it was broken, and by how much.
+        /// The broken law, with place, instant and amount.
         source: LedgerError,
     },
 }
 
 impl Error {
-    /// What is said of it.
+    /// Returns the message.
     pub fn refused(&self) -> &Refused {
         let (Self::Refused(refused) | Self::Run { refused, .. } | Self::Broken { refused, .. }) = self;
         refused
     }
 
-    /// Changes what is said of it.
+    /// Changes the message.
     #[must_use]
     pub fn said(mut self, change: impl FnOnce(Refused) -> Refused) -> Self {
         let (Self::Refused(refused) | Self::Run { refused, .. } | Self::Broken { refused, .. }) = &mut self;
@@ -41,20 +41,27 @@ impl Error {
         self
     }
 
-    /// Whether somebody ended the run.
+    /// Whether the user stopped the run.
     pub fn is_stopped(&self) -> bool {
         self.refused().is_kind(Kind::Stopped)
     }
 
-    /// The message without the name of a record file, beside which it stands.
+    /// Returns the message without the name of the record file, for a line that names it already.
     pub fn reason(&self) -> String {
         self.refused().reason()
     }
 }
 
 impl Error {
-    /// A refusal of a scene, by its name.
-    pub(crate) fn in_scene(scene: &str, mut refused: Refused) -> Self {
+    /// Returns the message of a run that ended early.
+    pub fn ended(source: &RunError) -> Refused {
+        let is_stopped = matches!(source, RunError::Stopped { .. });
+        let kind = if is_stopped { Kind::Stopped } else { Kind::Wrong };
+        Refused::that(source.to_string()).kind(kind)
+    }
+
+    /// Refuses a scene by its name.
+    pub fn in_scene(scene: &str, mut refused: Refused) -> Self {
         refused.place_mut().scene = Some(scene.to_owned());
         Self::Refused(refused)
     }
@@ -65,11 +72,4 @@ impl From<Error> for Refused {
         let (Error::Refused(refused) | Error::Run { refused, .. } | Error::Broken { refused, .. }) = error;
         refused
     }
-}
-
-/// What is said of a run that ended early.
-pub fn ended(source: &RunError) -> Refused {
-    let is_stopped = matches!(source, RunError::Stopped { .. });
-    let kind = if is_stopped { Kind::Stopped } else { Kind::Wrong };
-    Refused::that(source.to_string()).kind(kind)
 }

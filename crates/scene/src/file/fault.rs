@@ -1,8 +1,8 @@
-//! What is wrong with the words of a file, where the words tell more than their reader.
+//! Common mistakes in files, for messages that say more than the reader of JSON or TOML.
 
 use pounding_text::Refused;
 
-/// A field that is not known there, which may tell what the file is instead.
+/// Refuses an unknown field. It may show what kind of file this is instead.
 pub(super) fn unknown_field(found: &str, allowed: &[&str]) -> Refused {
     let allows = |field: &str| allowed.contains(&field);
     let (of_scene, of_sweep) = (allows("structures") && allows("contacts"), allows("vary"));
@@ -28,18 +28,18 @@ pub(super) fn unknown_field(found: &str, allowed: &[&str]) -> Refused {
     }
 }
 
-/// A choice that is not known.
+/// Refuses an unknown choice.
 pub(super) fn unknown_choice(found: &str, allowed: &[&str]) -> Refused {
     listed(Refused::default().found(format!("`{found}`")), found, allowed)
 }
 
-/// What may be written in place of a backslash.
+/// Replacements for a backslash.
 pub(crate) const FOR_A_BACKSLASH: [&str; 2] = [
     "/ in its place, or single quotes: 'records\\quake.csv'",
     "/ in its place, or two of them",
 ];
 
-/// What is wrong with a line that is no TOML or no JSON, if it is a mistake that many make.
+/// Recognizes a common mistake in a line that is not valid TOML or JSON.
 pub(crate) fn of_line(line: &str, is_json: bool) -> Option<Refused> {
     let assigns = if is_json { ':' } else { '=' };
     let mut values = line.split(assigns).skip(1).map(str::trim_start);
@@ -53,14 +53,14 @@ pub(crate) fn of_line(line: &str, is_json: bool) -> Option<Refused> {
     is_quoted.then(|| backslash.allowed_is(FOR_A_BACKSLASH[usize::from(is_json)]))
 }
 
-/// The number with a decimal comma that a text begins with.
+/// Returns the number with a decimal comma at the start of a text.
 fn decimal_comma(text: &str) -> Option<String> {
     let (whole, rest) = text.split_once(',')?;
     let is_number = |text: &str| {
         let digits = text.trim_start_matches(['+', '-']);
         let mut parts = digits.split('.');
         let is_digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-        // Points may part thousands: `500.000,0`.
+        // Points may separate thousands: `500.000,0`.
         parts.next().is_some_and(is_digits) && parts.all(|part| part.len() == 3 && is_digits(part))
     };
     let end = rest.find(|letter: char| !letter.is_ascii_digit());
@@ -68,10 +68,10 @@ fn decimal_comma(text: &str) -> Option<String> {
     (is_number(whole) && !part.is_empty()).then(|| format!("{whole},{part}"))
 }
 
-/// Likeness from which on a word is taken for another one misspelt.
+/// Least similarity at which a word counts as a misspelling of another \[–\].
 const ALIKE: f64 = 0.8;
 
-/// The words that are allowed, and the one that was meant, where one is near.
+/// Lists the allowed words, and suggests the nearest one.
 fn listed(refused: Refused, found: &str, allowed: &[&str]) -> Refused {
     let words: Vec<_> = allowed.iter().map(|word| format!("`{word}`")).collect();
     let refused = refused.allowed_are(words.join(", "));

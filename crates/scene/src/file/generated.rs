@@ -1,4 +1,4 @@
-//! Ground motions without a file, as scenes give them.
+//! Ground motions from formulas, as scenes give them.
 
 use std::fmt;
 
@@ -24,7 +24,7 @@ pub enum Generated {
         /// Phase φ \[rad\].
         #[serde(default)]
         phase_rad: f64,
-        /// Periods over which the amplitude grows from 0, and falls to 0 before the end.
+        /// Number of periods over which the amplitude grows from 0, and over which it falls to 0 at the end.
         #[serde(default)]
         ramp_periods: f64,
         /// Duration \[s\], ≥ 0.
@@ -34,9 +34,9 @@ pub enum Generated {
     },
     /// Ricker pulse.
     Ricker {
-        /// Amplitude of its middle \[m/s²\].
+        /// Amplitude at its middle \[m/s²\].
         amplitude_m_per_s2: f64,
-        /// Frequency at which its spectrum is largest \[Hz\], > 0.
+        /// Frequency of the largest value of its spectrum \[Hz\], > 0.
         frequency_hz: f64,
         /// Time between samples \[s\], > 0.
         time_step_s: f64,
@@ -50,11 +50,11 @@ pub enum Generated {
         /// Time between samples \[s\], > 0.
         time_step_s: f64,
     },
-    /// Random shaking with the spectrum of the ground, the same for the same seed.
+    /// Random shaking with the spectrum of the ground; a seed always gives the same motion.
     Stochastic(Stochastic),
 }
 
-/// Random shaking: noise that the ground has filtered (Kanai and Tajimi, Clough and Penzien), under an envelope.
+/// Random shaking: noise filtered by the ground (Kanai and Tajimi, Clough and Penzien), under an envelope.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stochastic {
@@ -63,30 +63,28 @@ pub struct Stochastic {
     pub ground: Ground,
     /// Peak ground acceleration \[m/s²\], ≥ 0.
     pub pga_m_per_s2: f64,
-    /// When the strong shaking begins \[s\], > 0; before it the motion grows like t².
+    /// Start of the strong shaking \[s\], > 0; before it the motion grows like t².
     pub strong_from_s: f64,
-    /// When it ends \[s\].
+    /// End of the strong shaking \[s\].
     pub strong_until_s: f64,
-    /// Rate at which it dies away \[1/s\], > 0.
+    /// Rate of decay after the strong shaking \[1/s\], > 0.
     pub decay_per_s: f64,
-    /// Highest frequency \[Hz\], below half of one over the time step; without it 25, or 0.8 times that half where it is
-    /// less.
+    /// Highest frequency \[Hz\], less than 1/(2 `time_step_s`); by default 25, or 0.8 times that limit if this is less.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cutoff_hz: Option<f64>,
     /// Duration \[s\], > 0.
     pub duration_s: f64,
     /// Time between samples \[s\], > 0.
     pub time_step_s: f64,
-    /// Seed; another one gives another motion of the same kind.
+    /// Seed; another seed gives another motion of the same kind.
     pub seed: u64,
 }
 
-/// Highest frequency \[Hz\] where a scene gives none: what structures notice, and its part of the highest that samples
-/// hold.
+/// Default of the highest frequency \[Hz\]: what structures respond to, and its part of the highest frequency of the samples.
 const USUAL_CUTOFF: f64 = 25.0;
 const PART_HELD: f64 = 0.8;
 
-/// What the ground makes of white noise.
+/// Filters that the ground applies to white noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Ground {
@@ -146,10 +144,10 @@ impl Ground {
 }
 
 impl Generated {
-    /// The motion \[m/s²\].
+    /// Returns the motion \[m/s²\].
     ///
     /// # Errors
-    /// Names the field, what was found and what is allowed.
+    /// Refuses a setting out of range, with the place of its field.
     pub(crate) fn record(&self) -> Result<Record, Refused> {
         self.made().map_err(|error| {
             if let Self::Stochastic(motion) = self
@@ -221,7 +219,7 @@ impl fmt::Display for Generated {
 }
 
 impl Stochastic {
-    /// Names the duration where the highest frequency that nobody wrote is refused.
+    /// Names the duration if the refused highest frequency is the default.
     fn too_short(&self, refused: &Refused) -> Option<Refused> {
         let of_cutoff = refused.place().field.as_ref().is_some_and(|field| field.path() == "cutoff");
         let allowed = "at least 0.04 s and 2.5 times time_step_s, a period of the usual cutoff_hz";

@@ -16,13 +16,13 @@ pub enum Method {
     CentralDifference {
         /// Time step \[s\], > 0.
         time_step_s: f64,
-        /// How the first step begins; there is no other way, and no need to say it.
+        /// Start of the first step. It has only one value and may be left out.
         #[serde(default, skip_serializing)]
         start: Start,
-        /// How impulsive contact acts; there is no other way, and no need to say it.
+        /// Action of impulsive contact. It has only one value and may be left out.
         #[serde(default, skip_serializing)]
         impacts: Jumps,
-        /// Steps into which a time step is divided for structures that touch, 1 to 1000.
+        /// Number of steps into which a time step is divided for structures that touch, 1 to 1000.
         #[serde(default = "one_step", skip_serializing_if = "is_one_step")]
         contact_substeps: u32,
     },
@@ -39,14 +39,14 @@ pub enum Method {
     Hht {
         /// Time step \[s\], > 0.
         time_step_s: f64,
-        /// α \[–\], −1/3 (most damping of what the step cannot follow) to 0 (none).
+        /// α \[–\], −1/3 (most damping of high frequencies) to 0 (no damping).
         alpha: f64,
     },
     /// Velocity Verlet method.
     VelocityVerlet {
         /// Time step \[s\], > 0.
         time_step_s: f64,
-        /// When impulsive contact acts.
+        /// Instant at which impulsive contact acts.
         #[serde(default, skip_serializing_if = "is_default")]
         impacts: VerletImpacts,
     },
@@ -64,19 +64,19 @@ pub enum Method {
     },
     /// Event-driven integration with power series; it has no time step.
     Exact {
-        /// Relative size of what a piece in compliant contact leaves out \[–\], 1e-16 to 1e-3.
+        /// Relative truncation error of a piece in compliant contact \[–\], 1e-16 to 1e-3.
         #[serde(default = "finest", skip_serializing_if = "is_finest")]
         tolerance: f64,
-        /// What happens when several pairs touch at the same instant.
+        /// Rule for several pairs that touch at the same instant.
         #[serde(default, skip_serializing_if = "is_default")]
         simultaneous_impacts: SimultaneousImpacts,
     },
-    /// The cheapest method that is no further than this from the exact one in anything printed \[–\], > 0 and < 1,
-    /// found when the scene is [prepared](crate::Simulation::new).
+    /// The cheapest method whose every printed number is at most this far from the exact method \[–\], > 0 and < 1. It is found when the
+    /// scene is [prepared](crate::Simulation::new).
     Accuracy(f64),
 }
 
-/// How the central difference method begins: a word of scenes of before.
+/// Start of the central difference method; kept for older scene files.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Start {
@@ -85,7 +85,7 @@ pub enum Start {
     Consistent,
 }
 
-/// How impulsive contact acts in it: a word of scenes of before.
+/// Action of impulsive contact in the central difference method; kept for older scene files.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Jumps {
@@ -136,13 +136,13 @@ fn is_one_step(n: &u32) -> bool {
 }
 
 impl Method {
-    /// The exact method with its usual settings.
+    /// The exact method with its default settings.
     pub const EXACT: Self = Self::Exact {
         tolerance: 1e-16,
         simultaneous_impacts: SimultaneousImpacts::Together,
     };
 
-    /// The central difference method, with so many steps in a time step \[s\] while structures touch.
+    /// The central difference method with a time step \[s\] and a number of sub-steps while structures touch.
     pub const fn central_difference(time_step_s: f64, contact_substeps: u32) -> Self {
         Self::CentralDifference {
             time_step_s,
@@ -166,7 +166,7 @@ impl Method {
         }
     }
 
-    /// Time step \[s\]; nothing for the exact method, and for an accuracy whose method is not yet found.
+    /// Time step \[s\]; `None` for the exact method, and for an accuracy whose method is not yet found.
     pub fn time_step(&self) -> Option<f64> {
         match *self {
             Self::CentralDifference { time_step_s, .. }
@@ -179,7 +179,7 @@ impl Method {
         }
     }
 
-    /// Steps that it takes in a time step while structures touch.
+    /// Number of steps in a time step while structures touch.
     pub fn contact_substeps(&self) -> u32 {
         match *self {
             Self::CentralDifference { contact_substeps, .. } => contact_substeps,
@@ -193,7 +193,7 @@ impl Method {
         }
     }
 
-    /// The same method with another time step \[s\]; one that has none stays as it is.
+    /// Returns the method with another time step \[s\]; a method without time step does not change.
     #[must_use]
     pub fn with_time_step(mut self, step: f64) -> Self {
         match &mut self {
@@ -208,10 +208,10 @@ impl Method {
         self
     }
 
-    /// Time step \[s\] of a method that has one.
+    /// Time step of the method \[s\].
     ///
     /// # Panics
-    /// If it has none: by the exact method, and of an accuracy.
+    /// If it has none: the exact method, and an accuracy.
     pub fn step(&self) -> f64 {
         self.time_step().expect("who asks for the step has refused methods without one")
     }

@@ -1,4 +1,7 @@
 //! What a user writes: a row of structures under a record, with its settings.
+//!
+//! The types are the words of a scene file, TOML or JSON. [`read`] and [`parse`] read any file of this form, such as a sweep, and
+//! [`schema`] tells editors what a scene may hold.
 
 pub(crate) mod budget;
 mod building;
@@ -11,9 +14,7 @@ pub(crate) mod fault;
 mod generated;
 mod method;
 mod neighbour;
-mod numbers;
 pub(crate) mod position;
-pub(crate) mod processed;
 mod processing;
 pub(crate) mod reading;
 mod record;
@@ -36,15 +37,18 @@ pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
-pub use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
+pub use reading::{bytes, bytes_of, in_file, is_json, parse, read, record_bytes};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
-pub use structure::SdofFile;
-pub use structure::{Sdof, Structure};
+pub use schema::{schema, schema_of};
+pub use structure::{Sdof, SdofFile, SetNumber, Structure};
+
+/// A gap that no usual initial displacement closes, and that is not implausible \[m\].
+const WIDE: f64 = 2.0;
 
 /// One row of structures under one record, with the method that integrates it.
 ///
-/// Structures stand left to right. Checking happens when the scene is [prepared](crate::Simulation).
+/// Structures stand left to right. A scene is checked when it is [prepared](crate::Simulation).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -52,26 +56,26 @@ pub struct Scene {
     pub name: String,
     /// The record and how it is used.
     pub record: RecordUse,
-    /// Duration of the run \[s\], a whole number of time steps; without it that of the record, from its last arrival on, and
-    /// two of the longest natural periods after it, made a whole number of steps.
+    /// Duration of the run \[s\], a whole number of time steps. By default the run lasts two of the longest natural periods after the end
+    /// of the record at the last structure, rounded up to a whole number of steps.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub duration_s: Option<f64>,
     /// The structures and walls, from left to right.
     pub structures: Vec<Structure>,
-    /// One contact between each structure and its right neighbour; absent when the structures stand apart.
+    /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
-    /// What stands on the right of the last structure, if nobody knows it; only `assess` takes it.
+    /// The neighbour to the right of the last structure, if it is unknown; only `assess` accepts it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub neighbour: Option<Neighbour>,
-    /// When the ground motion arrives at each structure and wall \[s\], ≥ 0, from left to right; absent where all are shaken at
-    /// once. A wave of apparent velocity v arrives at a base a distance x further along its way x/v later.
+    /// Instants at which the ground motion arrives at each structure and wall \[s\], ≥ 0, from left to right; absent if it arrives
+    /// everywhere at once. A wave of apparent velocity v arrives at a base a distance x further along its way x/v later.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arrivals_s: Option<Vec<f64>>,
-    /// The method of time integration; without it the exact one.
+    /// The method of time integration; the exact method by default.
     #[serde(default = "exact", deserialize_with = "choice::one")]
     pub method: Method,
-    /// What a run may cost before it is given up.
+    /// Limits on the work of a run.
     #[serde(default, skip_serializing_if = "RunBudget::is_usual")]
     pub budget: RunBudget,
 }
@@ -85,21 +89,20 @@ fn exact() -> Method {
     Method::EXACT
 }
 
-/// Periods of free vibration after a record where a scene does not say how long it lasts: the second one is there to see
-/// that the first has the peak.
+/// Number of periods of free vibration after a record by default. The second period shows that the first one had the peak.
 const PERIODS_AFTER_RECORD: f64 = 2.0;
 
 impl Scene {
-    /// Duration of the run \[s\] under a record of some duration \[s\].
+    /// Duration of the run \[s\] under a record of this duration \[s\].
     ///
     /// # Panics
-    /// Never: only who has a deadline gives up.
+    /// Never: there is no deadline.
     pub fn duration_under(&self, record: f64) -> f64 {
         let found = self.duration_within(record, Patience::ENDLESS);
         found.expect("there is no deadline")
     }
 
-    /// The same, as long as somebody waits.
+    /// Duration of the run under a record; gives up at the deadline.
     pub(crate) fn duration_within(&self, record: f64, patience: Patience) -> Result<f64, Refused> {
         if let Some(duration) = self.duration_s {
             return Ok(duration);
@@ -118,23 +121,45 @@ impl Scene {
         })
     }
 
+    /// Returns the row with wide gaps and the exact method, to find the gaps that it needs. Fields that do not matter then are neither
+    /// refused nor searched for.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        let wide = |one: &Contact| Contact {
+            gap_m: one.gap_m.max(WIDE),
+            ..one.clone()
+        };
+        let contacts = self.contacts.as_ref();
+        Self {
+            contacts: contacts.map(|all| all.iter().map(wide).collect()),
+            method: Method::EXACT,
+            ..self.clone()
+        }
+    }
+
+    /// Whether a contact of the scene has a force over time, and not only impulses.
+    pub fn is_compliant(&self) -> bool {
+        let mut contacts = self.contacts.iter().flatten();
+        contacts.any(|contact| contact.law.is_compliant())
+    }
+
     /// Whether some contact is impulsive.
     pub fn is_impulsive(&self) -> bool {
         let contacts = self.contacts.iter().flatten();
         contacts.into_iter().any(|contact| !contact.law.is_compliant())
     }
 
-    /// Duration of the run \[s\] of a scene that was prepared.
+    /// Duration of the run of a prepared scene \[s\].
     ///
     /// # Panics
-    /// If the scene was not prepared and names no duration.
+    /// If the scene was not prepared and has no duration.
     pub fn duration(&self) -> f64 {
         let known = "preparing a scene finds its duration";
         self.duration_s.expect(known)
     }
 
-    /// Of every structure and wall the time step \[s\] from which on it grows without bound, though it touch nobody;
-    /// nothing for a wall, and for a method without such a limit.
+    /// Critical time step of every structure and wall \[s\], above which its response grows without bound even if nothing touches. `None`
+    /// for a wall, and for a method without such a limit.
     pub(crate) fn critical_time_steps(&self) -> impl Iterator<Item = Option<f64>> {
         let integrator = self.method.time_step().map(|_| self.method.integrator());
         self.structures.iter().map(move |structure| match structure {
@@ -144,7 +169,7 @@ impl Scene {
         })
     }
 
-    /// The least of them and its structure.
+    /// Least critical time step \[s\] and the index of its structure.
     pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
         let limits = self.critical_time_steps().enumerate();
         limits
@@ -153,7 +178,7 @@ impl Scene {
     }
 }
 
-/// What lies between two neighbours.
+/// Gap and contact law between two neighbours.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
@@ -162,7 +187,7 @@ pub struct Contact {
     /// The contact law.
     #[serde(deserialize_with = "choice::one")]
     pub law: ContactLaw,
-    /// Levels at which floors can touch, counted from 1 for the lowest, at least one; absent where all that face each other can.
+    /// Levels at which floors can touch, counted from 1 for the lowest, at least one; absent if all floors that face each other can touch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), inner(range(min = 1)))]
     pub levels: Option<Vec<usize>>,

@@ -1,4 +1,4 @@
-//! A neighbour that is not known, of which a file gives ranges.
+//! An unknown neighbour, for which a file gives ranges.
 
 use pounding_text::Refused;
 use schemars::JsonSchema;
@@ -8,37 +8,37 @@ use super::check::{NOT_NEGATIVE, POSITIVE, no_structures, require};
 use super::{Building, Contact};
 use crate::{Damping, Scene, Structure};
 
-/// What stands on the right of the last structure, if nobody knows it.
+/// The neighbour to the right of the last structure, if it is unknown.
 ///
-/// Only an assessment takes it: of every neighbour that it may be.
+/// Only an assessment accepts it. It assesses many possible neighbours.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Neighbour {
-    /// What is known of it.
+    /// Ranges of the neighbour.
     pub unknown: UnknownNeighbour,
 }
 
-/// Ranges of a neighbour: an elastic building of equal storeys.
+/// Ranges of an unknown neighbour, which is an elastic building of equal storeys.
 ///
-/// Every period and mass ratio between the ends is as likely as every other by its logarithm, and neither depends on the other.
+/// The logarithms of the period and of the mass ratio are distributed uniformly and independently.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UnknownNeighbour {
     /// First natural period \[s\], from and to, > 0.
     pub period_s: [f64; 2],
-    /// Its mass over that of the last structure \[–\], from and to, > 0.
+    /// Ratio of its mass to the mass of the last structure \[–\], from and to, > 0.
     pub mass_ratio: [f64; 2],
-    /// Number of its storeys, 1 to 200; as many as the last structure if left out.
+    /// Number of its storeys, 1 to 200; by default that of the last structure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 200))]
     pub storeys: Option<usize>,
-    /// Damping ratio \[–\], 0 to less than 1; 0.05 if left out.
+    /// Damping ratio \[–\], 0 to less than 1; 0.05 by default.
     #[serde(default = "five_per_cent")]
     pub damping_ratio: f64,
-    /// What lies between it and the last structure; must be there if the scene has `contacts`.
+    /// Contact between it and the last structure; required if the scene has `contacts`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<Contact>,
-    /// How many neighbours are drawn, 1 to 1000; 12 if left out.
+    /// Number of neighbours that are drawn, 1 to 1000; 12 by default.
     #[serde(default = "twelve")]
     #[schemars(range(min = 1, max = 1000))]
     pub samples: usize,
@@ -52,29 +52,29 @@ fn twelve() -> usize {
     12
 }
 
-/// Where in a scene it stands.
+/// Its field in a scene.
 const PLACE: &str = "neighbour.unknown";
 
-/// Most storeys and most neighbours.
+/// Largest numbers of storeys and of neighbours.
 const MOST_STOREYS: usize = 200;
 const MOST_SAMPLES: usize = 1000;
 
-/// Steps of the mass ratio from neighbour to neighbour, as a part of its range: the golden ratio less one, whose multiples are
-/// spread evenly at every number of steps.
+/// Step of the mass ratio from neighbour to neighbour, as a part of its range: the golden ratio less one. Its multiples are spread evenly
+/// for any number of neighbours.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// One of the neighbours that an unknown one may be.
+/// A possible neighbour.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DrawnNeighbour {
     /// First natural period \[s\].
     pub period_s: f64,
-    /// Its mass over that of the structure beside it \[–\].
+    /// Ratio of its mass to the mass of the structure beside it \[–\].
     pub mass_ratio: f64,
 }
 
 impl UnknownNeighbour {
-    /// Neighbours spread evenly over both ranges: one in the middle of each of so many equal parts of the logarithm of the period,
-    /// the mass ratios on a lattice.
+    /// Draws neighbours spread evenly over both ranges: one in the middle of each of equal parts of the logarithm of the period, with mass
+    /// ratios on a lattice.
     pub fn drawn(&self) -> Vec<DrawnNeighbour> {
         let between = |[from, to]: [f64; 2], share: f64| from * libm::pow(to / from, share);
         let n = self.samples as f64;
@@ -111,7 +111,8 @@ impl UnknownNeighbour {
         Ok(())
     }
 
-    /// One of them, with as many storeys and the heights of the structure beside it where both have some.
+    /// Builds a drawn neighbour beside a structure; `None` beside a wall. Its storeys have the heights of that structure's storeys, and
+    /// further storeys the height of its top storey.
     fn building(&self, drawn: DrawnNeighbour, beside: &Structure) -> Option<Building> {
         let (mass, heights) = match beside {
             Structure::Sdof(sdof) => (sdof.mass_kg, vec![sdof.height_m]),
@@ -141,10 +142,10 @@ fn contact_of_none(found: &'static str) -> Refused {
 }
 
 impl Scene {
-    /// The scene beside every neighbour that its unknown one may be; the scene alone if all are known.
+    /// Returns the scene with each possible neighbour; the scene itself if it has no unknown neighbour.
     ///
     /// # Errors
-    /// [`Refused`] of the field that does not fit.
+    /// [`Refused`] with the place of the field that does not fit.
     pub fn beside_neighbours(&self) -> Result<Vec<(Self, Option<DrawnNeighbour>)>, Refused> {
         let Some(Neighbour { unknown }) = &self.neighbour else {
             return Ok(vec![(self.clone(), None)]);
@@ -179,7 +180,7 @@ impl Scene {
             let mut scene = known.clone();
             scene.structures.push(Structure::Building(building));
             scene.contacts.clone_from(&contacts);
-            // It is shaken when the structure beside it is.
+            // The ground motion arrives at both at the same time.
             if let Some(arrivals) = &mut scene.arrivals_s {
                 arrivals.extend(arrivals.last().copied());
             }

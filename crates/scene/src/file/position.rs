@@ -1,33 +1,33 @@
-//! Where a field stands in a file: the line that a message names.
+//! Position of a field in a file, for the line in a message.
 
 use std::collections::BTreeMap;
 
 use serde_json::value::RawValue;
 use toml::de::{DeTable, DeValue};
 
-/// One step on the way to a field.
+/// A step on the path to a field.
 enum Step<'p> {
     Field(&'p str),
     Item(usize),
 }
 
-/// The bytes at which a field, for example `structures[1].sdof.mass_kg`, begins.
+/// First bytes of the name and of the value of a field, for example `structures[1].sdof.mass_kg`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Spot {
-    /// Its name, or the item of a list.
+pub(crate) struct FieldBytes {
+    /// First byte of the name, or of the item of a list.
     pub(crate) name: usize,
-    /// Its value.
+    /// First byte of the value.
     pub(crate) value: usize,
 }
 
-impl Spot {
-    /// Where a field stands in a text that is good JSON or TOML.
+impl FieldBytes {
+    /// Finds a field in valid JSON or TOML.
     pub(crate) fn find(text: &str, is_json: bool, place: &str) -> Option<Self> {
         if is_json { in_json(text, place) } else { in_toml(text, place) }
     }
 }
 
-fn in_toml(text: &str, place: &str) -> Option<Spot> {
+fn in_toml(text: &str, place: &str) -> Option<FieldBytes> {
     let table = DeTable::parse(text).ok()?;
     let root = DeValue::Table(table.into_inner());
     let (mut value, mut spot) = (&root, None);
@@ -44,7 +44,7 @@ fn in_toml(text: &str, place: &str) -> Option<Spot> {
             _ => return None,
         };
         value = found.get_ref();
-        spot = Some(Spot {
+        spot = Some(FieldBytes {
             name: name.start,
             value: found.span().start,
         });
@@ -52,7 +52,7 @@ fn in_toml(text: &str, place: &str) -> Option<Spot> {
     spot
 }
 
-fn in_json(text: &str, place: &str) -> Option<Spot> {
+fn in_json(text: &str, place: &str) -> Option<FieldBytes> {
     let mut value: &RawValue = serde_json::from_str(text).ok()?;
     let mut spot = None;
     for step in steps(place) {
@@ -69,7 +69,7 @@ fn in_json(text: &str, place: &str) -> Option<Spot> {
             }
         };
         let start = value.get().as_ptr().addr() - text.as_ptr().addr();
-        spot = Some(Spot {
+        spot = Some(FieldBytes {
             name: name.map_or(Some(start), |name| text[..start].rfind(&name))?,
             value: start,
         });

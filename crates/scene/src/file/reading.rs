@@ -1,4 +1,4 @@
-//! Files that people write: JSON or TOML, of one form.
+//! Files that people write, in JSON or TOML.
 
 use std::io::Read;
 use std::iter;
@@ -12,60 +12,61 @@ use serde_json::Value;
 use super::tree::Tree;
 use super::unfit::{Blames, Unfit};
 use super::{fault, position};
-use crate::{Contact, Error, Scene, SdofFile};
+use crate::file::SdofFile;
+use crate::{Contact, Error, Scene};
 
-/// Reads what a stream gives to its end, as much as a file may have.
+/// Reads a stream to its end, up to the longest allowed file.
 ///
 /// # Errors
-/// What the system says of the stream.
+/// Errors of the system, and a stream that is too long.
 pub fn bytes_of(stream: impl Read) -> std::io::Result<Vec<u8>> {
     pounding_files::read_stream(stream, LONGEST)
 }
 
-/// Reads a JSON or TOML file; an error names the line and the field.
+/// Reads a JSON or TOML file. An error names the line and the field.
 ///
 /// # Errors
-/// What the system says of the file, or what is wrong in it and where.
-pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
+/// Refuses a file that cannot be read, and content that does not fit, with its position.
+pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
     let text = bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
     parse(&text, path)
 }
 
 /// Longest file that people write: some hundred thousand structures.
 const LONGEST: Length = Length::new(64 << 20, "take fewer structures");
-/// Longest record: ten million samples with time and acceleration to the last digit.
+/// Longest record: ten million samples with time and acceleration to all digits.
 const LONGEST_RECORD: Length = Length::new(512 << 20, "cut the record to the shaking that matters");
 
-/// The bytes of a file that people write; of one that has no end, or of a pipe that nobody fills, an error.
+/// Reads the bytes of a file that people write. Refuses a file without end and a pipe without a writer.
 ///
 /// # Errors
-/// What the system says of the file.
+/// Errors of the system, and a file that is too long.
 pub fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     pounding_files::read(path, LONGEST)
 }
 
-/// The bytes of the file of a record, within the same bounds but longer.
+/// Reads the bytes of a record file, which may be longer.
 ///
 /// # Errors
-/// What the system says of the file.
+/// Errors of the system, and a file that is too long.
 pub fn record_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     pounding_files::read(path, LONGEST_RECORD)
 }
 
-/// What reads a type is large: it is compiled here once, and not with every program that reads a scene.
+/// Deserialisers are large. This one is compiled here once, instead of with every program that reads a scene.
 impl Scene {
-    /// Reads a scene from a JSON or TOML file; an error names the line and the field.
+    /// Reads a scene from a JSON or TOML file. An error names the line and the field.
     ///
     /// # Errors
-    /// What the system says of the file, or what is wrong in it and where.
+    /// Refuses a file that cannot be read, and content that does not fit, with its position.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        read_file(path)
+        read(path)
     }
 
-    /// Reads a scene from the text of a JSON or TOML file, as [`is_json`] tells them apart.
+    /// Reads a scene from the text of a JSON or TOML file; [`is_json`] decides which.
     ///
     /// # Errors
-    /// What is wrong in it and where, with the `path` that the text came from.
+    /// Refuses content that does not fit, with its position and the `path` of the text.
     pub fn parse(text: &[u8], path: &Path) -> Result<Self, Error> {
         parse(text, path)
     }
@@ -74,10 +75,10 @@ impl Scene {
 macro_rules! of_words {
     ($($read:ty),+) => {$(
         impl $read {
-            /// Reads what is there in the words of JSON already.
+            /// Reads the value from a JSON tree.
             ///
             /// # Errors
-            /// What is wrong, and at which place of the words.
+            /// Refuses content that does not fit, with its place in the tree.
             pub fn of_words(words: &Value) -> Result<Self, Refused> {
                 of_words(words)
             }
@@ -87,18 +88,18 @@ macro_rules! of_words {
 
 of_words!(Contact, Scene, SdofFile);
 
-/// Whether the text of a file is JSON and not TOML: its first letter is `{`, or the ending of its name says so.
+/// Whether the text of a file is JSON: it begins with `{`, or the name of the file ends with `.json`. Otherwise it is TOML.
 pub fn is_json(text: &[u8], path: &Path) -> bool {
     let named = path.extension().is_some_and(|ending| ending == "json");
     named || text.trim_ascii_start().starts_with(b"{")
 }
 
-/// Reads the text of a JSON or TOML file, as [`is_json`] tells them apart.
+/// Reads the text of a JSON or TOML file; [`is_json`] decides which.
 ///
 /// # Errors
-/// What is wrong in it and where, with the `path` that the text came from.
+/// Refuses content that does not fit, with its position and the `path` of the text.
 pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, Error> {
-    // What some editors put before UTF-8.
+    // Some editors put a byte order mark before UTF-8.
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let is_json = is_json(text, path);
     let read = tree_of(text, is_json).and_then(|(words, tree)| {
@@ -109,14 +110,14 @@ pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, Error> 
     Ok(refused?)
 }
 
-/// Reads what is there in the words of JSON already.
+/// Reads a value from a JSON tree.
 fn of_words<T: DeserializeOwned>(words: &Value) -> Result<T, Refused> {
     let tree = Tree::grown(words, &mut String::new());
     let made = tree.map_err(Unfit::custom).and_then(|tree| T::deserialize(&tree));
     made.map_err(Unfit::into_refused)
 }
 
-/// The text, and what it says.
+/// Returns the text and its tree.
 fn tree_of(text: &[u8], is_json: bool) -> Result<(&str, Tree), Refused> {
     let text = std::str::from_utf8(text).map_err(|error| {
         let said = Refused::that(format!("the text is not UTF-8 from byte {} on", error.valid_up_to()));
@@ -139,14 +140,13 @@ fn tree_of(text: &[u8], is_json: bool) -> Result<(&str, Tree), Refused> {
     Ok((text, tree))
 }
 
-/// What is said of words that are refused, with line and column of what is to blame; of a field that is not there those of the
-/// table that lacks it.
+/// Adds the line and the column of the faulty field to a refusal; for a missing field those of the table that lacks it.
 fn blamed(text: &str, is_json: bool, unfit: Unfit) -> Refused {
     let mut ways = iter::successors(Some(unfit.way()), |way| {
         let (outer, _) = way.rsplit_once(['.', '['])?;
         Some(outer)
     });
-    let spot = ways.find_map(|way| position::Spot::find(text, is_json, way));
+    let spot = ways.find_map(|way| position::FieldBytes::find(text, is_json, way));
     let spot = spot.unwrap_or_default();
     let [name, value] = [spot.name, spot.value].map(|byte| line_and_column(text, byte));
     let is_value = unfit.blames == Blames::Value && name.0 == value.0;
@@ -156,10 +156,10 @@ fn blamed(text: &str, is_json: bool, unfit: Unfit) -> Refused {
     refused
 }
 
-/// What is said of a record where a scene is asked for.
+/// Refusal of a record file where a scene is expected.
 fn of_record(text: &[u8], path: &Path) -> Option<Refused> {
     let ending = path.extension().unwrap_or_default();
-    // A bad scene may hold a line of numbers alone, and so look like a record of plain text.
+    // A bad scene may hold a line of numbers only, and thus look like a record in plain text.
     if ending == "toml" || ending == "json" {
         return None;
     }
@@ -169,10 +169,10 @@ fn of_record(text: &[u8], path: &Path) -> Option<Refused> {
     Some(found.allowed_is("a scene, a TOML or JSON file").help(init))
 }
 
-/// Line and column of a fault, and what its reader says; nothing of a number beyond all numbers.
+/// Line and column of a fault, and the message of its reader; `None` for a number out of range.
 type Faulty = ((usize, usize), Option<String>);
 
-/// The words of JSON, or the place of a fault.
+/// Reads the tree of JSON, or finds the place of a fault.
 fn json(text: &str, place: &mut String) -> Result<Tree, Faulty> {
     let mut reader = serde_json::Deserializer::from_str(text);
     let grown = Tree::grown(&mut reader, place);
@@ -186,7 +186,7 @@ fn json(text: &str, place: &mut String) -> Result<Tree, Faulty> {
     })
 }
 
-/// The words of TOML, or the place of a fault.
+/// Reads the tree of TOML, or finds the place of a fault.
 fn toml(text: &str, place: &mut String) -> Result<Tree, Faulty> {
     let grown = toml::Deserializer::parse(text).and_then(|reader| Tree::grown(reader, place));
     grown.map_err(|error| {
@@ -196,17 +196,17 @@ fn toml(text: &str, place: &mut String) -> Result<Tree, Faulty> {
     })
 }
 
-/// Line and column of a field of a file, counted from 1, as far as it can be found again; nothing in a file of one line.
+/// Line and column of a field of a file, counted from 1; `None` if it is not found, and for a file of one line.
 pub(crate) fn position_in(path: &Path, place: &str) -> Option<Spot> {
     let bytes = bytes(path).ok()?;
     let text = std::str::from_utf8(&bytes).ok()?;
-    let spot = position::Spot::find(text, is_json(&bytes, path), place)?;
+    let spot = position::FieldBytes::find(text, is_json(&bytes, path), place)?;
     let is_one_line = text.trim_end().lines().count() < 2;
     let (line, column) = line_and_column(text, spot.name);
     (!is_one_line).then_some(Spot::Letter(line, column))
 }
 
-/// Line and column of a byte, counted from 1, the column in letters.
+/// Line and column of a byte, counted from 1; the column counts letters.
 fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
@@ -215,14 +215,14 @@ fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
 }
 
 impl Error {
-    /// Names the file that holds the scene, and the line of the field, where the message does not yet name a file.
+    /// Adds the file of the scene and the line of the field to the message, unless it names a file.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {
         self.said(|refused| in_file(refused, path))
     }
 }
 
-/// Names the file of a field, and its line where it is found there, unless a file is named already.
+/// Adds the file of a field and its line to a refusal, unless it names a file.
 pub fn in_file(mut refused: Refused, path: &Path) -> Refused {
     let place = refused.place_mut();
     if place.file.is_none() {

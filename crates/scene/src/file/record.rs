@@ -11,23 +11,23 @@ use super::processing::{Detrend, FilterBand, ScaleTo};
 
 /// A ground motion and how a scene uses it.
 ///
-/// It is taken from its source, detrended, filtered, resampled, scaled to a target, multiplied and reversed, in this order;
-/// each only where asked for.
+/// The motion is taken from its source, detrended, filtered, resampled, scaled to a target, multiplied and reversed, in this order; steps
+/// that are absent are skipped.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "RecordUseFile", into = "RecordUseFile")]
 #[schemars(with = "RecordUseFile")]
 pub struct RecordUse {
-    /// Where the ground motion comes from.
+    /// Source of the ground motion.
     pub source: Source,
-    /// What one g is worth \[m/s²\].
+    /// Acceleration of gravity \[m/s²\].
     pub gravity_m_per_s2: f64,
-    /// Straight line that is taken away.
+    /// Straight line that is subtracted.
     pub detrend: Option<Detrend>,
     /// Band of frequencies that is kept.
     pub band_pass: Option<FilterBand>,
     /// New time step \[s\], linear between samples.
     pub resample_s: Option<f64>,
-    /// What the motion is scaled to.
+    /// Target of the scaling.
     pub scale_to: Option<ScaleTo>,
     /// Factor on the ground acceleration \[–\].
     pub scale: f64,
@@ -36,7 +36,7 @@ pub struct RecordUse {
 }
 
 impl RecordUse {
-    /// A ground motion as its source has it.
+    /// Uses a ground motion unchanged.
     pub fn of(source: Source) -> Self {
         Self {
             source,
@@ -52,7 +52,7 @@ impl RecordUse {
 }
 
 impl RecordUse {
-    /// Returns what is declared of other files that stand in place of this record.
+    /// Returns the declarations of this record, for other files that replace it.
     pub fn declared(&self) -> FileUse {
         match &self.source {
             Source::File(file) => FileUse {
@@ -65,7 +65,7 @@ impl RecordUse {
     }
 }
 
-/// Where a ground motion comes from.
+/// Source of a ground motion.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
     /// A file.
@@ -83,7 +83,7 @@ impl std::fmt::Display for Source {
     }
 }
 
-/// A file of a record, and what it does not say of itself.
+/// The file of a record, and declarations for what the file does not say itself.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FileUse {
     /// The file, relative to the folder of the file that names it.
@@ -94,19 +94,19 @@ pub struct FileUse {
     pub time_step_s: Option<f64>,
     /// Component, by its name or its number from 1.
     pub component: Option<String>,
-    /// What one count is worth, in `unit`.
+    /// Value of one count, in `unit`.
     pub per_count: Option<f64>,
     /// Whether the values are accelerations although the file suggests otherwise.
     pub acceleration: bool,
     /// Whether several numbers to a line without names are consecutive values.
     pub in_rows: bool,
-    /// Whose names a message gives to what may be declared here.
+    /// Names that messages use for these declarations.
     pub naming: Naming,
 }
 
 impl FileUse {
-    /// What is declared of the file besides its component, in the words of a scene: `unit = "g"`; empty if nothing is.
-    pub(crate) fn words(&self) -> String {
+    /// Lists the declarations except for the component, as in a scene: `unit = "g"`; empty if there are none.
+    pub fn words(&self) -> String {
         let unit = self.unit.map(|unit| format!("unit = {:?}", unit.to_motion().name()));
         let step = self.time_step_s.map(|step| format!("time_step_s = {step}"));
         let count = self.per_count.map(|count| format!("per_count = {count}"));
@@ -142,7 +142,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// In the words of a reader of records.
+    /// Converts the unit for the reader of records.
     pub(crate) fn to_motion(self) -> AccelerationUnit {
         match self {
             Self::StandardGravity => AccelerationUnit::StandardGravity,
@@ -155,10 +155,10 @@ impl Unit {
     }
 }
 
-/// One g \[m/s²\] where a scene does not say: the standard acceleration of gravity.
+/// Standard acceleration of gravity \[m/s²\], the default of a scene.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// A ground motion and its use in the words of a file.
+/// A ground motion and its use, as files give them.
 #[derive(Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
@@ -169,16 +169,16 @@ struct RecordUseFile {
     /// Motion without a file; or `file`.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     generated: Option<Generated>,
-    /// Unit of the file's values, where the file does not say.
+    /// Unit of the file's values, if the file does not give it.
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<Unit>,
-    /// Time between the file's samples \[s\], where the file does not say.
+    /// Time between the file's samples \[s\], if the file does not give it.
     #[serde(skip_serializing_if = "Option::is_none")]
     time_step_s: Option<f64>,
     /// Component of a file that holds several, by its name or its number from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     component: Option<ComponentWord>,
-    /// What one count of the file is worth, in `unit`.
+    /// Value of one count of the file, in `unit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     per_count: Option<f64>,
     /// Whether the file holds accelerations although a seismometer's channel, `cm/s` or values of one sign suggest otherwise.
@@ -187,10 +187,10 @@ struct RecordUseFile {
     /// Whether several numbers to a line without names are consecutive values.
     #[serde(default, skip_serializing_if = "is_false")]
     in_rows: bool,
-    /// What one g is worth \[m/s²\]; without it 9.80665.
+    /// Acceleration of gravity \[m/s²\]; 9.80665 by default.
     #[serde(default = "standard_gravity")]
     gravity_m_per_s2: f64,
-    /// Straight line that is taken away.
+    /// Straight line that is subtracted.
     #[serde(skip_serializing_if = "Option::is_none")]
     detrend: Option<Detrend>,
     /// Band of frequencies that is kept.
@@ -199,7 +199,7 @@ struct RecordUseFile {
     /// New time step \[s\], linear between samples.
     #[serde(skip_serializing_if = "Option::is_none")]
     resample_s: Option<f64>,
-    /// What the motion is scaled to.
+    /// Target of the scaling.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     scale_to: Option<ScaleTo>,
     /// Factor on the ground acceleration \[–\], after `scale_to`.

@@ -1,4 +1,4 @@
-//! The form of the files of scenes and sweeps, for editors.
+//! JSON Schemas of the files of scenes and sweeps, for editors.
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform};
@@ -6,12 +6,12 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 
 use crate::Scene;
 
-/// The JSON Schema (2020-12) of a scene file, made from the types that read it.
-pub fn scene_schema() -> String {
+/// Returns the JSON Schema (2020-12) of a scene file, made from the types that read it.
+pub fn schema() -> String {
     schema_of::<Scene>()
 }
 
-/// The JSON Schema (2020-12) of a file, made from the type that reads it.
+/// Returns the JSON Schema (2020-12) of a file, made from the type that reads it.
 ///
 /// # Panics
 /// Never: a schema is JSON.
@@ -25,7 +25,7 @@ pub fn schema_of<File: JsonSchema>() -> String {
     text
 }
 
-/// A description as an editor shows it: the documentation of the types without its marks for links.
+/// Removes the marks of links from a description, which is the documentation of a type.
 fn plain(schema: &mut Schema) {
     let Some(serde_json::Value::String(text)) = schema.get_mut("description") else {
         return;
@@ -41,7 +41,7 @@ fn plain(schema: &mut Schema) {
     *text = plain.split_whitespace().collect::<Vec<_>>().join(" ");
 }
 
-/// Where the target of a link stands, from its parenthesis to the end.
+/// Range of the target of a link, from its parenthesis to the end.
 fn link(text: &str) -> Option<(usize, usize)> {
     let start = text.find("](")? + 1;
     let length = text[start..].find(')')? + 1;

@@ -1,4 +1,4 @@
-//! The structures of a row, as files give them.
+//! Structures of a row, as files give them.
 
 use pounding_text::{Refused, plain};
 use std::f64::consts::PI;
@@ -26,7 +26,7 @@ pub enum Structure {
     Wall,
 }
 
-/// A wall is a word, or a table of nothing: in TOML a list has tables.
+/// A wall is a word, or an empty table: in TOML a list may hold only tables.
 fn or_empty_wall(schema: &mut schemars::Schema) {
     let nothing = json!({"type": "object", "additionalProperties": false});
     let table = json!({
@@ -39,16 +39,16 @@ fn or_empty_wall(schema: &mut schemars::Schema) {
     also(schema, table);
 }
 
-/// A structure or a wall in the words of a file.
+/// A structure or a wall as files give it.
 #[derive(Deserialize, Serialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub(super) enum Named {
+pub(super) enum NamedStructure {
     Sdof(Sdof),
     Building(Building),
     Wall {},
 }
 
-impl Choice for Named {
+impl Choice for NamedStructure {
     const EXAMPLES: &'static [&'static str] = &[
         r#"{"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}}"#,
         r#"{"building": {"name": "tower", "damping": {"ratio": 0.05}, "period_s": 0.8, "storeys": [{"mass_kg": 1e5, "repeat": 3}]}}"#,
@@ -58,9 +58,9 @@ impl Choice for Named {
 impl<'de> Deserialize<'de> for Structure {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         choice::one(from).map(|named| match named {
-            Named::Sdof(sdof) => Self::Sdof(sdof),
-            Named::Building(building) => Self::Building(building),
-            Named::Wall {} => Self::Wall,
+            NamedStructure::Sdof(sdof) => Self::Sdof(sdof),
+            NamedStructure::Building(building) => Self::Building(building),
+            NamedStructure::Wall {} => Self::Wall,
         })
     }
 }
@@ -75,7 +75,7 @@ impl Structure {
         }
     }
 
-    /// Its fastest free oscillation, which a time step has to follow; nothing for a wall.
+    /// Fastest free oscillation, which a time step must follow; `None` for a wall.
     pub fn fastest(&self) -> Option<Oscillation> {
         match self {
             Self::Sdof(structure) => Some(structure.oscillation()),
@@ -84,7 +84,7 @@ impl Structure {
         }
     }
 
-    /// Damping ratio ζ \[–\] of the elastic structure, of a building in the first mode; nothing for a wall.
+    /// Damping ratio ζ \[–\] of the elastic structure; for a building that of the first mode, for a wall `None`.
     pub fn damping_ratio(&self) -> Option<f64> {
         match self {
             Self::Sdof(structure) => Some(structure.damping_ratio()),
@@ -93,8 +93,7 @@ impl Structure {
         }
     }
 
-    /// Shear force at which every storey yields \[N\], from the ground up; nothing for columns that stay elastic. A wall has no
-    /// storeys.
+    /// Yield force of every storey \[N\], from the ground up; `None` for columns that stay elastic. A wall has no storeys.
     pub fn yield_forces(&self) -> Vec<Option<f64>> {
         match self {
             Self::Sdof(structure) => vec![structure.yield_force_n],
@@ -106,7 +105,7 @@ impl Structure {
         }
     }
 
-    /// Natural period \[s\], of a building the first; nothing for a wall.
+    /// Natural period \[s\]; for a building that of the first mode, for a wall `None`.
     pub fn period(&self) -> Option<f64> {
         match self {
             Self::Sdof(structure) => Some(structure.period()),
@@ -130,19 +129,20 @@ pub struct Sdof {
     pub mass_kg: f64,
     /// Elastic stiffness k \[N/m\], > 0.
     pub stiffness_n_per_m: f64,
-    /// Viscous damping; it stays that of the elastic structure when the columns yield.
+    /// Viscous damping. It does not change if the columns yield.
     pub damping: Damping,
     /// Yield force \[N\], > 0; absent for elastic columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub yield_force_n: Option<f64>,
-    /// Stiffness after yielding over that before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic columns.
+    /// Ratio of the stiffness after yielding to the stiffness before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic
+    /// columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardening_ratio: Option<f64>,
-    /// How columns yield smoothly; absent where they yield at one point.
+    /// Smooth yielding; absent if columns yield at one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bouc_wen: Option<BoucWen>,
-    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
-    /// gap between neighbours of the same height; beside a building it says which floors face each other.
+    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it, and Eurocode 8, which takes 0.7 of the width of a gap between
+    /// neighbours of the same height. Beside a building it decides which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
@@ -153,7 +153,7 @@ pub struct Sdof {
     pub initial_velocity_m_per_s: f64,
 }
 
-/// A structure of one storey in the words of a file.
+/// A structure of one storey as files give it.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
@@ -169,18 +169,18 @@ pub struct SdofFile {
     /// Viscous damping.
     #[serde(deserialize_with = "choice::one")]
     pub(super) damping: Damping,
-    /// Yield force \[N\], > 0; without it, and without a yield displacement or drift ratio, the columns stay elastic.
+    /// Yield force \[N\], > 0. Columns without yield force, yield displacement and yield drift ratio stay elastic.
     pub(super) yield_force_n: Option<f64>,
     /// Displacement at which the columns yield \[m\], > 0.
     pub(super) yield_displacement_m: Option<f64>,
-    /// The same divided by `height_m` \[–\], > 0.
+    /// Displacement at which the columns yield over `height_m` \[–\], > 0.
     pub(super) yield_drift_ratio: Option<f64>,
-    /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
+    /// Ratio of the stiffness after yielding to the stiffness before \[–\], 0 to less than 1; 0 by default.
     pub(super) hardening_ratio: Option<f64>,
-    /// Smooth yielding; if left out, columns yield at one point.
+    /// Smooth yielding; by default columns yield at one point.
     bouc_wen: Option<BoucWen>,
-    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
-    /// gap between neighbours of the same height; beside a building it says which floors face each other.
+    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it, and Eurocode 8, which takes 0.7 of the width of a gap between
+    /// neighbours of the same height. Beside a building it decides which floors face each other.
     pub(super) height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]
@@ -189,6 +189,9 @@ pub struct SdofFile {
     #[serde(default)]
     pub(super) initial_velocity_m_per_s: f64,
 }
+
+/// Sets a number of a structure of one storey, as files give it.
+pub type SetNumber = fn(&mut SdofFile, f64);
 
 impl TryFrom<SdofFile> for Sdof {
     type Error = Refused;
@@ -201,7 +204,25 @@ impl TryFrom<SdofFile> for Sdof {
 }
 
 impl SdofFile {
-    /// Gives a structure the numbers of these words, but its name; nothing where they are refused, as they are when it is read.
+    /// Returns a function that sets the field with this name, counted from the structure; `None` if the field is not a single number.
+    pub fn setter(field: &str) -> Option<SetNumber> {
+        Some(match field {
+            "mass_kg" => |words, number| words.mass_kg = number,
+            "stiffness_n_per_m" => |words, number| words.stiffness_n_per_m = Some(number),
+            "period_s" => |words, number| words.period_s = Some(number),
+            "damping.ratio" => |words, number| words.damping = Damping::Ratio(number),
+            "yield_force_n" => |words, number| words.yield_force_n = Some(number),
+            "yield_displacement_m" => |words, number| words.yield_displacement_m = Some(number),
+            "yield_drift_ratio" => |words, number| words.yield_drift_ratio = Some(number),
+            "hardening_ratio" => |words, number| words.hardening_ratio = Some(number),
+            "height_m" => |words, number| words.height_m = Some(number),
+            "initial_displacement_m" => |words, number| words.initial_displacement_m = number,
+            "initial_velocity_m_per_s" => |words, number| words.initial_velocity_m_per_s = number,
+            _ => return None,
+        })
+    }
+
+    /// Gives a structure these numbers, and keeps its name; `None` if they are refused, as when a file is read.
     pub fn renumber(&self, structure: &mut Sdof) -> Option<()> {
         let columns = self.columns().ok()?;
         let name = std::mem::take(&mut structure.name);
@@ -264,7 +285,7 @@ impl SdofFile {
 }
 
 impl Sdof {
-    /// Its columns.
+    /// Columns of the structure.
     pub fn columns(&self) -> Columns {
         Columns {
             stiffness_n_per_m: self.stiffness_n_per_m,
@@ -284,12 +305,12 @@ impl Sdof {
         self.damping.to_solver().ratio(self.mass_kg, self.stiffness_n_per_m)
     }
 
-    /// Ductility demand |u|/`u_y` \[–\] of a displacement \[m\], of columns that can yield.
+    /// Ductility demand |u|/`u_y` \[–\] of a displacement \[m\]; `None` for columns that stay elastic.
     pub fn ductility(&self, displacement: f64) -> Option<f64> {
         self.yield_force_n.map(|force| displacement.abs() * self.stiffness_n_per_m / force)
     }
 
-    /// Its free oscillation.
+    /// Free oscillation of the structure.
     pub fn oscillation(&self) -> Oscillation {
         Oscillation {
             angular_frequency: (self.stiffness_n_per_m / self.mass_kg).sqrt(),

@@ -1,6 +1,6 @@
-//! The words of a file as a tree, whichever language they are in: types are read from it, by one deserialiser.
+//! The content of a file as a tree, for JSON and TOML alike. One deserialiser reads all types from it.
 //!
-//! What reads a type is large, and there would be a second one of every type for the second language.
+//! Deserialisers are large. Without the tree, every type would have a second one for the second language.
 
 use std::fmt::{self, Write};
 
@@ -10,7 +10,7 @@ use serde::forward_to_deserialize_any;
 
 use super::unfit::{CHOICE, Unfit};
 
-/// What stands at a place of a file; fields keep their order, and those that are there twice are there twice.
+/// A value of a file. Fields keep their order, and fields that occur twice stay twice.
 #[derive(Debug)]
 pub(super) enum Tree {
     Nothing,
@@ -24,7 +24,7 @@ pub(super) enum Tree {
 }
 
 impl Tree {
-    /// Grows a tree from any deserialiser; where it fails, `place` is the place of the fault.
+    /// Builds a tree from any deserialiser. If that fails, `place` is the place of the fault.
     pub(super) fn grown<'de, D: Deserializer<'de>>(from: D, place: &mut String) -> Result<Self, D::Error> {
         Grower(place).deserialize(from)
     }
@@ -43,7 +43,7 @@ impl Tree {
     }
 }
 
-/// Grows a tree, and knows at which place.
+/// Builds a tree and tracks its place.
 struct Grower<'p>(&'p mut String);
 
 impl<'de> DeserializeSeed<'de> for Grower<'_> {
@@ -77,7 +77,7 @@ impl<'de> Visitor<'de> for Grower<'_> {
         Ok(Tree::Integer(number))
     }
 
-    // Of JSON such a number comes as one with a fraction.
+    // JSON gives such a number as one with a fraction.
     fn visit_i128<E>(self, number: i128) -> Result<Tree, E> {
         Ok(Tree::Number(number as f64))
     }
@@ -185,14 +185,14 @@ impl<'de> Deserializer<'de> for &'de Tree {
     }
 }
 
-/// The items of a list, one by one.
+/// Items of a list, one after another.
 struct Items<'t> {
     list: &'t [Tree],
     next: usize,
 }
 
 impl Items<'_> {
-    /// Refuses a list longer than what was read of it.
+    /// Refuses a list with items that were not read.
     fn end(&self) -> Result<(), Unfit> {
         if self.next == self.list.len() {
             return Ok(());
@@ -220,7 +220,7 @@ impl<'de> SeqAccess<'de> for &mut Items<'de> {
     }
 }
 
-/// The fields of a table, one by one.
+/// Fields of a table, one after another.
 struct Fields<'t> {
     table: &'t [(String, Tree)],
     next: usize,

@@ -1,4 +1,4 @@
-//! Why the words of a file make no value of a type: in the words of a file, where deserialisers name types of Rust.
+//! Errors of content that fits no type, in the words of files instead of the names of Rust's types.
 
 use std::fmt::Display;
 
@@ -7,38 +7,38 @@ use serde::de::{Error, Expected, Unexpected};
 
 use super::fault;
 
-/// What a choice expects, for those that read one.
+/// Expectation of a choice.
 pub(super) const CHOICE: &str = "string or map";
-/// A choice in the words of a file.
+/// A choice, in the words of files.
 const ONE_CHOICE: &str = "one, the name of one, or a table with one of them and its settings";
-/// The choice that is met most often.
+/// The most frequent choice.
 const ONE_DAMPING: &str = "one, such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
-/// What the exponent of a knee may be, where it is no whole number; the check of a scene holds the others to it.
+/// Allowed exponents of a knee, for a value that is not a whole number; the check of a scene refuses others.
 const EXPONENT: &str = "a whole number from 1 to 20";
 
-/// What is wrong with words, and at which place of them.
+/// An error, and its place in the file.
 #[derive(Debug)]
 pub(super) struct Unfit {
-    /// Empty for the whole.
+    /// Place of the error; empty for the whole file.
     way: String,
-    /// What of the place is to blame.
+    /// The faulty part of the place.
     pub(super) blames: Blames,
     is: Is,
     refused: Refused,
 }
 
-/// What of a place is to blame.
+/// Faulty part of a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Blames {
-    /// The value that stands there.
+    /// The value.
     Value,
     /// The name of the field itself.
     Name,
-    /// A field that a whole table names, and may not have.
+    /// A field that the table must not have, named by the error of the table.
     Field,
 }
 
-/// What the place may change in the words.
+/// Kind of the error, whose words may depend on the place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Is {
     NoChoice,
@@ -57,7 +57,7 @@ impl Unfit {
         }
     }
 
-    /// The same, seen from the table or list in which the value stands.
+    /// Returns the error as seen from the table or list around the value.
     pub(super) fn within(mut self, outer: &str) -> Self {
         if !self.way.is_empty() && !self.way.starts_with('[') {
             self.way.insert(0, '.');
@@ -72,12 +72,12 @@ impl Unfit {
         self.within(name)
     }
 
-    /// The way to what is to blame.
+    /// Place of the faulty part.
     pub(super) fn way(&self) -> &str {
         &self.way
     }
 
-    /// The refusal of the field, for example `structures[1].sdof.mass_kg`.
+    /// Converts the error to a refusal of the field, for example `structures[1].sdof.mass_kg`.
     pub(super) fn into_refused(self) -> Refused {
         let way = self.way;
         let refused = match self.is {
@@ -85,7 +85,7 @@ impl Unfit {
             Is::NotWhole if way.ends_with("bouc_wen.exponent") => self.refused.allowed_is(EXPONENT),
             Is::NoChoice | Is::NotWhole | Is::UnknownChoice | Is::Other => self.refused,
         };
-        // Of a choice that is not known the place is what makes it, and no field of that name.
+        // The place of an unknown choice is the field with the choice, not a field of that name.
         let makes = way.rfind('.').map_or("", |end| &way[..end]);
         let is_choice = self.is == Is::UnknownChoice && self.blames == Blames::Name;
         let field = if is_choice { makes.to_owned() } else { way };
@@ -102,7 +102,7 @@ impl Display for Unfit {
 impl std::error::Error for Unfit {}
 
 impl Error for Unfit {
-    /// Of a refusal in a field of the table, the field is to blame.
+    /// If a field of the table is refused, blame that field.
     fn custom<T: Display>(message: T) -> Self {
         let mut refused = Refused::handed(&message);
         let field = refused.place_mut().field.take();
@@ -119,7 +119,7 @@ impl Error for Unfit {
 
     fn invalid_type(found: Unexpected<'_>, allowed: &dyn Expected) -> Self {
         let (found, allowed) = (in_words(found), allowed.to_string());
-        // A table without a choice comes with the word of serde.
+        // serde has its own words for a table without a choice.
         if allowed == CHOICE || allowed == "enum" {
             return Self::new(Is::NoChoice, Refused::default().found("no choice").allowed_is(ONE_CHOICE));
         }
@@ -156,7 +156,7 @@ impl Error for Unfit {
     }
 }
 
-/// What was found, in the words of a file.
+/// Describes a found value in the words of files.
 fn in_words(found: Unexpected<'_>) -> String {
     let number = |digits: String| format!("the number {digits}");
     if let Unexpected::Float(found) = found {
@@ -174,7 +174,7 @@ fn in_words(found: Unexpected<'_>) -> String {
 
 const WHOLE: &str = "a whole number >= 0";
 
-/// What a type allows, in the words of a file.
+/// Describes what a type allows, in the words of files.
 fn allowed_in_words(rust: &str) -> String {
     match rust {
         "f64" => "a number".into(),

@@ -1,4 +1,4 @@
-//! What a contact law and a method really deliver to two free masses.
+//! Restitution that a contact law and a method deliver to two free masses.
 
 use crate::Method;
 use crate::judge::free_collision::{Delivered, FreeCollision};
@@ -6,33 +6,33 @@ use pounding_contact::{Calibration, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
 use pounding_text::Refused;
 
-/// What is asked of a law.
+/// Request for a certificate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CertificateRequest {
     /// The law.
     pub law: LawName,
-    /// Impact stiffness, in [`LawName::stiffness_unit`]; not looked at for the impulsive law.
+    /// Impact stiffness, in [`LawName::stiffness_unit`]; ignored for the impulsive law.
     pub stiffness: f64,
     /// Coefficient of restitution e \[–\].
     pub restitution: f64,
-    /// How its damping is chosen.
+    /// Rule for choosing the damping of the law.
     pub calibration: Calibration,
 }
 
-/// What a law delivers to a collision of two free masses.
+/// Results of a law in a collision of two free masses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// The law with its parameters.
     pub law: ContactLaw,
-    /// e that the literature's formula would deliver, exactly; nothing where the literature has no formula.
+    /// e delivered exactly with the damping by the literature's formula; `None` if the literature has no formula.
     pub by_formula: Option<f64>,
-    /// e delivered, by the law's own relation or, where it has none, by integration of the free impact.
+    /// e delivered by the law's own relation, or else by integration of the free impact.
     pub by_relation: Option<f64>,
     /// e delivered by the exact method.
     pub by_exact: f64,
     /// Impulse \[N·s\] of the exact method.
     pub impulse: f64,
-    /// Peak force, largest deformation and duration of the free impact; nothing for an impulsive law.
+    /// Peak force, largest deformation and duration of the free impact; `None` for an impulsive law.
     pub impact: Option<FreeImpact>,
 }
 
@@ -40,7 +40,7 @@ impl Certificate {
     /// Calibrates a law and lets two free masses collide.
     ///
     /// # Errors
-    /// Refuses a parameter out of range, and where no run gives an answer.
+    /// Refuses a parameter out of range, and a collision that cannot be run.
     pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, Refused> {
         let pair = collision.free_pair();
         let calibrated = |calibration| {
@@ -67,10 +67,10 @@ impl Certificate {
         })
     }
 
-    /// What a method delivers.
+    /// Returns what a method delivers.
     ///
     /// # Errors
-    /// Says why, where it fails.
+    /// [`Refused`] with the reason if the run fails.
     pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, Refused> {
         let duration = self.impact.map(|impact| impact.duration);
         collision.delivered(self.law, method, self.by_exact, duration)

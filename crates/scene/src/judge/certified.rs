@@ -1,4 +1,4 @@
-//! A certificate line by line, for people and for programs.
+//! The lines of a certificate, for people and for programs.
 
 use pounding_contact::{Clamp, LawName};
 use serde_json::{Map, Value, json};
@@ -7,46 +7,46 @@ use crate::accuracy::methods::StepMethod;
 use crate::judge::certificate::{Certificate, CertificateRequest};
 use crate::judge::free_collision::{Delivered, FreeCollision};
 
-/// One line of a certificate.
+/// A line of a certificate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CertificateFact {
     /// Name in CSV and JSON, with its unit.
     pub key: &'static str,
     /// Name in text.
     pub words: &'static str,
-    /// Unit; empty of words and of what has none.
+    /// Unit; empty for words and for numbers without a unit.
     pub unit: &'static str,
-    /// What it says.
-    pub said: Said,
+    /// Value of the line.
+    pub said: CertificateValue,
 }
 
-/// What the line says.
+/// Value of a line of a certificate.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Said {
-    /// A number; nothing where there is none.
+pub enum CertificateValue {
+    /// A number; `None` if it does not exist.
     Number(Option<f64>),
     /// Words.
     Words(String),
 }
 
-/// What one method delivers, or why it fails.
+/// Result of one method, or the reason why it fails.
 #[derive(Debug, Clone)]
 pub struct DeliveredBy {
     /// The method.
     pub method: StepMethod,
     /// Time step \[s\].
     pub step: f64,
-    /// What it delivers.
+    /// Delivered restitution, or the reason why the run fails.
     pub delivered: Result<Delivered, String>,
 }
 
-/// Impact stiffness where nobody gives one, in the unit of the law; not looked at for the impulsive law.
-pub fn usual_stiffness(law: LawName) -> f64 {
-    law.stiffness().map_or(f64::NAN, |stiffness| stiffness.usual)
-}
-
 impl Certificate {
-    /// Its lines.
+    /// Default impact stiffness, in the unit of the law; NaN for the impulsive law, which ignores it.
+    pub fn usual_stiffness(law: LawName) -> f64 {
+        law.stiffness().map_or(f64::NAN, |stiffness| stiffness.usual)
+    }
+
+    /// Lines of the certificate.
     ///
     /// # Panics
     /// Never: a law is plain data.
@@ -56,13 +56,13 @@ impl Certificate {
             key,
             words,
             unit: "",
-            said: Said::Words(text.into()),
+            said: CertificateValue::Words(text.into()),
         };
         let number = |(key, words, unit, number)| CertificateFact {
             key,
             words,
             unit,
-            said: Said::Number(number),
+            said: CertificateValue::Number(number),
         };
         let mut facts = vec![named("law", "law", wanted.law.name())];
         let [left, right] = collision.masses.map(Some);
@@ -103,7 +103,33 @@ impl Certificate {
         facts
     }
 
-    /// What methods deliver at a time step \[s\]: one, or all that differ.
+    /// Certificate as JSON.
+    pub fn json(facts: &[CertificateFact], methods: &[DeliveredBy]) -> Value {
+        let fact = |fact: &CertificateFact| {
+            let value = match &fact.said {
+                CertificateValue::Number(number) => json!(number),
+                CertificateValue::Words(words) => json!(words),
+            };
+            (fact.key.to_string(), value)
+        };
+        let mut object: Map<_, _> = facts.iter().map(fact).collect();
+        let method = |line: &DeliveredBy| {
+            let mut one = Map::new();
+            one.insert("method".into(), json!(line.method.name()));
+            one.insert("time_step_s".into(), json!(line.step));
+            for (key, value) in line.numbers().into_iter().flatten() {
+                one.insert(key.into(), json!(value));
+            }
+            if let Err(reason) = &line.delivered {
+                one.insert("failed".into(), json!(reason));
+            }
+            Value::Object(one)
+        };
+        object.insert("methods".into(), methods.iter().map(method).collect());
+        Value::Object(object)
+    }
+
+    /// Results of methods at a time step \[s\]: of one method, or of all that differ under this law.
     pub fn lines(&self, collision: &FreeCollision, step: f64, method: Option<StepMethod>) -> Vec<DeliveredBy> {
         let line = |method: StepMethod| {
             let delivered = self.by(collision, &method.at(step));
@@ -121,7 +147,7 @@ impl Certificate {
 }
 
 impl DeliveredBy {
-    /// Its numbers by name; `None` where the method fails.
+    /// Numbers by their names; `None` if the method fails.
     pub fn numbers(&self) -> Option<[(&'static str, Option<f64>); 4]> {
         let delivered = self.delivered.as_ref().ok()?;
         let [least, largest] = delivered.range;
@@ -132,30 +158,4 @@ impl DeliveredBy {
             ("largest_error", Some(delivered.error)),
         ])
     }
-}
-
-/// A certificate for a program.
-pub fn certificate_json(facts: &[CertificateFact], methods: &[DeliveredBy]) -> Value {
-    let fact = |fact: &CertificateFact| {
-        let value = match &fact.said {
-            Said::Number(number) => json!(number),
-            Said::Words(words) => json!(words),
-        };
-        (fact.key.to_string(), value)
-    };
-    let mut object: Map<_, _> = facts.iter().map(fact).collect();
-    let method = |line: &DeliveredBy| {
-        let mut one = Map::new();
-        one.insert("method".into(), json!(line.method.name()));
-        one.insert("time_step_s".into(), json!(line.step));
-        for (key, value) in line.numbers().into_iter().flatten() {
-            one.insert(key.into(), json!(value));
-        }
-        if let Err(reason) = &line.delivered {
-            one.insert("failed".into(), json!(reason));
-        }
-        Value::Object(one)
-    };
-    object.insert("methods".into(), methods.iter().map(method).collect());
-    Value::Object(object)
 }

@@ -1,13 +1,12 @@
-//! A free collision of two masses, run by any method.
+//! A free collision of two masses, run with any method.
 
 use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{AnyRow, Budget, Clock, Elastic, Excitation, Integrator, LastStates, Node, Pair, Recorders, Row, RunError};
 
-use crate::Method;
-use crate::file::error::ended;
+use crate::{Error, Method};
 use pounding_text::{Refused, plain, short};
 
-/// Two masses that collide, with nothing else acting on them.
+/// Two masses that collide without any other force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeCollision {
     /// Masses of the neighbours \[kg\], > 0; one may be infinite, a wall.
@@ -16,27 +15,27 @@ pub struct FreeCollision {
     pub speed: f64,
 }
 
-/// What a stepping method delivers at a time step, over where in its step the gap closes.
+/// Restitution that a stepping method delivers at a time step, for different instants of the touch within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Delivered {
     /// Least and largest e delivered \[–\].
     pub range: [f64; 2],
-    /// Largest distance from the e that the law delivers \[–\], absolute.
+    /// Largest distance from the e of the law \[–\], absolute.
     pub error: f64,
-    /// Time steps from touch to parting; nothing for an impulsive law.
+    /// Number of time steps from touch to parting; `None` for an impulsive law.
     pub steps_per_contact: Option<f64>,
 }
 
-/// Parts of a step at which the gap is made to close.
+/// Number of instants within a step at which the gap closes.
 const N_PHASES: u32 = 16;
-/// Steps before the touch.
+/// Number of steps before the touch.
 const BEFORE: u32 = 3;
 
 impl FreeCollision {
-    /// What a method delivers under a law, beside the e that is right.
+    /// Returns what a method delivers with a law, compared with the right e.
     ///
     /// # Errors
-    /// Says why, where it fails.
+    /// [`Refused`] with the reason if the run fails.
     pub(crate) fn delivered(&self, law: ContactLaw, method: &Method, right: f64, duration: Option<f64>) -> Result<Delivered, Refused> {
         let contact = duration.unwrap_or(0.0);
         let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
@@ -55,7 +54,15 @@ impl FreeCollision {
         })
     }
 
-    /// The same as a free pair.
+    /// Refuses a time step \[s\] of a collision.
+    pub fn no_step(found: f64) -> Refused {
+        Refused::at("time step")
+            .found(format!("{} s", plain(found)))
+            .allowed("a finite number > 0 and at most 1e6 steps in the collision")
+            .help("take longer steps")
+    }
+
+    /// Converts the collision to a free pair.
     pub fn free_pair(&self) -> FreePair {
         FreePair {
             reduced_mass: reduced_mass(1.0 / self.masses[0], 1.0 / self.masses[1]),
@@ -63,13 +70,13 @@ impl FreeCollision {
         }
     }
 
-    /// The masses at a gap \[m\], moving towards each other.
+    /// Row of the masses at a gap \[m\], moving towards each other.
     ///
     /// # Errors
     /// Refuses a number that the solver refuses.
     pub fn row(&self, law: ContactLaw, gap: f64) -> Result<AnyRow, Refused> {
         let inverse = self.masses.map(|mass| 1.0 / mass);
-        // About the common centre, so that neither velocity is small against the other's rounding.
+        // Velocities about the common centre, so that neither is lost in the rounding of the other.
         let node = |inverse_mass: f64, sign: f64| Node {
             initial_velocity: sign * self.speed * inverse_mass / (inverse[0] + inverse[1]),
             inverse_mass,
@@ -81,13 +88,13 @@ impl FreeCollision {
         Ok(AnyRow::Elastic(row))
     }
 
-    /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
+    /// Runs the collision and some time after it. The gap closes `BEFORE` steps plus `part` of a step after the start.
     pub(crate) fn run(&self, law: ContactLaw, integrator: &Integrator, step: f64, part: f64, contact: f64) -> Result<Seen, Refused> {
         let until = (f64::from(BEFORE) + part) * step;
         let row = self.row(law, self.speed * until)?;
         let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
         if !(step.is_finite() && step > 0.0 && n_steps <= MOST_STEPS) {
-            return Err(no_step(step));
+            return Err(Self::no_step(step));
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -96,7 +103,7 @@ impl FreeCollision {
         )]
         let n_steps = n_steps as usize;
         let clock = Clock { time_step: step, n_steps };
-        let rest = Excitation::new(step, &[0.0]).map_err(|_| no_step(step))?;
+        let rest = Excitation::new(step, &[0.0]).map_err(|_| Self::no_step(step))?;
         let budget = Budget {
             pieces: MOST_PIECES,
             ..Budget::default()
@@ -114,17 +121,17 @@ impl FreeCollision {
                 let found = Refused::at("stiffness, masses and speed").found(found);
                 Err(found.help("take a stiffness nearer to that of buildings"))
             }
-            Err(error) => Err(ended(&error)),
+            Err(error) => Err(Error::ended(&error)),
         }
     }
 }
 
-/// Most steps of a run: some tenths of a second. Each method makes `N_PHASES` of them.
+/// Largest number of steps of a run: some tenths of a second. Each method makes `N_PHASES` runs.
 const MOST_STEPS: f64 = 1e6;
-/// Most pieces of the exact method: a tenth of a second. Collisions of buildings take less than 3000.
+/// Largest number of pieces of the exact method: a tenth of a second. Collisions of buildings take less than 3000.
 const MOST_PIECES: f64 = 1e5;
 
-/// The last velocities \[m/s\], and the impulse \[N·s\].
+/// Velocities at the end \[m/s\], and the impulse \[N·s\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Seen {
     velocities: [f64; 2],
@@ -144,12 +151,4 @@ impl Seen {
     pub(crate) fn restitution(&self, speed: f64) -> f64 {
         (self.velocities[1] - self.velocities[0]) / speed
     }
-}
-
-/// Refuses a time step \[s\] of a collision.
-pub fn no_step(found: f64) -> Refused {
-    Refused::at("time step")
-        .found(format!("{} s", plain(found)))
-        .allowed("a finite number > 0 and at most 1e6 steps in the collision")
-        .help("take longer steps")
 }

@@ -1,4 +1,4 @@
-//! What looks wrong in a scene that could be right: values far from those of buildings and earthquakes.
+//! Implausible values of a scene: far from those of buildings and earthquakes, but possible.
 
 mod motion;
 mod row;
@@ -13,24 +13,22 @@ use crate::{Building, Sdof, Simulation, Structure};
 use motion::Shaking;
 use pounding_text::digits;
 
-/// Factors outside this range are far for a record: its duration and shape belong to another shaking \[–\].
-pub const USUAL_FACTORS: [f64; 2] = [0.25, 4.0];
-
-/// A value that looks wrong, though it can be modelled.
+/// An implausible value that can still be modelled.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Implausible {
     /// The field, for example `structures[1].sdof.mass_kg`.
     pub place: String,
-    /// What was found, in words.
+    /// Found value, in words.
     pub found: String,
-    /// What is usual, in words.
+    /// Usual values, in words.
     pub usual: String,
-    /// How far it is from what is usual, by which the worst of a kind is told: the logarithm of a ratio \[–\], negative below it.
+    /// Distance from usual values: the logarithm of a ratio \[–\], negative below them. The worst value of a kind is the one with the
+    /// largest magnitude.
     #[serde(skip)]
     far: f64,
 }
 
-/// The words count: `far` is not part of what a file holds.
+/// Compares the words only: `far` is not part of a file.
 impl PartialEq for Implausible {
     fn eq(&self, other: &Self) -> bool {
         let words = [
@@ -49,41 +47,44 @@ impl fmt::Display for Implausible {
     }
 }
 
-/// Where a doubt about the ground motion stands.
+/// Place of implausible values of the ground motion.
 const RECORD: &str = "record";
 
-/// What looks wrong of one kind, in one place or several.
-struct Kind<'d> {
+/// Implausible values of one kind, in one place or several.
+struct DoubtKind<'d> {
     /// Places, or names of ground motions.
     places: BTreeSet<&'d str>,
     worst: &'d Implausible,
-    /// Its place, or the name of its motion.
+    /// Place of the worst value, or the name of its motion.
     at: &'d str,
     differ: bool,
 }
 
 impl Implausible {
-    /// Whether it is about the structures of the row, their contacts or the way the motion travels, and not about the motion.
+    /// Usual factors on a record \[–\]. The duration and the shape of a record with another factor belong to other shaking.
+    pub const USUAL_FACTORS: [f64; 2] = [0.25, 4.0];
+
+    /// Whether it concerns the row: its structures, their contacts or the arrivals of the motion, and not the motion itself.
     pub fn is_of_row(&self) -> bool {
         ["structures", "contacts", "arrivals_s"]
             .iter()
             .any(|field| self.place.starts_with(field))
     }
 
-    /// Gathers what looks wrong, one for each kind: with the number of places, or of ground motions, and the worst of them.
-    /// Every doubt comes with the name of its motion, which is empty if a scene has one.
+    /// Gathers implausible values, one for each kind: the worst value, and the number of places or of ground motions. Every value comes
+    /// with the name of its motion, which is empty if there is only one.
     pub fn gathered<'d>(all: impl IntoIterator<Item = (&'d str, &'d Self)>) -> Vec<Self> {
-        let mut kinds: Vec<Kind<'d>> = Vec::new();
+        let mut kinds: Vec<DoubtKind<'d>> = Vec::new();
         for (motion, one) in all {
             let is_named = one.place == RECORD && !motion.is_empty();
             let place = if is_named { motion } else { &one.place };
-            let alike = |other: &&mut Kind<'d>| {
+            let alike = |other: &&mut DoubtKind<'d>| {
                 other.worst.usual == one.usual
                     && other.worst.far.is_sign_negative() == one.far.is_sign_negative()
                     && (other.worst.place == RECORD) == (one.place == RECORD)
             };
             let Some(kind) = kinds.iter_mut().find(alike) else {
-                kinds.push(Kind {
+                kinds.push(DoubtKind {
                     places: BTreeSet::from([place]),
                     worst: one,
                     at: place,
@@ -97,17 +98,17 @@ impl Implausible {
                 (kind.worst, kind.at) = (one, place);
             }
         }
-        kinds.iter().map(Kind::said).collect()
+        kinds.iter().map(DoubtKind::said).collect()
     }
 
-    /// The same in sentences.
+    /// Gathers implausible values in sentences.
     pub fn lines<'d>(all: impl IntoIterator<Item = (&'d str, &'d Self)>) -> Vec<String> {
         let gathered = Self::gathered(all);
         gathered.iter().map(ToString::to_string).collect()
     }
 }
 
-impl Kind<'_> {
+impl DoubtKind<'_> {
     fn said(&self) -> Implausible {
         let (first, n) = (self.at, self.places.len());
         let (is_motion, worst) = (first != self.worst.place, self.worst);
@@ -130,31 +131,31 @@ impl Kind<'_> {
     }
 }
 
-/// Doubts on their way into a list.
+/// Implausible values that are found one after another.
 #[derive(Default)]
 struct Doubts(Vec<Implausible>);
 
 impl Doubts {
-    fn unless(&mut self, usual: bool, place: impl Into<String>, words: (String, &'static str)) {
-        self.unless_far((usual, 1.0), place, words);
+    /// Notes a value that is not `usual`, with what was `found` and what is `allowed`, in words.
+    fn unless(&mut self, usual: bool, place: impl Into<String>, found: String, allowed: &'static str) {
+        self.unless_far(usual, 1.0, place, found, allowed);
     }
 
-    /// The same of a number, of which one may be farther from what is usual than another.
-    fn unless_far(&mut self, (usual, number): (bool, f64), place: impl Into<String>, words: (String, &'static str)) {
+    /// Notes a value that is not `usual`, and how `far` it is from what is usual \[–\]: a ratio, 1 if no value is farther than another.
+    fn unless_far(&mut self, usual: bool, far: f64, place: impl Into<String>, found: String, allowed: &'static str) {
         if !usual {
-            let (found, usual) = words;
             self.0.push(Implausible {
                 place: place.into(),
                 found,
-                usual: usual.into(),
-                far: libm::log(number),
+                usual: allowed.into(),
+                far: libm::log(far),
             });
         }
     }
 }
 
 impl Simulation {
-    /// What looks wrong.
+    /// Finds the implausible values of the scene and its record.
     pub fn doubts(&self) -> Vec<Implausible> {
         let mut doubts = Doubts::default();
         self.doubt_the_record(&mut doubts);
@@ -177,10 +178,8 @@ impl Simulation {
             doubts.unless(
                 first == index,
                 format!("structures[{index}].{kind}.name"),
-                (
-                    format!("\"{name}\", as structures[{first}] is called"),
-                    "names that differ, by which results tell structures",
-                ),
+                format!("\"{name}\", as structures[{first}] is called"),
+                "names that differ, by which results tell structures",
             );
         }
         row::doubt(self, &mut doubts);
@@ -202,18 +201,14 @@ impl Simulation {
         doubts.unless(
             step <= 0.2 * shortest,
             RECORD,
-            (
-                format!("samples {} s apart for a structure of period {} s", digits(step), digits(shortest)),
-                "five and more in a period",
-            ),
+            format!("samples {} s apart for a structure of period {} s", digits(step), digits(shortest)),
+            "five and more in a period",
         );
         doubts.unless(
             self.duration() >= record.duration() * (1.0 - 1e-9),
             "duration_s",
-            (
-                format!("{} s of a record of {} s", digits(self.duration()), digits(record.duration())),
-                "the whole record",
-            ),
+            format!("{} s of a record of {} s", digits(self.duration()), digits(record.duration())),
+            "the whole record",
         );
     }
 }
@@ -223,9 +218,11 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     storeys::doubt(index, building, doubts);
     for (storey, one) in building.storeys.iter().enumerate() {
         doubts.unless_far(
-            ((1e4..=1e9).contains(&one.mass_kg), one.mass_kg / 1e6),
+            (1e4..=1e9).contains(&one.mass_kg),
+            one.mass_kg / 1e6,
             place(&format!(".storeys[{storey}].mass_kg")),
-            (format!("{} kg", digits(one.mass_kg)), "1e4 to 1e9 kg for a floor"),
+            format!("{} kg", digits(one.mass_kg)),
+            "1e4 to 1e9 kg for a floor",
         );
     }
     let modes = building.modes();
@@ -233,18 +230,18 @@ fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
         doubts.unless(
             (0.03..=10.0).contains(&first.period()),
             place(""),
-            (format!("a first period of {} s", digits(first.period())), "0.03 to 10 s"),
+            format!("a first period of {} s", digits(first.period())),
+            "0.03 to 10 s",
         );
     }
     let most = modes.iter().map(|mode| mode.damping_ratio);
     let most = most.fold(0.0, f64::max);
     doubts.unless_far(
-        (most <= 0.3, most / 0.3),
+        most <= 0.3,
+        most / 0.3,
         place(".damping"),
-        (
-            format!("a damping ratio of {} in some mode", digits(most)),
-            "up to 0.3; 0.05 is 5 %",
-        ),
+        format!("a damping ratio of {} in some mode", digits(most)),
+        "up to 0.3; 0.05 is 5 %",
     );
 }
 
@@ -252,37 +249,37 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].sdof.{field}");
     let (mass, period, ratio) = (sdof.mass_kg, sdof.period(), sdof.damping_ratio());
     doubts.unless_far(
-        ((1e4..=1e9).contains(&mass), mass / 1e6),
+        (1e4..=1e9).contains(&mass),
+        mass / 1e6,
         place("mass_kg"),
-        (format!("{} kg", digits(mass)), "1e4 to 1e9 kg for a building"),
+        format!("{} kg", digits(mass)),
+        "1e4 to 1e9 kg for a building",
     );
     doubts.unless_far(
-        ((0.03..=10.0).contains(&period), period),
+        (0.03..=10.0).contains(&period),
+        period,
         format!("structures[{index}].sdof"),
-        (
-            format!(
-                "a period of {} s, as `period_s` or `mass_kg` and `stiffness_n_per_m` say",
-                digits(period)
-            ),
-            "0.03 to 10 s",
+        format!(
+            "a period of {} s, as `period_s` or `mass_kg` and `stiffness_n_per_m` say",
+            digits(period)
         ),
+        "0.03 to 10 s",
     );
     if let Some(height) = sdof.height_m {
         doubts.unless(
             (0.2..=500.0).contains(&height),
             place("height_m"),
-            (format!("{} m", digits(height)), "0.2 to 500 m, of the mass over the ground"),
+            format!("{} m", digits(height)),
+            "0.2 to 500 m, of the mass over the ground",
         );
     }
-    let start = [sdof.initial_displacement_m, sdof.initial_velocity_m_per_s];
-    storeys::doubt_the_start(place, start, doubts);
+    storeys::doubt_the_start(place, sdof.initial_displacement_m, sdof.initial_velocity_m_per_s, doubts);
     storeys::doubt_the_yielding(&place("yield_drift_ratio"), &sdof.columns(), sdof.height_m, doubts);
     doubts.unless_far(
-        (ratio <= 0.3, ratio / 0.3),
+        ratio <= 0.3,
+        ratio / 0.3,
         place("damping"),
-        (
-            format!("a damping ratio of {}, which is {} %", digits(ratio), digits(100.0 * ratio)),
-            "up to 0.3; 0.05 is 5 %",
-        ),
+        format!("a damping ratio of {}, which is {} %", digits(ratio), digits(100.0 * ratio)),
+        "up to 0.3; 0.05 is 5 %",
     );
 }

@@ -1,11 +1,11 @@
-//! What a scene gives and its exact run does not need: the numbers would be the same without it.
+//! Fields of a scene that its exact run does not need: the numbers would be equal without them.
 
 use crate::{RunResult, Simulation, Structure};
 use pounding_text::{digits, rounded_down};
 
 impl Simulation {
-    /// What none of these exact runs of the scene, of which there is at least one, needs, a line for each structure and contact: yielding
-    /// that is not reached, gaps that stay open. Runs of both directions say more than one.
+    /// Lists what none of these exact runs of the scene, at least one, needs: yielding that is not reached and gaps that stay open, a line
+    /// for each structure and contact. Runs in both directions tell more than a run in one.
     pub fn unneeded(&self, expected: &[&RunResult]) -> Vec<String> {
         let structures = self.scene().structures.iter().enumerate();
         let columns = structures.filter_map(|(index, one)| self.unneeded_yielding(index, one, expected));
@@ -19,11 +19,11 @@ impl Simulation {
         let share = |floor: &usize| {
             let forces = expected.iter().map(|run| run.peaks.of(*floor).restoring_force.value.abs());
             let columns = self.floors().all()[*floor].made_of?.columns;
-            // Columns that yield smoothly do so from the first drift on.
+            // Columns that yield smoothly do so from the smallest drift.
             let sharp = columns.yield_force_n.filter(|_| columns.bouc_wen.is_none());
             Some(forces.fold(0.0, f64::max) / sharp?)
         };
-        // What rounding leaves of a force that is cut off.
+        // A force that is cut off at yielding may be off by rounding.
         let elastic = floors.iter().filter_map(share);
         let elastic: Vec<f64> = elastic.filter(|share| *share < 1.0 - 1e-9).collect();
         let most = elastic.iter().copied().reduce(f64::max)?;

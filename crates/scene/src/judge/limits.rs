@@ -1,66 +1,67 @@
-//! What the time step of a method can follow: critical time steps, and the collisions that its steps resolve.
+//! Limits of a method's time step: critical time steps, and collisions that the steps resolve.
 
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, Overlap};
 use pounding_solver::{Collision, Oscillation, Pair};
 
 use crate::{Delivered, FreeCollision, RunResult, Simulation};
 
-/// Steps per contact below which a run is warned of.
-///
-/// With ten, every method delivers every law's impulse to within 6 %, for e = 0.65 and more; at five some are 11 % off. Laws
-/// that damp more need more of them.
-pub const STEPS_PER_CONTACT: f64 = 10.0;
-
-/// Steps per natural period below which a run is warned of: the usual rule.
-pub const STEPS_PER_PERIOD: f64 = 10.0;
-
-/// What a method can follow of a scene.
+/// Limits of a method in a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
-    /// Of every pair that touches, from the left.
+    /// Limits for every pair that touches, from the left.
     pub contacts: Vec<ContactLimit>,
 }
 
-/// What a method can follow of a pair's collisions.
+impl Limits {
+    /// Number of steps in a contact below which a run gives a warning.
+    ///
+    /// With ten steps, every method delivers the impulse of every law to within 6 % for e ≥ 0.65; with five, some are 11 % off. Laws with
+    /// more damping need more steps.
+    pub const STEPS_PER_CONTACT: f64 = 10.0;
+
+    /// Number of steps in a natural period below which a run gives a warning: the usual rule.
+    pub const STEPS_PER_PERIOD: f64 = 10.0;
+}
+
+/// Limits of a method in the collisions of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactLimit {
     /// Index of the pair.
     pub pair: usize,
-    /// The free collision at the largest approach speed that is expected; nothing where the pair presses without approach.
+    /// Free collision at the largest expected approach speed; `None` if the pair presses without approach.
     pub free: Option<FreeLimit>,
-    /// Time step \[s\] from which on the pair may be unstable while it touches; nothing for a method or law without such a
-    /// limit.
+    /// Time step \[s\] above which the pair may be unstable while it touches; `None` for a method or a law without such a limit.
     ///
-    /// The least over its collisions, each with the stiffness at its largest force. What of that force is the damper's,
-    /// and the columns of both structures, make it smaller than it is; a structure that is pressed from both sides allows
-    /// down to 1/√2 of it.
+    /// It is the least over the collisions, each with the stiffness at its largest force. It is too small if the damper contributes to that
+    /// force, and because it includes the columns of both structures. For a structure that is pressed from both sides the limit may be 1/√2
+    /// of it.
     pub critical_time_step: Option<f64>,
 }
 
-/// A free collision of a pair, and how a method follows it.
+/// A free collision of a pair, and its resolution by a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeLimit {
     /// Approach speed \[m/s\], > 0.
     pub approach_speed: f64,
-    /// e that the law delivers \[–\]; nothing where its damping lets hardly anything come back.
+    /// e that the law delivers \[–\]; `None` if its damping leaves almost no rebound.
     pub restitution: Option<f64>,
-    /// Duration until the force ends \[s\]; nothing for an impulsive law, and as above.
+    /// Duration until the force ends \[s\]; `None` for an impulsive law, and if the damping leaves almost no rebound.
     pub duration: Option<f64>,
-    /// Steps, or sub-steps, while the pair overlaps: a clamped force may have ended earlier.
+    /// Number of steps, or sub-steps, while the pair overlaps; a clamped force may end earlier.
     pub steps: Option<f64>,
-    /// What the method delivers; nothing for one without time steps, and where it cannot be measured or has so many steps
-    /// (ten thousand) that it need not.
+    /// Restitution that the method delivers; `None` for a method without time steps, if it cannot be measured, and above ten thousand
+    /// steps.
     pub delivered: Option<Delivered>,
 }
 
-/// Steps per contact above which what a method delivers is not asked.
+/// Number of steps in a contact above which the delivered restitution is not measured.
 const MANY_STEPS: f64 = 1e4;
 
 impl Simulation {
-    /// What the method can follow, for the collisions of a run of the same scene: best the exact one.
+    /// Finds the limits of the method for the collisions of a run of the same scene, preferably the exact run.
     ///
-    /// Of the collisions of a stepping method the approach speed is not known; it is taken from the largest force, as if
-    /// the spring alone had stopped the pair.
+    /// The approach speed of a stepping method's collision is not known. It is estimated from the largest force, as if only the spring had
+    /// stopped the pair.
     pub fn limits(&self, expected: &RunResult) -> Limits {
         let pairs = self.pairs().iter().enumerate();
         let contacts = pairs.filter_map(|(index, pair)| {
@@ -111,7 +112,7 @@ impl Simulation {
         }
     }
 
-    /// Masses of a pair \[kg\]; that of a wall is infinite.
+    /// Masses of a pair \[kg\]; infinite for a wall.
     fn masses(&self, pair: &Pair) -> [f64; 2] {
         [pair.left(), pair.right()].map(|index| {
             let made = self.floors().all()[index].made_of;
@@ -119,25 +120,25 @@ impl Simulation {
         })
     }
 
-    /// Circular frequency of a floor \[rad/s\], that of the fastest mode of its building; 0 of a wall.
+    /// Circular frequency of the fastest mode of a floor's building \[rad/s\]; 0 for a wall.
     fn angular_frequency(&self, index: usize) -> f64 {
         let fastest = self.scene().structures[self.floors().all()[index].structure].fastest();
         fastest.map_or(0.0, |fastest| fastest.angular_frequency)
     }
 }
 
-/// e that a law delivers.
+/// Restitution e that a law delivers \[–\].
 fn restitution(law: &ContactLaw, impact: Option<&FreeImpact>) -> Option<f64> {
     impact
         .map(|impact| impact.restitution)
         .or_else(|| law.impulsive().map(|law| law.restitution))
 }
 
-/// A collision that is expected.
+/// An expected collision.
 #[derive(Debug, Clone, Copy)]
 struct Expected {
     pair: FreePair,
-    /// Largest force \[N\]; 0 of an impulsive law.
+    /// Largest force \[N\]; 0 for an impulsive law.
     peak_force: f64,
 }
 
@@ -155,8 +156,7 @@ impl Expected {
         }
     }
 
-    /// Oscillation of the pair about the deformation at which its spring has the largest force; nothing for an impulsive
-    /// law.
+    /// Oscillation of the pair about the deformation at which its spring has the largest force; `None` for an impulsive law.
     fn oscillation(&self, law: &ContactLaw) -> Option<Oscillation> {
         let FreePair {
             reduced_mass,
@@ -165,7 +165,7 @@ impl Expected {
         let form = law.form(reduced_mass, approach_speed)?;
         let contact = law.respond(&Overlap {
             deformation: form.spring.deformation(self.peak_force),
-            // Approaching, so that every damper acts, but so slowly that it pushes nothing.
+            // The pair approaches, so that every damper acts, but so slowly that dampers add no force.
             rate: f64::MIN_POSITIVE,
             reduced_mass,
             approach_speed,
@@ -178,7 +178,7 @@ impl Expected {
     }
 }
 
-/// Approach speed \[m/s\] of a pair that a spring alone stops with a force \[N\]: ½ m v² = F δ/(n + 1).
+/// Approach speed \[m/s\] of a pair that only a spring stops with a force \[N\]: ½ m v² = F δ/(n + 1).
 fn speed_to(force: f64, law: &ContactLaw, pair: &FreePair) -> f64 {
     law.form(pair.reduced_mass, 1.0).map_or(0.0, |form| {
         let stored = force * form.spring.deformation(force) / (form.spring.power.value() + 1.0);
@@ -186,7 +186,7 @@ fn speed_to(force: f64, law: &ContactLaw, pair: &FreePair) -> f64 {
     })
 }
 
-/// The same with the columns of both structures: an upper bound of the frequency.
+/// Adds the columns of both structures to a contact's oscillation: an upper bound of the frequency.
 fn with_columns(contact: Oscillation, own: [f64; 2]) -> Oscillation {
     let column = own[0].max(own[1]);
     let omega = contact.angular_frequency;

@@ -6,16 +6,6 @@ use pounding_text::{percent, short};
 
 use crate::{RunResult, Simulation};
 
-/// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
-pub const MOST_DRIFT: f64 = 0.025;
-/// Ductility demand above which bilinear columns say little \[–\]: a convention; ductile frames are designed for at most some 6 (NZS 1170.5).
-pub const MOST_DUCTILITY: f64 = 6.0;
-/// Drift ratio at the end of a run above which repair hardly pays \[–\]: J. McCormick, H. Aburano,
-/// M. Ikenaga and M. Nakashima, 14th World Conf. Earthquake Engng (2008).
-pub const MOST_RESIDUAL: f64 = 0.005;
-/// Stability coefficients above which gravity counts, and above which a building is unstable \[–\]: EN 1998-1, 4.4.2.2 (2), and ASCE 7-16,
-/// 12.8.7.
-pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
 /// Drift of a storey of unknown height that is more than 2.5 % of any usual one, which is at most 12 m high \[m\].
 const MOST_UNKNOWN: f64 = 0.3;
 
@@ -56,6 +46,20 @@ pub enum ExcessKind {
 }
 
 impl Excess {
+    /// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
+    pub const MOST_DRIFT: f64 = 0.025;
+
+    /// Ductility demand above which bilinear columns say little \[–\]: a convention; ductile frames are designed for at most some 6 (NZS 1170.5).
+    pub const MOST_DUCTILITY: f64 = 6.0;
+
+    /// Drift ratio at the end of a run above which repair hardly pays \[–\]: J. McCormick, H. Aburano,
+    /// M. Ikenaga and M. Nakashima, 14th World Conf. Earthquake Engng (2008).
+    pub const MOST_RESIDUAL: f64 = 0.005;
+
+    /// Stability coefficients above which gravity counts, and above which a building is unstable \[–\]: EN 1998-1, 4.4.2.2 (2), and ASCE 7-16,
+    /// 12.8.7.
+    pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
+
     /// Responses over several runs, the most harmful kind first: the worst of every kind, and in how many runs.
     pub fn gathered(runs: impl IntoIterator<Item: AsRef<[Self]>>) -> Vec<Self> {
         let mut all = Vec::new();
@@ -187,10 +191,10 @@ impl ExcessKind {
         match self {
             Self::AtColumn | Self::BesideColumn | Self::LeftOut => 0.0,
             Self::Displacement => MOST_UNKNOWN,
-            Self::Stability => MOST_STABILITY[0],
-            Self::Drift => MOST_DRIFT,
-            Self::Ductility => MOST_DUCTILITY,
-            Self::ResidualDrift => MOST_RESIDUAL,
+            Self::Stability => Excess::MOST_STABILITY[0],
+            Self::Drift => Excess::MOST_DRIFT,
+            Self::Ductility => Excess::MOST_DUCTILITY,
+            Self::ResidualDrift => Excess::MOST_RESIDUAL,
         }
     }
 
@@ -250,7 +254,7 @@ impl ExcessKind {
                 "{worst}drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)
             ),
-            Self::Stability if found > MOST_STABILITY[1] => format!(
+            Self::Stability if found > Excess::MOST_STABILITY[1] => format!(
                 "{worst}stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
                  storey down",
                 short(found)

@@ -3,15 +3,12 @@
 use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::{Collision, LedgerError, Work};
 
-use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
+use crate::judge::limits::{ContactLimit, Limits};
 use crate::simulation::{Audited, Extras};
-use crate::{Balance, Delivered, Error, Excess, Method, Place, Quantity, RunErrors, RunResult, Simulation, Structure, Warning};
+use crate::{Balance, Delivered, Error, Excess, Method, Quantity, RunErrors, RunResult, Simulation, Structure, Warning, WarningPlace};
 
 /// Where rounding leaves a whole number of steps.
 const SLACK: f64 = 1.0 - 1e-9;
-
-/// Relative error of a printed number above which a run is warned of \[–\].
-pub const DOUBTFUL: f64 = 0.03;
 
 /// Part of the energy that an exact run may leave unexplained \[–\] and be printed with a warning: its numbers are off by about
 /// as much, which decides nothing. Above it the run fails.
@@ -36,6 +33,9 @@ pub struct Review {
 }
 
 impl Review {
+    /// Relative error of a printed number above which a run is warned of \[–\].
+    pub const DOUBTFUL: f64 = 0.03;
+
     /// What to know before believing and using it, in sentences, the most harmful first.
     pub fn notices(&self) -> Vec<String> {
         let excesses = self.excesses.iter().map(ToString::to_string);
@@ -191,7 +191,7 @@ impl Simulation {
     fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
         let time_step = self.method().time_step()?;
         let steps = structure.period()? / time_step;
-        (steps < SLACK * STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
+        (steps < SLACK * Limits::STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
             structure: index,
             name: structure.name().into(),
             steps,
@@ -221,7 +221,7 @@ impl Simulation {
         let restitution = free.restitution.zip(free.delivered);
         let is_off = |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
-        let few = |steps: &f64| off || *steps < SLACK * STEPS_PER_CONTACT;
+        let few = |steps: &f64| off || *steps < SLACK * Limits::STEPS_PER_CONTACT;
         free.steps.filter(few).map(|steps| Warning::UnderResolved {
             place: place(),
             steps,
@@ -246,8 +246,8 @@ impl Simulation {
         })
     }
 
-    fn place(&self, pair: usize, time_step: f64) -> Place {
-        Place {
+    fn place(&self, pair: usize, time_step: f64) -> WarningPlace {
+        WarningPlace {
             contact: self.contact(pair),
             names: self.names(pair),
             time_step: self.knob(time_step),
@@ -272,7 +272,7 @@ impl RunErrors {
     fn warnings(&self) -> impl Iterator<Item = Warning> {
         Quantity::compared().filter_map(|quantity| {
             let error = self.of(quantity);
-            (error > DOUBTFUL).then_some(Warning::Error { quantity, error })
+            (error > Review::DOUBTFUL).then_some(Warning::Error { quantity, error })
         })
     }
 }

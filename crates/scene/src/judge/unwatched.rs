@@ -32,7 +32,7 @@ impl Simulation {
     }
 
     /// The width by gaps that keeps floors beside columns from them, by the same measure \[m\].
-    pub(crate) fn beside_columns(&self, alone: &RunResult) -> BTreeMap<usize, f64> {
+    pub fn beside_columns(&self, alone: &RunResult) -> BTreeMap<usize, f64> {
         let openings = self.openings();
         let mut widths = BTreeMap::new();
         for one in self.floors().unwatched() {

@@ -5,7 +5,7 @@ use std::fmt::{self, Formatter};
 use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::LedgerError;
 
-use crate::judge::limits::{STEPS_PER_CONTACT, STEPS_PER_PERIOD};
+use crate::judge::limits::Limits;
 use crate::{Delivered, Quantity, QuantityGroup, QuantityKind};
 use pounding_text::digits;
 
@@ -43,14 +43,14 @@ pub enum Warning {
     /// A pair is unstable while it touches.
     BeyondContactLimit {
         /// Where.
-        place: Place,
+        place: WarningPlace,
         /// Time step from which on it is \[s\].
         limit: f64,
     },
     /// A collision has too few steps, or so few that its impulse is off.
     UnderResolved {
         /// Where.
-        place: Place,
+        place: WarningPlace,
         /// Steps in the collision that is expected.
         steps: f64,
         /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
@@ -85,7 +85,7 @@ pub enum Warning {
 
 /// A pair, with the knob that makes its steps shorter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place {
+pub struct WarningPlace {
     /// Index of the contact in the scene.
     pub contact: usize,
     /// Names of its structures.
@@ -116,7 +116,7 @@ impl Warning {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for WarningPlace {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         let [left, right] = &self.names;
         write!(to, "contacts[{}] ({left} – {right})", self.contact)
@@ -136,11 +136,12 @@ impl fmt::Display for Warning {
                 steps,
                 time_step: (knob, found),
             } => {
-                let most = at_most(found * steps / STEPS_PER_PERIOD);
+                let most = at_most(found * steps / Limits::STEPS_PER_PERIOD);
                 write!(
                     to,
                     "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most} or less gives \
-                     {STEPS_PER_PERIOD}"
+                     {}",
+                    Limits::STEPS_PER_PERIOD
                 )
             }
             Self::BeyondContactLimit { place, limit } => {
@@ -186,15 +187,15 @@ fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fm
 }
 
 /// Too few steps in a collision, and what is delivered with them.
-fn under_resolved(place: &Place, steps: f64, restitution: Option<&(f64, Delivered)>, to: &mut Formatter<'_>) -> fmt::Result {
+fn under_resolved(place: &WarningPlace, steps: f64, restitution: Option<&(f64, Delivered)>, to: &mut Formatter<'_>) -> fmt::Result {
     let (knob, found) = &place.time_step;
     write!(to, "{place}: impulses and forces: a collision has {steps:.2} steps")?;
     if let Some((right, delivered)) = restitution {
         write!(to, ", {}", instead(*right, delivered))?;
     }
-    if steps < STEPS_PER_CONTACT {
-        let most = at_most(found * steps / STEPS_PER_CONTACT);
-        write!(to, "; {knob} of {most} or less gives {STEPS_PER_CONTACT}")
+    if steps < Limits::STEPS_PER_CONTACT {
+        let most = at_most(found * steps / Limits::STEPS_PER_CONTACT);
+        write!(to, "; {knob} of {most} or less gives {}", Limits::STEPS_PER_CONTACT)
     } else {
         write!(to, "; a shorter {knob} ({found}) gives more")
     }

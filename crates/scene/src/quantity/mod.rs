@@ -9,7 +9,7 @@ mod values;
 pub use floor::FloorQuantity;
 pub use pair::PairQuantity;
 pub use unit::QuantityUnit;
-pub use values::{AT_ONCE, LEAST_PART, Values, ZERO};
+pub use values::Values;
 
 use crate::QuantityGroup;
 

@@ -2,7 +2,7 @@
 
 use pounding_text::{digits, rounded_down, short};
 
-use super::values::AT_ONCE;
+use super::values::Values;
 use super::{About, FloorQuantity, QuantityKind, QuantityUnit, quantities};
 use crate::QuantityGroup;
 use crate::simulation::LEANS;
@@ -19,7 +19,7 @@ quantities! {
         About::new(&QuantityUnit::COUNT, "Collisions", |run, pair| Some(run.pair(pair).collisions as f64))
             .kind(QuantityKind::Count).measured(QuantityGroup::All, "collisions");
     FirstStartS("first_start_s", "Start of the first collision.") = About {
-        least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < AT_ONCE) { 1.0 } else { 0.0 },
+        least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < Values::AT_ONCE) { 1.0 } else { 0.0 },
         absolute: Some("first_time_s"),
         collision: Some("first"),
         text: digits,

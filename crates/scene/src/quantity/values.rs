@@ -5,16 +5,6 @@ use pounding_solver::{Peak, StructurePeaks};
 use super::{Quantity, QuantityKind};
 use crate::{Floor, PairOutcome, RunResult, Simulation};
 
-/// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: alone it may be next to nothing.
-pub const LEAST_PART: f64 = 0.05;
-
-/// Least magnitude of a transferred momentum in a relative error, as a part of the row's largest \[–\]: forces from both sides cancel up to
-/// rounding.
-pub const ZERO: f64 = 1e-9;
-
-/// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
-pub const AT_ONCE: f64 = 1e-9;
-
 /// A run beside its simulation: every number of [`Quantity`].
 #[derive(Debug, Clone)]
 pub struct Values<'a> {
@@ -36,6 +26,16 @@ impl RunResult {
 }
 
 impl Values<'_> {
+    /// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: alone it may be next to nothing.
+    pub const LEAST_PART: f64 = 0.05;
+
+    /// Least magnitude of a transferred momentum in a relative error, as a part of the row's largest \[–\]: forces from both sides cancel up to
+    /// rounding.
+    pub const ZERO: f64 = 1e-9;
+
+    /// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
+    pub const AT_ONCE: f64 = 1e-9;
+
     /// A number of a floor or a pair, by its place in the row, SI. `None` if it has no such number: a wall does not move, a pair that
     /// never touches has no first impulse.
     ///
@@ -60,14 +60,14 @@ impl Values<'_> {
 
     /// The least magnitude of a number that may be next to nothing beside a peak.
     pub(crate) fn part_of(&self, peak: impl Into<Quantity>, floor: usize) -> f64 {
-        LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs()
+        Self::LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs()
     }
 
     /// The least magnitude of a transferred momentum \[N·s\].
     pub(crate) fn least_momentum(&self) -> f64 {
         let floors = 0..self.simulation.floors().all().len();
         let momenta = floors.map(|floor| self.result.momentum.of(floor));
-        ZERO * momenta.fold(0.0, f64::max)
+        Self::ZERO * momenta.fold(0.0, f64::max)
     }
 
     /// A floor by its place.

@@ -84,8 +84,14 @@ impl Advice {
 }
 
 impl StepSizes {
+    /// Of rungs from the coarsest to the finest those that hold what is asked, here and at every finer one.
+    pub fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
+        let missed = rungs.iter().rposition(|rung| !holds(rung));
+        &rungs[missed.map_or(0, |index| index + 1)..]
+    }
+
     pub(crate) fn new(trials: Vec<Trial>, goal: Goal) -> Self {
-        let holding = holding(&trials, |trial| trial.error <= goal.error);
+        let holding = Self::holding(&trials, |trial| trial.error <= goal.error);
         let first = trials.len() - holding.len();
         let confirmed = first..trials.len().saturating_sub(1);
         Self {
@@ -98,12 +104,6 @@ impl StepSizes {
     pub fn chosen(&self) -> Option<&Trial> {
         self.meets.map(|index| &self.trials[index])
     }
-}
-
-/// Of rungs from the coarsest to the finest those that hold what is asked, here and at every finer one.
-pub fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
-    let missed = rungs.iter().rposition(|rung| !holds(rung));
-    &rungs[missed.map_or(0, |index| index + 1)..]
 }
 
 /// Quantities whose errors count together.
@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn limit_a_rung_holds_only_if_all_finer_ones_do() {
-        let holding = |errors| holding(errors, |error: &f64| *error <= 1.0).to_vec();
+        let holding = |errors| StepSizes::holding(errors, |error: &f64| *error <= 1.0).to_vec();
         assert_eq!(holding(&[0.5, 2.0, 1.0, 0.1]), [1.0, 0.1], "0.5 was luck");
         assert_eq!(holding(&[1.0, 0.5]), [1.0, 0.5]);
         assert_eq!(holding(&[0.5, 2.0]), [0.0; 0]);

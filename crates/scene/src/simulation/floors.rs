@@ -52,8 +52,10 @@ pub struct StoreyProperties {
     pub columns: Columns,
     /// Height of the storey \[m\], where it is known.
     pub height_m: Option<f64>,
-    /// Displacement and velocity of the floor at t = 0 \[m\], \[m/s\].
-    pub initial: (f64, f64),
+    /// Displacement of the floor at t = 0 \[m\].
+    pub initial_displacement_m: f64,
+    /// Velocity of the floor at t = 0 \[m/s\].
+    pub initial_velocity_m_per_s: f64,
 }
 
 /// Two floors that can touch.
@@ -109,7 +111,8 @@ impl StoreyProperties {
             mass_kg: sdof.mass_kg,
             columns: sdof.columns(),
             height_m: sdof.height_m,
-            initial: (sdof.initial_displacement_m, sdof.initial_velocity_m_per_s),
+            initial_displacement_m: sdof.initial_displacement_m,
+            initial_velocity_m_per_s: sdof.initial_velocity_m_per_s,
         }
     }
 }
@@ -217,7 +220,7 @@ impl Floors {
     }
 
     /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
-    pub(crate) fn all_facing(&self) -> Vec<(usize, usize, usize)> {
+    pub fn all_facing(&self) -> Vec<(usize, usize, usize)> {
         let facing = |left: usize| {
             let facing = self.levels.facing(left);
             facing.map(move |(one, other)| (left, one, other))
@@ -256,7 +259,8 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
                     mass_kg: one.mass_kg,
                     columns: one.columns,
                     height_m: one.height_m,
-                    initial: (one.initial_displacement_m, one.initial_velocity_m_per_s),
+                    initial_displacement_m: one.initial_displacement_m,
+                    initial_velocity_m_per_s: one.initial_velocity_m_per_s,
                 }),
             }
         }

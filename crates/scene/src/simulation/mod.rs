@@ -21,9 +21,9 @@ use pounding_motion::Record;
 use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 use pounding_text::Refused;
 
-pub use advice::{Advice, Goal, QuantityGroup, StepSizes, Trial, holding};
+pub use advice::{Advice, Goal, QuantityGroup, StepSizes, Trial};
 pub(crate) use pair_outcome::LEANS;
-pub use pair_outcome::{PairOutcome, least_opening};
+pub use pair_outcome::PairOutcome;
 pub use run::{Audited, Balance, Extras, RunResult};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
@@ -77,7 +77,7 @@ impl Simulation {
         stop: Option<&'static AtomicBool>,
         patience: Patience,
     ) -> Result<Self, Error> {
-        let in_scene = |source| in_scene(scene, source);
+        let in_scene = |refused| Error::in_scene(&scene.name, refused);
         let duration = scene.duration_within(motion.record.duration(), patience);
         let scene = &Scene {
             duration_s: Some(duration.map_err(in_scene)?),
@@ -125,7 +125,7 @@ impl Simulation {
     /// Those of the lean model, which were found before.
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
-        let row = model::full(scene, floors).map_err(|error| in_scene(scene, of_model(&error, scene, floors)))?;
+        let row = model::full(scene, floors).map_err(|error| Error::in_scene(&scene.name, of_model(&error, scene, floors)))?;
         Ok(Self { row, ..self })
     }
 
@@ -143,7 +143,7 @@ impl Simulation {
     /// # Errors
     /// Refuses a value of the scene that cannot be modelled.
     pub fn variant(&self, scene: &Scene, record: Record) -> Result<Self, Error> {
-        let in_scene = |source| in_scene(scene, source);
+        let in_scene = |refused| Error::in_scene(&scene.name, refused);
         scene.check().map_err(in_scene)?;
         let (floors, row) = modelled(scene, Patience::ENDLESS).map_err(in_scene)?;
         let varied = Self {
@@ -156,18 +156,32 @@ impl Simulation {
         varied.with_any_method(scene.method)
     }
 
+    /// The same motion under another row of structures, as it shakes this one, and for as long as that row asks for.
+    ///
+    /// # Errors
+    /// Refuses a value of the row that cannot be modelled.
+    pub fn under_row(&self, row: &Scene) -> Result<Self, Error> {
+        let row = Scene {
+            record: self.scene.record.clone(),
+            duration_s: None,
+            ..row.clone()
+        };
+        let duration_s = Some(row.duration_under(self.record.duration()));
+        self.variant(&Scene { duration_s, ..row }, (*self.record).clone())
+    }
+
     /// The same floors, none of which can touch another: every building alone. Places of floors in the row stay what they
     /// are.
     ///
     /// # Errors
     /// Those of the model with its pairs, which were found before.
-    pub(crate) fn apart(&self) -> Result<Self, Error> {
+    pub fn apart(&self) -> Result<Self, Error> {
         let scene = Scene {
             contacts: None,
             ..self.scene.clone()
         };
         let floors = self.floors.apart();
-        let row = model::lean(&scene, &floors).map_err(|error| in_scene(&scene, of_model(&error, &scene, &floors)))?;
+        let row = model::lean(&scene, &floors).map_err(|error| Error::in_scene(&scene.name, of_model(&error, &scene, &floors)))?;
         Ok(Self {
             scene,
             floors,
@@ -179,7 +193,7 @@ impl Simulation {
     /// Refuses a time step beyond the limit of stability.
     fn stable(self) -> Result<Self, Error> {
         match self.unstable {
-            Some(source) => Err(in_scene(&self.scene, source)),
+            Some(source) => Err(Error::in_scene(&self.scene.name, source)),
             None => Ok(self),
         }
     }
@@ -191,7 +205,7 @@ impl Simulation {
     pub fn with_any_method(&self, other: Method) -> Result<Self, Error> {
         let mut scene = self.scene.clone();
         scene.method = other;
-        scene.check_method().map_err(|source| in_scene(&scene, source))?;
+        scene.check_method().map_err(|source| Error::in_scene(&scene.name, source))?;
         let integrator = other.integrator();
         integrator.check().map_err(|error| self.ended(error))?;
         Ok(Self {
@@ -290,7 +304,7 @@ impl Simulation {
     }
 
     /// Whether some columns yield smoothly.
-    pub(crate) fn yields_smoothly(&self) -> bool {
+    pub fn yields_smoothly(&self) -> bool {
         matches!(self.row, AnyRow::Mixed(_))
     }
 
@@ -315,7 +329,7 @@ impl Simulation {
     /// Refuses what `change` refuses.
     pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, Refused>) -> Result<Self, Error> {
         let record = change(&self.record);
-        let record = record.map_err(|refused| in_scene(&self.scene, in_setting("record", refused)))?;
+        let record = record.map_err(|refused| Error::in_scene(&self.scene.name, in_setting("record", refused)))?;
         Ok(Self {
             record: Arc::new(record),
             ..self.clone()
@@ -330,9 +344,4 @@ fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), Refus
     let row = model::lean(scene, &floors).map_err(|error| of_model(&error, scene, &floors))?;
     patience.look()?;
     Ok((floors, row))
-}
-
-/// An error of a scene by its name.
-pub fn in_scene(scene: &Scene, refused: Refused) -> Error {
-    Error::in_scene(&scene.name, refused)
 }

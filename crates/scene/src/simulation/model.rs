@@ -173,8 +173,8 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
             column: column(&made.columns),
         };
         Node {
-            initial_displacement: made.initial.0,
-            initial_velocity: made.initial.1,
+            initial_displacement: made.initial_displacement_m,
+            initial_velocity: made.initial_velocity_m_per_s,
             ..floors.levels().floor(index, storey)
         }
     };

@@ -30,23 +30,23 @@ const ROUNDING: f64 = 1e-12;
 /// buildings with Hertz contact up to 0.15 s.
 pub(crate) const LEANS: f64 = 0.25;
 
-/// Least opening \[m\] of a gap of this width whose neighbours came towards each other so far \[m\]: 0 of those that touch without a
-/// deformation.
-pub fn least_opening(gap: f64, closing: f64, touches: bool) -> f64 {
-    let opening = gap - closing;
-    if touches && is_closed(opening) { 0.0 } else { opening }
-}
-
 /// Impulses leave a gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
 fn is_closed(opening: f64) -> bool {
     opening > -ROUNDING
 }
 
 impl PairOutcome {
+    /// Least opening \[m\] of a gap of this width whose neighbours came towards each other so far \[m\]: 0 of those that touch without a
+    /// deformation.
+    pub fn opening_after(gap: f64, closing: f64, touches: bool) -> f64 {
+        let opening = gap - closing;
+        if touches && is_closed(opening) { 0.0 } else { opening }
+    }
+
     /// Least opening \[m\] of a gap of this width, and its instant \[s\], of neighbours that came as close as this.
     fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
         let (distance, time) = closing.map_or((0.0, 0.0), |closing| (closing.distance, closing.time));
-        let opening = least_opening(gap, distance, self.first.is_some());
+        let opening = Self::opening_after(gap, distance, self.first.is_some());
         match self.first {
             Some(first) if is_closed(opening) => (opening, first.start),
             _ => (opening, time),

@@ -8,9 +8,8 @@ use pounding_solver::{
 };
 
 use super::Simulation;
-use crate::file::error::ended;
 use crate::settings::out_of_range;
-use crate::{Error, Method, Structure, in_scene};
+use crate::{Error, Method, Structure};
 use pounding_text::{Kind, Refused, digits, short};
 
 /// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
@@ -341,7 +340,7 @@ impl Simulation {
         let concerned = match source {
             RunError::Setting { setting, found, allowed } => {
                 let place = format!("method.{}.{setting}", self.scene.method.name());
-                return in_scene(&self.scene, out_of_range(place, found, allowed));
+                return Error::in_scene(&self.scene.name, out_of_range(place, found, allowed));
             }
             RunError::TooStiff {
                 structure,
@@ -358,7 +357,7 @@ impl Simulation {
                 );
                 let found = Refused::at("duration_s").found(digits(duration)).allowed(most);
                 let help = "use a shorter duration_s, or leave it out for that of the record and two periods";
-                return in_scene(&self.scene, found.so(": ", help).kind(Kind::Together));
+                return Error::in_scene(&self.scene.name, found.so(": ", help).kind(Kind::Together));
             }
             RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } | RunError::OutOfNumbers { structure, .. } => {
                 structure..structure + 1
@@ -371,7 +370,7 @@ impl Simulation {
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
-        let refused = self.said(ended(&source), concerned);
+        let refused = self.said(Error::ended(&source), concerned);
         Error::Run { refused, source }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{Extras, Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, advise};
+use pounding_scene::{Advice, Extras, Goal, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, Values};
 use serde_json::{Value, json};
 
 /// Two buildings of two yielding storeys that pound, under two pulses, with half a second of rest after them.
@@ -34,7 +34,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
             error: 0.01,
             quantity: QuantityGroup::All,
         };
-        let advice = advise(&prepared, goal, &|_| ()).expect("the exact method runs");
+        let advice = Advice::of(&prepared, goal, &|_| ()).expect("the exact method runs");
         let exact = prepared.run_with(Extras::COMPARED).expect("it runs");
         let chosen = advice.methods.iter().filter_map(|rungs| rungs.chosen());
         let mut held = 0;
@@ -44,7 +44,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
             for floor in 0..prepared.floors().all().len() {
                 let [found, wanted] = [&run, &exact].map(|run| run.last.of(floor).displacement);
                 let peak = exact.peaks.of(floor).displacement.value.abs();
-                let size = wanted.abs().max(LEAST_PART * peak);
+                let size = wanted.abs().max(Values::LEAST_PART * peak);
                 assert!(
                     (found - wanted).abs() <= 0.01 * size,
                     "{}, {floor}: {found}, exact {wanted}",

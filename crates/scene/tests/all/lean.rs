@@ -1,7 +1,8 @@
 //! The lean model of a scene equals the full one, bit for bit, on random scenes.
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
-use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunBudget, RunResult, Scene, Sdof, Simulation, Source, Structure};
+use pounding_scene::file::RunBudget;
+use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
 use proptest::prelude::*;
 
 /// What a scene may or may not ask for.

@@ -1,7 +1,6 @@
 //! Tests of scenes; the kind of each is in its name.
 
 mod certificates;
-mod effects;
 mod errors;
 mod extremes;
 mod floors;
@@ -11,5 +10,3 @@ mod mirrored;
 mod numbers;
 mod scene_files;
 mod spectrum;
-mod suite;
-mod suite_events;

@@ -5,8 +5,9 @@ use crate::drivers::each;
 use crate::files::{Files, in_folder};
 use std::path::{Path, PathBuf};
 
+use pounding_assess::{Effects, Suite};
 use pounding_report::Report;
-use pounding_scene::{Effects, Scene, Simulation, files_in};
+use pounding_scene::{Scene, Simulation};
 
 /// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
 #[derive(Debug)]
@@ -22,7 +23,7 @@ impl Examples {
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let ends = |path: &Path, end: &str| path.extension().is_some_and(|found| found == end);
         let is_scene = |path: &PathBuf| (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists();
-        let paths = files_in(folder)?.into_iter().filter(is_scene);
+        let paths = Suite::files_in(folder)?.into_iter().filter(is_scene);
         let scenes = paths.map(|path| Ok::<_, StudyError>((path.clone(), Scene::read(&path)?)));
         Ok(Self {
             scenes: scenes.collect::<Result<_, _>>()?,

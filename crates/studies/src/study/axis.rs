@@ -6,7 +6,7 @@ use pounding_contact::{Calibration, ContactLaw, LawName};
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Damping, Method, Scene, Sdof, Structure, usual_stiffness};
+use pounding_scene::{Certificate, Damping, Method, Scene, Sdof, Structure};
 
 listed! {
     /// A change of a scene of two structures, by a number: its name in tables, and in figures.
@@ -228,7 +228,7 @@ fn stiffen(scene: &mut Scene, factor: f64) -> Result<(), String> {
 fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
     let law = LawName::ALL.into_iter().zip(1_u32..).find(|(_, other)| f64::from(*other) >= number);
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
-    let stiffness = usual_stiffness(name);
+    let stiffness = Certificate::usual_stiffness(name);
     let restitution = if name.is_elastic() { 1.0 } else { 0.65 };
     let pair = free_pair(&scene.structures, SPEED);
     let asked = (restitution, Calibration::Exact);

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Scene, read_file};
+use pounding_scene::{Scene, file};
 
 use crate::program::{PapersProgram, Program};
 use crate::{BeyondSettings, StudyError};
@@ -64,7 +64,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`] naming the file and the field.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
-        let study: Study = read_file(path)?;
+        let study: Study = file::read(path)?;
         let refuse = |found, allowed| StudyError::refused(path, "scenes", found, allowed);
         match (study.output.beyond(), study.scenes.len()) {
             (None, 0) => return Err(refuse("none".into(), "one or more scenes")),

@@ -1,6 +1,6 @@
 //! What is said of studies that do not fit together, and that what is read is what is written.
 
-use pounding_scene::{Goal, Method, QuantityGroup, Simulation, advise};
+use pounding_scene::{Advice, Goal, Method, QuantityGroup, Simulation};
 use pounding_solver::{LedgerError, Rk4};
 use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
 use std::fs;
@@ -198,7 +198,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     exact.method = Method::EXACT;
     let exact = Simulation::new(&exact, file.base()).expect("a good scene");
     let (error, quantity) = (0.2, QuantityGroup::All);
-    let advice = advise(&exact, Goal { error, quantity }, &|_| ()).expect("an exact run");
+    let advice = Advice::of(&exact, Goal { error, quantity }, &|_| ()).expect("an exact run");
     let mut named = file;
     named.study.scenes[0].method = advice.best().method;
     assert_eq!(asked.file.study.scenes[0].method, advice.best().method);

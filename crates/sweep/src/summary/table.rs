@@ -1,6 +1,6 @@
 //! Output of a summary: a tidy table, and a few numbers for people.
 
-use pounding_scene::wilson;
+use pounding_assess::wilson;
 use pounding_text::{Cell, csv_text};
 
 use super::exact::Sums;

@@ -1,7 +1,7 @@
 //! Summaries of runs in any parts and any order, compared with their single numbers.
 
 use num_bigint::{BigInt, BigUint};
-use pounding_scene::Distribution;
+use pounding_assess::Distribution;
 use proptest::prelude::*;
 
 use super::exact::Sums;

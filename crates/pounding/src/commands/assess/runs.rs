@@ -4,10 +4,10 @@ use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use pounding::assess::{Alone, AssessedRun, Bumper, BumperRun, MotionSpectrum, Scaling, Suite, SuiteMotion};
 use pounding::report::{Animation, AssessedMotion};
-use pounding::scene::{
-    Alone, AssessedRun, Bumper, BumperRun, DrawnNeighbour, Error, Motion, MotionSpectrum, RecordUse, Scaling, Scene, Simulation, Suite,
-};
+use pounding::scene::file::DrawnNeighbour;
+use pounding::scene::{Error, RecordUse, Scene, Simulation};
 
 use super::super::suite;
 
@@ -45,7 +45,7 @@ impl Asked<'_> {
     /// Assesses every row under every motion.
     pub(super) fn run(&self) -> Result<suite::Ran<Found>, Refused> {
         let [from, to] = self.stiffness;
-        let shared = |motion: &Motion| {
+        let shared = |motion: &SuiteMotion| {
             let (scene, spectrum) = self.scaling.applied(&self.known, motion)?;
             let shared = Shared {
                 spectrum,
@@ -58,8 +58,8 @@ impl Asked<'_> {
         suite::lines_of(self.records, &both, shared, |prepared, shared| {
             let assessed = |(row, alone): (usize, &OnceLock<Option<Alone>>)| {
                 let row = self.row(prepared, row)?;
-                let alone = alone.get_or_init(|| row.alone().ok());
-                row.assessed(alone.as_ref(), [from, 1.0, to])
+                let alone = alone.get_or_init(|| Alone::of(&row).ok());
+                AssessedRun::of(&row, alone.as_ref(), [from, 1.0, to])
             };
             let runs: Result<_, Error> = shared.alone.iter().enumerate().map(assessed).collect();
             Ok(Found {
@@ -78,7 +78,7 @@ impl Asked<'_> {
     }
 
     /// Bumpers for the gaps that close: as stiff as given, or as the hardest of all rows asks for.
-    pub(super) fn bumpers(&self, lines: &[suite::Line<Found>], stiffness: Option<f64>) -> Result<Vec<Bumper>, Error> {
+    pub(super) fn bumpers(&self, lines: &[suite::MotionLine<Found>], stiffness: Option<f64>) -> Result<Vec<Bumper>, Error> {
         let mut stiffest: BTreeMap<usize, Bumper> = BTreeMap::new();
         for (index, (row, _)) in self.rows.iter().enumerate() {
             let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
@@ -92,11 +92,11 @@ impl Asked<'_> {
     }
 
     /// What bumpers change in the runs in which something touches, by motion, direction and row; runs that fail are left out.
-    pub(super) fn with_bumpers(&self, lines: &[suite::Line<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
+    pub(super) fn with_bumpers(&self, lines: &[suite::MotionLine<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
         if bumpers.is_empty() {
             return Ok(BumperRuns::new());
         }
-        let touching = |motion: &Motion| {
+        let touching = |motion: &SuiteMotion| {
             let own = lines.iter().filter(|line| line.motion == motion.name);
             let found = own.filter_map(|line| Some((line.reversed, line.found.as_ref().ok()?)));
             let found: Vec<(bool, &Found)> = found.collect();
@@ -119,7 +119,7 @@ impl Asked<'_> {
             Ok(rows
                 .map(|(row, touches)| {
                     let touches = touches.then(|| self.row(prepared, row).ok()).flatten()?;
-                    touches.with_bumpers(bumpers).ok()
+                    BumperRun::of(&touches, bumpers).ok()
                 })
                 .collect::<Vec<Option<BumperRun>>>())
         })?;
@@ -135,7 +135,7 @@ impl Asked<'_> {
     }
 
     /// The hardest collision of all runs in motion; `None` if nothing touches, or if it cannot be shown.
-    pub(super) fn animation(&self, lines: &[suite::Line<Found>]) -> Option<Animation> {
+    pub(super) fn animation(&self, lines: &[suite::MotionLine<Found>]) -> Option<Animation> {
         let hardest = lines.iter().flat_map(|line| {
             let found = line.found.as_ref().ok();
             let runs = found.into_iter().flat_map(|found| found.runs.iter().enumerate());
@@ -160,8 +160,8 @@ impl Asked<'_> {
     }
 
     /// Every run of every line that was finished.
-    pub(super) fn motions(&self, lines: &[suite::Line<Found>], bumpers: &BumperRuns) -> Vec<AssessedMotion> {
-        let of_line = |line: &suite::Line<Found>| {
+    pub(super) fn motions(&self, lines: &[suite::MotionLine<Found>], bumpers: &BumperRuns) -> Vec<AssessedMotion> {
+        let of_line = |line: &suite::MotionLine<Found>| {
             let found = line.found.as_ref().ok();
             let runs = found.into_iter().flat_map(|found| {
                 let spectrum = &found.spectrum;

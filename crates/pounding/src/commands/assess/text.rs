@@ -1,7 +1,7 @@
 //! An assessment on one screen: the answer, what touching does, what is proposed, and how sure that is.
 
+use pounding::assess::{Distribution, FloorAssessment, GapAssessment};
 use pounding::report::AssessmentReport;
-use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
 use pounding::text::{millimetres, millimetres_up, two_decimals, two_digits};
 
 use crate::text::{NONE, paragraph, short, table, unusual};

@@ -1,7 +1,7 @@
 //! A certificate as text, CSV or JSON.
 
 use pounding::contact::Calibration;
-use pounding::scene::{CertificateFact, DeliveredBy, Said};
+use pounding::scene::{CertificateFact, CertificateValue, DeliveredBy};
 use pounding::text::{Cell, csv_text, digits};
 
 use crate::text::{NONE, paragraph, short, table};
@@ -15,8 +15,8 @@ pub(super) fn text(calibration: Calibration, facts: &[CertificateFact], methods:
     let mut text = format!("Certificate of a free impact, {calibration}\n\n");
     for fact in facts {
         let value = match &fact.said {
-            Said::Number(number) => number.map_or(NONE.into(), digits),
-            Said::Words(words) => words.clone(),
+            CertificateValue::Number(number) => number.map_or(NONE.into(), digits),
+            CertificateValue::Words(words) => words.clone(),
         };
         text.push_str(format!("{:32}{value} {}", fact.words, fact.unit).trim_end());
         text.push('\n');
@@ -62,8 +62,8 @@ pub(super) fn csv(facts: &[CertificateFact], methods: &[DeliveredBy]) -> String 
     let mut rows = Vec::new();
     for fact in facts {
         let value = match &fact.said {
-            Said::Number(value) => Cell::exact(*value),
-            Said::Words(words) => words.as_str().into(),
+            CertificateValue::Number(value) => Cell::exact(*value),
+            CertificateValue::Words(words) => words.as_str().into(),
         };
         rows.push([Cell::default(), fact.key.into(), value, fact.unit.into()]);
     }

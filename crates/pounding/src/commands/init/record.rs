@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use pounding::motion::{AccelerationUnit, Accelerogram, Declared, components, read_declared};
-use pounding::scene::{STANDARD_GRAVITY, record_bytes};
+use pounding::scene::STANDARD_GRAVITY;
+use pounding::scene::file::record_bytes;
 use pounding::text::{digits, steers, visible};
 use serde_json::json;
 

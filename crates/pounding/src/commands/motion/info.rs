@@ -5,8 +5,8 @@ mod printed;
 use pounding::text::{Naming, Refused};
 use std::path::{Path, PathBuf};
 
+use pounding::assess::{LeftOut, LeftOutReason, Suite, SuiteMotion};
 use pounding::motion::{Direction, Drift, Measures};
-use pounding::scene::{LeftOut, Motion, Reason, Suite};
 use rayon::prelude::*;
 
 use super::source::{Declared, Opened};
@@ -58,7 +58,7 @@ struct Line {
 struct Found {
     opened: Opened,
     /// How it lies and the number of its event, or why it shakes no row.
-    placed: Result<(Option<Direction>, usize), Reason>,
+    placed: Result<(Option<Direction>, usize), LeftOutReason>,
     measures: Measures,
     drift: Option<Drift>,
 }
@@ -98,10 +98,10 @@ fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
     let mut all: Vec<_> = used.chain(others).collect();
     let order = |path: &Path| suite.files.iter().position(|file| file == path);
     all.sort_by_key(|(.., path)| order(path).unwrap_or(usize::MAX));
-    let line = |(motion, placed, path): &(Option<&Motion>, Result<_, &LeftOut>, &Path)| {
+    let line = |(motion, placed, path): &(Option<&SuiteMotion>, Result<_, &LeftOut>, &Path)| {
         let named = args.files.iter().any(|file| file == path);
         let whole = |one: &LeftOut| path.file_name().is_some_and(|name| *name == *one.name);
-        let chosen = motion.and_then(Motion::component).map(String::from);
+        let chosen = motion.and_then(SuiteMotion::component).map(String::from);
         let declared = || args.declared.of_component(chosen.clone());
         let opened = match (motion, placed) {
             (None, Err(one)) if !named || !whole(one) => Err(Refused::at(Path::new(&one.name)).is(one.reason.sentence())),

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use std::sync::Arc;
 
+use pounding::assess::SuiteMotion;
 use pounding::motion::{Accelerogram, Record};
-use pounding::scene::{Error, FileUse, GroundMotion, Motion, Origin, RecordUse, STANDARD_GRAVITY, Source, opened};
+use pounding::scene::{Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source};
 
 use crate::commands::{declared, positive};
 use pounding::text::Naming;
@@ -87,7 +88,7 @@ impl Declared {
     }
 
     /// A motion that was read, as it is.
-    pub(super) fn use_motion(&self, motion: &Motion) -> Result<Opened, Refused> {
+    pub(super) fn use_motion(&self, motion: &SuiteMotion) -> Result<Opened, Refused> {
         let record = self.use_of(&motion.path);
         used(&record, Arc::clone(motion.origin())).map_err(|error| by_options(&motion.path, error))
     }
@@ -96,7 +97,7 @@ impl Declared {
     pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, Refused> {
         let record = self.use_of(path);
         let read = || {
-            let origin = Origin::of_silent(path, &opened(path)?, file_of(&record))?.0;
+            let origin = Origin::of_silent(path, &Origin::bytes(path)?, file_of(&record))?.0;
             used(&record, Arc::new(origin))
         };
         read().map_err(|error| by_options(path, error))

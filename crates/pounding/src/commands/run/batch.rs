@@ -7,11 +7,10 @@ use pounding::text::Refused;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use pounding::assess::{Effects, MotionLine, Suite};
 use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
-use pounding::scene::lines::failed;
 use pounding::scene::{
-    Effects, Error, Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, QuantityGroup, Review, Scene,
-    Simulation, Suite,
+    Error, Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, QuantityGroup, Review, Scene, Simulation,
 };
 use pounding::text::digits;
 
@@ -20,7 +19,7 @@ use crate::commands::suite;
 use crate::text::{NONE, paragraph, percent, short, table};
 
 /// What became of the scene under one motion in one direction.
-type Line = suite::Line<Found>;
+type Line = MotionLine<Found>;
 
 /// What is printed of a run.
 struct Found {
@@ -183,7 +182,7 @@ fn unusual(lines: &[Line]) -> Vec<Implausible> {
 fn warnings(records: &Suite, lines: &[Line]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let all = Excess::gathered(found.map(|found| &found.excesses));
-    let missing = records.says_missing(failed(lines).len()).into_iter();
+    let missing = records.says_missing(MotionLine::failed(lines).len()).into_iter();
     missing.chain(all.iter().map(ToString::to_string)).collect()
 }
 

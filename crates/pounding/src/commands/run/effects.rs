@@ -1,6 +1,7 @@
 //! What pounding does to every storey, as text.
 
-use pounding::scene::{Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST, Simulation};
+use pounding::assess::{Effects, FloorEffects, Known};
+use pounding::scene::Simulation;
 
 use crate::text::{NONE, paragraph, percent, short, table};
 
@@ -16,7 +17,7 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
     ];
     let floors = prepared.floors();
     if !effects.touch() {
-        let why = floors.says_no_contact().unwrap_or(NOTHING_TOUCHES);
+        let why = floors.says_no_contact().unwrap_or(Effects::NOTHING_TOUCHES);
         return paragraph("Effects", &format!("none: {why}"));
     }
     let rows = floors.by_structure().filter(|floor| effects.concern(*floor)).flat_map(|floor| {
@@ -28,7 +29,7 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
          more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. Collisions \
          and impulses are those of both sides of a floor together. --out and --json say how far it goes.",
         percent(effects.largest_error()),
-        percent(ROBUST)
+        percent(Known::ROBUST)
     );
     let table = table(&header, &rows.collect::<Vec<_>>());
     format!("{table}\n{}", paragraph("Effects", &notes))

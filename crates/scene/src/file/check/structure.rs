@@ -8,14 +8,14 @@ use crate::{Building, Columns, Damping, Sdof, Structure};
 
 /// A structure, or a storey of it, whose fields have names.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct FieldPlace {
     structure: usize,
-    /// In the words of a file.
+    /// Key of the structure in a file.
     kind: &'static str,
     storey: Option<usize>,
 }
 
-impl Place {
+impl FieldPlace {
     fn field(self, name: &str) -> Field<'_> {
         Field { of: self, name }
     }
@@ -24,13 +24,13 @@ impl Place {
 /// A field of a structure.
 #[derive(Debug, Clone, Copy)]
 struct Field<'a> {
-    of: Place,
+    of: FieldPlace,
     name: &'a str,
 }
 
 impl Display for Field<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Place { structure, kind, storey } = self.of;
+        let FieldPlace { structure, kind, storey } = self.of;
         write!(formatter, "structures[{structure}].{kind}.")?;
         if let Some(storey) = storey {
             write!(formatter, "storeys[{storey}].")?;
@@ -43,7 +43,7 @@ const NAME: &str = "a name, by which results tell structures";
 
 /// Refuses the first field of a structure that cannot be modelled.
 pub(super) fn check(index: usize, structure: &Structure) -> Result<(), Refused> {
-    let place = |kind| Place {
+    let place = |kind| FieldPlace {
         structure: index,
         kind,
         storey: None,
@@ -55,7 +55,7 @@ pub(super) fn check(index: usize, structure: &Structure) -> Result<(), Refused> 
     }
 }
 
-fn check_sdof(structure: &Sdof, place: Place) -> Result<(), Refused> {
+fn check_sdof(structure: &Sdof, place: FieldPlace) -> Result<(), Refused> {
     named(place.field("name"), &structure.name, NAME)?;
     let (m, columns) = (structure.mass_kg, structure.columns());
     require(m > 0.0, place.field("mass_kg"), m, POSITIVE)?;
@@ -71,14 +71,13 @@ fn check_sdof(structure: &Sdof, place: Place) -> Result<(), Refused> {
     require(found >= 0.0, place.field("damping.two_frequencies"), found, allowed)?;
     check_height(structure.height_m, place)?;
     check_yielding(&columns, place)?;
-    let start = (structure.initial_displacement_m, structure.initial_velocity_m_per_s);
-    check_start(start, place)
+    check_start(structure.initial_displacement_m, structure.initial_velocity_m_per_s, place)
 }
 
-fn check_building(building: &Building, place: Place) -> Result<(), Refused> {
+fn check_building(building: &Building, place: FieldPlace) -> Result<(), Refused> {
     named(place.field("name"), &building.name, NAME)?;
     for (index, storey) in building.storeys.iter().enumerate() {
-        let place = Place {
+        let place = FieldPlace {
             storey: Some(index),
             ..place
         };
@@ -86,8 +85,7 @@ fn check_building(building: &Building, place: Place) -> Result<(), Refused> {
         check_stiffness(&storey.columns, place)?;
         check_height(storey.height_m, place)?;
         check_yielding(&storey.columns, place)?;
-        let start = (storey.initial_displacement_m, storey.initial_velocity_m_per_s);
-        check_start(start, place)?;
+        check_start(storey.initial_displacement_m, storey.initial_velocity_m_per_s, place)?;
     }
     check_damping(&building.damping, place)?;
     check_modes(building, place)?;
@@ -99,7 +97,7 @@ fn check_building(building: &Building, place: Place) -> Result<(), Refused> {
 }
 
 /// Refuses modes that the building does not have.
-fn check_modes(building: &Building, place: Place) -> Result<(), Refused> {
+fn check_modes(building: &Building, place: FieldPlace) -> Result<(), Refused> {
     let Damping::Modes { modes, .. } = building.damping else {
         return Ok(());
     };
@@ -113,22 +111,22 @@ fn check_modes(building: &Building, place: Place) -> Result<(), Refused> {
     require(valid, place.field("damping.modes.modes[1]"), number(second), allowed)
 }
 
-/// A count as messages take it.
+/// Converts a count for messages.
 fn number(count: usize) -> f64 {
     count as f64
 }
 
-fn check_stiffness(columns: &Columns, place: Place) -> Result<(), Refused> {
+fn check_stiffness(columns: &Columns, place: FieldPlace) -> Result<(), Refused> {
     let k = columns.stiffness_n_per_m;
     require(k > 0.0, place.field("stiffness_n_per_m"), k, POSITIVE)
 }
 
-fn check_height(height: Option<f64>, place: Place) -> Result<(), Refused> {
+fn check_height(height: Option<f64>, place: FieldPlace) -> Result<(), Refused> {
     let Some(height) = height else { return Ok(()) };
     require(height > 0.0, place.field("height_m"), height, POSITIVE)
 }
 
-fn check_yielding(columns: &Columns, place: Place) -> Result<(), Refused> {
+fn check_yielding(columns: &Columns, place: FieldPlace) -> Result<(), Refused> {
     if let Some(force) = columns.yield_force_n {
         require(force > 0.0, place.field("yield_force_n"), force, POSITIVE)?;
     }
@@ -147,12 +145,12 @@ fn check_yielding(columns: &Columns, place: Place) -> Result<(), Refused> {
     Ok(())
 }
 
-fn check_start((displacement, velocity): (f64, f64), place: Place) -> Result<(), Refused> {
+fn check_start(displacement: f64, velocity: f64, place: FieldPlace) -> Result<(), Refused> {
     require(true, place.field("initial_displacement_m"), displacement, FINITE)?;
     require(true, place.field("initial_velocity_m_per_s"), velocity, FINITE)
 }
 
-fn check_damping(damping: &Damping, place: Place) -> Result<(), Refused> {
+fn check_damping(damping: &Damping, place: FieldPlace) -> Result<(), Refused> {
     let check_ratios = |of: &str, ratios: [f64; 2]| {
         for (index, ratio) in ratios.into_iter().enumerate() {
             let name = format!("damping.{of}.ratios[{index}]");

@@ -1,13 +1,13 @@
-//! What looks wrong in a ground motion: in its file, and in how a scene uses it.
+//! Implausible values of a ground motion: in its file, and in its use by a scene.
 
 use pounding_motion::{AccelerationUnit, Direction, Record, Unusual};
 
-use super::{Doubts, Implausible, RECORD, USUAL_FACTORS};
+use super::{Doubts, Implausible, RECORD};
 use crate::{GroundMotion, Origin, RecordUse};
 use pounding_text::{digits, short};
 
 impl GroundMotion {
-    /// What looks wrong in the motion itself, whatever row it shakes: in its file, and if it is used `as_it_is`, in how it is used.
+    /// Finds the implausible values of the motion, whatever row it shakes: in its file and, if it is used `as_it_is`, in its use.
     pub fn doubts(&self, used: &RecordUse, as_it_is: bool) -> Vec<Implausible> {
         let mut doubts = Doubts::default();
         let shaking = Shaking {
@@ -39,7 +39,8 @@ impl Shaking<'_> {
         doubts.unless(
             (9.7..=9.9).contains(&gravity),
             "record.gravity_m_per_s2",
-            (digits(gravity), "9.78 to 9.83 m/s²"),
+            digits(gravity),
+            "9.78 to 9.83 m/s²",
         );
         let is_told = self.doubt_the_file(doubts);
         let (peak, factor) = (self.record.peak().1.abs(), self.scale);
@@ -47,47 +48,43 @@ impl Shaking<'_> {
         let worth = AccelerationUnit::MetrePerSecondSquared.worth_in(AccelerationUnit::StandardGravity);
         let in_g = peak * worth;
         doubts.unless_far(
-            (Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled), peak / 2.5),
+            Unusual::USUAL_PEAKS.contains(&in_g) || (is_told && !is_scaled),
+            peak / 2.5,
             RECORD,
-            (format!("a peak of {} g", short(in_g)), "0.02 to 3 g; its unit and scale decide it"),
+            format!("a peak of {} g", short(in_g)),
+            "0.02 to 3 g; its unit and scale decide it",
         );
         doubts.unless_far(
-            (
-                (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&factor) || self.origin.is_none(),
-                factor,
-            ),
+            (Implausible::USUAL_FACTORS[0]..=Implausible::USUAL_FACTORS[1]).contains(&factor) || self.origin.is_none(),
+            factor,
             RECORD,
-            (
-                format!("a scale factor of {}", short(factor)),
-                "0.25 to 4: a record that needs more belongs to another earthquake",
-            ),
+            format!("a scale factor of {}", short(factor)),
+            "0.25 to 4: a record that needs more belongs to another earthquake",
         );
         self.doubt_the_baseline(doubts);
     }
 
-    /// What looks wrong in the file of the record, or lies upright; whether anything does.
+    /// Notes implausible values in the file of the record, and a vertical component. Returns whether the file has implausible values.
     fn doubt_the_file(&self, doubts: &mut Doubts) -> bool {
         let Some(origin) = self.origin else {
             return false;
         };
         let unusual = origin.file.unusual();
         for one in unusual {
-            doubts.unless_far((false, one.ratio()), RECORD, (one.found(), one.usual()));
+            doubts.unless_far(false, one.ratio(), RECORD, one.found(), one.usual());
         }
         let is_vertical = origin.file.direction() == Some(Direction::Vertical);
         let component = origin.file.component().unwrap_or_default();
         doubts.unless(
             !is_vertical,
             RECORD,
-            (
-                format!("the vertical component \"{component}\""),
-                "a horizontal one: the ground of a row moves sideways",
-            ),
+            format!("the vertical component \"{component}\""),
+            "a horizontal one: the ground of a row moves sideways",
         );
         !unusual.is_empty()
     }
 
-    /// Of a record alone: a formula may leave the ground moving on purpose.
+    /// Notes a ground that does not come to rest. Only for files: a formula may leave the ground moving on purpose.
     fn doubt_the_baseline(&self, doubts: &mut Doubts) {
         let drift = self.record.drift().filter(|_| self.origin.is_some());
         let said = drift.map_or_else(String::new, |drift| {
@@ -98,12 +95,11 @@ impl Shaking<'_> {
             )
         });
         doubts.unless_far(
-            (drift.is_none(), drift.map_or(1.0, |drift| drift.share / 0.1)),
+            drift.is_none(),
+            drift.map_or(1.0, |drift| drift.share / 0.1),
             RECORD,
-            (
-                said,
-                "up to 10 %; an offset of the baseline goes with record.detrend = \"linear\" or record.band_pass",
-            ),
+            said,
+            "up to 10 %; an offset of the baseline goes with record.detrend = \"linear\" or record.band_pass",
         );
     }
 }

@@ -1,4 +1,4 @@
-//! What looks wrong between neighbours: gaps, contact that is too soft, and arrivals of the ground motion.
+//! Implausible values between neighbours: gaps, contact that is too soft, and arrivals of the ground motion.
 
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, reduced_mass};
 
@@ -25,9 +25,11 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
     let mut lasted = None;
     for (index, contact) in scene.contacts.iter().flatten().enumerate() {
         doubts.unless_far(
-            (contact.gap_m <= WIDEST, contact.gap_m),
+            contact.gap_m <= WIDEST,
+            contact.gap_m,
             format!("contacts[{index}].gap_m"),
-            (format!("{} m", digits(contact.gap_m)), "up to 2 m; it is in metres"),
+            format!("{} m", digits(contact.gap_m)),
+            "up to 2 m; it is in metres",
         );
         if let Some(facing) = facing[index] {
             doubt_the_law(prepared, facing, contact, &mut lasted, doubts);
@@ -39,15 +41,13 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
         doubts.unless(
             apart <= LATEST,
             format!("arrivals_s[{}]", index + 1),
-            (
-                format!("{} s apart from that of the neighbour", digits(apart)),
-                "up to 1 s between neighbours: their distance over the apparent velocity, some hundred metres per second",
-            ),
+            format!("{} s apart from that of the neighbour", digits(apart)),
+            "up to 1 s between neighbours: their distance over the apparent velocity, some hundred metres per second",
         );
     }
 }
 
-/// Floors that face each other because nobody gives their heights.
+/// Notes floors that count as level only because their heights are not given.
 fn doubt_the_levels(prepared: &Simulation, doubts: &mut Doubts) {
     let (scene, floors) = (prepared.scene(), prepared.floors());
     let is_counted = |floor: usize| floors.all()[floor].storey.is_some();
@@ -73,14 +73,12 @@ fn doubt_the_levels(prepared: &Simulation, doubts: &mut Doubts) {
     doubts.unless(
         unknown.is_none(),
         unknown.unwrap_or_default(),
-        (
-            "none: storeys of one number are taken to be level, so that floors meet floors".into(),
-            "the height of every storey of the row; a floor that hits a column between floors can bring a building down, and is not modelled",
-        ),
+        "none: storeys of one number are taken to be level, so that floors meet floors".into(),
+        "the height of every storey of the row; a floor that hits a column between floors can bring a building down, and is not modelled",
     );
 }
 
-/// A compliant law so soft that collisions last as long as vibrations.
+/// Notes a compliant law so soft that collisions last as long as vibrations.
 fn doubt_the_law(
     prepared: &Simulation,
     facing: FloorPair,
@@ -94,7 +92,7 @@ fn doubt_the_law(
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
         approach_speed: SPEED,
     };
-    // Most contacts of a long row are alike.
+    // Most contacts of a long row are equal.
     let known = lasted.filter(|(law, of, _)| (law, of) == (&contact.law, &pair));
     let duration = known.map_or_else(
         || FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.force_duration),
@@ -102,11 +100,10 @@ fn doubt_the_law(
     );
     *lasted = Some((contact.law, pair, duration));
     doubts.unless_far(
-        (duration <= LONGEST, duration / LONGEST),
+        duration <= LONGEST,
+        duration / LONGEST,
         format!("contacts[{index}].law.{}", contact.law.name()),
-        (
-            format!("a collision at {SPEED} m/s that lasts {} s", short(duration)),
-            "up to 0.25 s; its impact stiffness and damping decide it",
-        ),
+        format!("a collision at {SPEED} m/s that lasts {} s", short(duration)),
+        "up to 0.25 s; its impact stiffness and damping decide it",
     );
 }

@@ -1,4 +1,4 @@
-//! What looks wrong in the storeys of a building, each for itself and beside the others.
+//! Implausible values of the storeys of a building, alone and compared with each other.
 
 use pounding_solver::Mode;
 
@@ -6,17 +6,17 @@ use super::Doubts;
 use crate::{Building, Columns};
 use pounding_text::{digits, percent, short};
 
-/// Drift ratios at which columns usually yield \[–\]: from stiff walls to isolators under a low crawl space.
+/// Usual drift ratios at which columns yield \[–\]: from stiff walls to isolators under a low crawl space.
 const YIELDS: std::ops::RangeInclusive<f64> = 5e-4..=0.05;
-/// The stiffest storey of a building is usually no stiffer than so many times the softest \[–\]: isolators are some tens of times softer than
-/// what they carry.
+/// Largest usual ratio of the stiffnesses of the stiffest and the softest storey \[–\]: isolators are some tens of times softer than the
+/// building above.
 const STIFFER: f64 = 200.0;
 
 /// Largest usual displacement \[m\] and velocity \[m/s\] at the start: those of the strongest shaking.
 const FARTHEST: f64 = 2.0;
 const FASTEST: f64 = 5.0;
 
-/// Heights, stiffnesses, yielding and the period of a building.
+/// Notes implausible heights, stiffnesses, yielding and periods of a building.
 pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].building{field}");
     let stiffest = building.storeys.iter();
@@ -26,72 +26,71 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
         let place = |field: &str| place(&format!(".storeys[{storey}].{field}"));
         if let Some(height) = one.height_m {
             doubts.unless_far(
-                ((0.2..=30.0).contains(&height), height / 3.0),
+                (0.2..=30.0).contains(&height),
+                height / 3.0,
                 place("height_m"),
-                (format!("{} m", digits(height)), "0.2 to 30 m for a storey"),
+                format!("{} m", digits(height)),
+                "0.2 to 30 m for a storey",
             );
         }
         let stiffness = one.columns.stiffness_n_per_m;
         doubts.unless_far(
-            (stiffness * STIFFER >= stiffest, stiffest / stiffness),
+            stiffness * STIFFER >= stiffest,
+            stiffest / stiffness,
             place("stiffness_n_per_m"),
-            (
-                format!("{} N/m, where another storey has {} N/m", short(stiffness), short(stiffest)),
-                "a storey no more than 200 times softer than others",
-            ),
+            format!("{} N/m, where another storey has {} N/m", short(stiffness), short(stiffest)),
+            "a storey no more than 200 times softer than others",
         );
-        let start = [one.initial_displacement_m, one.initial_velocity_m_per_s];
-        doubt_the_start(place, start, doubts);
+        doubt_the_start(place, one.initial_displacement_m, one.initial_velocity_m_per_s, doubts);
         doubt_the_yielding(&place("yield_drift_ratio"), &one.columns, one.height_m, doubts);
     }
     doubt_the_period(index, building, doubts);
 }
 
-/// Displacement \[m\] and velocity \[m/s\] at the start that no earthquake gives.
-pub(super) fn doubt_the_start(place: impl Fn(&str) -> String, [displacement, velocity]: [f64; 2], doubts: &mut Doubts) {
+/// Notes an initial displacement \[m\] or velocity \[m/s\] that no earthquake causes.
+pub(super) fn doubt_the_start(place: impl Fn(&str) -> String, displacement: f64, velocity: f64, doubts: &mut Doubts) {
     doubts.unless(
         displacement.abs() <= FARTHEST,
         place("initial_displacement_m"),
-        (format!("{} m", short(displacement)), "up to 2 m; it is in metres"),
+        format!("{} m", short(displacement)),
+        "up to 2 m; it is in metres",
     );
     doubts.unless(
         velocity.abs() <= FASTEST,
         place("initial_velocity_m_per_s"),
-        (format!("{} m/s", short(velocity)), "up to 5 m/s"),
+        format!("{} m/s", short(velocity)),
+        "up to 5 m/s",
     );
 }
 
-/// Columns that yield at an unusual part of their height, however that is given.
+/// Notes columns that yield at an unusual part of their height, however the yielding is given.
 pub(super) fn doubt_the_yielding(place: &str, columns: &Columns, height: Option<f64>, doubts: &mut Doubts) {
     let Some((force, height)) = columns.yield_force_n.zip(height) else {
         return;
     };
     let ratio = force / columns.stiffness_n_per_m / height;
     doubts.unless_far(
-        (YIELDS.contains(&ratio), ratio / 5e-3),
+        YIELDS.contains(&ratio),
+        ratio / 5e-3,
         place,
-        (
-            format!("columns that yield at a drift of {} of their height", percent(ratio)),
-            "0.05 % to 5 %; yield_force_n and yield_displacement_m decide it as well",
-        ),
+        format!("columns that yield at a drift of {} of their height", percent(ratio)),
+        "0.05 % to 5 %; yield_force_n and yield_displacement_m decide it as well",
     );
 }
 
-/// A building of few storeys and a very long period: a power of ten went lost in its masses or stiffnesses.
+/// Notes a long period of a building with few storeys: a mass or a stiffness is wrong by a power of ten.
 fn doubt_the_period(index: usize, building: &Building, doubts: &mut Doubts) {
     let modes = building.modes();
     let Some(period) = modes.first().map(Mode::period) else {
         return;
     };
     let n = building.storeys.len();
-    // Isolated buildings reach four seconds whatever their height. Beyond ten seconds it is said of all.
+    // Isolated buildings reach four seconds, whatever their height. Another note covers every period above ten seconds.
     let longest = 4.0 + 0.2 * n as f64;
     doubts.unless(
         period <= longest || period > 10.0,
         format!("structures[{index}].building"),
-        (
-            format!("a first period of {} s with {n} storeys", short(period)),
-            "about 0.1 s for a storey, up to 4 s on isolators; masses and stiffnesses decide it",
-        ),
+        format!("a first period of {} s with {n} storeys", short(period)),
+        "about 0.1 s for a storey, up to 4 s on isolators; masses and stiffnesses decide it",
     );
 }

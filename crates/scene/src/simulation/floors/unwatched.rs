@@ -100,7 +100,7 @@ impl Floors {
     }
 
     /// Whether floors of both sides of a gap stand equally high up to the lower roof, by the heights that the scene gives.
-    pub(crate) fn are_level(&self, gap: usize) -> bool {
+    pub fn are_level(&self, gap: usize) -> bool {
         let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
         known == [true; 2] && self.beside_columns(gap).is_empty()
     }

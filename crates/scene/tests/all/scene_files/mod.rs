@@ -6,7 +6,7 @@ mod motions;
 use std::path::Path;
 
 use insta::assert_snapshot;
-use pounding_scene::{Damping, Scene, Structure, scene_schema};
+use pounding_scene::{Damping, Scene, Structure, file};
 use serde_json::{Value, json};
 
 const TOML: &str = r#"
@@ -177,12 +177,12 @@ fn extreme_text_that_is_not_utf8() {
 /// of the program say.
 #[test]
 fn limit_the_schema_knows_the_words_of_a_file() {
-    let schema: Value = serde_json::from_str(&scene_schema()).expect("JSON");
+    let schema: Value = serde_json::from_str(&file::schema()).expect("JSON");
     assert_eq!(schema["additionalProperties"], json!(false));
     let Damping::Ratio(_) = sdof(&scene(TOML, "x.toml"), 0).damping else {
         panic!("a ratio")
     };
-    let text = scene_schema();
+    let text = file::schema();
     for field in [
         "period_s",
         "yield_drift_ratio",

@@ -3,7 +3,7 @@
 use crate::noise::Noise;
 use crate::{Completed, StudyError, StudyFile};
 use pounding_motion::{Record, Refused};
-use pounding_scene::{Extras, Method, Scene, Simulation, in_scene};
+use pounding_scene::{Error, Extras, Method, Scene, Simulation};
 
 /// Scenes of the paper by another method, ready to run under any record.
 #[derive(Debug)]
@@ -81,7 +81,7 @@ impl Part {
     fn prepared(
         file: StudyFile,
         looked_at: Option<f64>,
-        mut prepare: impl FnMut(usize, &Scene) -> Result<Simulation, pounding_scene::Error>,
+        mut prepare: impl FnMut(usize, &Scene) -> Result<Simulation, Error>,
     ) -> Result<Self, StudyError> {
         let scenes = file.study.scenes.iter().enumerate();
         let prepared = scenes.map(|(index, scene)| prepare(index, scene)).collect::<Result<_, _>>();
@@ -116,7 +116,7 @@ impl Part {
         Self::prepared(file, self.looked_at, |index, scene| {
             let prepared = &self.prepared[index];
             let record = ended(prepared.record(), prepared.duration());
-            prepared.variant(scene, record.map_err(|error| in_scene(scene, error))?)
+            prepared.variant(scene, record.map_err(|refused| Error::in_scene(&scene.name, refused))?)
         })
     }
 

@@ -6,7 +6,7 @@ use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders
 use super::entry::{Entry, by_name, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
-use pounding_scene::{FreeCollision, Refused, ended, no_step, parallel};
+use pounding_scene::{Error, FreeCollision, Refused, parallel};
 use pounding_text::Table;
 
 /// Points of a history, from touch to parting.
@@ -44,14 +44,14 @@ impl Impact {
             time_step: end,
             n_steps: 1,
         };
-        let rest = Excitation::new(end, &[0.0]).map_err(|_| no_step(end))?;
+        let rest = Excitation::new(end, &[0.0]).map_err(|_| FreeCollision::no_step(end))?;
         let mut recorders = Recorders {
             histories: Some(Histories::new(2, interval, end)),
             ..Recorders::usual(2, row.pairs())
         };
         let exact = Integrator::Exact(Exact::default());
         let ran = row.run(&exact, rest, clock.into(), &mut recorders);
-        ran.map_err(|error| ended(&error))?;
+        ran.map_err(|error| Error::ended(&error))?;
         let states = |structure| {
             let histories = recorders.histories.iter();
             histories.flat_map(move |all| all.of(structure).states.iter())

@@ -2,8 +2,10 @@
 
 use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
+use pounding_assess::SuiteMotion;
 use pounding_motion::Record;
-use pounding_scene::{GroundMotion, Method, Motion, RecordUse, Refused, ScaleTo, Scene, response_spectrum};
+use pounding_scene::file::ScaleTo;
+use pounding_scene::{GroundMotion, Method, RecordUse, Refused, Scene, response_spectrum};
 use pounding_text::Table;
 use std::path::Path;
 
@@ -88,8 +90,13 @@ impl Shaking {
     /// A motion of a folder; what one g is worth, and what a file leaves out, says the record of a scene.
     ///
     /// # Errors
-    /// Those of [`Motion::shake`].
-    pub(super) fn of_folder(motion: &Motion, like: &Scene, settings: &BeyondSettings, target: Option<Target>) -> Result<Self, StudyError> {
+    /// Those of [`SuiteMotion::shake`].
+    pub(super) fn of_folder(
+        motion: &SuiteMotion,
+        like: &Scene,
+        settings: &BeyondSettings,
+        target: Option<Target>,
+    ) -> Result<Self, StudyError> {
         let read = |record: RecordUse| {
             let scene = Scene {
                 record,

@@ -6,7 +6,8 @@ use super::{Beyond, Case, Change, Group};
 use crate::paper::converged::{OF_CLAIMS, STUDIES, Scenes};
 use crate::study::other_motions::{BeyondSettings, ListedMotion};
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Method, Scene, Simulation, Structure, Suite, parallel};
+use pounding_assess::Suite;
+use pounding_scene::{Method, Scene, Simulation, Structure, parallel};
 use std::path::{Path, PathBuf};
 
 /// The paper's scenes and the ground motions that are to shake them.

@@ -2,7 +2,7 @@
 
 use crate::listed::listed;
 use pounding_plot::{Fill, Shade};
-use pounding_scene::DOUBTFUL;
+use pounding_scene::Review;
 
 /// Error up to which a number is exact to tolerance \[–\].
 const EXACT: f64 = 1e-6;
@@ -13,7 +13,7 @@ pub(super) const WRONG: f64 = 0.1;
 
 // Between a false alarm and a silent fault there is room for a threshold.
 const _: () = assert!(
-    ACCURATE < DOUBTFUL && DOUBTFUL < WRONG,
+    ACCURATE < Review::DOUBTFUL && Review::DOUBTFUL < WRONG,
     "a threshold of warnings between what is good and what is wrong"
 );
 

@@ -4,7 +4,7 @@ use super::class::Class;
 use super::measure::{Measured, Run};
 use crate::study::stress::{Cell, Map};
 use pounding_plot::{Align, Drawing, Pen, Shade, Shape};
-use pounding_scene::{REFERENCE, label_of};
+use pounding_scene::ComparedMethod;
 
 /// Side of a square \[mm\].
 const SIDE: f64 = 4.2;
@@ -35,9 +35,9 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
         let corner = (column as f64 * width + left, paper.1 - LEGEND - (row + 1) as f64 * height + below);
         let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
         let title = match run.method {
-            REFERENCE => "Exact, by the second route".into(),
+            ComparedMethod::REFERENCE => "Exact, by the second route".into(),
             // The panels are narrow.
-            method => label_of(method).replace(" in contact", ""),
+            method => ComparedMethod::label_of(method).replace(" in contact", ""),
         };
         panel(map, (corner, &title), &runs, &mut shapes);
     }

@@ -4,7 +4,7 @@ use super::class::{ACCURATE, Class};
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::axis::Pushed;
 use pounding_reference::Fineness;
-use pounding_scene::{AT_ONCE, Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation, StepMethod, Warning};
+use pounding_scene::{Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation, StepMethod, Values, Warning};
 use pounding_solver::Collision;
 
 /// Longest row that the second route, which steps all structures together, is asked for.
@@ -159,7 +159,7 @@ fn hits_at_once(outcome: &RunResult) -> bool {
     let impulsive = |one: &&Collision| one.peak_force.is_none();
     let hits: Vec<_> = all.iter().filter(impulsive).collect();
     hits.windows(2)
-        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < AT_ONCE)
+        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < Values::AT_ONCE)
 }
 
 /// A stepping method by the exact run.

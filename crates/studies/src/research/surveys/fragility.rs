@@ -5,8 +5,9 @@ use crate::drivers::pairs;
 use crate::files::{Files, capital, drawn};
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
+use pounding_assess::{Separation, wilson};
 use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
-use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, parallel, wilson};
+use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, parallel};
 use pounding_text::{Table, digits};
 
 /// What one motion does at one intensity and gap: peak displacements over those alone, where the pair touches.
@@ -109,7 +110,7 @@ fn suite(settings: &Fragility, scene: &Scene, file: &StudyFile) -> Result<Vec<Ca
 /// What a motion does at every gap. Until they touch first, structures move as if they were alone: where the gap is wider
 /// than the largest closing of both alone nothing else is run.
 fn outcomes(case: &Case, scene: &Scene, gaps: &[f64]) -> Result<Vec<Excess>, StudyError> {
-    let separation = case.prepared(scene)?.separations()?[0];
+    let separation = Separation::of(&case.prepared(scene)?)?[0];
     let outcome = |gap: &f64| {
         if *gap >= separation.required {
             return Ok(None);

@@ -7,8 +7,10 @@ use std::f64::consts::PI;
 use super::contacts;
 use super::random::Random;
 use super::written::rewritten;
-use pounding_scene::{BoucWen, Building, Columns, Contact, Damping, FileUse, Generated, Ground, Method, RecordUse, RunBudget, ScaleTo};
-use pounding_scene::{Scene, Sdof, Source, Stochastic, Storey, Structure};
+use pounding_scene::file::Stochastic;
+use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
+use pounding_scene::{Building, Columns, Contact, Damping, FileUse, Generated, Method, RecordUse};
+use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
 /// Most storeys of a building.
 const MOST_STOREYS: f64 = 12.0;

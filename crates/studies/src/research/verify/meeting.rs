@@ -3,7 +3,7 @@
 use pounding_contact::Clamp;
 
 use super::compared::{Compared, Place, Two};
-use pounding_scene::relative_to;
+use pounding_scene::RunErrors;
 use pounding_solver::Pair;
 
 /// What a run says of a touch.
@@ -146,7 +146,7 @@ impl Meeting {
                 first: first.unwrap_or(f64::NAN),
                 second: second.unwrap_or(f64::NAN),
                 distance: match (first, second) {
-                    (Some(first), Some(second)) => relative_to(second, first, scale),
+                    (Some(first), Some(second)) => RunErrors::relative_to(second, first, scale),
                     (Some(_), None) if other.is_none() => f64::INFINITY,
                     (None, _) | (Some(_), None) => 0.0,
                 },

@@ -3,7 +3,7 @@
 use super::quantities::{MethodQuantity, Quantities, Run};
 use crate::noise::Noise;
 use pounding_reference::Response;
-use pounding_scene::{Simulation, parallel, relative};
+use pounding_scene::{RunErrors, Simulation, parallel};
 use pounding_solver::Collision;
 
 /// Relative change of the records, small enough that what a result does is proportional to it.
@@ -96,7 +96,7 @@ impl Knowledge {
                 if other.pairs[pair].len() != truth.pairs[pair].len() {
                     return f64::INFINITY;
                 }
-                relative(other.pairs[pair][index][which], values[which])
+                RunErrors::relative(other.pairs[pair][index][which], values[which])
             };
             Meeting {
                 values,

@@ -5,7 +5,7 @@ use super::quantities::{Ended, MethodQuantity, Quantities, Run};
 use crate::drivers::each;
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
-use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, Structure, cost, entries, is_compliant, parallel};
+use pounding_scene::{ComparedMethod, Ladder, Scene, Structure, parallel};
 use pounding_solver::{Ledger, Work};
 
 /// All runs of one scene.
@@ -81,7 +81,7 @@ impl Measured {
 
     /// The work that methods are compared by.
     pub(crate) fn cost(&self) -> u64 {
-        cost(self.work)
+        ComparedMethod::cost(self.work)
     }
 }
 
@@ -122,7 +122,7 @@ fn digits(distance: f64) -> u32 {
 pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
     let of_scene = |(scene, prepared)| {
-        entries(scene, ladder).map(move |(contender, setting)| Run {
+        ladder.entries(scene).map(move |(contender, setting)| Run {
             scene,
             prepared,
             contender,
@@ -131,7 +131,7 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
     };
     let runs: Vec<_> = scenes.iter().zip(&completed.prepared).flat_map(of_scene).collect();
     let finest = ladder.tolerances[ladder.tolerances.len() - 1];
-    let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
+    let is_reference = |run: &&Run<'_>| run.contender.key == ComparedMethod::REFERENCE && run.setting <= finest;
     let references: Vec<_> = runs.iter().filter(is_reference).collect();
     let known = parallel::each(&references, |reference| {
         let second = crate::second_route(reference.prepared, Fineness::FINE);
@@ -139,7 +139,7 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
     });
     let mut outcomes = each(&runs, done, Run::outcome).into_iter();
     let race = |(scene, knowledge): (&Scene, Result<Knowledge, String>)| {
-        let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
+        let rungs = ladder.entries(scene).zip(outcomes.by_ref()).collect();
         let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
         race.map_err(|found| {
             let found = format!("\"{}\": {found}", scene.name);
@@ -152,7 +152,7 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
 impl Race {
     /// Measures the runs of a scene; fails with the reason where the reference failed.
     fn new(scene: &Scene, rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>, knowledge: Knowledge) -> Result<Self, String> {
-        let reference = rungs.iter().rfind(|((contender, _), _)| contender.key == REFERENCE);
+        let reference = rungs.iter().rfind(|((contender, _), _)| contender.key == ComparedMethod::REFERENCE);
         let (_, reference) = reference.expect("the reference is among the contenders");
         let (truth, ledger, _) = reference.as_ref().map_err(Clone::clone)?;
         ledger.verdict().map_err(|broken| broken.to_string())?;
@@ -174,7 +174,7 @@ impl Race {
         Ok(Self {
             scene: scene.name.clone(),
             pairs: scene.structures.windows(2).map(pair).collect(),
-            compliant: is_compliant(scene),
+            compliant: scene.is_compliant(),
             truth: truth.0,
             knowledge,
             entrants,

@@ -14,7 +14,7 @@ mod timing;
 
 use crate::files::{Files, in_folder};
 use crate::{Completed, StudyError};
-use pounding_scene::{Ladder, Scene, entries};
+use pounding_scene::{Ladder, Scene};
 use std::path::PathBuf;
 
 pub(crate) use condition::{Known, under};
@@ -47,7 +47,7 @@ impl Trade {
 
     /// Number of times that [`Self::measure`] calls `done`.
     pub(crate) fn n_runs(scenes: &[Scene], ladder: &Ladder) -> usize {
-        scenes.iter().map(|scene| entries(scene, ladder).count()).sum()
+        scenes.iter().map(|scene| ladder.entries(scene).count()).sum()
     }
 
     /// Tables and figures by their path in the results folder.

@@ -5,7 +5,7 @@ use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
 use super::table::{agreed, setting};
 use crate::files::yes_or_no;
-use pounding_scene::{COMPARED_METHODS, ComparedMethod, EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, holding, price};
+use pounding_scene::{ComparedMethod, StepSizes};
 use pounding_text::{Cell, Table};
 
 /// Errors asked for \[–\], with their names in per cent.
@@ -15,7 +15,7 @@ const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01,
 pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<(&Rung, u64)> {
     let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
     // Of equal costs the finest.
-    let rungs = holding(&entrant.rungs, holds).iter().rev();
+    let rungs = StepSizes::holding(&entrant.rungs, holds).iter().rev();
     rungs
         .filter_map(|rung| Some((rung, rung.outcome.as_ref().ok()?.cost())))
         .min_by_key(|(_, cost)| *cost)
@@ -35,7 +35,9 @@ type Run<'a> = (&'a Rung, u64);
 
 impl<'a> Asked<'a> {
     fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
-        let found = COMPARED_METHODS.iter().map(|contender| cheapest(race.of(contender.key)?, &holds));
+        let found = ComparedMethod::ALL
+            .iter()
+            .map(|contender| cheapest(race.of(contender.key)?, &holds));
         Self {
             race,
             quantity,
@@ -47,7 +49,7 @@ impl<'a> Asked<'a> {
 
     /// The cheapest of all.
     fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
-        let runs = COMPARED_METHODS.iter().zip(&self.found);
+        let runs = ComparedMethod::ALL.iter().zip(&self.found);
         runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
             .min_by_key(|(_, (_, cost))| *cost)
     }
@@ -84,11 +86,11 @@ pub(super) fn table(races: &[Race]) -> String {
         })
         .column("cheapest_work", |one| one.best().map(|(_, (_, cost))| cost))
         .columns(
-            0..COMPARED_METHODS.len(),
-            |method| COMPARED_METHODS[method].key.into(),
+            0..ComparedMethod::ALL.len(),
+            |method| ComparedMethod::ALL[method].key.into(),
             |one, method| {
-                let needed = |(rung, _): Run<'_>| setting(&COMPARED_METHODS[method], rung.setting);
-                let entrant = one.race.of(COMPARED_METHODS[method].key);
+                let needed = |(rung, _): Run<'_>| setting(&ComparedMethod::ALL[method], rung.setting);
+                let entrant = one.race.of(ComparedMethod::ALL[method].key);
                 entrant.map(|_| one.found[method].map_or("never".into(), needed))
             },
         )
@@ -115,7 +117,7 @@ impl Need {
         Some(Self {
             setting: setting(entrant.contender, rung.setting),
             work,
-            price: price(rung.outcome.as_ref().ok()?.work),
+            price: ComparedMethod::price(rung.outcome.as_ref().ok()?.work),
         })
     }
 }
@@ -133,8 +135,8 @@ impl<'a> Both<'a> {
         Self {
             scene: &race.scene,
             quantity,
-            exact: Need::of(race, REFERENCE, quantities, EXACT),
-            stepping: Need::of(race, RIVAL, quantities, STEPPING),
+            exact: Need::of(race, ComparedMethod::REFERENCE, quantities, EXACT),
+            stepping: Need::of(race, ComparedMethod::RIVAL, quantities, STEPPING),
         }
     }
 
@@ -152,7 +154,12 @@ impl<'a> Both<'a> {
             (Some(work), _) if work >= 1.0 => {
                 "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample".into()
             }
-            (_, Some(time)) if time >= 1.0 => format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations"),
+            (_, Some(time)) if time >= 1.0 => {
+                format!(
+                    "less work, but a piece takes as long as {} evaluations",
+                    ComparedMethod::EVALUATIONS_PER_PIECE
+                )
+            }
             (Some(_), _) => String::new(),
             (None, _) if self.exact.is_none() => "the exact method does not reach 1e-6".into(),
             (None, _) => "the central difference method does not hold 1 % on this ladder".into(),
@@ -175,7 +182,10 @@ pub(super) fn exact_or_stepping<'a>(races: &'a [Race]) -> String {
     let setting = |need: &Option<Need>| need.as_ref().map_or("never".to_string(), |need| need.setting.clone());
     let work = |need: &Option<Need>| need.as_ref().map(|need| need.work);
     let ratio = |ratio: Option<f64>| Cell::number(ratio, |ratio| format!("{ratio:.3}"));
-    let time = format!("time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece");
+    let time = format!(
+        "time_of_exact_over_central_difference_at_{}_evaluations_a_piece",
+        ComparedMethod::EVALUATIONS_PER_PIECE
+    );
     Table::of(races.iter().flat_map(of_race))
         .column("scene", |one| one.scene.to_string())
         .column("quantity", |one| one.quantity)

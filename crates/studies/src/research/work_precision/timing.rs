@@ -6,7 +6,7 @@ use super::pareto::{EXACT, STEPPING, cheapest};
 use super::quantities::{MethodQuantity, Run};
 use super::table::setting;
 use crate::{Completed, StudyError, StudyFile};
-use pounding_scene::{REFERENCE, RIVAL, Scene};
+use pounding_scene::{ComparedMethod, Scene};
 use pounding_solver::{RunError, Work};
 use std::path::Path;
 
@@ -79,7 +79,7 @@ impl Trade {
                     error: measured.worst(&MethodQuantity::ALL),
                     holds,
                     work: measured.cost(),
-                    is_base: entrant.contender.key == RIVAL,
+                    is_base: entrant.contender.key == ComparedMethod::RIVAL,
                     run: Run {
                         scene,
                         prepared,
@@ -95,7 +95,7 @@ impl Trade {
 
 /// The run of a method to be timed, what came out of it, and whether it is accurate enough.
 fn choose(entrant: &Entrant) -> Option<(&Rung, &Measured, bool)> {
-    let exact = entrant.contender.key == REFERENCE;
+    let exact = entrant.contender.key == ComparedMethod::REFERENCE;
     let allowed = if exact { EXACT } else { STEPPING };
     let accurate = cheapest(entrant, |measured| measured.worst(&MethodQuantity::ALL) <= allowed);
     let finest = || entrant.rungs.iter().rfind(|rung| rung.outcome.is_ok());

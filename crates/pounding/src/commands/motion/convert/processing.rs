@@ -1,7 +1,7 @@
 //! What is done to a record on its way into a CSV: the options of a scene's `record`.
 
 use clap::ValueEnum;
-use pounding::scene::{Detrend, FilterBand, ScaleTo};
+use pounding::scene::file::{Detrend, FilterBand, ScaleTo};
 use pounding::text::Refused;
 
 use crate::commands::{part_of_one, positive};

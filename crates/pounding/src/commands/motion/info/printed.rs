@@ -1,7 +1,7 @@
 //! What record files hold, as text, CSV and JSON.
 
+use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
-use pounding::scene::{Reason, Suite};
 use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
@@ -260,7 +260,7 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
                 row.push(found.opened.file().unit().name().into());
                 row.push(Cell::exact(gravity));
                 row.extend(numbers(found).map(|(_, one)| Cell::exact(one)));
-                let left_out = found.placed.as_ref().err().map(Reason::sentence);
+                let left_out = found.placed.as_ref().err().map(LeftOutReason::sentence);
                 row.extend([left_out.unwrap_or_default().into(), Cell::default()]);
             }
             Err(reason) => {

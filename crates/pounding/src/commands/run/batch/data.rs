@@ -1,7 +1,8 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
+use pounding::assess::Suite;
 use pounding::report::SCHEMA_VERSION;
-use pounding::scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Scene, Suite};
+use pounding::scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Scene};
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! What pounding does to every storey under the records of a folder.
 
-use pounding::scene::{Distribution, Effects};
+use pounding::assess::{Distribution, Effects};
 use pounding::text::two_decimals;
 
 use super::{Found, Line};

@@ -3,8 +3,8 @@
 use super::Widths;
 use super::gaps::{Gaps, Quantity, Swept};
 use crate::statistics::{quantile, sorted};
+use pounding_assess::Rule;
 use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
-use pounding_scene::Rule;
 
 /// Rules with panels of their own; that of ASCE 7 is SRSS here.
 const RULES: [(Rule, &str, Shade); 4] = [

@@ -6,6 +6,7 @@ use crate::files::direction;
 use crate::listed::listed;
 use crate::research::surveys::cases::{Case, Response, with_gap};
 use crate::statistics::{quantile, sorted};
+use pounding_assess::Separation;
 use pounding_scene::{Scene, parallel};
 use pounding_text::Table;
 
@@ -122,7 +123,7 @@ impl<'a> Gaps<'a> {
         let all = asked(cases, &scan.longer_periods_s, &scan.period_ratios);
         let swept = parallel::try_each(&all, |one| -> Result<_, StudyError> {
             let scene = one.scene(template);
-            let separation = one.case.prepared(&scene)?.separations()?[0];
+            let separation = Separation::of(&one.case.prepared(&scene)?)?[0];
             let required = separation.required;
             let run = |index: usize| {
                 let part = index as f64 / scan.n_gaps as f64;

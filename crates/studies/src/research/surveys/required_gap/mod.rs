@@ -12,7 +12,8 @@ use crate::files::{Files, direction, drawn};
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{RequiredGap, Scan};
 use crate::{StudyError, StudyFile};
-use pounding_scene::{Rule, Scene, Separation, parallel};
+use pounding_assess::{Rule, Separation};
+use pounding_scene::{Scene, parallel};
 use pounding_text::{Table, digits};
 
 /// A pair under a motion.
@@ -96,7 +97,7 @@ impl<'a> Widths<'a> {
         let all = asked(cases, &settings.longer_periods_s, &settings.period_ratios);
         let found = parallel::try_each(&all, |one| -> Result<_, StudyError> {
             let prepared = one.case.prepared(&one.scene(template))?;
-            Ok(prepared.separations()?[0])
+            Ok(Separation::of(&prepared)?[0])
         })?;
         Ok(Self {
             found: all.into_iter().zip(found).collect(),

@@ -1,0 +1,67 @@
+//! Buildings of a row that stand alone: one run usually gives the answer for both directions of a motion.
+
+use pounding_scene::{Error, Extras, Simulation, StoreyProperties};
+
+use crate::peaks::FloorPeaks;
+use crate::separation::Separation;
+
+/// Peaks and required gaps of a row whose buildings stand alone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Alone {
+    /// Peaks of every floor.
+    pub(crate) floors: Vec<FloorPeaks>,
+    /// Required width of every gap in the direction of the run.
+    own: Vec<Separation>,
+    /// Required width of every gap in the opposite direction; `None` if that direction needs a separate run.
+    other: Option<Vec<Separation>>,
+    /// Whether the run was reversed.
+    reversed: bool,
+}
+
+impl Alone {
+    /// Runs the buildings of a row alone, by the exact method.
+    ///
+    /// # Errors
+    /// [`Error::Run`] if the run ends early, [`Error::Broken`] if it breaks a law of mechanics.
+    pub fn of(simulation: &Simulation) -> Result<Self, Error> {
+        let apart = simulation.exact()?.apart()?;
+        let mirrors = mirrors(&apart);
+        let run = apart.run_with(Extras {
+            closings: true,
+            reversed_closings: mirrors,
+            ..Extras::default()
+        })?;
+        let separations = |reversed: bool| {
+            Separation::all(&apart, &run, |left| {
+                let closings = run.closings.as_ref()?;
+                if reversed { closings.of_reversed(left) } else { closings.of(left) }
+            })
+        };
+        Ok(Self {
+            floors: FloorPeaks::all(&apart, &run),
+            own: separations(false),
+            other: mirrors.then(|| separations(true)),
+            reversed: simulation.scene().record.reversed,
+        })
+    }
+
+    /// Required width of every gap in a direction of the motion; `None` if that direction needs a separate run.
+    pub(crate) fn separations(&self, reversed: bool) -> Option<&[Separation]> {
+        if reversed == self.reversed {
+            Some(&self.own)
+        } else {
+            self.other.as_deref()
+        }
+    }
+}
+
+/// Whether reversed shaking mirrors the motion to the last bit while nothing touches. That holds if all floors begin at rest and all
+/// columns behave alike in both directions. Columns that yield smoothly do not, even at rest.
+fn mirrors(apart: &Simulation) -> bool {
+    let mut floors = apart.floors().all().iter();
+    let rests = floors.all(|floor| {
+        let moves = |made: StoreyProperties| made.initial_displacement_m.abs() + made.initial_velocity_m_per_s.abs();
+        floor.made_of.map_or(0.0, moves) <= 0.0
+    });
+    rests && !apart.yields_smoothly()
+}

@@ -1,0 +1,159 @@
+//! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
+//! contact.
+
+use pounding_scene::{Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
+use serde::Serialize;
+
+use crate::alone::Alone;
+use crate::peaks::FloorPeaks;
+use crate::separation::Separation;
+
+/// Factors on the impact stiffness: soft, as the scene has it, and stiff.
+pub type StiffnessFactors = [f64; 3];
+
+/// Response of a row to one motion in one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssessedRun {
+    /// Factor by which the source of the record was multiplied \[–\].
+    pub scale: f64,
+    /// Required width of every gap.
+    pub separations: Vec<Separation>,
+    /// Every floor in the order of the row.
+    pub floors: Vec<AssessedFloor>,
+    /// Every pair in the order of the row.
+    pub pairs: Vec<AssessedPair>,
+    /// Responses beside the neighbours that exceed the model or the limits of codes.
+    pub excesses: Vec<Excess>,
+    /// Implausible values of the scene and of its record.
+    pub unusual: Vec<Implausible>,
+}
+
+/// Peaks of a floor alone and beside its neighbours; 0 for a wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AssessedFloor {
+    /// Peaks of the building alone.
+    pub alone: FloorPeaks,
+    /// Peaks beside its neighbours, with the contact stiffness of the scene.
+    pub beside: FloorPeaks,
+    /// Least and largest peaks beside its neighbours over the contact stiffness.
+    pub over_stiffness: [FloorPeaks; 2],
+}
+
+/// Collisions of a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AssessedPair {
+    /// Number of collisions, with the contact stiffness of the scene.
+    pub collisions: usize,
+    /// Least and largest peak force over the contact stiffness \[N\]; `None` if the pair does not touch, or if its law is impulsive.
+    pub peak_force: Option<[f64; 2]>,
+    /// Peak force with the contact stiffness of the scene \[N\]; `None` if the pair does not touch, or if its law is impulsive.
+    pub own_force: Option<f64>,
+    /// Least and largest of the runs' largest impulses over the contact stiffness \[N·s\]; `None` if the pair does not touch.
+    pub largest_impulse: Option<[f64; 2]>,
+    /// Largest speed of approach at the start of a collision \[m/s\], with the contact stiffness of the scene.
+    pub approach_speed: Option<f64>,
+}
+
+impl AssessedRun {
+    /// Range of the contact stiffness by default. The stiffness of an impact is known to an order of magnitude at best.
+    pub const STIFFNESS_FACTORS: StiffnessFactors = [0.1, 1.0, 10.0];
+
+    /// Runs the row of a simulation alone and beside its neighbours, by the exact method. The record is not scaled again.
+    ///
+    /// `alone` is the response of the buildings alone to the motion in either direction; `None` if it is not known. The range over the
+    /// contact stiffness takes two further runs if a compliant pair touches.
+    ///
+    /// # Errors
+    /// [`Error::Run`] if a run ends early, [`Error::Broken`] if one breaks a law of mechanics.
+    pub fn of(simulation: &Simulation, alone: Option<&Alone>, factors: StiffnessFactors) -> Result<Self, Error> {
+        let exact = simulation.exact()?;
+        let reversed = simulation.scene().record.reversed;
+        let known = alone.and_then(|alone| Some((alone, alone.separations(reversed)?)));
+        let (before, separations) = if let Some((alone, separations)) = known {
+            (alone.floors.clone(), separations.to_vec())
+        } else {
+            let alone = Alone::of(simulation)?;
+            let own = alone.separations(reversed);
+            (alone.floors.clone(), own.unwrap_or_default().to_vec())
+        };
+        let beside = exact.run(None)?;
+        let excesses = exact.excesses(&beside);
+        let mut pushes = beside.collisions.all().iter();
+        let mut variants = Vec::new();
+        if pushes.any(|one| one.peak_force.is_some()) {
+            let others = factors.map(|factor| ((factor - 1.0).abs() > 0.0).then_some(factor));
+            let others: Vec<f64> = others.into_iter().flatten().collect();
+            // Both at once, so that the last motion of a folder does not leave processors idle.
+            variants = parallel::try_each(&others, |factor| stiffened(&exact, *factor)?.run(None))?;
+        }
+        variants.push(beside);
+        let pairs = 0..simulation.pairs().len();
+        let after: Vec<_> = variants.iter().map(|one| FloorPeaks::all(&exact, one)).collect();
+        let floor = |index: usize| AssessedFloor {
+            alone: before[index],
+            beside: after[after.len() - 1][index],
+            over_stiffness: [f64::min, f64::max].map(|end| {
+                let all = after.iter().map(|one| one[index]);
+                all.reduce(|one, other| one.each(other, end)).unwrap_or(before[index])
+            }),
+        };
+        Ok(Self {
+            scale: simulation.scale(),
+            separations,
+            floors: (0..before.len()).map(floor).collect(),
+            pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
+            excesses,
+            unusual: simulation.doubts(),
+        })
+    }
+
+    /// Widest required gap \[m\].
+    pub fn widest_gap(&self) -> f64 {
+        let widths = self.separations.iter().map(|gap| gap.required);
+        widths.fold(0.0, f64::max)
+    }
+
+    /// Whether something touches a building.
+    pub fn hits(&self, floors: &Floors, building: usize) -> bool {
+        let facing = floors.facing().iter().zip(&self.pairs);
+        let touching = facing.filter(|(_, pair)| pair.collisions > 0);
+        let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
+        sides.any(|side| floors.all()[side].structure == building)
+    }
+
+    /// Number of collisions of all pairs.
+    pub fn collisions(&self) -> usize {
+        self.pairs.iter().map(|pair| pair.collisions).sum()
+    }
+}
+
+/// Returns the simulation with every contact `factor` times as stiff and with the same restitution.
+fn stiffened(simulation: &Simulation, factor: f64) -> Result<Simulation, Error> {
+    let mut scene: Scene = simulation.scene().clone();
+    for contact in scene.contacts.iter_mut().flatten() {
+        contact.law = contact.law.stiffened(factor);
+    }
+    simulation.variant(&scene, simulation.record().clone())
+}
+
+/// Assesses a pair; the last run has the contact stiffness of the scene.
+fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> AssessedPair {
+    let own = &runs[runs.len() - 1];
+    let over = |quantity: PairQuantity| range(runs.iter().filter_map(|run| run.values(simulation).of(quantity, pair)));
+    let speeds = own.collisions_of(pair).filter_map(|one| one.approach_speed);
+    AssessedPair {
+        collisions: own.collisions_of(pair).count(),
+        peak_force: over(PairQuantity::PeakForceN),
+        own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
+        largest_impulse: over(PairQuantity::LargestImpulseNS),
+        approach_speed: speeds.reduce(f64::max),
+    }
+}
+
+/// Least and largest of the finite numbers; `None` if there are none.
+fn range(numbers: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let finite = numbers.filter(|number| number.is_finite());
+    finite
+        .map(|number| [number; 2])
+        .reduce(|range, one| [range[0].min(one[0]), range[1].max(one[1])])
+}

@@ -1,0 +1,216 @@
+//! How the records of an assessment are scaled before they shake a row.
+
+use std::fmt;
+
+use pounding_motion::Record;
+use pounding_scene::file::ScaleTo;
+use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, periods_between, response_spectrum};
+use pounding_text::{digits, percent, short};
+
+use crate::design::DesignSpectrum;
+use crate::suite::SuiteMotion;
+
+/// Target to which records are scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Scaling {
+    /// Scales records as the scene scales its own record.
+    AsScene,
+    /// Does not scale records.
+    Unscaled,
+    /// Scales records to a peak or a spectral acceleration.
+    To(ScaleTo),
+    /// Scales records to a spectrum. With the factor of a record, its spectrum equals the target on average: in logarithms, from 0.2 times
+    /// the shortest to 2 times the longest first period of the row.
+    Target(DesignSpectrum),
+}
+
+/// Number of periods at which a record's spectrum is compared with its target to find its factor.
+const PERIODS: u32 = 30;
+
+/// Ratio of adjacent periods at which the mean of records is compared with the target. A response with 5 % of damping has no dip between
+/// them.
+const CLOSE: f64 = 1.01;
+
+/// Factors on the shortest and the longest first period of the row: spectra are compared between these periods. ASCE 7-16, 16.2.3.1, and EN
+/// 1998-1, 3.2.3.1.2.
+pub(crate) const BETWEEN: [f64; 2] = [0.2, 2.0];
+
+/// Damping ratio of target spectra \[–\].
+pub(crate) const DAMPING: f64 = 0.05;
+
+/// Strength of a motion that shakes a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSpectrum {
+    /// Peak ground acceleration \[m/s²\].
+    pub peak: f64,
+    /// Pseudo-accelerations \[m/s²\] for 5 % of damping, at the periods at which the mean of records is compared with its target.
+    pub accelerations: Vec<f64>,
+}
+
+impl MotionSpectrum {
+    /// Strength of the motion multiplied by a factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            peak: factor * self.peak,
+            accelerations: self.accelerations.iter().map(|one| factor * one).collect(),
+        }
+    }
+}
+
+impl fmt::Display for Scaling {
+    /// Describes the scaling in words.
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let both = |g: f64| format!("{} g = {} m/s²", digits(g), short(g * STANDARD_GRAVITY));
+        match self {
+            Self::AsScene => to.write_str("as the scene scales its own record"),
+            Self::Unscaled => to.write_str("not at all"),
+            Self::To(ScaleTo::PgaG(g)) => {
+                write!(to, "to a peak ground acceleration of {}", both(*g))
+            }
+            Self::To(ScaleTo::Sa {
+                period_s,
+                damping_ratio,
+                sa_g,
+            }) => write!(
+                to,
+                "to a spectral acceleration of {} at {} s, {} of damping",
+                both(*sa_g),
+                digits(*period_s),
+                percent(*damping_ratio)
+            ),
+            Self::Target(spectrum) => write!(to, "to the spectrum of {spectrum}"),
+        }
+    }
+}
+
+impl Scaling {
+    /// Returns the scene with this scaling of its record.
+    fn scene(&self, scene: &Scene) -> Scene {
+        let mut scaled = scene.clone();
+        match self {
+            Self::AsScene => {}
+            Self::Unscaled | Self::Target(_) => scaled.record = unscaled(&scene.record),
+            Self::To(target) => {
+                scaled.record = RecordUse {
+                    scale_to: Some(*target),
+                    ..unscaled(&scene.record)
+                }
+            }
+        }
+        scaled
+    }
+
+    /// Returns the scene for a motion, and the strength of the motion if it is scaled to a spectrum.
+    ///
+    /// # Errors
+    /// Refuses a motion that cannot be used in the scene, and a spectrum that cannot be computed.
+    pub fn applied(&self, scene: &Scene, motion: &SuiteMotion) -> Result<(Scene, Option<MotionSpectrum>), Error> {
+        let mut scaled = self.scene(scene);
+        let Self::Target(target) = self else {
+            return Ok((scaled, None));
+        };
+        let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
+        let unscaled = accelerations(&ground.record, &periods_of(scene), scene)?;
+        scaled.record.scale = factor(&unscaled, target, scene)?;
+        let checked = accelerations(&ground.record, &checked_periods(scene, target), scene)?;
+        let unscaled = MotionSpectrum {
+            peak: ground.record.peak().1.abs(),
+            accelerations: checked,
+        };
+        Ok((scaled.clone(), Some(unscaled.scaled(scaled.record.scale))))
+    }
+}
+
+fn unscaled(record: &RecordUse) -> RecordUse {
+    RecordUse {
+        scale_to: None,
+        scale: 1.0,
+        ..record.clone()
+    }
+}
+
+/// Shortest and longest period at which records are compared with a spectrum \[s\]; at least one structure of the scene moves.
+fn ends_of(scene: &Scene) -> [f64; 2] {
+    let of_row = scene.structures.iter().filter_map(Structure::period);
+    let (shortest, longest) = of_row.fold((f64::INFINITY, 0.0_f64), |(least, most), period| {
+        (least.min(period), most.max(period))
+    });
+    [BETWEEN[0] * shortest, BETWEEN[1] * longest]
+}
+
+/// Periods that find the factor of a record \[s\], in rising order.
+fn periods_of(scene: &Scene) -> Vec<f64> {
+    let [first, last] = ends_of(scene);
+    periods_between(first, last, PERIODS)
+}
+
+/// Periods at which the mean of records is compared with their target \[s\], in rising order: close together, and the corners of the
+/// target, where it may exceed its surroundings.
+pub(crate) fn checked_periods(scene: &Scene, target: &DesignSpectrum) -> Vec<f64> {
+    let [first, last] = ends_of(scene);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "some hundred: periods are between 1e-6 and 1e6 s"
+    )]
+    let count = (libm::log(last / first) / libm::log(CLOSE)).ceil() as u32 + 1;
+    let mut periods = periods_between(first, last, count);
+    let corners = target.corners().into_iter();
+    periods.extend(corners.filter(|period| (first..=last).contains(period)));
+    periods.sort_by(f64::total_cmp);
+    periods.dedup();
+    periods
+}
+
+/// Field of the scene that scales a record.
+const PLACE: &str = "record.scale";
+
+/// The spectrum of a record at some periods \[m/s²\].
+fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
+    let found = response_spectrum(record, periods, DAMPING).map_err(|refused| Error::in_scene(&scene.name, refused.in_field(PLACE)))?;
+    Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
+}
+
+/// The factor that brings a spectrum to its target.
+fn factor(found: &[f64], target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
+    let periods = periods_of(scene);
+    let gravity = scene.record.gravity_m_per_s2;
+    let both = periods.iter().zip(found);
+    let logs = both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
+    let factor = libm::exp(logs.sum::<f64>() / f64::from(PERIODS));
+    if factor.is_finite() {
+        return Ok(factor);
+    }
+    Err(Error::in_scene(&scene.name, pounding_motion::at_rest().in_field(PLACE)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str = r#"{
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "structures": [
+            {"sdof": {"name": "left", "mass_kg": 1e5, "period_s": 0.8, "damping": {"ratio": 0.05}}},
+            {"sdof": {"name": "right", "mass_kg": 1e5, "period_s": 0.3, "damping": {"ratio": 0.05}}}
+        ]
+    }"#;
+
+    /// A target of twice the record's own spectrum doubles the record. The target outside the row's periods does not matter.
+    #[test]
+    fn reference_the_factor_is_the_ratio_of_the_spectra() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let samples = (0..200).map(|index| libm::sin(0.3 * f64::from(index))).collect();
+        let record = Record::new(0.02, samples, "a sine").expect("a record");
+        let periods = periods_between(0.2 * 0.3, 2.0 * 0.8, PERIODS);
+        let own = response_spectrum(&record, &periods, DAMPING).expect("a spectrum");
+        let gravity = scene.record.gravity_m_per_s2;
+        let point = |one: &pounding_scene::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
+        let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
+        points.push([10.0, 1e6]);
+        let found = accelerations(&record, &periods, &scene).expect("a spectrum");
+        let found = factor(&found, &DesignSpectrum::Table(points), &scene).expect("a factor");
+        assert!((found - 2.0).abs() < 1e-9, "{found}");
+    }
+}

@@ -1,0 +1,366 @@
+//! A folder of records: the motions that shake a row, their events, and what is left out.
+
+mod copies;
+mod entries;
+mod events;
+mod left_out;
+mod lines;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use pounding_files::shown_name;
+use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
+use pounding_scene::file::record_bytes;
+use pounding_scene::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel};
+use pounding_text::Refused;
+
+use copies::Copies;
+use entries::{FolderEntry, entries_of};
+pub use left_out::{LeftOut, LeftOutKind, LeftOutReason};
+pub use lines::{MotionLine, MotionLines, Watched, nothing_found};
+
+/// A ground motion of a folder that was read and can shake rows: a file, or one component of a file with several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SuiteMotion {
+    /// Name for tables: the name of the file, and the component if the file holds several.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Direction of the motion; `None` if neither the file nor its name gives it.
+    pub direction: Option<Direction>,
+    /// Number of its event in the folder, from 0. All components of a record belong to one event.
+    pub event: usize,
+    /// Component of the file, and declarations for what the file does not say itself.
+    taken: FileUse,
+    origin: Arc<Origin>,
+    identity: Identity,
+    named: NamedFile,
+}
+
+impl SuiteMotion {
+    /// Prepares a scene under this motion, as given or reversed, with the processing and the scaling of the scene.
+    ///
+    /// The run lasts to the end of the record and two periods longer; the scene's duration is for its own record. Setting `stop` ends its
+    /// runs, and the runs that find its method.
+    ///
+    /// # Errors
+    /// Errors of [`Simulation::new`]; [`Error::is_stopped`] if `stop` ended it.
+    pub fn shake(&self, scene: &Scene, reversed: bool, stop: Option<&'static AtomicBool>) -> Result<Simulation, Error> {
+        let mut scene = scene.clone();
+        scene.duration_s = None;
+        scene.record.reversed = reversed;
+        let (record, motion) = self.used_as(&scene.record, &scene.name)?;
+        scene.record = record;
+        let options = Options {
+            motion: Some(motion.into()),
+            stop,
+            ..Options::default()
+        };
+        Simulation::new(&scene, options)
+    }
+
+    /// Returns `record` with this motion as its source, and the ground motion that follows.
+    ///
+    /// # Errors
+    /// Refuses processing that the motion does not allow; the message names `scene`.
+    pub fn used_as(&self, record: &RecordUse, scene: &str) -> Result<(RecordUse, GroundMotion), Error> {
+        let record = RecordUse {
+            source: Source::File(self.taken.clone()),
+            ..record.clone()
+        };
+        let motion = GroundMotion::of_file(&record, Arc::clone(&self.origin));
+        let motion = motion.map_err(|refused| Error::in_scene(scene, refused))?;
+        Ok((record, motion))
+    }
+
+    /// Returns the file as it was read.
+    pub fn origin(&self) -> &Arc<Origin> {
+        &self.origin
+    }
+
+    /// Returns the words that choose its component; `None` if the file holds one and none was asked for.
+    pub fn component(&self) -> Option<&str> {
+        self.taken.component.as_deref()
+    }
+}
+
+/// The ground motions of a folder.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suite {
+    /// Motions that shake a row, in the order of the files' names.
+    pub motions: Vec<SuiteMotion>,
+    /// Everything else in the folder, with the reason.
+    pub left_out: Vec<LeftOut>,
+    /// Number of events among the motions.
+    pub n_events: usize,
+    /// Files that were read, or tried.
+    pub files: Vec<PathBuf>,
+    /// Number of entries of the folders, files included.
+    pub n_entries: usize,
+    /// Pairs of motions that differ only by a factor: both names and the factor.
+    pub alike: Vec<(String, String, f64)>,
+}
+
+impl Suite {
+    /// Reads the records of a folder, or of one file. `declared` holds for files that do not give these values themselves.
+    ///
+    /// Files whose names begin with a dot or end with `.provenance.json` are skipped.
+    ///
+    /// # Errors
+    /// Refuses a folder that cannot be read, and a folder without a motion that shakes a row.
+    pub fn in_folder(folder: &Path, declared: &FileUse) -> Result<Self, Error> {
+        std::fs::metadata(folder).map_err(|error| Refused::unreadable(folder, &error))?;
+        let suite = Self::of(&[folder.to_path_buf()], declared)?;
+        if suite.motions.is_empty() {
+            let found = format!("{} files and no record that shakes a row", suite.n_entries);
+            let left_out = suite.said_of_left_out(false).into_iter();
+            let one_or_more = std::iter::once("a folder with one or more".to_owned()).chain(left_out);
+            let allowed: Vec<String> = one_or_more.collect();
+            return Err(Refused::at(folder).found(found).allowed_is(allowed.join("; ")).into());
+        }
+        Ok(suite)
+    }
+
+    /// Reads the records of some folders and files.
+    ///
+    /// # Errors
+    /// Refuses a folder that cannot be read, and a named file that cannot be read as a record.
+    pub fn of(paths: &[PathBuf], declared: &FileUse) -> Result<Self, Error> {
+        let (mut suite, refused) = Self::listed(paths, declared)?;
+        for one in &mut suite.left_out {
+            one.motion = None;
+        }
+        refused.map_or(Ok(suite), Err)
+    }
+
+    /// Reads the records of some folders and files. A named file that cannot be read is left out, too; the first error of named files is
+    /// returned. Everything left out keeps its motion, if it was read. If `declared` names a component, only this component of every file
+    /// is read.
+    ///
+    /// # Errors
+    /// Refuses a folder that cannot be read.
+    pub fn listed(paths: &[PathBuf], declared: &FileUse) -> Result<(Self, Option<Error>), Error> {
+        let mut left_out = Vec::new();
+        let mut files = Vec::new();
+        for entry in entries_of(paths)? {
+            match entry {
+                FolderEntry::File(file) => files.push(file),
+                FolderEntry::Other(other) => left_out.push(other),
+            }
+        }
+        // A name is compared with the other names of its folder; the files of a folder follow each other.
+        let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
+        let named = folders.flat_map(|files| {
+            let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+            NamedFile::of_all(&names)
+        });
+        let named: Vec<_> = files.iter().zip(named).collect();
+        let read = parallel::each(&named, |(file, named)| of_file(file, named.clone(), declared));
+        let n_entries = files.len() + left_out.len();
+        let (mut all, mut first) = (Vec::new(), None);
+        for (file, read) in files.iter().zip(read) {
+            for found in read {
+                match found {
+                    Ok(one) => all.push(one),
+                    Err(refused) => {
+                        left_out.push(refused.left_out(&file.path));
+                        if let (Unread::Error(error), true) = (refused, file.named) {
+                            first.get_or_insert(error);
+                        }
+                    }
+                }
+            }
+        }
+        let copies = Copies::among(&mut all);
+        let (n_events, alike) = events::number(&mut all, &copies);
+        copies.leave_out(&mut all);
+        let (motions, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.reason.is_none());
+        left_out.extend(others.into_iter().filter_map(ReadMotion::left_out));
+        let suite = Self {
+            n_events,
+            motions: motions.into_iter().map(|one| one.motion).collect(),
+            left_out,
+            files: files.into_iter().map(|file| file.path).collect(),
+            n_entries,
+            alike,
+        };
+        Ok((suite, first))
+    }
+}
+
+/// A component that was read.
+struct ReadMotion {
+    motion: SuiteMotion,
+    /// Why it is left out; `None` if it shakes rows.
+    reason: Option<LeftOutReason>,
+}
+
+impl ReadMotion {
+    fn left_out(self) -> Option<LeftOut> {
+        Some(LeftOut {
+            name: self.motion.name.clone(),
+            path: self.motion.path.clone(),
+            reason: self.reason?,
+            motion: Some(Box::new(self.motion)),
+        })
+    }
+}
+
+/// A file to read.
+struct RecordFile {
+    path: PathBuf,
+    /// Whether the user named the file itself, not only its folder.
+    named: bool,
+}
+
+/// Why a component of a file is not read.
+enum Unread {
+    /// The name shows that it shakes no row.
+    Component(String, LeftOutReason),
+    /// Reading it fails.
+    Error(Error),
+}
+
+impl Unread {
+    fn left_out(&self, path: &Path) -> LeftOut {
+        let (name, reason) = match self {
+            Self::Component(name, reason) => (name.clone(), reason.clone()),
+            Self::Error(error) => (shown_name(path), LeftOutReason::of(error)),
+        };
+        LeftOut {
+            name,
+            path: path.to_path_buf(),
+            reason,
+            motion: None,
+        }
+    }
+}
+
+/// Finds the direction of a component; `None` if neither its file nor the file's name gives it. The name counts only if the file holds one
+/// component.
+///
+/// # Errors
+/// Gives the reason if it shakes no row: it is vertical, or recorded in a borehole or on a structure.
+fn whether_it_shakes(channel: &Channel, named: &NamedFile, several: bool) -> Result<Option<Direction>, LeftOutReason> {
+    match &channel.site {
+        Site::Ground if named.in_borehole && !several => {
+            return Err(LeftOutKind::Borehole.saying("by its name"));
+        }
+        Site::Ground => {}
+        Site::Borehole(place) => return Err(LeftOutKind::Borehole.saying(place)),
+        Site::Structure(place) => return Err(LeftOutKind::Structure.saying(place)),
+    }
+    match (channel.direction, named.direction.filter(|_| !several)) {
+        (Some(Direction::Vertical), _) => {
+            let word = channel.name.clone().unwrap_or_default();
+            Err(LeftOutKind::Vertical.saying(word))
+        }
+        (None, Some(Direction::Vertical)) => Err(LeftOutKind::VerticalByName.saying("")),
+        (told, by_name) => Ok(told.or(by_name)),
+    }
+}
+
+/// Reads the motions of a file: its only one, the declared component, or every component.
+fn of_file(file: &RecordFile, named: NamedFile, declared: &FileUse) -> Vec<Result<ReadMotion, Unread>> {
+    let path = &file.path;
+    let bytes = match record_bytes(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return vec![Err(Unread::Error(Refused::unreadable(path, &error).into()))],
+    };
+    let found = match contents(&bytes) {
+        Ok(found) => found,
+        Err(refused) => {
+            let refused = refused.by(declared.naming).in_file(path);
+            return vec![Err(Unread::Error(refused.into()))];
+        }
+    };
+    let of = OfFile {
+        path,
+        bytes: &bytes,
+        named,
+        found: &found,
+        declared,
+    };
+    match &declared.component {
+        Some(asked) => vec![of.channel(None, Some(asked.clone()))],
+        None if found.channels.len() == 1 => vec![of.channel(Some(0), None)],
+        None => (0..found.channels.len())
+            .map(|index| of.channel(Some(index), Some(of.chosen(index))))
+            .collect(),
+    }
+}
+
+/// A file that was opened.
+struct OfFile<'a> {
+    path: &'a Path,
+    bytes: &'a [u8],
+    named: NamedFile,
+    found: &'a Contents,
+    declared: &'a FileUse,
+}
+
+impl OfFile<'_> {
+    /// Reads a component by its index, or by these words if the index is `None`.
+    fn channel(&self, index: Option<usize>, component: Option<String>) -> Result<ReadMotion, Unread> {
+        let channels = &self.found.channels;
+        let several = channels.len() > 1;
+        let declared = FileUse {
+            file: self.path.to_string_lossy().into_owned(),
+            component,
+            ..self.declared.clone()
+        };
+        let read = Origin::of_silent(self.path, self.bytes, &declared);
+        let of_name = || {
+            let (origin, _) = read.as_ref().ok()?;
+            let name = origin.file.component();
+            channels.iter().position(|one| one.name.as_deref() == name)
+        };
+        let channel = &channels[index.or_else(of_name).unwrap_or(0)];
+        let file = shown_name(self.path);
+        let name = match &channel.name {
+            Some(component) if several => format!("{file} {component}"),
+            _ => file,
+        };
+        let placed = whether_it_shakes(channel, &self.named, several);
+        let (origin, taken) = match (read, &placed) {
+            (Ok(read), _) => read,
+            (Err(error), _) if index.is_none() => return Err(Unread::Error(error)),
+            // A vertical component shakes nothing, even if it cannot be read.
+            (Err(_), Err(reason)) => return Err(Unread::Component(name, reason.clone())),
+            (Err(error), Ok(_)) if several => {
+                return Err(Unread::Component(name, LeftOutReason::of(&error)));
+            }
+            (Err(error), Ok(_)) => return Err(Unread::Error(error)),
+        };
+        let is_still = origin.file.values().iter().all(|value| *value == 0.0);
+        let zeros = is_still.then(|| LeftOutKind::Zeros.saying(""));
+        let (direction, reason) = match placed {
+            Ok(direction) => (direction, zeros),
+            Err(reason) => (None, Some(reason)),
+        };
+        let motion = SuiteMotion {
+            name,
+            path: self.path.to_path_buf(),
+            direction,
+            event: 0,
+            taken,
+            origin: Arc::new(origin),
+            identity: self.found.identity.clone(),
+            named: self.named.clone(),
+        };
+        Ok(ReadMotion { motion, reason })
+    }
+
+    /// Returns the word that chooses a component: its name, or its number if another component has the same name.
+    fn chosen(&self, index: usize) -> String {
+        let channels = &self.found.channels;
+        let own = &channels[index].name;
+        let same = channels.iter().filter(|one| one.name == *own).count();
+        match own {
+            Some(name) if same == 1 => name.clone(),
+            _ => (index + 1).to_string(),
+        }
+    }
+}

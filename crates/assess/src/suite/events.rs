@@ -1,0 +1,117 @@
+//! Motions that are components of one record. They belong to one event and are not independent.
+
+use std::collections::BTreeSet;
+
+use super::copies::Copies;
+use super::{ReadMotion, SuiteMotion};
+
+/// Largest difference between the times of components of one record \[s\]. Some formats leave out the fraction of a second, and channels
+/// begin one after the other.
+const SAME_TIME: u64 = 10;
+
+/// Numbers the events of the motions that shake rows, from 0 in the order of the motions. Returns the number of events, and the pairs of
+/// motions from two events that differ only by a factor. Both events of such a pair become one.
+///
+/// One event has the motions of one file, and copies. It also has motions with the same record number of PEER; with the same station and
+/// the same time, or else the same event; with the same title, if each has another direction; and with names that differ only in the
+/// direction, unless their files describe two records.
+pub(super) fn number(all: &mut [ReadMotion], copies: &Copies) -> (usize, Vec<(String, String, f64)>) {
+    let shaking = |index: &usize| all[*index].reason.is_none();
+    let shaking: Vec<usize> = (0..all.len()).filter(shaking).collect();
+    let mut event: Vec<usize> = (0..all.len()).collect();
+    let mut join = |one: usize, other: usize| {
+        let (to, from) = (event[one], event[other]);
+        let of_other = event.iter_mut().filter(|event| **event == from);
+        of_other.for_each(|event| *event = to);
+        to != from
+    };
+    let several = titles_of_several(all, copies);
+    for (rank, &index) in shaking.iter().enumerate() {
+        for &other in &shaking[..rank] {
+            let [one, another] = [other, index].map(|index| &all[index].motion);
+            if copies.of[index] == Some(other) || copies.of[other] == Some(index) || are_of_one_record(one, another, &several) {
+                join(other, index);
+            }
+        }
+    }
+    let named = |index: usize| all[index].motion.name.clone();
+    // Components of one record may well be alike.
+    let alike = copies.alike.iter().filter(|(one, other, _)| join(*one, *other));
+    let alike = alike.map(|(one, other, factor)| (named(*one), named(*other), *factor));
+    let alike = alike.collect();
+    let mut known = Vec::new();
+    for index in shaking {
+        if copies.of[index].is_none() {
+            let at = known.iter().position(|one| *one == event[index]);
+            all[index].motion.event = at.unwrap_or_else(|| {
+                known.push(event[index]);
+                known.len() - 1
+            });
+        }
+    }
+    (known.len(), alike)
+}
+
+/// Titles under which a direction occurs twice. They do not identify a record.
+fn titles_of_several(all: &[ReadMotion], copies: &Copies) -> BTreeSet<String> {
+    let mut seen = BTreeSet::new();
+    let motions = all.iter().zip(&copies.of);
+    let motions = motions.filter(|(one, copy)| one.reason.is_none() && copy.is_none());
+    let titles = motions.filter_map(|(ReadMotion { motion, .. }, _)| {
+        let title = motion.identity.title.clone()?;
+        let in_file = motion.origin.file.component().map(str::to_uppercase);
+        let direction = in_file.or(motion.named.word.clone());
+        (!seen.insert((title.clone(), direction))).then_some(title)
+    });
+    titles.collect()
+}
+
+fn are_of_one_record(one: &SuiteMotion, other: &SuiteMotion, several: &BTreeSet<String>) -> bool {
+    if one.path == other.path {
+        return true;
+    }
+    let number = |motion: &SuiteMotion| motion.identity.rsn.or(motion.named.rsn);
+    if let (Some(one), Some(other)) = (number(one), number(other)) {
+        return one == other;
+    }
+    let [own, others] = [&one.identity, &other.identity];
+    let same = |a: &Option<String>, b: &Option<String>| Some(a.as_ref()? == b.as_ref()?);
+    let station = same(&own.station, &others.station);
+    if station == Some(false) {
+        return false;
+    }
+    let time = same_time(own.time.as_deref(), others.time.as_deref());
+    if time == Some(false) {
+        return false;
+    }
+    let event = same(&own.event, &others.event);
+    if station == Some(true) && time.or(event) == Some(true) {
+        return true;
+    }
+    // The text of an event may name the component, so that different texts prove nothing.
+    let title = own.title.as_ref().filter(|title| !several.contains(*title));
+    let by_title = title.is_some() && own.title == others.title && event != Some(false);
+    by_title || (one.path.parent() == other.path.parent() && one.named.same_record(&other.named))
+}
+
+/// Whether two times are equal; `None` if they are not dates, or not written in the same form.
+fn same_time(one: Option<&str>, other: Option<&str>) -> Option<bool> {
+    let (one, other) = (one?, other?);
+    let is_date = |text: &str| text.bytes().filter(u8::is_ascii_digit).count() >= 8;
+    match (seconds(one), seconds(other)) {
+        (Some(one), Some(other)) => Some(one.abs_diff(other) <= SAME_TIME),
+        (None, None) if is_date(one) && is_date(other) => Some(one == other),
+        _ => None,
+    }
+}
+
+/// Converts `1999-09-20T17:47:15` to seconds, with 31 days in each month. This matters only at midnight after a shorter month.
+fn seconds(time: &str) -> Option<i64> {
+    let parts = time.split(['-', 'T', ':']).map(str::parse);
+    let parts: Vec<i64> = parts.collect::<Result<_, _>>().ok()?;
+    let [year, month, day, hour, minute, second] = parts[..] else {
+        return None;
+    };
+    let days = (12 * year + month) * 31 + day;
+    Some(((24 * days + hour) * 60 + minute) * 60 + second)
+}

@@ -1,0 +1,6 @@
+//! Tests of rows under many records; the kind of each is in its name.
+
+mod effects;
+mod separation;
+mod suite;
+mod suite_events;
