@@ -39,11 +39,10 @@ pub(crate) struct Group<const L: usize, const R: usize> {
 /// Impacts, and the nonlinear viscoelastic element.
 pub(crate) fn laws() -> Outcome<[ContactLaw; 2]> {
     let restitution = RESTITUTION;
-    let asked = (restitution, Calibration::Exact);
     let element = LawName::NonlinearViscoelastic;
     Ok([
         ContactLaw::Stereomechanical(Stereomechanical { restitution }),
-        element.calibrated(STIFFNESS, asked, &FreePair::UNIT)?,
+        element.calibrated(STIFFNESS, restitution, Calibration::Exact, &FreePair::UNIT)?,
     ])
 }
 

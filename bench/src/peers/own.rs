@@ -49,7 +49,7 @@ fn exact_in_lanes(scenes: &Scenes<'_>, rows: &[Row<Elastic>], tolerance: f64) ->
     let together = ExactSideBySide::new(settings, scenes.excitation, recorded())?;
     let rows: Vec<_> = rows.iter().enumerate().collect();
     Ok(beside(scenes, |sums| {
-        sums.begin(rows.len(), (2, 1));
+        sums.begin(rows.len(), 2, 1);
         together.run(&rows, sums);
     }))
 }

@@ -86,9 +86,9 @@ impl Bumper {
             impact_stiffness: self.stiffness,
         };
         let damped = contact.law.restitution().and_then(|restitution| {
-            let asked = (restitution, Calibration::Exact);
             let law = LawName::ModifiedLinearViscoelastic;
-            law.calibrated(self.stiffness, asked, &FreePair::UNIT).ok()
+            law.calibrated(self.stiffness, restitution, Calibration::Exact, &FreePair::UNIT)
+                .ok()
         });
         damped.unwrap_or(ContactLaw::LinearSpring(spring))
     }

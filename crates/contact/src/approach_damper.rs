@@ -6,7 +6,7 @@
 //!
 //! Near a = 0 these formulas subtract nearly equal numbers. The form φ(x) = ½ − xψ(x) avoids this.
 
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Term};
 use crate::search::root;
 
 /// Arguments below this value use the series.
@@ -21,9 +21,9 @@ const SMALL: f64 = 0.25;
 pub const SLOWEST_APPROACH: f64 = 1e-3;
 
 /// The force `spring` (1 + aδ̇/v₀), with v₀ at least [`SLOWEST_APPROACH`].
-pub fn form(spring: (f64, Power), factor: f64, speed: f64, action: Action) -> Form {
-    let damper = spring.0 * factor / speed.max(SLOWEST_APPROACH);
-    Form::new(spring, (damper, spring.1), action)
+pub fn form(spring: Term, factor: f64, speed: f64, action: Action) -> Form {
+    let coefficient = spring.coefficient * factor / speed.max(SLOWEST_APPROACH);
+    Form::new(spring, Term::new(coefficient, spring.power), action)
 }
 
 /// 2φ(a): part of the kinetic energy \[–\] that the spring stores at the largest deformation.

@@ -85,6 +85,14 @@ impl<N: Number> Term<N> {
 }
 
 impl Term {
+    /// No force.
+    pub const NONE: Self = Self::new(0.0, Power::Zero);
+
+    /// A coefficient ≥ 0 times a power of the deformation.
+    pub const fn new(coefficient: f64, power: Power) -> Self {
+        Self { coefficient, power }
+    }
+
     /// Deformation ≥ 0 \[m\] at which the term has a given value ≥ 0. The term must not be constant.
     pub fn deformation(&self, value: f64) -> f64 {
         libm::pow(value / self.coefficient, 1.0 / self.power.value())
@@ -141,19 +149,9 @@ impl<N: Number> Form<N> {
 }
 
 impl Form {
-    /// A form from the coefficient and power of its spring and of its damper.
-    pub const fn new(spring: (f64, Power), damper: (f64, Power), action: Action) -> Self {
-        Self {
-            spring: Term {
-                coefficient: spring.0,
-                power: spring.1,
-            },
-            damper: Term {
-                coefficient: damper.0,
-                power: damper.1,
-            },
-            action,
-        }
+    /// A spring, and a damper that acts at these times.
+    pub const fn new(spring: Term, damper: Term, action: Action) -> Self {
+        Self { spring, damper, action }
     }
 
     /// Force and tangents at δ ≤ 0 if the damper is a linear dashpot, else `None`; see [`crate::ContactLaw::before_touch`].

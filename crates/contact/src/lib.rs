@@ -9,7 +9,7 @@
 //!
 //! // 75 t hit 3000 t at 0.5 m/s. Impact stiffness 2.75e9 N/m^1.5; the requested coefficient of restitution is e = 0.65.
 //! let pair = FreePair { reduced_mass: reduced_mass(1.0 / 75e3, 1.0 / 3e6), approach_speed: 0.5 };
-//! let law = |calibration| LawName::HertzDamp.calibrated(2.75e9, (0.65, calibration), &pair);
+//! let law = |calibration| LawName::HertzDamp.calibrated(2.75e9, 0.65, calibration, &pair);
 //!
 //! // Calibrated exactly, the law delivers this e, and H = m (1+e) v₀ = 73 170.7 kg · 1.65 · 0.5 m/s = 60 366 N·s.
 //! let impact = FreeImpact::of(&law(Calibration::Exact)?, &pair).expect("a compliant law has a force");
@@ -30,7 +30,6 @@
 //! two bodies that collide freely.
 
 pub mod approach_damper;
-mod calibration;
 mod contact_law;
 mod form;
 mod free_impact;
@@ -40,19 +39,17 @@ mod law_name;
 mod laws;
 mod number;
 mod oscillator;
-mod overlap;
 pub mod parameter;
 mod search;
 mod words;
 
 pub use approach_damper::SLOWEST_APPROACH;
-pub use calibration::{Calibration, CalibrationError};
-pub use contact_law::Clamp;
+pub use contact_law::{Clamp, ContactForce, Overlap, reduced_mass};
 pub use form::{Action, Form, Power, Term};
 pub use free_impact::FreeImpact;
 pub use free_pair::FreePair;
 pub use law::{About, Exact, Formula, Law, Name};
+pub use law_name::{Calibration, CalibrationError};
 pub use laws::*;
 pub use number::Number;
-pub use overlap::{ContactForce, Overlap, reduced_mass};
 pub use parameter::{Parameter, ParameterError, Range};

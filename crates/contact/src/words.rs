@@ -188,9 +188,8 @@ impl<'de> Visitor<'de> for Settings {
         let refused = match (numbers[1], numbers[2], calibration) {
             (Some(damping), None, None) => return Ok(law.with([stiffness, damping])),
             (None, Some(e), calibration) => {
-                let asked = (e, calibration.unwrap_or(Calibration::Exact));
                 return law
-                    .calibrated(stiffness, asked, &FreePair::UNIT)
+                    .calibrated(stiffness, e, calibration.unwrap_or(Calibration::Exact), &FreePair::UNIT)
                     .map_err(|error| A::Error::custom(Refused::from(error)));
             }
             (Some(_), None, Some(_)) => ("`calibration` without `restitution`".into(), "only with it"),

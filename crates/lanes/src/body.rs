@@ -13,7 +13,7 @@ use pounding_solver::{Node, RestoringForce};
 /// A structure: its constants, and its state from step to step.
 pub(super) struct Body<S: Simd, Column: RestoringForce<Lanes<S>>> {
     pub(super) constants: Constants<S, Column>,
-    pub(super) motion: Motion<S, Column::Memory>,
+    pub(super) motion: LaneMotion<S, Column::Memory>,
     pub(super) contact: InContact<S>,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Constants<S: Simd, Column> {
 
 /// State of a structure from step to step.
 #[derive(Clone, Copy)]
-pub(super) struct Motion<S: Simd, Memory> {
+pub(super) struct LaneMotion<S: Simd, Memory> {
     /// Displacement at the next node \[m\].
     pub(super) displacement: Lanes<S>,
     /// Increment of the displacement since the node before, and the increment before that \[m\].
@@ -98,7 +98,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 column,
                 damping,
             },
-            motion: Motion {
+            motion: LaneMotion {
                 displacement,
                 increment: zero,
                 earlier: zero,
@@ -194,7 +194,7 @@ impl<S: Simd> AtNode<S> {
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
     /// Force of the columns at a drift \[m\]; the columns remember it \[N\].
     #[inline(always)]
-    pub(super) fn respond(&self, motion: &mut Motion<S, Column::Memory>, drift: Lanes<S>) -> Lanes<S> {
+    pub(super) fn respond(&self, motion: &mut LaneMotion<S, Column::Memory>, drift: Lanes<S>) -> Lanes<S> {
         let response = self.column.respond(drift, motion.memory);
         motion.memory = response.memory;
         response.force
@@ -202,8 +202,8 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
 
     /// Velocity of a motion at the node before \[m/s\].
     #[inline(always)]
-    pub(super) fn velocity_before(&self, motion: &Motion<S, Column::Memory>) -> Lanes<S> {
-        let Motion { earlier, increment, .. } = *motion;
+    pub(super) fn velocity_before(&self, motion: &LaneMotion<S, Column::Memory>) -> Lanes<S> {
+        let LaneMotion { earlier, increment, .. } = *motion;
         self.coefficients.velocity([earlier, increment])
     }
 
@@ -221,12 +221,12 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
     pub(super) fn acceleration(&self, node: &AtNode<S>, pounding: Lanes<S>, ground: Lanes<S>) -> Lanes<S> {
         let pounding = pounding - damping_force(self.dashpot(node), None, None);
         let felt = self.coefficients.mobile * ground;
-        self.coefficients.smooth((pounding, node.restoring_force), felt)
+        self.coefficients.smooth(pounding, node.restoring_force, felt)
     }
 
     /// Sets the next displacement from the velocity and the acceleration \[m/s²\] after a jump at a node, in these lanes.
     #[inline(always)]
-    pub(super) fn restart(&self, motion: &mut Motion<S, Column::Memory>, node: &AtNode<S>, acceleration: Lanes<S>, lanes: Mask<S>) {
+    pub(super) fn restart(&self, motion: &mut LaneMotion<S, Column::Memory>, node: &AtNode<S>, acceleration: Lanes<S>, lanes: Mask<S>) {
         let time_step = self.coefficients.time_step;
         let increment = Coefficients::restarted(time_step, node.jumped, acceleration);
         let displacement = node.displacement + increment;
@@ -236,10 +236,10 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
 
     /// The step of a structure of one storey from a node with this net pounding force \[N\]; returns the passed node.
     #[inline(always)]
-    pub(super) fn step(&self, motion: &mut Motion<S, Column::Memory>, pounding: Lanes<S>, ground: Lanes<S>) -> Passed<S> {
+    pub(super) fn step(&self, motion: &mut LaneMotion<S, Column::Memory>, pounding: Lanes<S>, ground: Lanes<S>) -> Passed<S> {
         let displacement = motion.displacement;
         let restoring_force = self.respond(motion, displacement);
-        let smooth = self.coefficients.smooth((pounding, restoring_force), ground);
+        let smooth = self.coefficients.smooth(pounding, restoring_force, ground);
         motion.go_on(self.coefficients.next(smooth, motion.increment));
         Passed {
             displacement,
@@ -248,7 +248,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
     }
 }
 
-impl<S: Simd, Memory> Motion<S, Memory> {
+impl<S: Simd, Memory> LaneMotion<S, Memory> {
     /// Displacement of the largest magnitude so far in a lane \[m\].
     #[inline(always)]
     pub(super) fn peak(&self, lane: usize) -> Option<f64> {

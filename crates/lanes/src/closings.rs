@@ -5,7 +5,7 @@ use pounding_contact::Number;
 
 use super::body::Body;
 use super::number::{Lanes, Mask};
-use super::scenes::Pair;
+use super::scenes::LanePair;
 use pounding_solver::RestoringForce;
 use pounding_solver::formulas::{Cubic, CubicNode as Node, controls};
 
@@ -86,9 +86,9 @@ impl<S: Simd> Closings<S> {
     /// Closings of these pairs, listed by the node of the left neighbour, for steps of this length \[s\]; `place` gives the place of a
     /// node's structure.
     #[inline(always)]
-    pub(super) fn new((simd, time_step): (S, f64), pairs: &[Option<Pair<S>>], place: impl Fn(usize) -> usize) -> Self {
+    pub(super) fn new(simd: S, time_step: f64, pairs: &[Option<LanePair<S>>], place: impl Fn(usize) -> usize) -> Self {
         let zero = Lanes::splat(simd, 0.0);
-        let gap = |(left, pair): (usize, &Option<Pair<S>>)| {
+        let gap = |(left, pair): (usize, &Option<LanePair<S>>)| {
             Some(Gap {
                 pair: pair.as_ref()?.index,
                 places: [left, left + 1].map(&place),

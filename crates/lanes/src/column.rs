@@ -55,10 +55,9 @@ impl<N: Number> RestoringForce<N> for Plastic<N> {
 
     #[inline(always)]
     fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
-        let drift = (displacement, plastic_displacement);
         // The tangent is not used.
         let tangents = [self.limits[0].like(0.0); 2];
-        returned(drift, self.limits, self.at_yield, tangents)
+        returned(displacement, plastic_displacement, self.limits, self.at_yield, tangents)
     }
 }
 

@@ -8,11 +8,10 @@ use super::books::Push;
 use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
-use super::jump::jump;
 use super::law::Law;
 use super::number::{Lanes, Mask};
 use super::rows::Rows;
-use super::scenes::{Pair, Structure};
+use super::scenes::{LanePair, Structure};
 use super::{PairSums, SceneSums, Shaken};
 use pounding_solver::RestoringForce;
 use pounding_solver::formulas::{Rounds, Touching};
@@ -23,7 +22,7 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> 
     time_step: f64,
     pub(super) structures: Vec<Structure<S, Column>>,
     /// For every node, the pair with its structure as left neighbour.
-    pub(super) pairs: Vec<Option<Pair<S>>>,
+    pub(super) pairs: Vec<Option<LanePair<S>>>,
     frame: F,
     rounds: Rounds<Lanes<S>>,
     /// `None` if closings are not requested.
@@ -77,8 +76,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             constants.coefficients.inverse_mass
         };
         self.rounds.renew((0..n).map(mobility));
-        let clock = (self.simd, self.time_step);
-        let closings = || Closings::new(clock, pairs, |node| frame.place(node));
+        let closings = || Closings::new(self.simd, self.time_step, pairs, |node| frame.place(node));
         self.closings = with_closings.then(closings);
         (self.busy, self.touching_steps) = (false, 0);
     }
@@ -173,7 +171,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             if let Law::Impulsive(law) = pair.law {
                 jumps = true;
                 let touching = Touching::on_one_ground(touches, law.factor);
-                self.rounds.push((pair.index, left - 1), touching);
+                self.rounds.push(pair.index, left - 1, touching);
             } else {
                 push(pair, neighbours, self.time_step);
                 pair.lingers = pair.tally.lingers();
@@ -184,9 +182,9 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         self.frame.step_in_contact(&mut self.structures, ground, jumps);
         self.arrive();
         if jumps {
-            let scenes = (&mut self.structures[..], &mut self.pairs[..]);
             let closings = self.closings.as_mut();
-            jump(&mut self.rounds, &mut self.frame, scenes, ground, closings);
+            let (structures, pairs) = (&mut self.structures, &mut self.pairs);
+            jump(&mut self.rounds, &mut self.frame, structures, pairs, ground, closings);
         }
     }
 }
@@ -196,7 +194,7 @@ type Neighbours<'a, S, Column> = [&'a mut Body<S, Column>; 2];
 
 /// Gives a compliant pair its force.
 #[inline(always)]
-fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut Pair<S>, [left, right]: Neighbours<'_, S, Column>, time_step: f64) {
+fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut LanePair<S>, [left, right]: Neighbours<'_, S, Column>, time_step: f64) {
     let closing = left.motion.increment - right.motion.increment;
     let rate = closing / closing.like(time_step);
     let Some(force) = pair.law.force(pair.deformation, rate) else {
@@ -211,4 +209,50 @@ fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut Pair<S>, [left, ri
     pair.tally.follow(push, overlaps);
     left.contact.force_from_right = -force;
     right.contact.force_from_left = force;
+}
+
+/// Applies velocity jumps at a node to impulsive pairs that touch and approach. Structures that jump are restarted, and closings are
+/// updated.
+#[inline(always)]
+fn jump<S: Simd, Column: SideBySideColumn>(
+    rounds: &mut Rounds<Lanes<S>>,
+    frame: &mut impl Frame<S, Column>,
+    structures: &mut [Structure<S, Column>],
+    pairs: &mut [Option<LanePair<S>>],
+    ground: Lanes<S>,
+    closings: Option<&mut Closings<S>>,
+) {
+    if strike_all(rounds, frame, structures, pairs) {
+        frame.restart(structures, rounds.links(), ground);
+        if let Some(closings) = closings {
+            for link in rounds.links() {
+                for place in [link.left, link.right].map(|node| frame.place(node)) {
+                    closings.jump(place, structures[place].contact.at_node.jumped);
+                }
+            }
+        }
+    }
+    rounds.clear();
+}
+
+/// Strikes all pairs that touch; false if none approaches.
+#[inline(always)]
+fn strike_all<S: Simd, Column: SideBySideColumn>(
+    rounds: &mut Rounds<Lanes<S>>,
+    frame: &impl Frame<S, Column>,
+    structures: &mut [Structure<S, Column>],
+    pairs: &mut [Option<LanePair<S>>],
+) -> bool {
+    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity);
+    if strikes {
+        for (link, impulse) in rounds.struck() {
+            if let Some(pair) = &mut pairs[link.left] {
+                pair.tally.strike(impulse);
+            }
+            for node in [link.left, link.right] {
+                structures[frame.place(node)].contact.at_node.jumped = rounds.velocity(node);
+            }
+        }
+    }
+    strikes
 }

@@ -64,7 +64,7 @@ impl<S: Simd> Law<S> {
         let approach_speeds = [0.0; MOST_LANES];
         Self::Formed(Box::new(Formed {
             remembers: laws[0].knows_approach_speed(),
-            form: form(simd, (&laws, &masses, &approach_speeds)),
+            form: form(simd, &laws, &masses, &approach_speeds),
             laws,
             reduced_masses: masses,
             approach_speeds,
@@ -105,15 +105,14 @@ impl<S: Simd> Formed<S> {
                     *speed = rate.max(0.0);
                 }
             }
-            let numbers = (&self.laws, &self.reduced_masses, &self.approach_speeds);
-            self.form = form(rate.token(), numbers);
+            self.form = form(rate.token(), &self.laws, &self.reduced_masses, &self.approach_speeds);
         }
     }
 }
 
 /// The form of compliant laws of a common kind, with reduced masses and approach speeds.
 #[inline(always)]
-fn form<S: Simd>(simd: S, (laws, masses, speeds): (&[ContactLaw; MOST_LANES], &[f64; MOST_LANES], &[f64; MOST_LANES])) -> Form<Lanes<S>> {
+fn form<S: Simd>(simd: S, laws: &[ContactLaw; MOST_LANES], masses: &[f64; MOST_LANES], speeds: &[f64; MOST_LANES]) -> Form<Lanes<S>> {
     let forms = std::array::from_fn::<_, MOST_LANES, _>(|lane| {
         let form = laws[lane].form(masses[lane], speeds[lane]);
         form.expect("a law that is not impulsive has a form")

@@ -26,7 +26,6 @@ mod exact;
 mod excitations;
 mod frame;
 mod group;
-mod jump;
 mod law;
 mod number;
 mod rows;
@@ -143,10 +142,10 @@ impl<'a> SideBySide<'a> {
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
         let in_reach = in_reach && self.excitations.are_for(rows.len());
         let Some(first) = rows.first().filter(|_| in_reach && are_alike(rows)) else {
-            tallies.begin(0, (0, 0));
+            tallies.begin(0, 0, 0);
             return false;
         };
-        tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
+        tallies.begin(rows.len(), first.nodes().len(), first.pairs().len());
         let task = Task {
             rows,
             n_steps,

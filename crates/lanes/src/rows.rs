@@ -6,7 +6,7 @@ use super::body::Body;
 use super::column::SideBySideColumn;
 use super::law::Law;
 use super::number::{Lanes, MOST_LANES};
-use super::scenes::{Pair, Structure};
+use super::scenes::{LanePair, Structure};
 use super::tally::SceneSum;
 use pounding_solver::{Node, Row};
 
@@ -61,12 +61,12 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
 
     /// The pair of a structure and its right neighbour; `None` if the rows have none.
     #[inline(always)]
-    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
+    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<LanePair<S>> {
         let mut pairs = self.rows[0].pairs().iter();
         let index = pairs.position(|pair| pair.left() == left)?;
         let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
-        Some(Pair {
+        Some(LanePair {
             index,
             lingers: false,
             gap: Lanes::new(simd, &pairs.map(pounding_solver::Pair::gap)),

@@ -12,7 +12,7 @@ use super::tally::SceneSum;
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
 
 /// A structure and its right neighbour, which can touch.
-pub(super) struct Pair<S: Simd> {
+pub(super) struct LanePair<S: Simd> {
     /// Its index among the pairs of the row.
     pub(super) index: usize,
     /// Whether it has open books from the node before. Stored, because asking the books would cost a mask in steps without contact.
@@ -23,6 +23,3 @@ pub(super) struct Pair<S: Simd> {
     pub(super) deformation: Lanes<S>,
     pub(super) tally: SceneSum<S>,
 }
-
-/// The structures and pairs of a group.
-pub(super) type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);

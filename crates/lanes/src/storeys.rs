@@ -56,7 +56,8 @@ impl<S: Simd> Storeys<S> {
     fn acceleration<Column: SideBySideColumn>(
         &self,
         building: &[Structure<S, Column>],
-        (first, level): (usize, usize),
+        first: usize,
+        level: usize,
         ground: Lanes<S>,
     ) -> Lanes<S> {
         let floor = &building[level];
@@ -74,7 +75,7 @@ impl<S: Simd> Storeys<S> {
         }
         let pounding = floor.contact.pounding() - damping;
         let own = &self.coefficients[place].own;
-        own.smooth((pounding, restoring), own.mobile * ground)
+        own.smooth(pounding, restoring, own.mobile * ground)
     }
 
     /// Acceleration of a floor in equilibrium after the velocity jumps, and the lanes in which it or the velocity has jumped.
@@ -82,7 +83,8 @@ impl<S: Simd> Storeys<S> {
     fn after_jump<Column: SideBySideColumn>(
         &self,
         building: &[Structure<S, Column>],
-        (first, level): (usize, usize),
+        first: usize,
+        level: usize,
         ground: Lanes<S>,
     ) -> (Lanes<S>, Mask<S>) {
         let floor = &building[level];
@@ -99,7 +101,7 @@ impl<S: Simd> Storeys<S> {
         let velocities = [around[0], floor.contact.at_node.velocity, around[1]];
         let rates = &self.coefficients[first + level].rates;
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
-        let after = self.acceleration::<Column>(building, (first, level), ground);
+        let after = self.acceleration::<Column>(building, first, level, ground);
         let after = Number::select(feels, after, before);
         (after, floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero))
     }
@@ -198,8 +200,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         for range in self.buildings.ranges() {
             let building = &mut structures[range.clone()];
             for level in 0..building.len() {
-                let place = (range.start, level);
-                let acceleration = self.acceleration::<Column>(building, place, ground);
+                let acceleration = self.acceleration::<Column>(building, range.start, level, ground);
                 building[level].begin(acceleration);
             }
         }
@@ -228,8 +229,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         for range in self.buildings.ranges() {
             let building = &mut structures[range.clone()];
             for level in 0..building.len() {
-                let place = (range.start, level);
-                let (acceleration, jumps) = self.after_jump::<Column>(building, place, ground);
+                let (acceleration, jumps) = self.after_jump::<Column>(building, range.start, level, ground);
                 building[level].restart(acceleration, jumps);
             }
         }

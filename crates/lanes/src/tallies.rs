@@ -73,7 +73,7 @@ impl SceneSums {
     }
 
     /// Makes room for `n_scenes` scenes with these numbers of structures and pairs; none is told yet.
-    pub fn begin(&mut self, n_scenes: usize, (n_structures, n_pairs): (usize, usize)) {
+    pub fn begin(&mut self, n_scenes: usize, n_structures: usize, n_pairs: usize) {
         (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
         self.displacements.clear();
         self.displacements.resize(n_scenes * n_structures, 0.0);
@@ -89,7 +89,7 @@ impl SceneSums {
     }
 
     /// Copies a scene from the results of others of this shape.
-    pub fn take(&mut self, scene: usize, (others, place): (&Self, usize)) {
+    pub fn take(&mut self, scene: usize, others: &Self, place: usize) {
         let range = |place: usize, n: usize| place * n..(place + 1) * n;
         let (own, its) = (range(scene, self.n_structures), range(place, self.n_structures));
         self.displacements[own.clone()].copy_from_slice(&others.displacements[its.clone()]);

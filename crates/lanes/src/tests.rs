@@ -14,7 +14,7 @@ const CLOCK: Clock = Clock {
 const SCENES: usize = 13;
 
 /// Rows with this many structures of this many storeys; periods differ between scenes.
-fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elastic>> {
+fn rows(law: ContactLaw, structures: usize, storeys: usize) -> Vec<Row<Elastic>> {
     let row = |scene: usize| {
         let node = |index: usize| {
             let shift = if index.is_multiple_of(2) { 3e5 * scene as f64 } else { 6.6e6 };
@@ -36,8 +36,7 @@ fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elast
 }
 
 fn laws() -> [ContactLaw; 2] {
-    let asked = (0.65, Calibration::Exact);
-    let element = LawName::NonlinearViscoelastic.calibrated(1e9, asked, &FreePair::UNIT);
+    let element = LawName::NonlinearViscoelastic.calibrated(1e9, 0.65, Calibration::Exact, &FreePair::UNIT);
     [
         ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 }),
         element.expect("valid"),
@@ -71,8 +70,8 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
         let [mut one, mut other] = [SceneSums::default(), SceneSums::default()];
         // Two structures have separate code; up to three advance two groups together.
         let shapes = [(2, 1), (3, 1), (5, 1), (2, 3)];
-        for shape in shapes {
-            let (rows, structures) = (rows(law, shape), shape.0);
+        for (structures, storeys) in shapes {
+            let rows = rows(law, structures, storeys);
             let mut wide = SideBySide::new(CentralDifference::default(), excitation, CLOCK).expect("valid");
             let all: Vec<_> = rows.iter().collect();
             let n_steps = [CLOCK.n_steps; SCENES];
@@ -83,13 +82,13 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
             assert_eq!(one, other, "{structures} with {}", law.name());
         }
 
-        let rows = rows(law, (2, 1));
+        let rows = rows(law, 2, 1);
         let mut wide = ExactSideBySide::new(exact, excitation, CLOCK).expect("valid");
         let all: Vec<_> = rows.iter().enumerate().collect();
-        one.begin(SCENES, (2, 1));
+        one.begin(SCENES, 2, 1);
         wide.run(&all, &mut one);
         wide.level = narrow;
-        other.begin(SCENES, (2, 1));
+        other.begin(SCENES, 2, 1);
         wide.run(&all, &mut other);
         assert_eq!(bits(&one, 2), bits(&other, 2), "{}", law.name());
     }

@@ -2,8 +2,8 @@
 
 use pounding_solver::Excitation;
 
+use super::equations::Segment;
 use super::model::{displacement, velocity};
-use super::motion::Segment;
 use super::state::{State, Sum};
 
 /// Instants closer than this part of the interval between samples are equal: quotients of decimal numbers miss a whole number by a

@@ -4,7 +4,7 @@ use super::SecondRouteError;
 use super::impact::{self, NOISE, Outcome, SHORTEST};
 use super::law::Law;
 use super::model::{TIME, velocity};
-use super::phases::Contact;
+use super::phases::ContactPhase;
 use super::runner::Runner;
 use super::state::{Bounces, Sum};
 
@@ -38,7 +38,7 @@ impl Runner {
             // An impact that a pair at rest passes on is a separate collision.
             if impulses[pair] > least[pair] && phases.presses(pair) {
                 self.part(pair, time);
-                phases.pairs[pair].contact = Contact::IDLE;
+                phases.pairs[pair].contact = ContactPhase::IDLE;
             }
         }
         self.record.impacts(&self.motion, &impulses, &least, time);
@@ -70,7 +70,7 @@ impl Runner {
                 // The rounding of the rate before does not belong to the new rate.
                 self.state.low[model.pairs[pair].deformation + 1] = 0.0;
                 let rests = model.rate(pair, &self.state.high) >= 0.0;
-                let contact = if rests { Contact::IDLE } else { Contact::Apart };
+                let contact = if rests { ContactPhase::IDLE } else { ContactPhase::Apart };
                 self.motion.phases.pairs[pair].contact = contact;
             }
             self.motion.decide(&self.state.high, &mut self.scratch);
@@ -100,7 +100,7 @@ impl Runner {
             let mut met = pairs[pair].parts();
             other != pair && met.any(|(floor, _)| pairs[other].part(floor) != 0.0)
         };
-        let rests = |other: usize| matches!(self.motion.phases.pairs[other].contact, Contact::Resting { .. });
+        let rests = |other: usize| matches!(self.motion.phases.pairs[other].contact, ContactPhase::Resting { .. });
         let mut others = touching.iter();
         self.bounces[pair].count >= MOST_BOUNCES || others.any(|&other| shares(other) && soon(other) && rests(other))
     }

@@ -3,7 +3,7 @@
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), II.5 and II.10, program
 //! DOP853, with its coefficients.
 
-use super::motion::Motion;
+use super::equations::{Equations, InStep};
 use super::state::State;
 use super::variable::Variable;
 
@@ -85,9 +85,10 @@ impl DormandPrince {
     }
 
     /// Makes a step of `length` in a variable.
-    pub(super) fn step(&mut self, motion: &Motion, (variable, length): (Variable, f64), from: &State, to: &mut State) {
+    pub(super) fn step(&mut self, motion: &Equations, variable: Variable, length: f64, from: &State, to: &mut State) {
         let Self { slopes, point } = self;
-        motion.slope((variable, 0.0), &from.high, &mut slopes[0]);
+        let at = |position: f64| InStep { variable, position };
+        motion.slope(at(0.0), &from.high, &mut slopes[0]);
         for (stage, (node, weights)) in STAGES.iter().enumerate() {
             let (first, others) = slopes.split_first_mut().expect("twelve slopes");
             for index in 0..point.len() {
@@ -103,7 +104,7 @@ impl DormandPrince {
                 }
             }
             if stage + 1 < STAGES.len() {
-                motion.slope((variable, node * length), point, &mut others[stage]);
+                motion.slope(at(node * length), point, &mut others[stage]);
             }
         }
     }
@@ -137,13 +138,13 @@ mod tests {
     use pounding_solver::{Elastic, Node, Pair, Row};
 
     use super::super::block::Block;
+    use super::super::equations::Segment;
     use super::super::model::{Model, TIME, displacement, velocity};
-    use super::super::motion::Segment;
-    use super::super::phases::{Contact, Phases};
+    use super::super::phases::{ContactPhase, Phases};
     use super::*;
 
     /// A unit mass on a spring k = 9 against a wall through a Hertz spring β = 2, in restitution.
-    fn motion() -> Motion {
+    fn motion() -> Equations {
         let nodes = vec![
             Node::structure(1.0, 0.0, Elastic { stiffness: 9.0 }),
             Node::wall(Elastic { stiffness: 9.0 }),
@@ -155,8 +156,8 @@ mod tests {
         let pair = Pair::of_floors(0, 1, 0.0, ContactLaw::NonlinearViscoelastic(law));
         let model = Model::new(&Row::new(nodes, vec![pair]).unwrap());
         let mut phases = Phases::new(&model);
-        phases.pairs[0].contact = Contact::Restitution { rising: -1.0 };
-        Motion {
+        phases.pairs[0].contact = ContactPhase::Restitution { rising: -1.0 };
+        Equations {
             block: Block::new(&model, Vec::new()),
             model,
             phases,
@@ -180,7 +181,7 @@ mod tests {
         from.set(motion.model.pairs[0].deformation, 1.0);
         let mut to = from.clone();
         let mut method = DormandPrince::new(motion.model.n_unknowns());
-        method.step(&motion, (Variable::Time, length), &from, &mut to);
+        method.step(&motion, Variable::Time, length, &from, &mut to);
         assert!((to.high[TIME] - length).abs() <= f64::EPSILON * length, "time");
         let estimate = method.error(length, |_| 1.0);
         ((energy(&to) - energy(&from)).abs(), estimate)

@@ -2,11 +2,11 @@
 
 use pounding_contact::SLOWEST_APPROACH;
 
-use super::branch::Branch;
+use super::equations::{Equations, NOW};
 use super::law::Law;
 use super::model::{TIME, velocity};
-use super::motion::{Motion, NOW};
-use super::phases::Contact;
+use super::phases::ContactPhase;
+use super::storey::Branch;
 use super::variable::Variable;
 
 /// An event that the present phases allow.
@@ -43,7 +43,7 @@ pub(super) enum Event {
 }
 
 /// Lists the events that the present phases allow while a step runs in a variable.
-pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>) {
+pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Event>) {
     events.clear();
     let parting = match variable {
         Variable::RootOfDeformation { pair, .. } => {
@@ -73,15 +73,15 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
         }
     }
     for (index, phase) in motion.phases.pairs.iter().enumerate() {
-        if !matches!(phase.contact, Contact::Resting { .. }) {
+        if !matches!(phase.contact, ContactPhase::Resting { .. }) {
             events.push(Event::Reversal(index));
         }
         match phase.contact {
             // Deformation grows only while the rate is positive, and every change of its sign ends a step.
-            Contact::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
-            Contact::Apart => {}
-            Contact::Approach { .. } => events.push(Event::ForcePeak(index)),
-            Contact::Restitution { .. } => {
+            ContactPhase::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
+            ContactPhase::Apart => {}
+            ContactPhase::Approach { .. } => events.push(Event::ForcePeak(index)),
+            ContactPhase::Restitution { .. } => {
                 if parting != Some(index) {
                     events.push(Event::Part(index));
                 }
@@ -89,11 +89,11 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
                     events.extend([Event::ForcePeak(index), Event::Clamp(index)]);
                 }
             }
-            Contact::Clamped => events.extend([Event::Part(index), Event::Grip(index)]),
-            Contact::Resting { presses: true, .. } => {
+            ContactPhase::Clamped => events.extend([Event::Part(index), Event::Grip(index)]),
+            ContactPhase::Resting { presses: true, .. } => {
                 events.extend([Event::ForcePeak(index), Event::Fade(index)]);
             }
-            Contact::Resting { presses: false, .. } => events.push(Event::Stir(index)),
+            ContactPhase::Resting { presses: false, .. } => events.push(Event::Stir(index)),
         }
     }
 }
@@ -102,8 +102,8 @@ impl Event {
     /// Function that is negative once the event has happened.
     ///
     /// `scratch` receives a derivative of the unknowns.
-    pub(super) fn value(self, motion: &Motion, y: &[f64], scratch: &mut [f64]) -> f64 {
-        let Motion { model, phases, .. } = motion;
+    pub(super) fn value(self, motion: &Equations, y: &[f64], scratch: &mut [f64]) -> f64 {
+        let Equations { model, phases, .. } = motion;
         match self {
             Self::SegmentEnd => motion.segment.length - y[TIME],
             Self::Turn(structure) => phases.structures[structure].direction * y[velocity(structure)],
@@ -131,9 +131,11 @@ impl Event {
             Self::ForcePeak(pair) => {
                 motion.slope(NOW, y, scratch);
                 match phases.pairs[pair].contact {
-                    Contact::Approach { rising, .. } | Contact::Restitution { rising } => rising * motion.force_rate(pair, y, scratch),
-                    Contact::Resting { .. } => motion.resting_peak(pair, y, scratch),
-                    Contact::Apart | Contact::Clamped => 0.0,
+                    ContactPhase::Approach { rising, .. } | ContactPhase::Restitution { rising } => {
+                        rising * motion.force_rate(pair, y, scratch)
+                    }
+                    ContactPhase::Resting { .. } => motion.resting_peak(pair, y, scratch),
+                    ContactPhase::Apart | ContactPhase::Clamped => 0.0,
                 }
             }
             Self::Clamp(pair) => motion.grip(pair, y),
@@ -152,8 +154,8 @@ impl Event {
     }
 
     /// Changes the phases by the event. Touches and rest of impulsive pairs are decided afterwards.
-    pub(super) fn apply(self, motion: &mut Motion, y: &[f64]) {
-        let Motion { model, phases, .. } = motion;
+    pub(super) fn apply(self, motion: &mut Equations, y: &[f64]) {
+        let Equations { model, phases, .. } = motion;
         match self {
             // Pairs at rest are decided again after every event.
             Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) => {}
@@ -173,16 +175,16 @@ impl Event {
             Self::Touch(pair) => {
                 if matches!(model.pairs[pair].law, Law::Compliant(_)) {
                     let phase = &mut phases.pairs[pair];
-                    phase.contact = Contact::Approach {
+                    phase.contact = ContactPhase::Approach {
                         touch: Some(y[TIME]),
                         rising: 1.0,
                     };
                     phase.approach_speed = model.rate(pair, y).max(SLOWEST_APPROACH);
                 }
             }
-            Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
+            Self::Part(pair) => phases.pairs[pair].contact = ContactPhase::Apart,
             Self::ForcePeak(pair) => {
-                if let Contact::Approach { rising, .. } | Contact::Restitution { rising } | Contact::Resting { rising, .. } =
+                if let ContactPhase::Approach { rising, .. } | ContactPhase::Restitution { rising } | ContactPhase::Resting { rising, .. } =
                     &mut phases.pairs[pair].contact
                 {
                     *rising = -*rising;
@@ -191,14 +193,14 @@ impl Event {
             // If a parting or a reversal happens at the same instant, the phase has changed already.
             Self::Clamp(pair) => {
                 let contact = &mut phases.pairs[pair].contact;
-                if matches!(contact, Contact::Restitution { .. }) {
-                    *contact = Contact::Clamped;
+                if matches!(contact, ContactPhase::Restitution { .. }) {
+                    *contact = ContactPhase::Clamped;
                 }
             }
             Self::Grip(pair) => {
                 let contact = &mut phases.pairs[pair].contact;
-                if matches!(contact, Contact::Clamped) {
-                    *contact = Contact::Restitution { rising: 1.0 };
+                if matches!(contact, ContactPhase::Clamped) {
+                    *contact = ContactPhase::Restitution { rising: 1.0 };
                 }
             }
         }

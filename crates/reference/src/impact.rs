@@ -6,10 +6,10 @@
 
 use super::SecondRouteError;
 use super::block::{best, groups, least, mobility};
+use super::equations::Equations;
 use super::law::Law;
 use super::model::Model;
-use super::motion::Motion;
-use super::phases::Contact;
+use super::phases::ContactPhase;
 
 /// Rounds in which a pair gives back its restitution. Later approaches are stopped.
 const MOST_ROUNDS: usize = 50;
@@ -21,10 +21,10 @@ pub(super) const SHORTEST: f64 = 1e-12;
 pub(super) const NOISE: f64 = 1e-14;
 
 /// Impulsive pairs that touch.
-pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
+pub(super) fn touching(motion: &Equations, y: &[f64]) -> Vec<usize> {
     let model = &motion.model;
     let touches = |&index: &usize| {
-        let rests = matches!(motion.phases.pairs[index].contact, Contact::Resting { .. });
+        let rests = matches!(motion.phases.pairs[index].contact, ContactPhase::Resting { .. });
         let impulsive = matches!(model.pairs[index].law, Law::Impulsive { .. });
         impulsive && (rests || model.deformation(index, y) >= 0.0)
     };

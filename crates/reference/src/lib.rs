@@ -42,14 +42,13 @@
 mod arrivals;
 mod block;
 mod bounces;
-mod branch;
 mod dormand_prince;
+mod equations;
 mod error;
 mod events;
 mod impact;
 mod law;
 mod model;
-mod motion;
 mod phases;
 mod plan;
 mod record;

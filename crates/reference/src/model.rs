@@ -3,7 +3,7 @@
 use pounding_solver::{Hysteretic, Node, Pair, Point, Row, Share, Support};
 
 use super::law::Law;
-use super::storey::{Columns, Smooth};
+use super::storey::{Smooth, StoreyColumns};
 
 /// Index in the vector of unknowns of the time within the present segment of the record \[s\].
 ///
@@ -45,7 +45,7 @@ pub(super) struct Structure {
     pub damping: f64,
     /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
     pub ground_damping: f64,
-    pub columns: Columns,
+    pub columns: StoreyColumns,
     /// Arrival of the ground motion \[s\].
     pub arrival: f64,
     pub initial_displacement: f64,
@@ -236,7 +236,7 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
             structures.push(Structure {
                 inverse_mass: 0.0,
                 below: None,
-                columns: Columns {
+                columns: StoreyColumns {
                     smooth: None,
                     ..carried.columns
                 },
@@ -264,7 +264,7 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure
         below,
         damping: node.damping,
         ground_damping,
-        columns: Columns::of(node.column.hysteresis()),
+        columns: StoreyColumns::of(node.column.hysteresis()),
         arrival,
         initial_displacement: node.initial_displacement,
         initial_velocity: node.initial_velocity,

@@ -2,9 +2,9 @@
 
 use pounding_contact::SLOWEST_APPROACH;
 
-use super::branch::{Branch, sign};
 use super::law::Law;
 use super::model::{Model, velocity};
+use super::storey::{Branch, sign};
 
 /// Phases of all structures and pairs.
 #[derive(Debug, Clone)]
@@ -28,14 +28,14 @@ pub(super) struct StructurePhase {
 pub(super) struct PairPhase {
     /// Sign of the deformation rate.
     pub direction: f64,
-    pub contact: Contact,
+    pub contact: ContactPhase,
     /// Deformation rate at the first touch of the present contact \[m/s\], at least [`SLOWEST_APPROACH`].
     pub approach_speed: f64,
 }
 
 /// Phase of a contact. Impulsive pairs are apart or at rest.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Contact {
+pub(super) enum ContactPhase {
     Apart,
     /// The deformation grows.
     Approach {
@@ -60,7 +60,7 @@ pub(super) enum Contact {
     },
 }
 
-impl Contact {
+impl ContactPhase {
     /// At rest without a force.
     pub(super) const IDLE: Self = Self::Resting {
         presses: false,
@@ -102,8 +102,8 @@ impl Phases {
             PairPhase {
                 direction: sign(rate),
                 contact: match pair.law {
-                    Law::Impulsive { .. } if closed => Contact::IDLE,
-                    Law::Impulsive { .. } | Law::Compliant(_) => Contact::Apart,
+                    Law::Impulsive { .. } if closed => ContactPhase::IDLE,
+                    Law::Impulsive { .. } | Law::Compliant(_) => ContactPhase::Apart,
                 },
                 approach_speed: SLOWEST_APPROACH,
             }
@@ -117,7 +117,7 @@ impl Phases {
     /// Whether a pair is at rest with a force.
     pub(super) fn presses(&self, pair: usize) -> bool {
         let contact = self.pairs[pair].contact;
-        matches!(contact, Contact::Resting { presses: true, .. })
+        matches!(contact, ContactPhase::Resting { presses: true, .. })
     }
 
     /// Turns a structure, and with it a storey on the ground.
@@ -173,7 +173,7 @@ impl Phases {
     /// Sets the clock back by `length` \[s\] at the start of a new segment.
     pub(super) fn shift(&mut self, length: f64) {
         for phase in &mut self.pairs {
-            if let Contact::Approach { touch: Some(touch), .. } = &mut phase.contact {
+            if let ContactPhase::Approach { touch: Some(touch), .. } = &mut phase.contact {
                 *touch -= length;
             }
         }

@@ -1,9 +1,9 @@
 //! Plan of a step.
 
+use super::equations::{Equations, NOW};
 use super::events::Event;
 use super::model::TIME;
-use super::motion::{Motion, NOW};
-use super::phases::{Contact, PairPhase};
+use super::phases::{ContactPhase, PairPhase};
 use super::variable::{Variable, fourth_root};
 
 /// Plan of the next step.
@@ -18,7 +18,7 @@ pub(super) struct Plan {
 
 impl Plan {
     /// A step of at most `longest` \[s\], within the segment.
-    pub(super) fn new(motion: &Motion, y: &[f64], variable: Variable, longest: f64) -> Self {
+    pub(super) fn new(motion: &Equations, y: &[f64], variable: Variable, longest: f64) -> Self {
         let remaining = motion.segment.length - y[TIME];
         // A step that would leave a tiny rest of the segment includes it.
         let (duration, target) = if longest > 0.999 * remaining {
@@ -56,16 +56,16 @@ impl Plan {
 /// The variable in which the next motion is smoothest.
 ///
 /// `scratch` receives a derivative of the unknowns.
-pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Variable {
+pub(super) fn variable(motion: &Equations, y: &[f64], scratch: &mut [f64]) -> Variable {
     let pairs = &motion.phases.pairs;
     let touches = pairs.iter().filter_map(|phase| match phase.contact {
-        Contact::Approach { touch, .. } => touch,
-        Contact::Apart | Contact::Restitution { .. } | Contact::Clamped | Contact::Resting { .. } => None,
+        ContactPhase::Approach { touch, .. } => touch,
+        ContactPhase::Apart | ContactPhase::Restitution { .. } | ContactPhase::Clamped | ContactPhase::Resting { .. } => None,
     });
     if let Some(touch) = touches.max_by(f64::total_cmp) {
         return Variable::since(touch, y[TIME]);
     }
-    let returns = |phase: &PairPhase| matches!(phase.contact, Contact::Restitution { .. });
+    let returns = |phase: &PairPhase| matches!(phase.contact, ContactPhase::Restitution { .. });
     if !pairs.iter().any(returns) {
         return Variable::Time;
     }

@@ -1,8 +1,8 @@
 //! Results of the second route.
 
+use super::equations::Equations;
 use super::impact::SHORTEST;
 use super::model::{displacement, velocity};
-use super::motion::Motion;
 use super::state::State;
 
 /// Result of a run.
@@ -76,7 +76,7 @@ fn take(peak: &mut Peak, value: f64, time: f64) {
 }
 
 impl Record {
-    pub(super) fn new(motion: &Motion) -> Self {
+    pub(super) fn new(motion: &Equations) -> Self {
         let structures = vec![StructureResponse::default(); motion.model.n_nodes];
         let response = Response {
             collisions: vec![Vec::new(); motion.model.pairs.len()],
@@ -93,7 +93,7 @@ impl Record {
 
     /// Records the state at the end of a step, in the phases of the step, or after an event there. `slope` is the derivative of the
     /// unknowns, which contains the forces.
-    pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], slope: &[f64], time: f64) {
+    pub(super) fn observe(&mut self, motion: &Equations, y: &[f64], slope: &[f64], time: f64) {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             let columns = &motion.model.structures[index].columns;
             let drift = motion.model.drift(index, y);
@@ -113,7 +113,7 @@ impl Record {
     }
 
     /// Adds the momentum that pounding forces transferred within a step without a change of sign of a net force.
-    pub(super) fn transfer(&mut self, motion: &Motion, from: &[f64], to: &[f64]) {
+    pub(super) fn transfer(&mut self, motion: &Equations, from: &[f64], to: &[f64]) {
         self.response.steps += 1;
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
             let mut net = 0.0;
@@ -158,7 +158,7 @@ impl Record {
     }
 
     /// Impulsive pairs collide at an instant, each with an impulse ≥ 0. Impulses of at most `least` \[N·s\] are ignored.
-    pub(super) fn impacts(&mut self, motion: &Motion, impulses: &[f64], least: &[f64], time: f64) {
+    pub(super) fn impacts(&mut self, motion: &Equations, impulses: &[f64], least: &[f64], time: f64) {
         let impacts = impulses.iter().copied().enumerate();
         let impacts: Vec<_> = impacts.filter(|&(pair, impulse)| impulse > least[pair]).collect();
         for &(pair, impulse) in &impacts {
@@ -185,7 +185,7 @@ impl Record {
     }
 
     /// Closes collisions in progress at the end of the run.
-    pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
+    pub(super) fn finish(mut self, motion: &Equations, state: &State, time: f64) -> Response {
         for index in 0..motion.model.pairs.len() {
             self.part(index, state.high[motion.model.impulse(index)], 0.0, time);
         }

@@ -9,10 +9,10 @@
 use std::convert::identity;
 
 use super::block::{Block, best, groups};
-use super::branch::sign;
+use super::equations::{Equations, NOW};
 use super::model::{Neighbours, TIME, displacement, velocity};
-use super::motion::{Motion, NOW};
-use super::phases::Contact;
+use super::phases::ContactPhase;
+use super::storey::sign;
 
 /// Rounding of a closing acceleration, relative to its terms.
 const IDLE: f64 = 1e-13;
@@ -39,11 +39,11 @@ impl Probe {
     };
 }
 
-impl Motion {
+impl Equations {
     /// Whether any pair is at rest.
     pub(super) fn rests(&self) -> bool {
         let mut pairs = self.phases.pairs.iter();
-        pairs.any(|phase| matches!(phase.contact, Contact::Resting { .. }))
+        pairs.any(|phase| matches!(phase.contact, ContactPhase::Resting { .. }))
     }
 
     /// Sets the accelerations of floors at rest and the forces of their pairs; `slope` has absolute accelerations.
@@ -135,7 +135,7 @@ impl Motion {
     ///
     /// `scratch` is the derivative of the unknowns afterwards.
     pub(super) fn decide(&mut self, y: &[f64], scratch: &mut [f64]) {
-        let rests = |&pair: &usize| matches!(self.phases.pairs[pair].contact, Contact::Resting { .. });
+        let rests = |&pair: &usize| matches!(self.phases.pairs[pair].contact, ContactPhase::Resting { .. });
         let resting: Vec<usize> = (0..self.model.pairs.len()).filter(rests).collect();
         self.accelerate(NOW, y, scratch);
         let (without, terms) = (self.floors(scratch), self.terms(y));
@@ -147,9 +147,9 @@ impl Motion {
             let [closing, rounding] = closings[pair];
             let presses = self.block.pairs.contains(&pair);
             let phase = &mut self.phases.pairs[pair];
-            phase.contact = Contact::Resting { presses, rising: -1.0 };
+            phase.contact = ContactPhase::Resting { presses, rising: -1.0 };
             if !presses && closing < -rounding {
-                phase.contact = Contact::Apart;
+                phase.contact = ContactPhase::Apart;
                 phase.direction = -1.0;
             }
         }
@@ -157,7 +157,7 @@ impl Motion {
         for &pair in &resting {
             if self.phases.presses(pair) {
                 let rising = sign(self.resting_force_rate(pair, y, scratch)[0]);
-                self.phases.pairs[pair].contact = Contact::Resting { presses: true, rising };
+                self.phases.pairs[pair].contact = ContactPhase::Resting { presses: true, rising };
             }
         }
     }
@@ -207,7 +207,7 @@ impl Motion {
             self.slope(NOW, &near, &mut change);
             change[self.model.impulse(pair)]
         };
-        let touches = |phase: &Contact| phase.touches() && !matches!(phase, Contact::Resting { .. });
+        let touches = |phase: &ContactPhase| phase.touches() && !matches!(phase, ContactPhase::Resting { .. });
         let bent = self.phases.pairs.iter().any(|phase| touches(&phase.contact));
         let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
         let rate = (force(time) - force(-time)) / (2.0 * time);
@@ -219,7 +219,7 @@ impl Motion {
 
     /// Negative once the force of a pair at rest has passed a maximum or minimum.
     pub(super) fn resting_peak(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
-        let Contact::Resting { rising, .. } = self.phases.pairs[pair].contact else {
+        let ContactPhase::Resting { rising, .. } = self.phases.pairs[pair].contact else {
             return 0.0;
         };
         let [rate, rounding] = self.resting_force_rate(pair, y, slope);

@@ -2,12 +2,12 @@
 
 use super::block::Block;
 use super::dormand_prince::DormandPrince;
+use super::equations::{Equations, InStep, NOW, Segment};
 use super::events::{self, Event};
 use super::impact::NOISE;
 use super::law::Law;
 use super::model::{Model, TIME, displacement, velocity};
-use super::motion::{Motion, NOW, Segment};
-use super::phases::{Contact, Phases};
+use super::phases::{ContactPhase, Phases};
 use super::plan::{self, Plan};
 use super::record::{Record, Response};
 use super::scales::Scales;
@@ -27,7 +27,7 @@ const FAR: f64 = 1e-2;
 /// A run in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Runner {
-    pub(super) motion: Motion,
+    pub(super) motion: Equations,
     pub(super) state: State,
     /// End of the trial step.
     trial: State,
@@ -67,7 +67,7 @@ impl Runner {
             state.set(pair.deformation + 1, rate);
         }
         let longest_step = interval / f64::from(fineness.steps_per_sample);
-        let motion = Motion {
+        let motion = Equations {
             phases: Phases::new(&model),
             block: Block::new(&model, Vec::new()),
             model,
@@ -125,7 +125,7 @@ impl Runner {
         let Self { motion, state, scales, .. } = self;
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
-            let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
+            let apart = matches!(motion.phases.pairs[index].contact, ContactPhase::Apart);
             let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
@@ -162,7 +162,7 @@ impl Runner {
     }
 
     fn try_step(&mut self, variable: Variable, length: f64) {
-        self.method.step(&self.motion, (variable, length), &self.state, &mut self.trial);
+        self.method.step(&self.motion, variable, length, &self.state, &mut self.trial);
     }
 
     /// Shortens the step until its error is acceptable.
@@ -214,7 +214,10 @@ impl Runner {
 
     fn has_double_reversal(&mut self, plan: &Plan) -> bool {
         let end = &self.trial.high;
-        let place = (plan.variable, plan.length);
+        let place = InStep {
+            variable: plan.variable,
+            position: plan.length,
+        };
         self.motion.slope(place, end, &mut self.scratch);
         let first = self.method.first_slope();
         for (index, middle) in self.middle.iter_mut().enumerate() {

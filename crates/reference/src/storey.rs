@@ -5,11 +5,27 @@
 
 use pounding_solver::{Hysteresis, Knee};
 
-use super::branch::{Branch, sign};
+/// Sign of a number as a factor, 1 or −1.
+///
+/// Zero counts as negative: if the number then rises, this is an ordinary event, at once.
+pub(super) fn sign(value: f64) -> f64 {
+    if value > 0.0 { 1.0 } else { -1.0 }
+}
+
+/// Branch of the columns.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Branch {
+    /// The force is k (d − plastic displacement).
+    Elastic { plastic_displacement: f64 },
+    /// The yielding part has this force \[N\].
+    Yielding { force: f64 },
+    /// Columns that yield smoothly, while the elastic part of their drift has the sign `side`.
+    Smooth { side: f64 },
+}
 
 /// Columns of a storey.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Columns {
+pub(super) struct StoreyColumns {
     /// k \[N/m\].
     pub stiffness: f64,
     /// `f_y` \[N\]; infinite for columns that never yield.
@@ -37,7 +53,7 @@ const INITIAL_STEPS: f64 = 1000.0;
 /// Drift, in units of `f_y`/k, beyond which z is `f_y`/k to rounding.
 const FAR: f64 = 60.0;
 
-impl Columns {
+impl StoreyColumns {
     pub(super) fn of(loop_of: Hysteresis) -> Self {
         let Hysteresis {
             stiffness,

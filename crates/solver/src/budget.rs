@@ -1,9 +1,43 @@
-//! Limits of a run: work, time, and a flag that stops it.
+//! The clock of a run, its work, and its limits: work, time, and a flag that stops it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::{Clock, RunError};
+use crate::RunError;
+
+/// The fixed grid of a stepping run: nodes at i·Δt, i = 0..=n. The exact method uses only its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// Time step Δt \[s\], > 0.
+    pub time_step: f64,
+    /// Number of steps n; the run ends at n·Δt.
+    pub n_steps: usize,
+}
+
+impl Clock {
+    /// Time of node `step` \[s\].
+    #[inline]
+    pub fn time(&self, step: usize) -> f64 {
+        step as f64 * self.time_step
+    }
+}
+
+/// Cost of a run, in counts that are equal on every machine.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Time steps of the whole row. Sub-steps of structures are not counted here.
+    pub steps: u64,
+    /// Evaluations of a restoring force.
+    pub force_evaluations: u64,
+    /// Newton iterations, summed over structures that are alone and clusters that touch.
+    pub newton_iterations: u64,
+    /// Steps and sub-steps at whose end a pair overlaps, and impacts within them, summed over pairs.
+    pub touching_steps: u64,
+    /// Pieces of the motion of structures in power series.
+    pub segments: u64,
+    /// Events of the exact method: instants at which a piece ended.
+    pub events: u64,
+}
 
 /// Limits of a run: work, time, and a flag that stops it.
 ///

@@ -38,7 +38,6 @@
 
 mod any_row;
 mod budget;
-mod clock;
 mod error;
 mod exact;
 mod explicit;
@@ -55,7 +54,6 @@ mod span;
 mod stability;
 mod sum;
 mod turning;
-mod work;
 
 /// Parts of steps and events, for crates that compute with other number types, such as lanes of many scenes.
 ///
@@ -79,8 +77,7 @@ pub mod formulas {
 }
 
 pub use any_row::{AnyRow, OnRow};
-pub use budget::{Budget, Course};
-pub use clock::Clock;
+pub use budget::{Budget, Clock, Course, Work};
 pub use error::{ModelError, PointFault, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
 pub use explicit::central_difference::CentralDifference;
@@ -98,10 +95,9 @@ pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
 pub use model::mixed::Mixed;
 pub use model::modes::{Mode, Oscillation, modes};
-pub use model::node::Node;
+pub use model::node::{Floor, Node, Support};
 pub use model::relation::{Pair, Point, Relation, Share};
 pub use model::row::Row;
-pub use model::support::{Floor, Support};
 pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
@@ -109,4 +105,3 @@ pub use record::{
     Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};
-pub use work::Work;

@@ -1,7 +1,7 @@
 //! The loop of every stepping method.
 
 use crate::impact::impacts::Impacts;
-use crate::model::ground::{Ground, Shaking};
+use crate::model::ground::{Ground, Now, Shaking};
 use crate::{Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
 
 /// A stepping method with all its memory, allocated once.
@@ -12,12 +12,12 @@ pub(crate) trait Stepping<Column: RestoringForce> {
     const PARTS: usize = 1;
 
     /// Takes a step and reports it.
-    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError>;
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError>;
 }
 
 /// A step of the clock.
 #[derive(Clone, Copy)]
-pub(crate) struct Step<'a> {
+pub(crate) struct ClockStep<'a> {
     shaking: &'a Shaking<'a>,
     /// Number of the step; step 1 begins at t = 0.
     pub(crate) number: usize,
@@ -50,7 +50,7 @@ where
     let mut work = Work::default();
     for number in Method::FIRST..=clock.n_steps {
         guard.step(number, clock)?;
-        let step = Step {
+        let step = ClockStep {
             shaking: &shaking,
             number,
             clock,
@@ -62,7 +62,7 @@ where
     Ok(work)
 }
 
-impl<'a> Step<'a> {
+impl<'a> ClockStep<'a> {
     /// The ground at a node of the clock, or of its parts.
     #[inline]
     pub(crate) fn ground(&self, node: usize) -> Ground<'a> {
@@ -83,8 +83,8 @@ impl<'a> Step<'a> {
 
     /// Times of both ends \[s\].
     #[inline]
-    pub(crate) fn times(&self) -> (f64, f64) {
-        (self.clock.time(self.number - 1), self.clock.time(self.number))
+    pub(crate) fn times(&self) -> [f64; 2] {
+        [self.number - 1, self.number].map(|node| self.clock.time(node))
     }
 
     /// The ground at a part of the step after a node.
@@ -92,15 +92,21 @@ impl<'a> Step<'a> {
         self.shaking.within(node, part)
     }
 
-    /// The ground and the time at an instant counted from the start of the step \[s\].
+    /// An instant counted from the start of the step \[s\].
     #[inline]
-    pub(crate) fn at(&self, instant: f64) -> (Ground<'a>, f64) {
-        let (start, end) = self.times();
+    pub(crate) fn at(&self, instant: f64) -> Now<'a> {
+        let [start, end] = self.times();
         if instant < self.clock.time_step {
             let part = instant / self.clock.time_step;
-            (self.within(self.number - 1, part), start + instant)
+            Now {
+                ground: self.within(self.number - 1, part),
+                time: start + instant,
+            }
         } else {
-            (self.ground(self.number), end)
+            Now {
+                ground: self.ground(self.number),
+                time: end,
+            }
         }
     }
 
@@ -118,10 +124,13 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// End of the step: the ground there, and the time.
+    /// End of the step.
     #[inline]
-    pub(crate) fn end(&self) -> (Ground<'a>, f64) {
-        (self.ground(self.parts * self.number), self.clock.time(self.number))
+    pub(crate) fn end(&self) -> Now<'a> {
+        Now {
+            ground: self.ground(self.parts * self.number),
+            time: self.clock.time(self.number),
+        }
     }
 
     /// Counts the pairs that overlap after the step and applies the jumps of impulsive pairs; true if any jumped.
@@ -133,8 +142,8 @@ impl<'a> Step<'a> {
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<bool, RunError> {
-        let instant = self.end();
-        work.touching_steps += row.n_overlaps(states, instant.0);
-        impacts.after_step(row, states, instant, recorder)
+        let end = self.end();
+        work.touching_steps += row.n_overlaps(states, end.ground);
+        impacts.after_step(row, states, end, recorder)
     }
 }

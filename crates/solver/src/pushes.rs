@@ -7,6 +7,7 @@ use pounding_contact::{ContactForce, Overlap};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
 use crate::model::incidence::{Incidence, Incident};
+use crate::span::Weights;
 use crate::{Push, RestoringForce, Row, State};
 
 impl From<&Incident> for Push<'_> {
@@ -100,7 +101,8 @@ impl Pushes {
     pub(crate) fn act<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
-        (pair, force): (usize, f64),
+        pair: usize,
+        force: f64,
         mut give: impl FnMut(usize, bool, f64),
     ) {
         self.set(row.incidence(), pair, force);
@@ -142,19 +144,19 @@ impl Pushes {
         }
     }
 
-    /// Ends the spans of a floor: the impulse is `scale` \[s\] times the weighted sum of the forces at their ends. The last N are those at
-    /// the start of the previous spans, at the start and at the end.
+    /// Ends the spans of a floor, with the weights of the forces at their ends. The last N are those at the start of the previous spans, at
+    /// the start and at the end.
     #[inline]
-    pub(crate) fn weigh<const N: usize>(&mut self, slots: Range<usize>, (scale, weights): (f64, [f64; N])) {
+    pub(crate) fn weigh<const N: usize>(&mut self, slots: Range<usize>, weights: Weights<N>) {
         if self.are_idle() {
             return;
         }
         let ends = self.all[slots.clone()].iter_mut();
         for (push, earlier) in ends.zip(&mut self.earlier[slots]) {
             let known = [*earlier, push.forces[0], push.forces[1]];
-            let terms = weights.iter().zip(&known[3 - N..]);
+            let terms = weights.of_loads.iter().zip(&known[3 - N..]);
             let terms = terms.map(|(weight, force)| weight * force);
-            push.impulse = scale * terms.reduce(|sum, term| sum + term).unwrap_or(0.0);
+            push.impulse = weights.scale * terms.reduce(|sum, term| sum + term).unwrap_or(0.0);
             *earlier = push.forces[0];
         }
     }
@@ -218,7 +220,7 @@ impl<Column: RestoringForce> Row<Column> {
                     approach_speed: approaches.of(index, rate),
                 };
                 if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
-                    pushes.act(self, (index, force), |floor, on_left, force| {
+                    pushes.act(self, index, force, |floor, on_left, force| {
                         let state = &mut states[floor];
                         if on_left {
                             state.force_from_right -= force;

@@ -1,11 +1,9 @@
 mod flight;
-mod push;
 mod series;
 
 use crate::quadrature::{self, EIGHT, SIXTEEN};
 pub use flight::Expansion;
 pub use flight::Flight;
-pub use push::Push;
 pub use series::Series;
 pub use series::value;
 pub(crate) use series::{Power, rise};
@@ -123,6 +121,33 @@ pub struct Weighed {
     pub ground_velocity: f64,
 }
 
+/// Force of the columns and of the dashpots \[N\] against the motion of a floor, from the storeys below and above it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct StoreyForces {
+    pub(crate) restoring: f64,
+    pub(crate) damping: f64,
+}
+
+/// How a method weighs the loads of a step: impulses are `scale` times the weighted sum of the loads.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Weights<const N: usize> {
+    /// Time \[s\]; in the trapezoidal rule Δt/2.
+    pub(crate) scale: f64,
+    /// Weight of every load \[–\]; in the trapezoidal rule 1 at both ends.
+    pub(crate) of_loads: [f64; N],
+}
+
+impl Weights<2> {
+    /// The trapezoidal rule for half a step of this length \[s\].
+    #[inline]
+    pub(crate) fn trapezoidal(half: f64) -> Self {
+        Self {
+            scale: half,
+            of_loads: [1.0; 2],
+        }
+    }
+}
+
 /// Forces on a structure at an instant, as they enter a method's equation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load {
@@ -134,13 +159,12 @@ pub(crate) struct Load {
 }
 
 impl Load {
-    /// The load from the pounding forces of a state, the restoring and damping force \[N\] of the storeys below and above, and the ground
-    /// acceleration \[m/s²\].
+    /// The load from the pounding forces of a state, the forces of storeys, and the ground acceleration \[m/s²\].
     #[inline]
-    pub(crate) fn at(state: &State, (restoring, damping): (f64, f64), ground: f64) -> Self {
+    pub(crate) fn at(state: &State, storeys: StoreyForces, ground: f64) -> Self {
         Self {
-            restoring,
-            damping,
+            restoring: storeys.restoring,
+            damping: storeys.damping,
             ground,
             from_left: state.force_from_left,
             from_right: state.force_from_right,
@@ -273,6 +297,38 @@ impl Span<'_> {
     }
 }
 
+/// Action of a pair on a floor over a span of the floor.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Push<'a> {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Whether the floor carries the left point, and is pushed to the left.
+    pub on_left: bool,
+    /// Part of the force that the floor carries \[–\], 0 < part ≤ 1.
+    pub part: f64,
+    /// Force of the pair at the start and at the end of the span \[N\], ≥ 0.
+    pub forces: [f64; 2],
+    /// Impulse of the pair over the span \[N·s\], ≥ 0.
+    pub impulse: f64,
+    /// Coefficients of the force \[N\] in the variable of a [`Series`](crate::Series); empty for other paths.
+    pub series: &'a [f64],
+}
+
+impl Push<'_> {
+    /// Share of the floor in a force of the pair \[N\], or in its impulse \[N·s\]: positive to the right.
+    #[inline]
+    pub fn given(&self, force: f64) -> f64 {
+        let part = self.part * force;
+        if self.on_left { -part } else { part }
+    }
+
+    /// Whether the pair has no effect on the floor.
+    #[inline]
+    pub fn is_none(&self) -> bool {
+        self.forces == [0.0, 0.0] && self.impulse == 0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -286,8 +342,8 @@ mod tests {
             ..State::default()
         };
         let ends = [path(0.5), path(2.5)];
-        let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
-        let span = Span::step(false, 0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
+        let loads = ends.map(|state| Load::at(&state, StoreyForces::default(), 0.0));
+        let span = Span::step(false, 0, [0.5, 2.5], ends, Weights::trapezoidal(1.0), loads);
         for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
             let (found, wanted) = (span.at(time), path(time));
             assert!((found.displacement - wanted.displacement).abs() < 1e-14, "{time}: {found:?}");
@@ -302,10 +358,10 @@ mod tests {
         let mut span = Span::step(
             false,
             0,
-            (5.0, 5.0_f64.next_up()),
+            [5.0, 5.0_f64.next_up()],
             [State::default(); 2],
-            (1.0, [1.0]),
-            [Load::at(&State::default(), (0.0, 0.0), 0.0)],
+            Weights::trapezoidal(1.0),
+            [Load::at(&State::default(), StoreyForces::default(), 0.0); 2],
         );
         let displacement = [1.0, 2.0];
         span.path = Path::Series(Series {
@@ -332,10 +388,10 @@ mod tests {
         let mut span = Span::step(
             false,
             0,
-            (2.0, 2.0625),
+            [2.0, 2.0625],
             [State::default(); 2],
-            (1.0, [1.0]),
-            [Load::at(&State::default(), (0.0, 0.0), 0.0)],
+            Weights::trapezoidal(1.0),
+            [Load::at(&State::default(), StoreyForces::default(), 0.0); 2],
         );
         span.path = Path::Series(Series {
             origin: 2.0,
@@ -361,8 +417,8 @@ mod tests {
             ..State::default()
         };
         let ends = [State::default(), end];
-        let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
-        let step = Span::step(false, 0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
+        let loads = ends.map(|state| Load::at(&state, StoreyForces::default(), 0.0));
+        let step = Span::step(false, 0, [0.0, 0.5], ends, Weights::trapezoidal(0.25), loads);
         let [integral] = step.integrate(|_, state| [state.displacement]);
         assert!((integral - 0.25).abs() < 1e-15, "{integral}");
     }

@@ -14,7 +14,7 @@ use super::column_errors::{ColumnErrors, at_most, distance};
 use super::output::Output;
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Prices, mean, step};
-use super::sampling::Point;
+use super::sampling::SamplePoint;
 use pounding_scene::{Going, Method, Simulation};
 use pounding_text::to_csv;
 
@@ -142,7 +142,7 @@ impl Sweep {
         let flights = flights.filter(|price| prices.is_worth(*price, *price));
         // No step may cost more than the alternative.
         let finest = prices.halved(flights.unwrap_or(f64::INFINITY));
-        let mut finest = self.that_may_hold((few, &truth.numbers), asked, finest);
+        let mut finest = self.that_may_hold(few, &truth.numbers, asked, finest);
         if flights.is_none() && finest.is_none() {
             return Method::EXACT;
         }
@@ -154,16 +154,15 @@ impl Sweep {
             if holds_for(&truth, &self.numbers(chooses).numbers, asked) {
                 otherwise = flown;
             } else {
-                let of = (few, &truth[..few.len()]);
-                finest = self.that_may_hold(of, asked, prices.halved(f64::INFINITY));
+                finest = self.that_may_hold(few, &truth[..few.len()], asked, prices.halved(f64::INFINITY));
             }
         }
-        let method = finest.and_then(|finest| self.stepping((chooses, &truth), asked, finest));
+        let method = finest.and_then(|finest| self.stepping(chooses, &truth, asked, finest));
         method.unwrap_or(otherwise)
     }
 
     /// The finest step that is worth its cost, if it may be within the requested error in half of a few runs.
-    fn that_may_hold(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: Option<i32>) -> Option<i32> {
+    fn that_may_hold(&mut self, runs: &[u64], truth: &[Told], asked: f64, finest: Option<i32>) -> Option<i32> {
         finest.filter(|halved| {
             self.set_method(&central_difference(*halved));
             let found = self.numbers(runs).numbers;
@@ -189,7 +188,7 @@ impl Sweep {
 
     /// A prepared run; `None` if it cannot be prepared.
     fn prepared_run(&self, run: u64, scene: &mut Value) -> Option<Simulation> {
-        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let (mut point, mut settings) = (SamplePoint::default(), Vec::new());
         self.plan.settings(run, &mut point, &mut settings);
         let motion = self.plan.motion(run).0;
         self.prepared(motion, &settings, scene).ok()
@@ -217,7 +216,7 @@ impl Sweep {
 
     /// Central differences with the longest step that is within the requested error in most runs. The next finer step must confirm it,
     /// because a single step may succeed by chance.
-    fn stepping(&mut self, (runs, truth): (&[u64], &[Told]), asked: f64, finest: i32) -> Option<Method> {
+    fn stepping(&mut self, runs: &[u64], truth: &[Told], asked: f64, finest: i32) -> Option<Method> {
         let mut held = false;
         for halved in 0..=finest + 1 {
             self.set_method(&central_difference(halved));

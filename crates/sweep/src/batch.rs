@@ -8,7 +8,7 @@ use super::Sweep;
 use super::checked::{Checked, TwoRuns};
 use super::plan::Setting;
 use super::renumbered::Renumbered;
-use super::sampling::Point;
+use super::sampling::SamplePoint;
 use pounding_scene::{Error, Extras, Going, Simulation};
 use serde_json::Value;
 
@@ -88,7 +88,7 @@ struct Ready {
 struct Making<'a> {
     sweep: &'a Sweep,
     scene: Value,
-    point: Point,
+    point: SamplePoint,
     settings: Vec<Setting>,
     motion: Option<usize>,
     /// The scene under this motion, in which numbers are set; `None` if every scene is read.
@@ -103,7 +103,7 @@ impl<'a> Making<'a> {
         Self {
             sweep,
             scene: sweep.scene.clone(),
-            point: Point::default(),
+            point: SamplePoint::default(),
             settings: Vec::new(),
             motion: None,
             template: None,
@@ -223,7 +223,7 @@ impl Sweep {
             least.clear();
             let beside = together
                 .as_ref()
-                .is_some_and(|sums| self.tell(prepared, (sums, scene), (&mut numbers, &mut least)));
+                .is_some_and(|sums| self.tell(prepared, sums, scene, &mut numbers, &mut least));
             // A fault of the program in one run must not lose the others.
             let ran = if !beside {
                 let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));

@@ -62,8 +62,10 @@ impl Sweep {
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
-        (tallies, scene): (&SceneSums, usize),
-        (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
+        tallies: &SceneSums,
+        scene: usize,
+        numbers: &mut Vec<f64>,
+        least: &mut Vec<f64>,
     ) -> bool {
         if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
             return false;

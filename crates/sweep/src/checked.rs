@@ -160,7 +160,7 @@ mod tests {
         );
         let path = Path::new("sweep.toml");
         let file = SweepFile::parse(text.as_bytes(), path).unwrap();
-        Sweep::of((file, text.as_bytes()), path, None).unwrap()
+        Sweep::of(file, text.as_bytes(), path, None).unwrap()
     }
 
     /// A fault of lanes, inserted on purpose, changes a number. In a stepping method the last bit reveals it, in the exact method a change
@@ -173,7 +173,7 @@ mod tests {
         ] {
             let sweep = sweep(method);
             let mut json = sweep.scene.clone();
-            let (mut point, mut settings) = (crate::sampling::Point::default(), Vec::new());
+            let (mut point, mut settings) = (crate::sampling::SamplePoint::default(), Vec::new());
             sweep.plan.settings(3, &mut point, &mut settings);
             let scene = sweep.prepared(0, &settings, &mut json).unwrap();
             let (mut alone, mut least) = (Vec::new(), Vec::new());

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantile::{probability, quantile};
-use super::range::{FINITE, POSITIVE, bounds, require};
+use super::spread::{FINITE, POSITIVE, bounds, require};
 
 /// A normal distribution, optionally truncated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -12,7 +12,7 @@ use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::error;
 use super::manifest::{Manifest, joined_beside, path_of};
-use super::part::{self, Part, length_of_line};
+use super::part::{self, PartFile, length_of_line};
 use super::summary::{SummaryTable, Tally};
 use pounding_text::Refused;
 
@@ -308,7 +308,7 @@ fn encode(bytes: impl Read, path: &Path) -> io::Result<()> {
 struct Table<'a, Parts> {
     header: &'a [u8],
     /// The present part; before the first part, the header.
-    part: Option<Part>,
+    part: Option<PartFile>,
     read: usize,
     parts: Parts,
     manifest: &'a Manifest,
@@ -319,7 +319,7 @@ struct Table<'a, Parts> {
 impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
     /// The present bytes.
     fn current(&self) -> &[u8] {
-        self.part.as_ref().map_or(self.header, Part::rows)
+        self.part.as_ref().map_or(self.header, PartFile::rows)
     }
 
     /// Goes on to the next part; whether there is one.

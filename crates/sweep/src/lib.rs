@@ -15,7 +15,7 @@
 //!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
 //!     contacts = [{ gap_m = 0.05066059, law.stereomechanical.restitution = 0.65 }]"#;
 //! let path = "sweep.toml".as_ref();
-//! let sweep = Sweep::of((SweepFile::parse(text, path)?, text), path, None)?;
+//! let sweep = Sweep::of(SweepFile::parse(text, path)?, text, path, None)?;
 //!
 //! // The tower arrives with A T/8 = 0.5 m/s, whatever the restitution: (1+e) m v₀ is 60, 80 and 100 kN·s.
 //! let impulses = sweep.batch(0..sweep.n_runs()).columns.concat();
@@ -35,10 +35,10 @@ mod accuracy;
 mod batch;
 mod beside;
 mod checked;
-mod column;
 mod column_errors;
 mod distribution;
 mod error;
+mod field_path;
 mod file;
 mod join;
 mod manifest;
@@ -47,11 +47,9 @@ mod output;
 mod part;
 mod parts;
 mod permutation;
-mod place;
 mod plan;
 mod prices;
 mod quantile;
-mod range;
 mod renumbered;
 mod rows;
 mod sampling;
@@ -72,19 +70,19 @@ use sha2::{Digest, Sha256};
 pub use accuracy::SweepAccuracy;
 pub use batch::Batch;
 pub use checked::Checked;
-pub use column::SweepColumn;
 pub use column_errors::ColumnErrors;
 pub use distribution::{LogNormal, Normal};
 pub use file::{Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema};
 pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
-use output::{Output, Row};
+use output::{Output, RowShape};
 pub use parts::Parts;
 use plan::{Plan, Setting, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::Summary;
+pub use table::SweepColumn;
 
 use pounding_assess::Suite;
 use pounding_scene::file::in_file;
@@ -98,7 +96,7 @@ pub struct Sweep {
     motions: Motions,
     /// The scene that is varied.
     scene: Value,
-    row: Row,
+    row: RowShape,
     /// The columns of numbers.
     outputs: Vec<Output>,
     verdict: bool,
@@ -133,7 +131,7 @@ impl Sweep {
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::of((file, &bytes), path, stop).map_err(|refused| {
+        Self::of(file, &bytes, path, stop).map_err(|refused| {
             let is_stopped = refused.is_kind(Kind::Stopped);
             if is_stopped { refused } else { in_file(refused, path) }
         })
@@ -146,7 +144,7 @@ impl Sweep {
     ///
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
-    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+    pub fn of(file: SweepFile, bytes: &[u8], path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -170,7 +168,7 @@ impl Sweep {
         let mut inputs = motions.files.clone();
         inputs.extend([path.to_path_buf(), read.path]);
         let mut sweep = Self {
-            row: Row::default(),
+            row: RowShape::default(),
             closings: false,
             outputs: Vec::new(),
             verdict: file.verdict,
@@ -366,7 +364,7 @@ mod tests {
             "samples": samples,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json"), None)
+        Sweep::of(file, b"", Path::new("sweep.json"), None)
     }
 
     #[test]

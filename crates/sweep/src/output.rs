@@ -16,7 +16,7 @@ pub(super) fn is_of_all(column: &str) -> bool {
 
 /// The structures of a row. All runs of a sweep have equal ones, with the names of the first run.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Row {
+pub(super) struct RowShape {
     structures: Vec<String>,
     floors: Vec<Named>,
     pairs: Vec<FloorPair>,
@@ -31,7 +31,7 @@ struct Named {
     is_wall: bool,
 }
 
-impl Row {
+impl RowShape {
     pub(super) fn of(floors: &Floors) -> Self {
         let named = floors.all().iter().map(|floor| Named {
             name: floor.name.clone(),

@@ -49,13 +49,13 @@ const LONGEST: Length = Length::new(4 << 30, "it is none that a sweep wrote");
 
 /// A complete part.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Part {
+pub(super) struct PartFile {
     bytes: Vec<u8>,
     /// Length of the line.
     line: usize,
 }
 
-impl Part {
+impl PartFile {
     /// The rows, or the tally.
     pub(super) fn rows(&self) -> &[u8] {
         &self.bytes[self.line..]
@@ -83,7 +83,7 @@ pub(super) enum Damage {
 ///
 /// # Errors
 /// Its fault.
-fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<Part, Damage> {
+fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<PartFile, Damage> {
     let begin = begin(manifest, part);
     if !bytes.starts_with(begin.as_bytes()) {
         return Err(Damage::Other);
@@ -94,14 +94,14 @@ fn of(manifest: &Manifest, part: u64, bytes: Vec<u8>) -> Result<Part, Damage> {
     if found != wanted.as_bytes() {
         return Err(Damage::Changed);
     }
-    Ok(Part { bytes, line })
+    Ok(PartFile { bytes, line })
 }
 
 /// Reads a complete part.
 ///
 /// # Errors
 /// Refuses a damaged file, and what the system refuses.
-pub(super) fn read(manifest: &Manifest, part: u64, path: &Path) -> Result<Part, Refused> {
+pub(super) fn read(manifest: &Manifest, part: u64, path: &Path) -> Result<PartFile, Refused> {
     let bytes = pounding_files::read(path, LONGEST).map_err(error::file(path))?;
     let length = bytes.len();
     of(manifest, part, bytes).map_err(|damage| {

@@ -275,8 +275,7 @@ impl Parts {
     fn body(&self, sweep: &Sweep, part: u64, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<u8>> {
         let runs = self.manifest.runs_of(part);
         if let Some(form) = self.manifest.without_rows() {
-            let runs = (runs, Manifest::runs_per_batch(sweep));
-            let tally = sweep.summed_up(form, runs, done)?;
+            let tally = sweep.summed_up(form, runs, Manifest::runs_per_batch(sweep), done)?;
             return Some(tally.line().into_bytes());
         }
         let batch = sweep.batch_unless_stopped(runs)?;

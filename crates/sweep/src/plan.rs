@@ -2,9 +2,9 @@
 
 use serde_json::{Number, Value};
 
+use super::field_path::FieldPath;
 use super::file::{MOST, Samples, SweepFile, Vary};
-use super::place::Place;
-use super::sampling::{Point, Sampler, most_sobol_axes};
+use super::sampling::{SamplePoint, Sampler, most_sobol_axes};
 use super::spread::Spread;
 use pounding_text::Refused;
 
@@ -15,7 +15,7 @@ pub(super) struct Axis {
     pub(super) name: String,
     /// Its entry in the file.
     pub(super) place: String,
-    pub(super) fields: Vec<Place>,
+    pub(super) fields: Vec<FieldPath>,
     pub(super) spread: Spread,
     /// Number of runs between changes of its value; `None` for a sampled axis.
     stride: Option<u64>,
@@ -40,7 +40,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn new(vary: Vec<(Vary, Vec<Place>)>, samples: Option<Samples>, n_motions: usize) -> Result<Self, Refused> {
+    pub(super) fn new(vary: Vec<(Vary, Vec<FieldPath>)>, samples: Option<Samples>, n_motions: usize) -> Result<Self, Refused> {
         let n_motions = n_motions as u64;
         let n_sampled = check_samples(&vary, samples)?;
         let n_samples = samples.map_or(1, |samples| samples.count);
@@ -95,7 +95,7 @@ impl Plan {
     }
 
     /// Writes the values of a run, axis by axis.
-    pub(super) fn settings(&self, run: u64, point: &mut Point, to: &mut Vec<Setting>) {
+    pub(super) fn settings(&self, run: u64, point: &mut SamplePoint, to: &mut Vec<Setting>) {
         let place = run % self.runs_per_motion;
         if let Some(sampler) = &self.sampler {
             sampler.point(place % self.n_samples, point);
@@ -122,14 +122,14 @@ const FIXED: [(&str, &str); 4] = [
 ];
 
 /// What varies, with the places of its fields in the scene.
-pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, Refused> {
-    let mut known: Vec<Place> = Vec::new();
+pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<FieldPath>)>, Refused> {
+    let mut known: Vec<FieldPath> = Vec::new();
     let mut placed = Vec::with_capacity(file.vary.len());
     for (index, vary) in file.vary.iter().enumerate() {
         let place = || format!("vary[{index}]");
         let mut fields = Vec::new();
         for field in &vary.fields {
-            let found = Place::all(field, scene).map_err(|refused| refused.in_field(place()))?;
+            let found = FieldPath::all(field, scene).map_err(|refused| refused.in_field(place()))?;
             for one in found {
                 if let Some(instead) = fixed(&one, file) {
                     let found = Refused::at(place()).found(format!("the field `{one}`, which does not vary here"));
@@ -149,12 +149,12 @@ pub(super) fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<P
 }
 
 /// Whether the method, or a part of it, is among these fields.
-pub(super) fn varies_method(fields: &[Place]) -> bool {
+pub(super) fn varies_method(fields: &[FieldPath]) -> bool {
     fields.iter().any(|field| field.is_in("method"))
 }
 
 /// The alternative to varying a field that must not vary.
-fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
+fn fixed(place: &FieldPath, file: &SweepFile) -> Option<&'static str> {
     let text = place.to_string();
     if text == "record" {
         return Some("vary fields of it, or name records in `records`");
@@ -167,8 +167,8 @@ fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
 }
 
 /// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.
-fn check_samples(vary: &[(Vary, Vec<Place>)], samples: Option<Samples>) -> Result<usize, Refused> {
-    let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<Place>))| vary.spread.count().is_none();
+fn check_samples(vary: &[(Vary, Vec<FieldPath>)], samples: Option<Samples>) -> Result<usize, Refused> {
+    let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<FieldPath>))| vary.spread.count().is_none();
     let mut sampled = vary.iter().enumerate().filter(is_sampled);
     let first = sampled.next().map(|(index, _)| index);
     let n = sampled.count() + usize::from(first.is_some());

@@ -5,7 +5,7 @@
 use serde_json::Value;
 
 use super::Sweep;
-use super::place::Place;
+use super::field_path::FieldPath;
 use super::plan::{Setting, value_of};
 use super::spread::Spread;
 use pounding_scene::file::{SdofFile, SetNumber};
@@ -18,7 +18,7 @@ enum Slot {
     Structure(usize, SetNumber),
     Gap(usize),
     /// The JSON of a contact, whose law is read again: the number may calibrate it.
-    Law(Place),
+    Law(FieldPath),
 }
 
 /// A scene with varying numbers.
@@ -80,7 +80,7 @@ impl Sweep {
 }
 
 impl Renumbered {
-    fn slot(&mut self, place: &Place) -> Option<Slot> {
+    fn slot(&mut self, place: &FieldPath) -> Option<Slot> {
         if let Some((index, field)) = place.in_item_of("structures") {
             let set = SdofFile::setter(field.strip_prefix("sdof.")?)?;
             let mut known = self.structures.iter();
@@ -244,7 +244,7 @@ mod tests {
             "verdict": false,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json"), None).expect("its typical numbers are valid")
+        Sweep::of(file, b"", Path::new("sweep.json"), None).expect("its typical numbers are valid")
     }
 
     proptest! {

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 
 use super::plan::{Axis, Setting};
-use super::sampling::Point;
+use super::sampling::SamplePoint;
 use super::{Batch, Sweep};
 
 /// Rows of CSV in memory, field by field. Every field ends with a comma, which the end of a row replaces.
@@ -86,7 +86,7 @@ impl Sweep {
     /// A row for each run of a batch; each is a line.
     pub fn rows(&self, batch: &Batch) -> Vec<u8> {
         let mut rows = Rows::default();
-        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let (mut point, mut settings) = (SamplePoint::default(), Vec::new());
         let (mut shaken, mut of_motion) = (None, Vec::new());
         for (index, run) in batch.runs.clone().enumerate() {
             let motion = self.plan.motion(run).0;

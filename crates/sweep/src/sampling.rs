@@ -41,7 +41,7 @@ pub(super) fn most_sobol_axes() -> usize {
 
 /// A point, and the random numbers after it.
 #[derive(Debug, Default)]
-pub(super) struct Point {
+pub(super) struct SamplePoint {
     pub(super) coordinates: Vec<f64>,
     /// The index of the next point, with the generator at this position: runs are consecutive, and a jump costs more than a point.
     ahead: Option<(u64, Pcg64)>,
@@ -63,7 +63,7 @@ impl Sampler {
     }
 
     /// Writes the coordinates of the point `index`, each > 0 and < 1.
-    pub(super) fn point(&self, index: u64, Point { coordinates, ahead }: &mut Point) {
+    pub(super) fn point(&self, index: u64, SamplePoint { coordinates, ahead }: &mut SamplePoint) {
         let to = coordinates;
         to.clear();
         match &self.method {
@@ -150,7 +150,7 @@ mod tests {
 
     fn points(sampler: &Sampler, count: u64) -> Vec<Vec<f64>> {
         let point = |index| {
-            let mut point = Point::default();
+            let mut point = SamplePoint::default();
             sampler.point(index, &mut point);
             point.coordinates
         };
@@ -197,7 +197,7 @@ mod tests {
         fn limit_a_point_depends_on_its_index_alone(index in 0_u64..1_000_000_000, seed: u64) {
             for method in [SampleMethod::Random, SampleMethod::Sobol, SampleMethod::LatinHypercube] {
                 let sampler = sampler(method, 1_000_000_000, seed);
-                let (mut once, mut again) = (Point::default(), Point::default());
+                let (mut once, mut again) = (SamplePoint::default(), SamplePoint::default());
                 sampler.point(index, &mut once);
                 // After another point, and after the previous point.
                 for before in [index / 2, index.saturating_sub(1)] {

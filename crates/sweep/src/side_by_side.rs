@@ -27,7 +27,7 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
     let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
     let of_first = shape(scenes.first()?);
     let mut tallies = SceneSums::default();
-    tallies.begin(scenes.len(), of_first);
+    tallies.begin(scenes.len(), of_first.0, of_first.1);
     let of_shape = scenes.iter().enumerate();
     let of_shape = of_shape.filter(|(_, scene)| shape(scene) == of_first);
     let mut left: Vec<_> = of_shape.map(|(place, scene)| (place, *scene)).collect();
@@ -37,8 +37,8 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
         let is_now = |(place, scene): &Placed<'_>| *place == first_place || goes_with(scene, first);
         let (now, later): (Vec<_>, Vec<_>) = left.into_iter().partition(is_now);
         any |= match stepping(first) {
-            Some(settings) => stepped((&now, closings), settings, &mut tallies).unwrap_or(false),
-            None => exact((&now, closings), &mut tallies),
+            Some(settings) => stepped(&now, closings, settings, &mut tallies).unwrap_or(false),
+            None => exact(&now, closings, &mut tallies),
         };
         left = later;
     }
@@ -95,7 +95,7 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
 }
 
 /// Runs scenes that share lanes by a stepping method; `None` if they cannot.
-fn stepped((scenes, closings): (&[Placed<'_>], bool), settings: CentralDifference, tallies: &mut SceneSums) -> Option<bool> {
+fn stepped(scenes: &[Placed<'_>], closings: bool, settings: CentralDifference, tallies: &mut SceneSums) -> Option<bool> {
     let (_, first) = scenes.first()?;
     let n_steps: Vec<_> = scenes.iter().map(|(_, scene)| scene.clock().n_steps).collect();
     let clock = Clock {
@@ -114,14 +114,14 @@ fn stepped((scenes, closings): (&[Placed<'_>], bool), settings: CentralDifferenc
     };
     if ran {
         for (index, (place, _)) in scenes.iter().enumerate() {
-            tallies.take(*place, (&found, index));
+            tallies.take(*place, &found, index);
         }
     }
     Some(ran)
 }
 
 /// Runs those of scenes sharing lanes that the exact method supports; false if there are none.
-fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> bool {
+fn exact(scenes: &[Placed<'_>], closings: bool, tallies: &mut SceneSums) -> bool {
     let flies = |(_, scene): &Placed<'_>| {
         let settings = settings(scene)?;
         ExactSideBySide::takes(elastic(scene)?, settings).then_some(settings)

@@ -4,12 +4,24 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-use super::column::SweepColumn;
 use super::manifest::Manifest;
 use super::plan::{Axis, Setting};
-use super::sampling::Point;
+use super::sampling::SamplePoint;
 use super::summary::{Form, SummaryTable, Tally};
 use super::{Batch, Sweep};
+
+/// A column of a sweep, with a value for each row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SweepColumn {
+    /// Numbers of runs.
+    Counts(Vec<u64>),
+    /// Yes or no for each row.
+    Flags(Vec<bool>),
+    /// Numbers; NaN if a row has none.
+    Numbers(Vec<f64>),
+    /// Texts; `None` if a row has none.
+    Texts(Vec<Option<String>>),
+}
 
 impl Sweep {
     /// Runs the whole sweep with all threads. Returns columns with the names of [`columns`](Self::columns) and the numbers of a table on
@@ -29,7 +41,7 @@ impl Sweep {
         let batches: Vec<u64> = (0..n_runs.div_ceil(batch)).collect();
         let made = batches.into_par_iter().with_max_len(1).map(|index| {
             let runs = index * batch..n_runs.min((index + 1) * batch);
-            let tally = self.summed_up(form, (runs, batch), done)?;
+            let tally = self.summed_up(form, runs, batch, done)?;
             whole.lock().ok()?.merge(&tally);
             Some(())
         });
@@ -76,7 +88,7 @@ impl Sweep {
     /// The varying values, a column for each axis.
     fn varied(&self) -> Vec<SweepColumn> {
         let axes = self.plan.axes();
-        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let (mut point, mut settings) = (SamplePoint::default(), Vec::new());
         let mut values: Vec<Vec<Setting>> = vec![Vec::new(); axes.len()];
         for run in 0..self.n_runs() {
             self.plan.settings(run, &mut point, &mut settings);
@@ -84,12 +96,13 @@ impl Sweep {
                 column.push(*setting);
             }
         }
-        axes.iter().zip(values).map(column).collect()
+        let columns = axes.iter().zip(&values);
+        columns.map(|(axis, settings)| column(axis, settings)).collect()
     }
 }
 
 /// The values of an axis: numbers, or texts if a list has other values.
-fn column((axis, settings): (&Axis, Vec<Setting>)) -> SweepColumn {
+fn column(axis: &Axis, settings: &[Setting]) -> SweepColumn {
     let number = |setting: &Setting| match setting {
         Setting::Number(number) => Some(*number),
         Setting::Listed(_) => None,

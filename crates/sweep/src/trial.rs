@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::Sweep;
 use super::manifest::PRICES;
-use super::output::Row;
+use super::output::RowShape;
 use super::plan::{Axis, Plan, Setting};
 use super::spread::{Between, Spread};
 use pounding_scene::file::in_file;
@@ -19,9 +19,9 @@ const MOST_TRIED: u64 = 1000;
 const NEAR: f64 = 1e-6;
 
 /// The row of a scene that does not run.
-pub(super) fn row_of(scene: &Scene) -> Result<Row, Refused> {
+pub(super) fn row_of(scene: &Scene) -> Result<RowShape, Refused> {
     let floors = scene.check().and_then(|()| Floors::of(scene));
-    Ok(Row::of(&floors.map_err(|refused| Error::in_scene(&scene.name, refused))?))
+    Ok(RowShape::of(&floors.map_err(|refused| Error::in_scene(&scene.name, refused))?))
 }
 
 /// Reads a scene whose fields were set; an error names the field.
@@ -91,7 +91,7 @@ fn tried(spread: &Spread) -> Vec<(Setting, Setting)> {
 impl Sweep {
     /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others; the row that
     /// all have, where one of them runs.
-    pub(super) fn tried(&self) -> Result<Option<Row>, Refused> {
+    pub(super) fn tried(&self) -> Result<Option<RowShape>, Refused> {
         let first = self.plan.typical();
         let mut row = None;
         for (index, axis) in self.plan.axes().iter().enumerate() {
@@ -111,7 +111,7 @@ impl Sweep {
         Ok(row)
     }
 
-    fn try_one(&self, axis: &Axis, setting: Setting, settings: &[Setting], row: &mut Option<Row>) -> Result<(), Refused> {
+    fn try_one(&self, axis: &Axis, setting: Setting, settings: &[Setting], row: &mut Option<RowShape>) -> Result<(), Refused> {
         let mut scene = self.scene.clone();
         let tried = self.prepared(0, settings, &mut scene);
         let found = match tried {
@@ -120,11 +120,11 @@ impl Sweep {
             Err(reason) => return Err(refused(axis, setting, &reason)),
         };
         let floors = found.floors();
-        let first = row.get_or_insert_with(|| Row::of(floors));
+        let first = row.get_or_insert_with(|| RowShape::of(floors));
         if first.fits(floors) {
             return Ok(());
         }
-        let (value, words) = (axis.value(setting), Row::of(floors).words());
+        let (value, words) = (axis.value(setting), RowShape::of(floors).words());
         let found = format!(
             "{} = {value}, with which the row has {words}, where the first run has {}",
             axis.name,

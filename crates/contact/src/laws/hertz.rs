@@ -1,4 +1,4 @@
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::HERTZ;
 use crate::{FreePair, Parameter};
@@ -32,8 +32,8 @@ impl Law for Hertz {
     }
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
-        let spring = (self.impact_stiffness, Power::ThreeHalves);
-        Some(Form::new(spring, (0.0, Power::Zero), Action::Approach))
+        let spring = Term::new(self.impact_stiffness, Power::ThreeHalves);
+        Some(Form::new(spring, Term::NONE, Action::Approach))
     }
 
     fn restitution(&self) -> Option<f64> {

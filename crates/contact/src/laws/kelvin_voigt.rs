@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{LINEAR, RATIO};
 use crate::{FreePair, Parameter, oscillator};
@@ -41,8 +41,8 @@ impl Law for KelvinVoigt {
 
     fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
         let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
-        let dashpot = (self.impact_damping_ratio * critical, Power::Zero);
-        let spring = (self.impact_stiffness, Power::One);
+        let dashpot = Term::new(self.impact_damping_ratio * critical, Power::Zero);
+        let spring = Term::new(self.impact_stiffness, Power::One);
         Some(Form::new(spring, dashpot, Action::Both))
     }
 

@@ -1,4 +1,4 @@
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::free_impact::restitution;
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{HERTZ, Range};
@@ -52,8 +52,8 @@ impl Law for KuwabaraKono {
     }
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
-        let spring = (self.impact_stiffness, Power::ThreeHalves);
-        Some(Form::new(spring, (self.impact_damping, Power::Half), Action::Both))
+        let spring = Term::new(self.impact_stiffness, Power::ThreeHalves);
+        Some(Form::new(spring, Term::new(self.impact_damping, Power::Half), Action::Both))
     }
 }
 

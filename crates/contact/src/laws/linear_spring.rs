@@ -1,4 +1,4 @@
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::LINEAR;
 use crate::{FreePair, Parameter};
@@ -31,8 +31,8 @@ impl Law for LinearSpring {
     }
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
-        let spring = (self.impact_stiffness, Power::One);
-        Some(Form::new(spring, (0.0, Power::Zero), Action::Approach))
+        let spring = Term::new(self.impact_stiffness, Power::One);
+        Some(Form::new(spring, Term::NONE, Action::Approach))
     }
 
     fn restitution(&self) -> Option<f64> {

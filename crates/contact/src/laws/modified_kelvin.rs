@@ -1,4 +1,4 @@
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{FACTOR, LINEAR};
 use crate::{Parameter, approach_damper};
@@ -35,7 +35,7 @@ impl Law for ModifiedKelvin {
     }
 
     fn form(&self, _reduced_mass: f64, approach_speed: f64) -> Option<Form> {
-        let spring = (self.impact_stiffness, Power::One);
+        let spring = Term::new(self.impact_stiffness, Power::One);
         let factor = self.impact_damping_factor;
         Some(approach_damper::form(spring, factor, approach_speed, Action::Both))
     }

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use crate::form::{Action, Form, Power};
+use crate::form::{Action, Form, Power, Term};
 use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{HERTZ, RATIO};
 use crate::{ContactForce, Number, Overlap, Parameter, oscillator};
@@ -46,8 +46,8 @@ impl Law for NonlinearViscoelastic {
 
     fn form(&self, reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
         let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
-        let damper = (self.impact_damping_ratio * critical, Power::Quarter);
-        let spring = (self.impact_stiffness, Power::ThreeHalves);
+        let damper = Term::new(self.impact_damping_ratio * critical, Power::Quarter);
+        let spring = Term::new(self.impact_stiffness, Power::ThreeHalves);
         Some(Form::new(spring, damper, Action::Approach))
     }
 

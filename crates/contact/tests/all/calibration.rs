@@ -80,12 +80,12 @@ fn limit_more_restitution_needs_less_damping() {
 fn extreme_restitutions_are_refused_by_name() {
     for name in damped() {
         for e in [0.0, -0.1, 1.0 + 1e-9, f64::NAN] {
-            let refused = name.calibrated(1e9, (e, Calibration::Exact), &PAIR);
+            let refused = name.calibrated(1e9, e, Calibration::Exact, &PAIR);
             let message = refused.unwrap_err().to_string();
             assert!(message.starts_with("restitution: found"), "{message}");
         }
         for stiffness in [0.0, -1.0, f64::INFINITY, f64::NAN] {
-            let refused = name.calibrated(stiffness, (0.5, Calibration::Exact), &PAIR);
+            let refused = name.calibrated(stiffness, 0.5, Calibration::Exact, &PAIR);
             let message = refused.unwrap_err().to_string();
             assert!(message.starts_with("impact_stiffness"), "{message}");
         }
@@ -95,7 +95,7 @@ fn extreme_restitutions_are_refused_by_name() {
         springs.all(|name| law(name, 0.99, Calibration::Exact).is_none()),
         "a spring has e = 1"
     );
-    let formula = LawName::KuwabaraKono.calibrated(1e9, (0.5, Calibration::Literature), &PAIR);
+    let formula = LawName::KuwabaraKono.calibrated(1e9, 0.5, Calibration::Literature, &PAIR);
     assert_eq!(formula, Err(CalibrationError::NoFormula { law: "kuwabara_kono" }));
 }
 

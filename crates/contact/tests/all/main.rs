@@ -28,7 +28,7 @@ fn stiffness(name: LawName) -> f64 {
 
 /// A law calibrated to an e; `None` if this is impossible.
 fn law(name: LawName, restitution: f64, calibration: Calibration) -> Option<ContactLaw> {
-    name.calibrated(stiffness(name), (restitution, calibration), &PAIR).ok()
+    name.calibrated(stiffness(name), restitution, calibration, &PAIR).ok()
 }
 
 /// The compliant laws whose damping follows from e.

@@ -2,7 +2,7 @@
 
 use pounding_contact::Number;
 
-use super::pressed::{Point, Pressed, State, fourth_power, larger};
+use super::pressed::{Pressed, PressedPoint, State, fourth_power, larger};
 
 /// Weights of the earlier slopes at the second stage. The constants below are those of the other stages; the last are the solution of order
 /// 5.
@@ -35,7 +35,7 @@ const BETWEEN: [f64; 7] = [
 
 /// A trial step.
 pub(super) struct Stepped<N> {
-    pub(super) next: Point<N>,
+    pub(super) next: PressedPoint<N>,
     /// Estimated error relative to the approach speed.
     pub(super) error: N,
     slopes: [State<N>; 7],
@@ -50,7 +50,7 @@ pub(super) struct Way<N> {
 
 impl<N: Number> Pressed<N> {
     #[inline(always)]
-    pub(super) fn step(&self, from: &Point<N>, step: N) -> Stepped<N> {
+    pub(super) fn step(&self, from: &PressedPoint<N>, step: N) -> Stepped<N> {
         let at = |node: f64| from.s + step * step.like(node);
         let mut slopes = [from.slope; 7];
         slopes[1] = self.slope(at(0.2), &on_the_way(from, step, &slopes, SECOND));
@@ -78,7 +78,7 @@ impl<N: Number> Pressed<N> {
 impl<N: Number> Stepped<N> {
     /// The polynomial from the start of the step.
     #[inline(always)]
-    pub(super) fn way(&self, from: &Point<N>, step: N) -> Way<N> {
+    pub(super) fn way(&self, from: &PressedPoint<N>, step: N) -> Way<N> {
         let mut way = Way {
             start: from.state,
             change: from.state,
@@ -113,7 +113,7 @@ impl<N: Number> Way<N> {
 
 /// The motions within a step, with these weights of slopes. The impulse is omitted, because nothing depends on it.
 #[inline(always)]
-fn on_the_way<N: Number, const STAGES: usize>(from: &Point<N>, step: N, slopes: &[State<N>; 7], weights: [f64; STAGES]) -> State<N> {
+fn on_the_way<N: Number, const STAGES: usize>(from: &PressedPoint<N>, step: N, slopes: &[State<N>; 7], weights: [f64; STAGES]) -> State<N> {
     let mut state = from.state;
     for index in 0..state.len() - 1 {
         state[index] = state[index] + step * weighted(slopes, weights, index);
@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    fn start(pressed: &Pressed<f64>) -> Point<f64> {
+    fn start(pressed: &Pressed<f64>) -> PressedPoint<f64> {
         pressed.at(0.4, [0.05, 0.6, 0.01, -0.3, 0.0])
     }
 

@@ -31,8 +31,15 @@ pub(super) struct Flyer<S: Simd> {
     pub(super) extremes: [Lanes<S>; 2],
 }
 
-/// Time to the next sample \[s\]; acceleration of the ground \[m/s²\], and its slope \[m/s³\].
-pub(super) type Ahead<S> = (f64, [Lanes<S>; 2]);
+/// The way to the next sample.
+#[derive(Clone, Copy)]
+pub(super) struct Ahead<S: Simd> {
+    /// Time to the sample \[s\].
+    pub(super) length: f64,
+    /// Acceleration of the ground \[m/s²\], and its slope \[m/s³\].
+    pub(super) ground: Lanes<S>,
+    pub(super) slope: Lanes<S>,
+}
 
 /// State of a structure at the next sample.
 #[derive(Clone, Copy)]
@@ -82,10 +89,10 @@ impl<S: Simd> Flyer<S> {
     /// The state at the next sample, and the lanes in which the structure could turn beyond its extremes at a turn that [`Self::turn`] has
     /// not located.
     #[inline(always)]
-    pub(super) fn ahead(&self, (length, ground): Ahead<S>) -> (Landing<S>, Mask<S>) {
+    pub(super) fn ahead(&self, Ahead { length, ground, slope }: Ahead<S>) -> (Landing<S>, Mask<S>) {
         let (u, v) = (self.displacement, self.velocity);
         let zero = u.like(0.0);
-        let [ground, slope] = ground.map(|number| self.mobile * number);
+        let [ground, slope] = [ground, slope].map(|number| self.mobile * number);
         let last = ground + slope * u.like(length);
         let load = ground + self.stiffness * u;
         let by = |[velocity, constant, growing]: [Lanes<S>; 3]| velocity * v + constant * load + growing * slope;

@@ -26,24 +26,25 @@ pub(super) fn run<S: Simd>(simd: S, method: &ExactSideBySide<'_>, rows: &[(usize
             if method.budget.is_stopped() {
                 return;
             }
-            let this = (index, method.length(index));
+            let length = method.length(index);
             let common = match method.excitations {
-                Excitations::Common(_) => Some(method.interval(this, 0)),
+                Excitations::Common(_) => Some(method.interval(index, length, 0)),
                 Excitations::Each(_) => None,
             };
             let interval = |scene: usize| match common {
                 Some(interval) => interval,
-                None => method.interval(this, batch * BATCH + scene.min(rows.len() - 1)),
+                None => method.interval(index, length, batch * BATCH + scene.min(rows.len() - 1)),
             };
             alone.clear();
             let scenes_of_groups = scenes.chunks_mut(Lanes::<S>::N);
             for (index, (group, scenes)) in groups.iter_mut().zip(scenes_of_groups).enumerate() {
                 let first = index * Lanes::<S>::N;
-                let ground = match common {
+                let [ground, slope] = match common {
                     Some(one) => [one.value, one.slope].map(|number| Lanes::splat(simd, number)),
                     None => in_lanes(simd, std::array::from_fn(|lane| interval(first + lane))),
                 };
-                let lanes = group.go((this.1, ground), method.step, scenes);
+                let ahead = Ahead { length, ground, slope };
+                let lanes = group.go(ahead, method.step, scenes);
                 alone.extend(places(lanes).map(|lane| index * Lanes::<S>::N + lane));
             }
             if alone.is_empty() {
@@ -57,7 +58,7 @@ pub(super) fn run<S: Simd>(simd: S, method: &ExactSideBySide<'_>, rows: &[(usize
         }
         for (scene, (place, _)) in rows.iter().enumerate() {
             let group = &groups[scene / Lanes::<S>::N];
-            group.tell(scene % Lanes::<S>::N, &scenes[scene], (*place, tallies));
+            group.tell(scene % Lanes::<S>::N, &scenes[scene], *place, tallies);
         }
         for group in &groups {
             tallies.steps += method.n_intervals() as u64;
@@ -166,7 +167,7 @@ impl<S: Simd> Group<S> {
             events = events | reached.exceeds(closing);
         }
         let mut alone = events.bits() | self.touching;
-        if ahead.0 < step {
+        if ahead.length < step {
             alone = u64::MAX;
         }
         alone &= self.all & !self.lost;
@@ -204,7 +205,7 @@ impl<S: Simd> Group<S> {
 
     /// Reports the results of a lane as those of its scene.
     #[inline(always)]
-    fn tell(&self, lane: usize, scene: &Scene, (place, tallies): (usize, &mut SceneSums)) {
+    fn tell(&self, lane: usize, scene: &Scene, place: usize, tallies: &mut SceneSums) {
         for (node, flyer) in self.flyers.iter().enumerate() {
             let [least, largest] = flyer.extremes.map(|extreme| extreme.lane(lane));
             let peak = if -least > largest { least } else { largest };

@@ -8,7 +8,6 @@
 //!
 //! Power series in contact, as in the exact method alone, would take ten times as long here at a tolerance of 1e-6.
 
-mod contact;
 mod dormand_prince;
 mod fly;
 mod group;
@@ -153,7 +152,7 @@ impl ExactSideBySide<'_> {
     }
 
     /// An interval of this length \[s\] in the motion of a scene.
-    fn interval(&self, (index, length): (usize, f64), scene: usize) -> Interval {
+    fn interval(&self, index: usize, length: f64, scene: usize) -> Interval {
         let samples = self.excitations.of_scene(scene).samples();
         match samples.get(index..index + 2) {
             Some(&[value, last]) => Interval {

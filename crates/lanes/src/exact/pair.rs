@@ -1,13 +1,15 @@
 //! Two neighbours of a scene.
 
-use pounding_contact::ContactLaw;
+use pounding_contact::{ContactLaw, Form};
 
 use super::ExactSideBySide;
-use super::contact::Contact;
 use crate::PairSums;
 use pounding_solver::formulas::Expansion;
 use pounding_solver::formulas::{LONGEST_LEAP, in_flight};
 use pounding_solver::{Elastic, Flight, Node, Row};
+
+/// First step in s \[s^¼\]: a thousandth of the time of a stiff contact.
+const FIRST_STEP: f64 = 0.02;
 
 /// A structure, or a wall: its constants and its motion.
 #[derive(Debug, Clone, Copy)]
@@ -66,7 +68,35 @@ pub(super) enum Link {
         zero_orders: usize,
     },
     /// Compliant contact.
-    Pressed(Contact),
+    Pressed(PressedContact),
+}
+
+/// A compliant contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PressedContact {
+    pub(super) form: Form,
+    /// Approach rate at the touch \[m/s\].
+    pub(super) speed: f64,
+    /// Fourth root of the time since the touch \[s^¼\], and the next step in it.
+    pub(super) s: f64,
+    pub(super) step: f64,
+    /// Rate of its force \[N/s\]; NaN just after a touch or a bend.
+    pub(super) climb: f64,
+    /// Impulse so far \[N·s\].
+    pub(super) impulse: f64,
+}
+
+impl PressedContact {
+    pub(super) fn new(form: Form, speed: f64) -> Self {
+        Self {
+            form,
+            speed,
+            s: 0.0,
+            step: FIRST_STEP,
+            climb: f64::NAN,
+            impulse: 0.0,
+        }
+    }
 }
 
 /// A deformation near zero, known better than from displacements and velocities.

@@ -5,8 +5,7 @@
 use fearless_simd::Simd;
 
 use super::Interval;
-use super::contact::Contact;
-use super::pair::{Link, Scene};
+use super::pair::{Link, PressedContact, Scene};
 use super::pressing::Pressing;
 use crate::number::{Lanes, MOST_LANES, Mask};
 
@@ -21,7 +20,7 @@ pub(super) fn press<S: Simd>(simd: S, interval: &impl Fn(usize) -> Interval, sce
     };
     let mut pressing = Pressing::new(simd, &first.form, scene);
     let mut waiting = waiting.iter();
-    let mut inside: [Option<(usize, Contact)>; MOST_LANES] = [None; MOST_LANES];
+    let mut inside: [Option<(usize, PressedContact)>; MOST_LANES] = [None; MOST_LANES];
     let inside = &mut inside[..Lanes::<S>::N];
     loop {
         let mut refilled = false;

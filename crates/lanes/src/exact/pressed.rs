@@ -13,7 +13,7 @@ pub(super) type State<N> = [N; 5];
 
 /// A state with its derivative in s.
 #[derive(Clone, Copy)]
-pub(super) struct Point<N> {
+pub(super) struct PressedPoint<N> {
     /// Fourth root of the time since the touch \[s^¼\].
     pub(super) s: N,
     pub(super) state: State<N>,
@@ -54,7 +54,7 @@ pub(super) enum Corner {
     Parting,
 }
 
-impl<N: Number> Point<N> {
+impl<N: Number> PressedPoint<N> {
     /// The state moved by a distance along its slope.
     #[inline(always)]
     pub(super) fn moved(&self, by: N) -> State<N> {
@@ -108,9 +108,9 @@ impl<N: Number> Pressed<N> {
 
     /// The point of a state.
     #[inline(always)]
-    pub(super) fn at(&self, s: N, state: State<N>) -> Point<N> {
+    pub(super) fn at(&self, s: N, state: State<N>) -> PressedPoint<N> {
         let slope = self.slope(s, &state);
-        Point { s, state, slope }
+        PressedPoint { s, state, slope }
     }
 
     /// A number that passes through zero at a corner.
@@ -140,7 +140,7 @@ impl<N: Number> Pressed<N> {
 
     /// The number at the start of a step. If the force bends there, it is taken a little later, on the branch that follows.
     #[inline(always)]
-    pub(super) fn side_behind(&self, corner: Corner, here: &Point<N>, probe: N) -> N {
+    pub(super) fn side_behind(&self, corner: Corner, here: &PressedPoint<N>, probe: N) -> N {
         let side = self.side_of(corner, &here.state);
         let bends = !side.abs().exceeds(side.like(SLOWLY));
         if corner == Corner::Parting || !N::any(bends) {
@@ -151,7 +151,7 @@ impl<N: Number> Pressed<N> {
 
     /// Lanes in which neighbours are apart after a step. Neighbours that have just touched are together to rounding, and the rate decides.
     #[inline(always)]
-    pub(super) fn parts(&self, here: &Point<N>, next: &Point<N>) -> N::Mask {
+    pub(super) fn parts(&self, here: &PressedPoint<N>, next: &PressedPoint<N>) -> N::Mask {
         let zero = self.gap.like(0.0);
         let overlapped = self.deformation(&here.state).exceeds(zero);
         let opens = zero.exceeds(rate(&next.state));
@@ -161,7 +161,7 @@ impl<N: Number> Pressed<N> {
     /// The force \[N\] at a point and its rate \[N/s\], on the branch of an approach where `approaches`, else on the branch of the present
     /// rate.
     #[inline(always)]
-    pub(super) fn climb(&self, point: &Point<N>, approaches: N::Mask) -> [N; 2] {
+    pub(super) fn climb(&self, point: &PressedPoint<N>, approaches: N::Mask) -> [N; 2] {
         let zero = self.gap.like(0.0);
         let (deformation, mut rate) = (self.deformation(&point.state), rate(&point.state));
         if self.form.action == Action::Approach {

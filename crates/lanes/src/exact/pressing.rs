@@ -8,9 +8,8 @@ use fearless_simd::Simd;
 use pounding_contact::{Form, Number, Term};
 
 use super::Interval;
-use super::contact::Contact;
-use super::pair::Scene;
-use super::pressed::{Half, Point, Pressed, fourth_power};
+use super::pair::{PressedContact, Scene};
+use super::pressed::{Half, Pressed, PressedPoint, fourth_power};
 use crate::number::{Lanes, Mask};
 use reach::Reached;
 
@@ -23,7 +22,7 @@ const MOST_GROWTH: f64 = 4.0;
 /// Contacts in lanes.
 pub(super) struct Pressing<S: Simd> {
     pressed: Pressed<Lanes<S>>,
-    here: Point<Lanes<S>>,
+    here: PressedPoint<Lanes<S>>,
     /// Time since the touch at which the scene came \[s\].
     start: Lanes<S>,
     /// Next step, and end of the interval, in s.
@@ -78,7 +77,7 @@ impl<S: Simd> Pressing<S> {
                 speed: zero,
                 ground: [zero; 2],
             },
-            here: Point {
+            here: PressedPoint {
                 s: zero,
                 state: [zero; 5],
                 slope: [zero; 5],
@@ -98,7 +97,7 @@ impl<S: Simd> Pressing<S> {
 
     /// Copies a scene in contact to a lane.
     #[inline(always)]
-    pub(super) fn take(&mut self, lane: usize, scene: &Scene, contact: &Contact, interval: &Interval) {
+    pub(super) fn take(&mut self, lane: usize, scene: &Scene, contact: &PressedContact, interval: &Interval) {
         let since = fourth_power(contact.s);
         let ahead = interval.after(scene.at);
         let pressed = &mut self.pressed;
@@ -153,7 +152,7 @@ impl<S: Simd> Pressing<S> {
 
     /// Copies the results of a lane to its scene; the lane is then free.
     #[inline(always)]
-    pub(super) fn put(&mut self, lane: usize, scene: &mut Scene, contact: &mut Contact) {
+    pub(super) fn put(&mut self, lane: usize, scene: &mut Scene, contact: &mut PressedContact) {
         self.used.set(lane, 0.0);
         for (index, side) in scene.sides.iter_mut().enumerate() {
             side.displacement = self.here.state[2 * index].lane(lane);

@@ -3,8 +3,7 @@
 use pounding_contact::{Action, Form};
 
 use super::Interval;
-use super::contact::Contact;
-use super::pair::{Bounces, Link, Opening, Scene, Side, Stage};
+use super::pair::{Bounces, Link, Opening, PressedContact, Scene, Side, Stage};
 use super::rises::{first_turn, highest, rise_bound};
 use pounding_solver::formulas::{CAPACITY, quick_first_root, value_and_slope};
 use pounding_solver::formulas::{Expansion, value};
@@ -97,7 +96,7 @@ impl Scene {
     }
 
     /// Ends a compliant contact, `passed` seconds after it was resumed.
-    pub(super) fn part(&mut self, contact: &Contact, passed: f64, interval: &Interval) {
+    pub(super) fn part(&mut self, contact: &PressedContact, passed: f64, interval: &Interval) {
         self.at = (self.at + passed).min(interval.length);
         self.tally.impulse += contact.impulse;
         self.tally.largest_impulse = self.tally.largest_impulse.max(contact.impulse);
@@ -113,7 +112,7 @@ impl Scene {
 
     /// Branches of its law: scenes in contact share lanes if these are equal.
     pub(super) fn branches(&self) -> Option<[u64; 3]> {
-        let Link::Pressed(Contact { form, .. }) = self.link else {
+        let Link::Pressed(PressedContact { form, .. }) = self.link else {
             return None;
         };
         let powers = [form.spring.power, form.damper.power].map(|power| power.value().to_bits());
@@ -191,7 +190,7 @@ impl Scene {
     fn begin(&mut self, form: Form, rate: f64) {
         self.tally.collisions += 1.0;
         self.tally.peak_force = self.tally.peak_force.max(form.force(0.0, rate));
-        self.link = Link::Pressed(Contact::new(form, rate));
+        self.link = Link::Pressed(PressedContact::new(form, rate));
     }
 }
 

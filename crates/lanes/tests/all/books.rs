@@ -52,7 +52,7 @@ const SCENES: usize = 40;
 const END: f64 = 3.0;
 
 /// Gives rows the name of their columns.
-type Kind<Column> = for<'a> fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
+type OfKind<Column> = for<'a> fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 fn elastic<'a>(rows: &'a [&'a Row<Elastic>]) -> RowsOf<'a> {
     RowsOf::Elastic(rows)
@@ -65,7 +65,7 @@ fn bilinear<'a>(rows: &'a [&'a Row<Bilinear>]) -> RowsOf<'a> {
 /// Number of scenes that the ledger of a run alone refuses, and number of the others that lanes doubt.
 fn refused_and_doubted<Column: Hysteretic>(
     settings: CentralDifference,
-    (row, kind): (impl Fn(usize) -> Row<Column>, Kind<Column>),
+    (row, kind): (impl Fn(usize) -> Row<Column>, OfKind<Column>),
     n_steps: u32,
 ) -> (usize, usize) {
     let ground: Vec<f64> = (0..300).map(|n| 4.0 * libm::sin(0.11 * f64::from(n))).collect();
@@ -99,10 +99,10 @@ fn refused_and_doubted<Column: Hysteretic>(
 #[test]
 fn limit_what_a_ledger_refuses_is_doubted() {
     let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 5e9 });
-    let rows = (|scene| row(scene, spring), elastic as Kind<_>);
+    let rows = (|scene| row(scene, spring), elastic as OfKind<_>);
     let (refused, _) = refused_and_doubted(CENTRAL, rows, 500);
     assert!(refused > 0, "the test sees nothing");
-    let towers = (|scene| tower_row(scene, spring), bilinear as Kind<_>);
+    let towers = (|scene| tower_row(scene, spring), bilinear as OfKind<_>);
     let (refused, _) = refused_and_doubted(CENTRAL, towers, 500);
     assert!(refused > 0, "towers: the test sees nothing");
 }
@@ -110,17 +110,16 @@ fn limit_what_a_ledger_refuses_is_doubted() {
 /// Steps that resolve a contact are not doubted.
 #[test]
 fn limit_ordinary_scenes_are_not_doubted() {
-    let asked = (0.65, Calibration::Exact);
-    let damped = LawName::KelvinVoigt.calibrated(5e7, asked, &FreePair::UNIT);
+    let damped = LawName::KelvinVoigt.calibrated(5e7, 0.65, Calibration::Exact, &FreePair::UNIT);
     let damped = damped.expect("valid");
     let spring = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 5e7 });
     for law in [damped, spring] {
-        let rows = (|scene| row(scene, law), elastic as Kind<_>);
+        let rows = (|scene| row(scene, law), elastic as OfKind<_>);
         let found = refused_and_doubted(CENTRAL, rows, 3000);
         assert_eq!(found, (0, 0), "{law:?}");
     }
     for law in [damped, spring] {
-        let towers = (|scene| tower_row(scene, law), bilinear as Kind<_>);
+        let towers = (|scene| tower_row(scene, law), bilinear as OfKind<_>);
         let found = refused_and_doubted(CENTRAL, towers, 3000);
         assert_eq!(found, (0, 0), "towers: {law:?}");
     }

@@ -45,7 +45,7 @@ fn issue_whoever_stops_ends_runs_side_by_side() {
             ..Exact::default()
         };
         let together = ExactSideBySide::new(settings, excitation, LONG).expect("valid");
-        tallies.begin(1, (2, 1));
+        tallies.begin(1, 2, 1);
         together.within(budget).run(&[(0, &row)], &mut tallies);
         assert_eq!(tallies.is_told(0), told);
     }

@@ -132,7 +132,7 @@ fn beside_under(rows: &[Row<Elastic>], excitations: Excitations<'_>, tolerance: 
     let together = ExactSideBySide::new(settings(tolerance), excitations, CLOCK).expect("valid");
     let together = together.with_closings(true);
     let mut tallies = SceneSums::default();
-    tallies.begin(rows.len(), (2, 1));
+    tallies.begin(rows.len(), 2, 1);
     let places: Vec<_> = rows.iter().enumerate().collect();
     together.run(&places, &mut tallies);
     let tell = |scene: usize| {
@@ -274,7 +274,7 @@ fn issue_a_parting_that_the_polynomial_missed_is_tried_again() {
         approach_speed: 0.3,
     };
     for (law, stiffness, e) in [(LawName::ModifiedLinearViscoelastic, 1e10, 0.1), (LawName::KelvinVoigt, 1e9, 0.4)] {
-        let calibrated = law.calibrated(stiffness, (e, Calibration::Exact), &pair);
+        let calibrated = law.calibrated(stiffness, e, Calibration::Exact, &pair);
         let calibrated = calibrated.expect("valid");
         let row = |speed: u32| {
             let speed = 0.01 * libm::pow(1.2, f64::from(speed));
@@ -297,8 +297,7 @@ fn issue_a_parting_that_the_polynomial_missed_is_tried_again() {
 /// Touches at samples, within rounding on either side: contact steps without length, and contacts that begin with an interval.
 #[test]
 fn extreme_touches_at_samples() {
-    let asked = (0.6, Calibration::Exact);
-    let law = LawName::NonlinearViscoelastic.calibrated(1e9, asked, &FreePair::UNIT);
+    let law = LawName::NonlinearViscoelastic.calibrated(1e9, 0.6, Calibration::Exact, &FreePair::UNIT);
     let law = law.expect("valid");
     let ground = [0.0; 60];
     let rows: Vec<_> = (1..=40)

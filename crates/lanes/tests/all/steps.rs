@@ -99,7 +99,7 @@ pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
 }
 
 /// Gives rows the name of their columns.
-pub(crate) type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
+pub(crate) type OfKind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 /// Ground accelerations for each of n scenes: larger or smaller, with different lengths.
 pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
@@ -113,7 +113,7 @@ pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
 
 /// Compares every scene of some rows with itself alone: under a common ground motion, and each under a separate motion.
 pub(crate) fn compare<'a, Column: Hysteretic>(
-    (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
+    (rows, kind): (&'a [&'a Row<Column>], OfKind<'a, Column>),
     ground: &[f64],
 ) -> Result<(), TestCaseError> {
     let excitation = |ground| Excitation::new(0.01, ground).expect("the record is finite");
@@ -159,7 +159,7 @@ fn are_the_same<Column: Hysteretic>(full: &SceneSums, lean: &SceneSums, row: &Ro
 }
 
 fn compare_under<'a, Column: Hysteretic>(
-    (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
+    (rows, kind): (&'a [&'a Row<Column>], OfKind<'a, Column>),
     shaken: &[Excitation<'_>],
 ) -> Result<(), TestCaseError> {
     let together = SideBySide::new(SETTINGS, Excitations::of(shaken), CLOCK);

@@ -20,7 +20,7 @@ fn laws() -> Vec<(LawName, f64, ContactLaw)> {
     for (name, unit) in compliant {
         let stiffness = if unit == "N/m" { 9.35e7 } else { 2.75e9 };
         for e in [0.2, 0.65, 1.0] {
-            if let Ok(law) = name.calibrated(stiffness, (e, Calibration::Exact), &pair) {
+            if let Ok(law) = name.calibrated(stiffness, e, Calibration::Exact, &pair) {
                 laws.push((name, e, law));
             }
         }

@@ -43,10 +43,7 @@ impl Certificate {
     /// Refuses a parameter out of range, and a collision that cannot be run.
     pub fn new(wanted: &CertificateRequest, collision: &FreeCollision) -> Result<Self, Refused> {
         let pair = collision.free_pair();
-        let calibrated = |calibration| {
-            let asked = (wanted.restitution, calibration);
-            wanted.law.calibrated(wanted.stiffness, asked, &pair)
-        };
+        let calibrated = |calibration| wanted.law.calibrated(wanted.stiffness, wanted.restitution, calibration, &pair);
         let law = calibrated(wanted.calibration)?;
         let has_formula = wanted.law.named().formula.is_some();
         let formula = has_formula.then(|| calibrated(Calibration::Literature));

@@ -44,7 +44,7 @@ fn law() -> impl Strategy<Value = ContactLaw> {
             reduced_mass: 1e5,
             approach_speed: 0.3,
         };
-        let law = |e: f64| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
+        let law = |e: f64| name.calibrated(stiffness, e, Calibration::Exact, &pair);
         // Springs without damping deliver e = 1 alone.
         law(restitution).or_else(|_| law(1.0)).expect("an e in its range")
     })

@@ -115,7 +115,7 @@ impl Bend {
     }
 
     /// Length up to which the series has converged to the tolerance; `None` if there is no such length.
-    pub(super) fn reach(&self, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
+    pub(super) fn reach(&self, power: Power, len: usize, length: f64, tolerance: f64) -> Option<f64> {
         let mut x = length;
         loop {
             let tail = self.tail(len, x);

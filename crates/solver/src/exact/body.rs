@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use crate::exact::clock::Past;
-use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::contact::{Link, PairState, Phase};
 use crate::exact::groups::beside;
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
-use crate::exact::{Run, Touching, rounding};
+use crate::exact::{ExactRun, Touching, rounding};
 use crate::model::incidence::Incident;
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -127,7 +127,7 @@ impl Touching<'_> {
 
     /// Whether a node of a chain shares the velocity of its left neighbour. In other rows each node turns alone.
     fn is_led(&self, node: usize) -> bool {
-        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
+        let alike = |contact: &PairState| contact.link == Link::Resting && !contact.opens();
         let left = beside(self.incidence, node)[0].filter(|_| self.is_chain());
         left.is_some_and(|pair| alike(&self.contacts[pair]))
     }
@@ -140,7 +140,7 @@ impl Touching<'_> {
 
     /// Sum of a quantity over the touching or resting pairs that have the node on their left (or right); `None` if there is no such pair.
     #[inline]
-    pub(super) fn pushed(&self, node: usize, on_left: bool, quantity: impl Fn(&Contact) -> f64) -> Option<f64> {
+    pub(super) fn pushed(&self, node: usize, on_left: bool, quantity: impl Fn(&PairState) -> f64) -> Option<f64> {
         self.joined_at(node)
             .filter(|at| at.on_left == on_left)
             .map(|at| at.part * quantity(&self.contacts[at.pair]))
@@ -148,12 +148,12 @@ impl Touching<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Expands the motion of a body from now on; returns the power of time and the number of coefficients.
     pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
         let stop = self.shake(first, time).min(self.agenda.end);
         let group = self.touching.groups.of(first);
-        let any = |asked: fn(&Contact) -> bool| {
+        let any = |asked: fn(&PairState) -> bool| {
             let mut pairs = group.pairs().iter();
             pairs.any(|pair| asked(&self.touching.contacts[*pair]))
         };
@@ -166,8 +166,8 @@ impl<R: Recorder> Run<'_, R> {
             let radius = series::radius(&self.moving.members, group.nodes());
             (Power::One, in_flight((stop - time) / radius))
         };
-        let system = (&mut self.moving.members[..], &mut self.touching.contacts[..]);
-        series::expand(group, system, self.touching.incidence, power, len);
+        let (members, contacts) = (&mut self.moving.members, &mut self.touching.contacts);
+        series::expand(group, members, contacts, self.touching.incidence, power, len);
         let tame = |n: &usize| {
             let moves = |node: &usize| {
                 let Member {
@@ -178,11 +178,11 @@ impl<R: Recorder> Run<'_, R> {
                 } = &self.moving.members[*node];
                 u[*n].abs() < LARGEST && v[*n].abs() < LARGEST && a[*n].abs() < LARGEST
             };
-            let pushes = |contact: &Contact| {
+            let pushes = |contact: &PairState| {
                 let pulls = contact.can_pull() && contact.pull[*n].abs() >= LARGEST;
                 contact.force[*n].abs() < LARGEST && !pulls
             };
-            let tame = |contact: &Contact| !touching(contact) || pushes(contact);
+            let tame = |contact: &PairState| !touching(contact) || pushes(contact);
             let mut pairs = group.pairs().iter();
             group.nodes().iter().all(moves) && pairs.all(|pair| tame(&self.touching.contacts[*pair]))
         };
@@ -217,7 +217,7 @@ impl<R: Recorder> Run<'_, R> {
             events: std::mem::take(&mut self.moving.bodies[first].events),
         };
         watch.events.clear();
-        self.watch(&mut watch, (first, len), time)?;
+        self.watch(&mut watch, first, len, time)?;
         // A force at rest that fades when the next sample arrives may continue after it.
         let left = power.time(length) - power.time(watch.length);
         let at_sample = whole && left <= rounding::OF_SUMS * self.agenda.clock.absolute(stop);
@@ -259,17 +259,17 @@ impl<R: Recorder> Run<'_, R> {
     fn converged(&self, first: usize, power: Power, len: usize, longest: f64, time: f64) -> Result<f64, RunError> {
         let mut length = longest;
         let group = self.touching.groups.of(first);
-        let limits = (longest, self.settings.tolerance);
+        let tolerance = self.settings.tolerance;
         // Each pair starts from the same length, so that the order of pairs does not matter.
         for pair in group.pairs() {
             let contact = &self.touching.contacts[*pair];
             let [left, right] = contact.floors();
-            let reach = reach(contact, (power, len), limits);
+            let reach = reach(contact, power, len, longest, tolerance);
             length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
         }
         for &node in group.followed() {
             if let Some(bend) = &self.moving.members[node].bend {
-                let reach = bend.reach((power, len), limits);
+                let reach = bend.reach(power, len, longest, tolerance);
                 let error = RunError::OutOfNumbers { structure: node, time };
                 length = length.min(reach.ok_or(error)?);
             }
@@ -296,9 +296,8 @@ impl<R: Recorder> Run<'_, R> {
         let mut corrected = false;
         for node in group.nodes() {
             if let Some((member, below)) = member::with_below(members, *node) {
-                let known = (power.order(), len);
-                corrected |= member.turns_back(below, known);
-                corrected |= alone && member.goes_astray(below, known);
+                corrected |= member.turns_back(below, power.order(), len);
+                corrected |= alone && member.goes_astray(below, power.order(), len);
             }
         }
         for pair in group.pairs() {
@@ -311,7 +310,7 @@ impl<R: Recorder> Run<'_, R> {
         self.clean(first, time, power);
         for node in self.touching.groups.of(first).nodes() {
             if let Some((member, below)) = member::with_below(&mut self.moving.members, *node) {
-                member.clear_standstill(below, (power.order(), len));
+                member.clear_standstill(below, power.order(), len);
             }
         }
         (power, len)
@@ -349,11 +348,11 @@ pub(super) fn pushing(force: f64) -> f64 {
     if force < 0.0 { 0.0 } else { force }
 }
 
-fn touching(contact: &Contact) -> bool {
+fn touching(contact: &PairState) -> bool {
     matches!(contact.link, Link::Touching(_))
 }
 
 /// Whether compliant contact has just begun.
-fn begins(contact: &Contact) -> bool {
+fn begins(contact: &PairState) -> bool {
     touching(contact) && contact.deformation <= 0.0
 }

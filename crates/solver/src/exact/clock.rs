@@ -4,7 +4,7 @@
 //! floor between two of them hits first.
 
 use crate::Recorder;
-use crate::exact::Run;
+use crate::exact::ExactRun;
 use crate::model::sampling::Sampling;
 
 /// A clock that shows 0 at some instant after the start.
@@ -77,7 +77,7 @@ impl LocalClock {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Sets the clock, and all future instants, back to less than a unit; returns the difference \[s\].
     ///
     /// The result depends only on the instant: a body keeps the same bits whatever the others do.

@@ -15,14 +15,14 @@ pub(super) enum Branch {
 
 /// The line on which the force of columns lies while they do not yield.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Line {
+pub(super) enum LoadingLine {
     /// The line through zero: nothing has yielded.
     FirstLoading,
     /// The line shifted by the plastic displacement.
     Shifted,
 }
 
-impl Line {
+impl LoadingLine {
     /// The line of a force h that yields at a limit \[N\].
     pub(super) fn of(force: f64, limit: f64) -> Self {
         if force.abs() < limit { Self::FirstLoading } else { Self::Shifted }
@@ -30,7 +30,7 @@ impl Line {
 }
 
 /// The constants of a loop, as a member stores them.
-pub(super) struct Columns {
+pub(super) struct LoopConstants {
     pub(super) stiffness: f64,
     pub(super) hardened_stiffness: f64,
     pub(super) hysteretic_stiffness: f64,
@@ -38,7 +38,7 @@ pub(super) struct Columns {
     pub(super) bend: Option<Box<Bend>>,
 }
 
-impl Columns {
+impl LoopConstants {
     pub(super) fn new(hysteresis: Hysteresis) -> Self {
         let Hysteresis {
             stiffness,

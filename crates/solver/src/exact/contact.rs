@@ -53,7 +53,7 @@ pub(super) enum Grounds {
 
 /// A pair between events.
 #[derive(Debug, Clone)]
-pub(super) struct Contact {
+pub(super) struct PairState {
     pub(super) relation: Relation,
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
@@ -119,11 +119,11 @@ pub(super) struct Deformation {
 #[derive(Clone, Copy)]
 pub(super) struct System<'a> {
     pub(super) members: &'a [Member],
-    pub(super) contacts: &'a [Contact],
+    pub(super) contacts: &'a [PairState],
     pub(super) incidence: &'a Incidence,
 }
 
-impl Contact {
+impl PairState {
     pub(super) fn new(pair: &Pair, reduced_mass: f64, [deformation, rate]: [f64; 2]) -> Self {
         Self {
             relation: pair.relation,
@@ -245,7 +245,7 @@ impl Contact {
     }
 
     /// Coefficient `n` of the displacement of a point, including its ground if the grounds move apart.
-    pub(super) fn displacement_of(&self, members: &[Member], point: Point, (p, n): (usize, usize)) -> f64 {
+    pub(super) fn displacement_of(&self, members: &[Member], point: Point, p: usize, n: usize) -> f64 {
         let own = point.of(|node| members[node].displacement[n]);
         if self.opens() {
             own + members[point.floor()].ground_displacement(p, n)
@@ -264,8 +264,8 @@ impl Contact {
         let p = power.order();
         let differ = |n: &usize| {
             let points = self.relation.points();
-            let values = points.map(|point| self.displacement_of(members, point, (p, *n)));
-            (values[0] - values[1]).abs() > noise(members, self.relation, values, (p, *n))
+            let values = points.map(|point| self.displacement_of(members, point, p, *n));
+            (values[0] - values[1]).abs() > noise(members, self.relation, values, p, *n)
         };
         let first = (2 * p..len).find(differ).unwrap_or(len);
         self.alike = first / p - 2;

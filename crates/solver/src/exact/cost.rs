@@ -1,6 +1,6 @@
 //! Estimate of the cost of a run before it starts. A run that costs too much is refused.
 
-use crate::exact::Run;
+use crate::exact::ExactRun;
 use crate::{Recorder, RunError};
 
 /// Part of the run during which pairs with strong dampers are assumed to touch: such pairs creep apart.
@@ -8,7 +8,7 @@ use crate::{Recorder, RunError};
 /// Two structures needed between 1/70 and 1/500 of c/m times the duration, under two records, with ξ̄ from 1e3 to 1e7.
 const TOUCHING: f64 = 0.01;
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Refuses a run that needs more than `allowed` pieces. A piece reaches at most to the next sample, and no further than the series of
     /// the fastest floor of its building.
     pub(super) fn check_cost(&self, allowed: f64) -> Result<(), RunError> {

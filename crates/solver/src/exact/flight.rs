@@ -4,7 +4,7 @@
 //! that are computed once per run. Bounds of the motion in between show whether any event is possible. If one is, the pieces of the general
 //! method take over until the next sample.
 
-use crate::exact::Run;
+use crate::exact::ExactRun;
 use crate::exact::body::in_flight;
 use crate::exact::columns::Branch;
 use crate::exact::contact::Link;
@@ -170,7 +170,7 @@ impl Interval {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Flies while nothing happens; returns the instant from which the general method continues.
     pub(super) fn fly(&mut self, mut now: f64) -> f64 {
         let mut flown = false;

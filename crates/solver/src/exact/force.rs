@@ -2,12 +2,12 @@
 
 use pounding_contact::{Action, Form, Power as Exponent, Term};
 
-use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::contact::{Link, PairState, Phase};
 use crate::exact::member::Member;
 use crate::roots::CAPACITY;
 use crate::span::Power;
 
-impl Contact {
+impl PairState {
     /// Coefficient `n` of the deformation, from the motion of both sides.
     fn deformation_of(&self, members: &[Member], p: usize, n: usize) -> f64 {
         if n == 0 {

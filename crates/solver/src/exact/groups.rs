@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Contact, Link, System};
+use crate::exact::contact::{Link, PairState, System};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
 
@@ -26,7 +26,7 @@ pub(super) struct Groups {
     /// Places of the lists of each body, by its first node.
     places: Vec<Places>,
     /// Links from which the lists were made.
-    links: Vec<Kind>,
+    links: Vec<LinkKind>,
     /// The next node of the body, by node; the last node points to itself.
     next: Vec<usize>,
     pub(super) is_chain: bool,
@@ -153,20 +153,20 @@ impl<'a> Group<'a> {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum LinkKind {
     Apart,
     Resting,
     Idle,
     Touching,
 }
 
-impl Contact {
-    fn kind(&self) -> Kind {
+impl PairState {
+    fn kind(&self) -> LinkKind {
         match self.link {
-            Link::Apart => Kind::Apart,
-            Link::Resting if self.idle => Kind::Idle,
-            Link::Resting => Kind::Resting,
-            Link::Touching(_) => Kind::Touching,
+            Link::Apart => LinkKind::Apart,
+            Link::Resting if self.idle => LinkKind::Idle,
+            Link::Resting => LinkKind::Resting,
+            Link::Touching(_) => LinkKind::Touching,
         }
     }
 }
@@ -189,7 +189,7 @@ impl Groups {
 
     /// Updates the bodies if the links have changed.
     pub(super) fn update(&mut self, system: System<'_>) {
-        let same = |(kind, contact): (&Kind, &Contact)| *kind == contact.kind();
+        let same = |(kind, contact): (&LinkKind, &PairState)| *kind == contact.kind();
         if !self.links.iter().zip(system.contacts).all(same) {
             self.rebuild(system);
         }
@@ -197,7 +197,7 @@ impl Groups {
 
     fn rebuild(&mut self, system: System<'_>) {
         self.links.clear();
-        self.links.extend(system.contacts.iter().map(Contact::kind));
+        self.links.extend(system.contacts.iter().map(PairState::kind));
         self.unite(system);
         self.nodes.clear();
         self.followed.clear();
@@ -223,7 +223,7 @@ impl Groups {
             }
         }
         for (pair, contact) in contacts.iter().enumerate() {
-            if self.links[pair] != Kind::Apart {
+            if self.links[pair] != LinkKind::Apart {
                 let [left, right] = contact.floors();
                 self.join(left, right);
             }
@@ -280,7 +280,7 @@ impl Groups {
         };
         if !self.is_chain {
             let pairs = self.pairs[range(3)].iter().copied();
-            let resting = pairs.filter(|pair| self.links[*pair] == Kind::Resting);
+            let resting = pairs.filter(|pair| self.links[*pair] == LinkKind::Resting);
             self.ties[first] = Tie::of(resting.collect(), system);
         }
     }
@@ -311,7 +311,7 @@ impl Groups {
             };
             if first {
                 self.around.push(at.pair);
-                if at.on_left && self.links[at.pair] != Kind::Apart {
+                if at.on_left && self.links[at.pair] != LinkKind::Apart {
                     self.pairs.push(at.pair);
                 }
             }
@@ -324,9 +324,9 @@ impl Groups {
     /// Adds a node of a chain to the block of the node before it if they rest, or begins a block.
     fn extend_blocks(&mut self, node: usize, incidence: &Incidence) {
         let [left, right] = beside(incidence, node);
-        let pushing = |pair: &usize| self.links[*pair] == Kind::Touching;
+        let pushing = |pair: &usize| self.links[*pair] == LinkKind::Touching;
         let (from_left, from_right) = (left.filter(pushing), right.filter(pushing));
-        let rests = left.is_some_and(|pair| self.links[pair] == Kind::Resting);
+        let rests = left.is_some_and(|pair| self.links[pair] == LinkKind::Resting);
         match self.blocks.last_mut() {
             Some(block) if rests => (block.last, block.right) = (node, from_right),
             Some(_) | None => self.blocks.push(Block {

@@ -1,9 +1,9 @@
 //! Impulsive pairs that touch at an instant: chains, or in other rows all pairs that bodies join.
 
-use crate::exact::contact::{Contact, Gap, Link};
+use crate::exact::contact::{Gap, Link, PairState};
 use crate::exact::member::Member;
 use crate::exact::tie;
-use crate::exact::{BURST, CHATTER, Moving, Run};
+use crate::exact::{BURST, CHATTER, ExactRun, Moving};
 use crate::{Recorder, RunError};
 
 /// Impulsive pairs that touch at an instant and are connected. In a chain their floors follow each other.
@@ -45,7 +45,7 @@ impl Hit {
     }
 
     /// Coefficient of restitution of the pair at a place.
-    pub(super) fn restitution(&self, place: usize, contacts: &[Contact]) -> f64 {
+    pub(super) fn restitution(&self, place: usize, contacts: &[PairState]) -> f64 {
         let law = contacts[self.pairs[place]].restitution().unwrap_or(0.0);
         if self.plastic[place] { 0.0 } else { law }
     }
@@ -62,7 +62,7 @@ impl Hit {
 
     /// Whether the pair at a place stays at rest: all its floors keep their velocities to the last bit. Known facts about them, such as a
     /// passage through zero, remain valid.
-    pub(super) fn rests_on(&self, index: usize, contact: &Contact, members: &[Member]) -> bool {
+    pub(super) fn rests_on(&self, index: usize, contact: &PairState, members: &[Member]) -> bool {
         let keeps = |floor: usize| {
             let velocity = members[floor].state.velocity;
             velocity.total_cmp(&self.before(floor)).is_eq()
@@ -79,7 +79,7 @@ impl Moving<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// The chain of touching pairs that begins with a pair.
     fn chain_from(&self, first: usize, time: f64) -> Vec<usize> {
         let left = |pair: usize| self.touching.contacts[pair].floors()[0];
@@ -145,16 +145,16 @@ impl<R: Recorder> Run<'_, R> {
     fn hit(&self, pairs: Vec<usize>, time: f64) -> Hit {
         let contacts = || pairs.iter().map(|pair| &self.touching.contacts[*pair]);
         let nodes = tie::floors(&pairs, &self.touching.contacts);
-        let soon = |contact: &Contact| time - contact.hit < CHATTER;
-        let rests = |contact: &Contact| contact.link == Link::Resting;
+        let soon = |contact: &PairState| time - contact.hit < CHATTER;
+        let rests = |contact: &PairState| contact.link == Link::Resting;
         // A floor that two neighbours hit in turn ends at rest against one of them. The remaining impulses of this series on the other pair
         // are given at once.
-        let caught = |contact: &Contact| {
-            let beside = |other: &Contact| floors(other).any(|floor| floors(contact).any(|own| own == floor));
+        let caught = |contact: &PairState| {
+            let beside = |other: &PairState| floors(other).any(|floor| floors(contact).any(|own| own == floor));
             contacts().any(|other| rests(other) && soon(other) && !std::ptr::eq(other, contact) && beside(other))
         };
-        let stops = |contact: &Contact| soon(contact) && (contact.burst >= BURST || caught(contact));
-        let parts = |contact: &Contact| contact.gap == Gap::Parts;
+        let stops = |contact: &PairState| soon(contact) && (contact.burst >= BURST || caught(contact));
+        let parts = |contact: &PairState| contact.gap == Gap::Parts;
         Hit {
             carried: self.carried(&nodes, time),
             before: nodes.iter().map(|node| self.moving.members[*node].state.velocity).collect(),
@@ -204,11 +204,11 @@ fn hang<T>(
 }
 
 /// The floors that carry both points of a pair.
-fn floors(contact: &Contact) -> impl Iterator<Item = usize> {
+fn floors(contact: &PairState) -> impl Iterator<Item = usize> {
     contact.relation.pushes().map(|(floor, _)| floor)
 }
 
-impl Contact {
+impl PairState {
     /// Changes the rate by a jump; a compliant pair may change its phase.
     pub(super) fn push(&mut self, jump: f64) {
         self.rate += jump;

@@ -147,7 +147,7 @@ impl Chain {
     }
 
     /// Impulse of an active pair: Σ over the pairs q of its block of turn(q) · (mass left of both)·(mass right of both)/M.
-    fn impulse(&self, pair: usize, (first, last): (usize, usize), look: Look<'_>) -> Result<f64, RunError> {
+    fn impulse(&self, pair: usize, first: usize, last: usize, look: Look<'_>) -> Result<f64, RunError> {
         let left = |pair: usize| self.masses[first..=pair].iter().sum::<f64>();
         let right = |pair: usize| self.masses[pair + 1..=last].iter().sum::<f64>();
         (first..last)
@@ -178,8 +178,8 @@ impl Chain {
             } else {
                 // Only pairs outside push the two neighbours towards each other.
                 let push = |other: usize, structure: usize| {
-                    let block = self.block(structure);
-                    Ok(self.impulse(other, block, look)? / self.masses[structure])
+                    let (first, last) = self.block(structure);
+                    Ok(self.impulse(other, first, last, look)? / self.masses[structure])
                 };
                 let from_left = if pair > 0 && self.active[pair - 1] {
                     push(pair - 1, pair)?
@@ -209,7 +209,7 @@ impl Chain {
             let (_, last) = self.block(first);
             if last > first {
                 for pair in first..last {
-                    let impulse = self.impulse(pair, (first, last), look)?;
+                    let impulse = self.impulse(pair, first, last, look)?;
                     self.impulses[pair] += impulse;
                 }
                 self.set_velocities(first, last, look)?;
@@ -324,7 +324,7 @@ mod tests {
             let mobilities = masses.iter().map(|mass| 1.0 / mass).collect();
             let mut rounds = Rounds::new(mobilities, masses.len() - 1);
             for left in 1..masses.len() {
-                rounds.push((left - 1, left - 1), Touching::on_one_ground(true, 1.0 + restitution));
+                rounds.push(left - 1, left - 1, Touching::on_one_ground(true, 1.0 + restitution));
             }
             let struck = rounds.strike_all(|node| velocities[node]);
             let mut chain = chain(&masses, &velocities, restitution);

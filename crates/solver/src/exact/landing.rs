@@ -2,10 +2,10 @@
 
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Link, PairState};
 use crate::exact::member::{Ahead, Member};
 use crate::exact::watch::Event;
-use crate::exact::{Run, Touching};
+use crate::exact::{ExactRun, Touching};
 use crate::model::incidence::Incident;
 use crate::roots::CAPACITY;
 use crate::span::{Power, Series, rise, value};
@@ -26,7 +26,7 @@ impl Touching<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Ends the piece of a body now: reports its spans and updates its state.
     pub(super) fn land(&mut self, first: usize, time: f64) {
         if self.moving.landed[first] {
@@ -53,7 +53,7 @@ impl<R: Recorder> Run<'_, R> {
             let arrives = |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
             let (end, hysteretic) = match ahead.filter(arrives) {
                 Some(ahead) => (ahead.state, ahead.hysteretic_force),
-                None => self.end_state(node, (x, at_wall), if full { &events } else { &[] }),
+                None => self.end_state(node, x, at_wall, if full { &events } else { &[] }),
             };
             if advanced {
                 self.report(node, first, time, x, end);
@@ -111,11 +111,11 @@ impl<R: Recorder> Run<'_, R> {
 
     /// State of a node at the end of its piece (displacement zero if `at_wall`), and the hysteretic part of its force. The nodes below
     /// already have theirs.
-    fn end_state(&self, node: usize, (x, at_wall): (f64, bool), events: &[Event]) -> (State, f64) {
+    fn end_state(&self, node: usize, x: f64, at_wall: bool, events: &[Event]) -> (State, f64) {
         let body = &self.moving.bodies[self.touching.groups.body_of[node]];
         let (member, len) = (&self.moving.members[node], body.len);
         let force = |on_left| {
-            let force = |contact: &Contact| pushing(value(&contact.force[..len], x));
+            let force = |contact: &PairState| pushing(value(&contact.force[..len], x));
             self.touching.pushed(node, on_left, force).unwrap_or(0.0)
         };
         let mut end = State {
@@ -171,7 +171,7 @@ impl<R: Recorder> Run<'_, R> {
         for push in pushes.iter_mut() {
             let contact = &self.touching.contacts[push.pair];
             if contact.link != Link::Apart {
-                contact.pushes(push, (body, x));
+                contact.pushes(push, body, x);
             }
         }
         // Used only if several pairs push.
@@ -214,9 +214,9 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-impl Contact {
+impl PairState {
     /// Writes the action of the pair from the start of a piece of its body to x.
-    fn pushes<'a>(&'a self, push: &mut Push<'a>, (body, x): (&Body, f64)) {
+    fn pushes<'a>(&'a self, push: &mut Push<'a>, body: &Body, x: f64) {
         let series = &self.force[..body.len];
         push.forces = [pushing(series[0]), pushing(value(series, x))];
         push.impulse = integral(series, body.power, x);

@@ -5,10 +5,10 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::Run;
+use crate::exact::ExactRun;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
-use crate::exact::contact::{Contact, Gap, Link};
+use crate::exact::contact::{Gap, Link, PairState};
 use crate::exact::rounding::{noise, weighed};
 use crate::exact::shaking::Shaking;
 use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
@@ -18,13 +18,22 @@ use crate::{Motion, Point, Recorder, Relation, Share};
 /// A deformation below this part of the displacements is stored. A larger one is computed as their difference.
 pub(super) const CARRIED: f64 = 1e-6;
 
+/// Where a series begins.
+#[derive(Clone, Copy)]
+struct SeriesStart {
+    instant: Past,
+    /// Distance in x of the instant from the origin of the series.
+    offset: f64,
+}
+
 impl Shaking<'_> {
     /// Adds the displacement of the ground of a node to its series; returns the length of the series.
-    fn add_ground(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
+    fn add_ground(&self, node: usize, start: SeriesStart, power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let Some(travel) = &self.travel else {
             return 0;
         };
-        let cubic = travel.cubic_ground(node, begin.instant());
+        let offset = start.offset;
+        let cubic = travel.cubic_ground(node, start.instant.instant());
         let mut ground = [0.0; CAPACITY];
         ground[..cubic.len()].copy_from_slice(&cubic);
         let len = match power {
@@ -39,7 +48,7 @@ impl Shaking<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Updates deformation and rate of a pair to this instant, from its series.
     pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
         let contact = &self.touching.contacts[pair];
@@ -177,8 +186,9 @@ impl<R: Recorder> Run<'_, R> {
         closest < -2.0 * CARRIED * contact.scale
     }
 
-    /// Displacement of a node as a series from an instant at a distance `offset` in x from the origin; returns its length.
-    fn displacement_from(&self, node: usize, (begin, offset): (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
+    /// Displacement of a node as a series; returns its length.
+    fn displacement_from(&self, node: usize, start: SeriesStart, power: Power, series: &mut [f64; CAPACITY]) -> usize {
+        let SeriesStart { instant, offset } = start;
         let (body, member) = (&self.moving.bodies[self.touching.groups.body_of[node]], &self.moving.members[node]);
         series[..body.len].copy_from_slice(&member.displacement[..body.len]);
         if body.power == Power::Four {
@@ -187,7 +197,7 @@ impl<R: Recorder> Run<'_, R> {
             }
             return body.len;
         }
-        shift(&mut series[..body.len], begin.since(body.start));
+        shift(&mut series[..body.len], instant.since(body.start));
         match power {
             Power::One => body.len,
             Power::Four if offset > 0.0 => compose(series, body.len, offset),
@@ -196,26 +206,26 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Displacements of both points of a pair as series, including their grounds if these move apart.
-    fn sides_from(&self, pair: usize, begin: (Past, f64), power: Power) -> ([[f64; CAPACITY]; 2], usize) {
+    fn sides_from(&self, pair: usize, start: SeriesStart, power: Power) -> ([[f64; CAPACITY]; 2], usize) {
         let contact = &self.touching.contacts[pair];
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
         for (point, side) in contact.relation.points().into_iter().zip(&mut sides) {
-            len = len.max(self.point_from(point, begin, power, side));
+            len = len.max(self.point_from(point, start, power, side));
             if contact.opens() {
-                len = len.max(self.shaking.add_ground(point.floor(), begin, power, side));
+                len = len.max(self.shaking.add_ground(point.floor(), start, power, side));
             }
         }
         (sides, len)
     }
 
     /// Displacement of a point as a series; returns its length.
-    fn point_from(&self, point: Point, begin: (Past, f64), power: Power, series: &mut [f64; CAPACITY]) -> usize {
+    fn point_from(&self, point: Point, start: SeriesStart, power: Power, series: &mut [f64; CAPACITY]) -> usize {
         let Point::Share(Share { base, other, lean }) = point else {
-            return self.displacement_from(point.floor(), begin, power, series);
+            return self.displacement_from(point.floor(), start, power, series);
         };
         let mut others = [0.0; CAPACITY];
         let from = |floor: Option<usize>, series: &mut [f64; CAPACITY]| {
-            floor.map_or(0, |floor| self.displacement_from(floor, begin, power, series))
+            floor.map_or(0, |floor| self.displacement_from(floor, start, power, series))
         };
         let len = from(base, series).max(from(other, &mut others));
         for (base, other) in series[..len].iter_mut().zip(&others) {
@@ -247,8 +257,9 @@ impl<R: Recorder> Run<'_, R> {
         // Before its start a series may be far beyond its reach. Both are then taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start.since(origin) > 0.0;
         let from_now = power == Power::Four && bodies.iter().any(late);
-        let begin = if from_now { (now, offset) } else { (origin, 0.0) };
-        let (sides, len) = self.sides_from(pair, begin, power);
+        let (instant, from) = if from_now { (now, offset) } else { (origin, 0.0) };
+        let start = SeriesStart { instant, offset: from };
+        let (sides, len) = self.sides_from(pair, start, power);
         let mut coefficients = [0.0; CAPACITY];
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {
             *coefficient = sides[0][n] - sides[1][n];
@@ -262,7 +273,7 @@ impl<R: Recorder> Run<'_, R> {
         if contact.deformation == 0.0 && contact.rate == 0.0 {
             // The rounded difference of two equal motions is not a touch.
             let (relation, p) = (contact.relation, power.order());
-            let rounding = |n: usize| noise(members, relation, [sides[0][n], sides[1][n]], (p, n));
+            let rounding = |n: usize| noise(members, relation, [sides[0][n], sides[1][n]], p, n);
             let head = coefficients[..len].iter_mut().enumerate();
             for (n, coefficient) in head.skip(2 * power.order()) {
                 if coefficient.abs() > rounding(n) {
@@ -286,7 +297,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-impl Contact {
+impl PairState {
     /// Deformation and rate of a pair that is apart.
     fn at(&self, now: Past) -> (f64, f64) {
         let series = &self.series;

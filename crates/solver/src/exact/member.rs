@@ -1,7 +1,7 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
 use crate::exact::bend::Bend;
-use crate::exact::columns::{Branch, Columns, Line};
+use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
@@ -77,7 +77,7 @@ pub(super) struct Member {
     /// Columns that yield smoothly.
     pub(super) bend: Option<Box<Bend>>,
     pub(super) branch: Branch,
-    pub(super) line: Line,
+    pub(super) line: LoadingLine,
     /// Rate that bounds the motion of a body together with the rates of its other members; see [`fastest_rate`].
     pub(super) fastest_rate: f64,
     /// The net pounding force is zero at this instant.
@@ -112,9 +112,9 @@ impl Member {
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>, node: usize, initial: &[State]) -> Self {
         let floor = &row.nodes()[node];
         let force = if floor.is_wall() { 0.0 } else { initial[node].restoring_force };
-        let columns = Columns::new(floor.column.hysteresis());
+        let columns = LoopConstants::new(floor.column.hysteresis());
         let hysteretic_force = columns.hysteretic_force(force, row.drift(node, initial));
-        let Columns {
+        let LoopConstants {
             stiffness,
             hardened_stiffness,
             hysteretic_stiffness,
@@ -147,7 +147,7 @@ impl Member {
             limit,
             bend,
             branch: Branch::Elastic,
-            line: Line::of(hysteretic_force, limit),
+            line: LoadingLine::of(hysteretic_force, limit),
             fastest_rate: fastest_rate(row, node),
             balanced: false,
             peaked: false,
@@ -221,8 +221,8 @@ impl Member {
     #[inline]
     pub(super) fn hysteretic_force_at(&self, drift: f64, change: f64) -> f64 {
         match self.line {
-            Line::FirstLoading => self.hysteretic_stiffness * drift,
-            Line::Shifted => self.hysteretic_force + self.hysteretic_tangent() * change,
+            LoadingLine::FirstLoading => self.hysteretic_stiffness * drift,
+            LoadingLine::Shifted => self.hysteretic_force + self.hysteretic_tangent() * change,
         }
     }
 
@@ -256,8 +256,8 @@ impl Member {
 
     /// Ends yielding if the motion from a standstill leads back, and gives columns that yield smoothly their new direction; true if
     /// anything changed. `len` coefficients of this expansion are known, as below.
-    pub(super) fn turns_back(&mut self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
-        let Some(leading) = self.leading_rate(below, (p, len)) else {
+    pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize, len: usize) -> bool {
+        let Some(leading) = self.leading_rate(below, p, len) else {
             return false;
         };
         if let Some(bend) = &mut self.bend {
@@ -267,14 +267,14 @@ impl Member {
     }
 
     /// Whether the rounding of the first rates of the drift points against the motion: the columns would turn at once, again and again.
-    pub(super) fn goes_astray(&self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
+    pub(super) fn goes_astray(&self, below: Option<&Self>, p: usize, len: usize) -> bool {
         let first = self.drift_rate()[..len].iter().find(|rate| **rate != 0.0);
-        let leading = self.leading_rate(below, (p, len));
+        let leading = self.leading_rate(below, p, len);
         first.zip(leading).is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
     }
 
     /// The first coefficient of the rate of the drift that is more than rounding.
-    fn leading_rate(&self, below: Option<&Self>, (p, len): (usize, usize)) -> Option<f64> {
+    fn leading_rate(&self, below: Option<&Self>, p: usize, len: usize) -> Option<f64> {
         let mut rates = self.drift_rate()[..len].iter().enumerate();
         // An event sets rounded zeros to zero, and a row at rest before its record begins has only zeros.
         let leads = |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
@@ -283,7 +283,7 @@ impl Member {
     }
 
     /// Clears the rounding of the first rates of the drift from a standstill: columns would yield, or turn, at once.
-    pub(super) fn clear_standstill(&mut self, below: Option<&Self>, (p, len): (usize, usize)) {
+    pub(super) fn clear_standstill(&mut self, below: Option<&Self>, p: usize, len: usize) {
         for n in 0..len.min(CAPACITY - p) {
             if self.drift_rate()[n].abs() > self.noise_of_rate(below, p, n) {
                 return;

@@ -50,7 +50,7 @@ use body::Body;
 pub use body::in_flight;
 use clock::LocalClock;
 use contact::System;
-use contact::{Contact, Grounds};
+use contact::{Grounds, PairState};
 use flight::Flights;
 pub use flight::LONGEST as LONGEST_LEAP;
 use groups::Groups;
@@ -108,7 +108,7 @@ pub fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
 
 /// All data of a run, in parts. A step that needs a single part is a method of this part; a step that joins several parts is a method of
 /// the run.
-struct Run<'a, R> {
+struct ExactRun<'a, R> {
     settings: Exact,
     shaking: Shaking<'a>,
     moving: Moving<'a>,
@@ -147,7 +147,7 @@ impl<'a> Moving<'a> {
 
 /// The touching parts: the contacts, and the bodies that they form.
 struct Touching<'a> {
-    contacts: Vec<Contact>,
+    contacts: Vec<PairState>,
     /// Which pairs meet which nodes.
     incidence: &'a Incidence,
     /// The body of each node.
@@ -162,7 +162,7 @@ struct Touching<'a> {
 
 impl<'a> Touching<'a> {
     /// The state before the first event.
-    fn new(contacts: Vec<Contact>, incidence: &'a Incidence, groups: Groups) -> Self {
+    fn new(contacts: Vec<PairState>, incidence: &'a Incidence, groups: Groups) -> Self {
         Self {
             settled: vec![false; contacts.len()],
             contacts,
@@ -213,7 +213,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         let ahead = |quantity: fn(&Node<Column>) -> f64| pair.relation.ahead(|index| quantity(&row.nodes()[index]));
         let deformation = ahead(|node| node.initial_displacement) - pair.gap();
         let rate = ahead(|node| node.initial_velocity);
-        let mut contact = Contact::new(pair, row.reduced_mass(pair), [deformation, rate]);
+        let mut contact = PairState::new(pair, row.reduced_mass(pair), [deformation, rate]);
         let [first, last] = contact.floors().map(|index| row.arrival(index));
         if first.total_cmp(&last).is_ne() {
             contact.grounds = Grounds::Apart;
@@ -230,7 +230,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     };
     let groups = Groups::new(system, row.is_chain());
     guard.wait(0.0)?;
-    let mut run = Run {
+    let mut run = ExactRun {
         settings,
         shaking: Shaking::new(excitation, row.travel(excitation)),
         moving: Moving::new(members, row.buildings(), excitation.time_step()),
@@ -251,7 +251,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     fn run(&mut self) -> Result<(), RunError> {
         if self.agenda.end <= 0.0 {
             return Ok(());
@@ -358,9 +358,8 @@ impl<R: Recorder> Run<'_, R> {
         if let Some(acceleration) = self.shaking.opening_acceleration(contact, now) {
             closing += acceleration;
         }
-        let motion = (contact.rate, closing);
         let time = self.agenda.clock.absolute(time);
-        let uncertainty = Touch::uncertainty(time, rounding::OF_SUMS * contact.scale, motion);
+        let uncertainty = Touch::uncertainty(time, rounding::OF_SUMS * contact.scale, contact.rate, closing);
         self.recorder.touch(&Touch {
             pair,
             time,

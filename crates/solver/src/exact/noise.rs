@@ -1,6 +1,6 @@
 //! Rounding of coefficients that should be zero. It decides whether a pair at rest has a force.
 
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Link, PairState};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::{Member, Terms};
 use crate::exact::rounding::{OF_COEFFICIENTS, weighed};
@@ -14,15 +14,10 @@ const ORDERS: usize = 8;
 const ORDERS_OF_FLOORS: usize = 13;
 
 /// Finds the scale of the rounding of the coefficients of a body; clears forces at rest that are only rounding.
-pub(super) fn clean(
-    group: Group<'_>,
-    (members, contacts): (&mut [Member], &mut [Contact]),
-    incidence: &Incidence,
-    (time, p): (f64, usize),
-) {
+pub(super) fn clean(group: Group<'_>, members: &mut [Member], contacts: &mut [PairState], incidence: &Incidence, time: f64, p: usize) {
     if !group.is_of_chain() {
         for node in group.nodes() {
-            measure(*node, (members, contacts), incidence, time);
+            measure(*node, members, contacts, incidence, time);
         }
         share(group, members);
         if let Some(tie) = group.tie() {
@@ -69,7 +64,7 @@ pub(super) fn clean(
 }
 
 /// Finds the scale for a node of any row, from its forces and those of all its pairs.
-fn measure(node: usize, (members, contacts): (&mut [Member], &[Contact]), incidence: &Incidence, time: f64) {
+fn measure(node: usize, members: &mut [Member], contacts: &[PairState], incidence: &Incidence, time: f64) {
     let own = magnitude(members, node);
     let pushes = incidence.at(node).iter();
     let pushed: f64 = pushes
@@ -95,7 +90,7 @@ fn measure(node: usize, (members, contacts): (&mut [Member], &[Contact]), incide
 
 /// Clears the leading coefficients of forces at rest that are only rounding, for any row. A pair whose first coefficients are all rounding
 /// loses all.
-fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize) {
+fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [PairState], p: usize) {
     for order in 0..ORDERS_OF_FLOORS {
         let noise = |node: usize| {
             let member = &members[node];
@@ -115,12 +110,12 @@ fn clear_ties(tie: &Tie, members: &[Member], contacts: &mut [Contact], p: usize)
         }
     }
     for pair in &tie.pairs {
-        forget_if_nothing(&mut contacts[*pair], (ORDERS_OF_FLOORS, p));
+        forget_if_nothing(&mut contacts[*pair], ORDERS_OF_FLOORS, p);
     }
 }
 
 /// Clears a force at rest if its first coefficients, one per order in time, are zero.
-fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
+fn forget_if_nothing(contact: &mut PairState, orders: usize, p: usize) {
     let mut first = contact.force.iter().step_by(p).take(orders);
     if first.all(|force| *force == 0.0) {
         contact.force.fill(0.0);
@@ -129,7 +124,7 @@ fn forget_if_nothing(contact: &mut Contact, (orders, p): (usize, usize)) {
 
 /// Clears the leading coefficients of forces at rest of a block that are only rounding. A pair whose first coefficients are all rounding
 /// loses all.
-fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p: usize) {
+fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [PairState], p: usize) {
     if block.first == block.last {
         return;
     }
@@ -151,7 +146,7 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
         });
     }
     for contact in &mut contacts[block.within..block.within + (block.last - block.first)] {
-        forget_if_nothing(contact, (orders, p));
+        forget_if_nothing(contact, orders, p);
     }
 }
 

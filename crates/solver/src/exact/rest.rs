@@ -7,7 +7,7 @@ use crate::exact::groups::beside;
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
-use crate::exact::{Run, Touching};
+use crate::exact::{ExactRun, Touching};
 use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -28,7 +28,7 @@ impl Touching<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Decides which of the touching pairs without a rate press against each other. These are the pairs whose free motion would overlap.
     /// The set grows pair by pair; each is decided by the first coefficient of its deformation that is not rounding.
     ///
@@ -39,11 +39,11 @@ impl<R: Recorder> Run<'_, R> {
         let chains = || {
             let of = |hit: &'h Hit| {
                 let pairs = hit.pairs.iter().enumerate();
-                pairs.map(move |(index, pair)| ((hit, index), *pair))
+                pairs.map(move |(index, pair)| (hit, index, *pair))
             };
             hits.iter().flat_map(of)
         };
-        let pairs = || chains().map(|(_, pair)| pair);
+        let pairs = || chains().map(|(.., pair)| pair);
         for pair in pairs() {
             self.touching.contacts[pair].link = Link::Apart;
         }
@@ -59,14 +59,14 @@ impl<R: Recorder> Run<'_, R> {
                 _ => pairs().filter(|pair| self.touching.may_press(*pair)).filter_map(order).min(),
             };
             let mut grown = false;
-            for (hit, pair) in chains() {
+            for (hit, index, pair) in chains() {
                 self.agenda.guard.wait(time)?;
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.touching.may_press(pair) && presses() {
                     if self.is_held(pair) {
                         return Err(self.touching.closed_in(pair, time));
                     }
-                    self.join(hit, time);
+                    self.join(hit, index, time);
                     grown = true;
                 }
             }
@@ -76,10 +76,10 @@ impl<R: Recorder> Run<'_, R> {
         }
         // Neighbours that move alike without a force stay together. This excludes neighbours that walls hold on both sides: it is open
         // which of their forces is zero, as one must be.
-        for (hit, pair) in chains() {
+        for (hit, index, pair) in chains() {
             self.agenda.guard.wait(time)?;
             if self.touching.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
-                self.join(hit, time);
+                self.join(hit, index, time);
             }
             let parts = self.touching.may_press(pair) && matches!(self.press(pair), Some((_, false)));
             self.touching.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
@@ -111,7 +111,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Puts a pair at rest: the lighter side takes the velocity of the heavier side, over its ground.
-    fn join(&mut self, (hit, index): (&Hit, usize), time: f64) {
+    fn join(&mut self, hit: &Hit, index: usize, time: f64) {
         let pair = hit.pairs[index];
         self.touching.contacts[pair].link = Link::Resting;
         if hit.rests_on(index, &self.touching.contacts[pair], &self.moving.members) {
@@ -175,14 +175,13 @@ impl<R: Recorder> Run<'_, R> {
             // A series in t next to a series in its fourth root.
             let stretched = p / self.power_of(point.floor());
             if n.is_multiple_of(stretched) && (n * 4).is_multiple_of(p) {
-                let at = (p / stretched, n / stretched);
-                contact.displacement_of(&self.moving.members, point, at)
+                contact.displacement_of(&self.moving.members, point, p / stretched, n / stretched)
             } else {
                 0.0
             }
         });
         let closing = values[0] - values[1];
-        let noise = noise(&self.moving.members, contact.relation, values, (p, n));
+        let noise = noise(&self.moving.members, contact.relation, values, p, n);
         let shown = closing.abs() > noise && closing.is_finite();
         (if shown { closing } else { 0.0 }, noise)
     }
@@ -210,9 +209,9 @@ impl<R: Recorder> Run<'_, R> {
         } else {
             time
         };
-        let system = (&mut self.moving.members[..], &mut self.touching.contacts[..]);
+        let (members, contacts) = (&mut self.moving.members, &mut self.touching.contacts);
         let group = self.touching.groups.of(first);
-        clean(group, system, self.touching.incidence, (time, power.order()));
+        clean(group, members, contacts, self.touching.incidence, time, power.order());
     }
 
     /// Updates the bodies from the links.

@@ -5,7 +5,7 @@
 //! keeps c = 0 afterwards. A pair that parts leaves the problem. A pair that is still open goes on to the next coefficient. Pairs that stay
 //! open stay together without a force.
 
-use crate::exact::Run;
+use crate::exact::ExactRun;
 use crate::exact::contact::{Gap, Link, System};
 use crate::exact::hits::Hit;
 use crate::exact::rest::OF_ACCELERATION;
@@ -23,7 +23,7 @@ enum Decision {
     Open,
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Puts pairs at rest or parts them.
     pub(super) fn rest_or_part_any(&mut self, hit: &Hit, time: f64) -> Result<(), RunError> {
         for pair in &hit.pairs {
@@ -43,7 +43,7 @@ impl<R: Recorder> Run<'_, R> {
                 self.agenda.guard.wait(time)?;
                 from = order + 1;
                 let decisions = self
-                    .decide((&open, &pressing), order)
+                    .decide(&open, &pressing, order)
                     .map_err(|pair| self.touching.closed_in(pair, time))?;
                 for (pair, decision) in open.iter().zip(&decisions) {
                     let contact = &mut self.touching.contacts[*pair];
@@ -83,7 +83,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Decisions of a coefficient about open pairs, given the pairs that press. A pair without room to move is an error.
-    fn decide(&mut self, (open, pressing): (&[usize], &[usize]), order: usize) -> Result<Vec<Decision>, usize> {
+    fn decide(&mut self, open: &[usize], pressing: &[usize], order: usize) -> Result<Vec<Decision>, usize> {
         let closing = open.iter().map(|pair| self.closing_by(*pair, order));
         let closing: Vec<_> = closing.collect();
         let system = System {

@@ -9,7 +9,7 @@ pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
 /// Rounding of coefficient `n` of the deformation of a pair with equal displacements and velocities, from the coefficients of both points.
-pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], (p, n): (usize, usize)) -> f64 {
+pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], p: usize, n: usize) -> f64 {
     let terms = if n >= 2 * p && n.is_multiple_of(p) {
         let order = n / p - 2;
         let weight = ((order + 1) * (order + 2)) as f64;

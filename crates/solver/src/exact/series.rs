@@ -5,7 +5,7 @@
 //! rest against each other share their acceleration. Storeys couple floors in the same way, by drifts and rates whose coefficients are
 //! known.
 
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Link, PairState};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
 use crate::exact::storey::{self, own_force};
@@ -16,7 +16,8 @@ use crate::span::Power;
 /// Expands the motion of a body, and the forces between its members, to `len` coefficients.
 pub(super) fn expand(
     group: Group<'_>,
-    (members, contacts): (&mut [Member], &mut [Contact]),
+    members: &mut [Member],
+    contacts: &mut [PairState],
     incidence: &Incidence,
     power: Power,
     len: usize,
@@ -43,45 +44,45 @@ pub(super) fn expand(
             }
         }
         if group.is_of_chain() {
-            move_blocks(group.blocks(), (members, contacts), (p, n));
+            move_blocks(group.blocks(), members, contacts, p, n);
         } else {
-            move_freely(nodes, (members, contacts), incidence, (p, n));
+            move_freely(nodes, members, contacts, incidence, p, n);
             if let Some(tie) = group.tie() {
-                hold(tie, (members, contacts), (p, n));
+                hold(tie, members, contacts, p, n);
             }
             for node in nodes {
-                follow(&mut members[*node], (p, n));
+                follow(&mut members[*node], p, n);
             }
         }
     }
 }
 
 /// Finds the coefficients of velocity and displacement that follow from an acceleration.
-fn follow(member: &mut Member, (p, n): (usize, usize)) {
+fn follow(member: &mut Member, p: usize, n: usize) {
     member.velocity[n + p] = member.acceleration[n] * (p as f64 / (n + p) as f64);
     member.displacement[n + 2 * p] = member.velocity[n + p] * (p as f64 / (n + 2 * p) as f64);
 }
 
 /// Coefficient `n` of the motion of a chain, and of the forces between members at rest.
-fn move_blocks(blocks: &[Block], (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
+fn move_blocks(blocks: &[Block], members: &mut [Member], contacts: &mut [PairState], p: usize, n: usize) {
     // Computed outside the chain of dependent operations, in which a division would take longest.
     let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
     for block in blocks {
         let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
-        let outside = (force(block.left), force(block.right));
-        accelerate(members, block, outside.0 - outside.1, p, n);
+        let outside = [force(block.left), force(block.right)];
+        accelerate(members, block, outside[0] - outside[1], p, n);
         for member in &mut members[block.first..=block.last] {
             member.velocity[n + p] = member.acceleration[n] * once;
             member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
         }
         if block.first < block.last {
-            resting_forces(members, (block, contacts), outside, (p, n));
+            resting_forces(members, contacts, block, outside, p, n);
         }
     }
 }
 
 /// Coefficient `n` of the accelerations of members of any row under the forces of compliant contact.
-fn move_freely(nodes: &[usize], (members, contacts): (&mut [Member], &[Contact]), incidence: &Incidence, (p, n): (usize, usize)) {
+fn move_freely(nodes: &[usize], members: &mut [Member], contacts: &[PairState], incidence: &Incidence, p: usize, n: usize) {
     let pushed = |node: usize, on_left: bool| {
         let at = incidence.at(node).iter();
         at.filter(|at| at.on_left == on_left && is_touching(&contacts[at.pair]))
@@ -100,12 +101,12 @@ fn move_freely(nodes: &[usize], (members, contacts): (&mut [Member], &[Contact])
     }
 }
 
-fn is_touching(contact: &Contact) -> bool {
+fn is_touching(contact: &PairState) -> bool {
     matches!(contact.link, Link::Touching(_))
 }
 
 /// Coefficient `n` of the forces at rest of any row, and their effect on the accelerations.
-fn hold(tie: &Tie, (members, contacts): (&mut [Member], &mut [Contact]), (p, n): (usize, usize)) {
+fn hold(tie: &Tie, members: &mut [Member], contacts: &mut [PairState], p: usize, n: usize) {
     let closing = |pair: &usize| {
         let contact = &contacts[*pair];
         let ahead = contact.relation.ahead(|node| members[node].acceleration[n]);
@@ -147,7 +148,7 @@ fn accelerate(members: &mut [Member], block: &Block, force: f64, p: usize, n: us
 }
 
 /// Coefficient `n` of the forces between members at rest against each other, each from its lighter side.
-fn resting_forces(members: &[Member], (block, contacts): (&Block, &mut [Contact]), (left, right): (f64, f64), (p, n): (usize, usize)) {
+fn resting_forces(members: &[Member], contacts: &mut [PairState], block: &Block, [left, right]: [f64; 2], p: usize, n: usize) {
     let side = |node: usize| Side {
         weight: members[node].mass,
         need: storey::need(members, node, p, n),

@@ -6,7 +6,7 @@ use crate::exact::impacts::{Chain, Look, SimultaneousImpacts};
 use crate::exact::member::Member;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::tie;
-use crate::exact::{CHATTER, Run, bounces_are_over};
+use crate::exact::{CHATTER, ExactRun, bounces_are_over};
 use crate::exact::{Moving, Touching};
 use crate::impact::any_rounds::Closed;
 use crate::impact::dense::ClosedIn;
@@ -72,7 +72,7 @@ impl Moving<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Whether a pair has landed with its gap closed and needs a decision.
     pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
         let contact = &self.touching.contacts[pair];
@@ -145,7 +145,7 @@ impl<R: Recorder> Run<'_, R> {
                 self.agenda.guard.wait(time)?;
                 self.touching.settled[pair] = true;
                 if impulse > 0.0 {
-                    self.report_impact((pair, impulse), time, hit);
+                    self.report_impact(pair, impulse, time, hit);
                 }
                 self.touching.count_bounce(pair, impulse > 0.0, time)?;
             }
@@ -180,7 +180,7 @@ impl<R: Recorder> Run<'_, R> {
         chain.restitutions.extend(places.clone().map(restitution));
         chain.passes_on.extend(places.map(|place| hit.passes_on(place)));
         let rule = self.settings.simultaneous_impacts;
-        give_along(chain, hit, &mut self.moving.members, (rule, &look))?;
+        give_along(chain, hit, &mut self.moving.members, rule, &look)?;
         for (pair, rate) in hit.pairs.iter().zip(&chain.rates) {
             self.touching.contacts[*pair].rate = *rate;
         }
@@ -246,7 +246,7 @@ impl<R: Recorder> Run<'_, R> {
         bounces_are_over(contact.rate, closing, restitution)
     }
 
-    fn report_impact(&mut self, (pair, impulse): (usize, f64), time: f64, hit: &Hit) {
+    fn report_impact(&mut self, pair: usize, impulse: f64, time: f64, hit: &Hit) {
         let opening_rate = self.opening(pair, time).map_or(0.0, |opening| opening.velocity);
         let contact = &mut self.touching.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER { contact.burst + 1 } else { 0 };
@@ -264,12 +264,7 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 /// Applies velocity jumps in a chain.
-fn give_along(
-    chain: &mut Chain,
-    hit: &mut Hit,
-    members: &mut [Member],
-    (rule, look): (SimultaneousImpacts, Look<'_>),
-) -> Result<(), RunError> {
+fn give_along(chain: &mut Chain, hit: &mut Hit, members: &mut [Member], rule: SimultaneousImpacts, look: Look<'_>) -> Result<(), RunError> {
     chain.velocities.extend_from_slice(&hit.before);
     for (velocity, carried) in chain.velocities.iter_mut().zip(&hit.carried) {
         *velocity += carried;

@@ -1,7 +1,7 @@
 //! The ground motion under a row, and its effect on pairs whose grounds move apart.
 
 use crate::exact::clock::{LocalClock, Past};
-use crate::exact::contact::Contact;
+use crate::exact::contact::PairState;
 use crate::model::excitation::Segment;
 use crate::{Excitation, Motion, Travel};
 
@@ -57,13 +57,13 @@ impl<'a> Shaking<'a> {
     }
 
     /// How far the grounds of a pair have moved towards each other, and at which rate; `None` if they move alike.
-    pub(super) fn opening(&self, contact: &Contact, now: Past) -> Option<Motion> {
+    pub(super) fn opening(&self, contact: &PairState, now: Past) -> Option<Motion> {
         let travel = self.travel.as_ref().filter(|_| contact.opens())?;
         Some(travel.opening_at(contact.floors(), now.instant()))
     }
 
     /// Acceleration of the opening \[m/s²\]: twice its second coefficient as a series in time.
-    pub(super) fn opening_acceleration(&self, contact: &Contact, now: Past) -> Option<f64> {
+    pub(super) fn opening_acceleration(&self, contact: &PairState, now: Past) -> Option<f64> {
         let travel = self.travel.as_ref().filter(|_| contact.opens())?;
         Some(2.0 * travel.cubic_opening(contact.floors(), now.instant())[2])
     }

@@ -25,11 +25,9 @@ pub(super) fn follow(members: &mut [Member], nodes: &[usize], p: usize, n: usize
         };
         if let Some(storey) = &mut member.storey {
             let below = &lower[storey.below];
-            let motion = (
-                member.displacement[n] - below.displacement[n],
-                member.velocity[n] - below.velocity[n],
-            );
-            storey.find(motion, (p, n));
+            let drift = member.displacement[n] - below.displacement[n];
+            let rate = member.velocity[n] - below.velocity[n];
+            storey.find(drift, rate, p, n);
         }
         let drift = member.storey.as_ref().map_or(&member.displacement, |storey| &storey.drift);
         if let Some(bend) = &mut member.bend {
@@ -39,7 +37,7 @@ pub(super) fn follow(members: &mut [Member], nodes: &[usize], p: usize, n: usize
 }
 
 impl Upper {
-    fn find(&mut self, (drift, rate): (f64, f64), (p, n): (usize, usize)) {
+    fn find(&mut self, drift: f64, rate: f64, p: usize, n: usize) {
         self.drift[n] = if self.still && n == p { 0.0 } else { drift };
         self.rate[n] = if self.still && n == 0 { 0.0 } else { rate };
     }

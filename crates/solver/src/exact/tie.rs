@@ -3,7 +3,7 @@
 //! With G the rows of their relations and W = G M⁻¹ Gᵀ, the forces F keep the accelerations of touching points equal: W F = c, where c are
 //! the accelerations towards each other without these forces. Chains do not use this: they move as blocks.
 
-use crate::exact::contact::{Contact, System};
+use crate::exact::contact::{PairState, System};
 use crate::impact::dense::basis::{Basis, add, dot};
 
 /// Pairs of a body that rest against each other with a force.
@@ -84,7 +84,7 @@ impl Tie {
 }
 
 /// The floors that carry points of pairs, in ascending order.
-pub(super) fn floors(pairs: &[usize], contacts: &[Contact]) -> Vec<usize> {
+pub(super) fn floors(pairs: &[usize], contacts: &[PairState]) -> Vec<usize> {
     let pushes = pairs.iter().flat_map(|pair| contacts[*pair].relation.pushes());
     let mut floors: Vec<_> = pushes.map(|(floor, _)| floor).collect();
     floors.sort_unstable();

@@ -1,9 +1,9 @@
 //! The search for the first event of a piece.
 
-use crate::exact::columns::{Branch, Line};
-use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::columns::{Branch, LoadingLine};
+use crate::exact::contact::{Link, PairState, Phase};
 use crate::exact::member::Member;
-use crate::exact::{Run, Touching};
+use crate::exact::{ExactRun, Touching};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -143,9 +143,9 @@ impl Touching<'_> {
     }
 }
 
-impl<R: Recorder> Run<'_, R> {
+impl<R: Recorder> ExactRun<'_, R> {
     /// Finds the first event of a piece.
-    pub(super) fn watch(&self, watch: &mut Watch, (first, len): (usize, usize), time: f64) -> Result<(), RunError> {
+    pub(super) fn watch(&self, watch: &mut Watch, first: usize, len: usize, time: f64) -> Result<(), RunError> {
         let group = self.touching.groups.of(first);
         for &node in group.nodes() {
             let member = &self.moving.members[node];
@@ -201,7 +201,7 @@ impl<R: Recorder> Run<'_, R> {
             Event::Cross(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
-                (member.branch, member.line) = (branch, Line::Shifted);
+                (member.branch, member.line) = (branch, LoadingLine::Shifted);
             }
             Event::Balance(node) => self.moving.members[node].balanced = true,
             Event::Extremum(node) => self.moving.members[node].peaked = true,
@@ -262,7 +262,7 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
 }
 
 /// Length up to which the series of a touching pair have converged to the tolerance; `None` if there is no such length.
-pub(super) fn reach(contact: &Contact, (power, len): (Power, usize), (length, tolerance): (f64, f64)) -> Option<f64> {
+pub(super) fn reach(contact: &PairState, power: Power, len: usize, length: f64, tolerance: f64) -> Option<f64> {
     if !matches!(contact.link, Link::Touching(_)) {
         return Some(length);
     }

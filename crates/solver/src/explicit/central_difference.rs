@@ -28,11 +28,11 @@ use storeys::Storeys;
 
 use crate::error::require;
 use crate::impact::impacts::Impacts;
-use crate::march::{Step, Stepping, march};
+use crate::march::{ClockStep, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
@@ -124,7 +124,7 @@ struct Instant<'a> {
 }
 
 /// A run: its model and all its memory, allocated once.
-struct Run<'a, Column: RestoringForce> {
+struct CentralDifferenceRun<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     /// Whole step and sub-step \[s\].
     steps: [f64; 2],
@@ -151,17 +151,17 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     settings.check()?;
-    let begin = |ground: Ground<'_>| Run::new(settings, row, ground, course.clock.time_step);
+    let begin = |ground: Ground<'_>| CentralDifferenceRun::new(settings, row, ground, course.clock.time_step);
     let substeps = settings.contact_substeps as usize;
     march(row, excitation, course, substeps, begin, recorder)
 }
 
-impl<Column: RestoringForce> Stepping<Column> for Run<'_, Column> {
+impl<Column: RestoringForce> Stepping<Column> for CentralDifferenceRun<'_, Column> {
     /// Node n is reached by the second-last step; the last step gives it a velocity.
     const FIRST: usize = 0;
 
     #[inline]
-    fn step<R: Recorder>(&mut self, _: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, _: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (number, clock, substeps) = (step.number, step.clock, self.substeps);
         let node = Instant {
             ground: step.ground(number),
@@ -195,7 +195,7 @@ pub fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> 
 }
 
 /// The body at t = 0.
-fn begin<Memory>((state, memory): (State, Memory), ground: f64, dt: f64) -> Body<Memory> {
+fn begin<Memory>(state: State, memory: Memory, ground: f64, dt: f64) -> Body<Memory> {
     Body {
         displacement: state.displacement,
         increment: first_increment([state.velocity, state.acceleration], dt),
@@ -211,7 +211,7 @@ fn begin<Memory>((state, memory): (State, Memory), ground: f64, dt: f64) -> Body
     }
 }
 
-impl<'a, Column: RestoringForce> Run<'a, Column> {
+impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
     fn new(settings: CentralDifference, row: &'a Row<Column>, ground: Ground<'_>, dt: f64) -> Self {
         let steps = [dt, dt / f64::from(settings.contact_substeps)];
         let constants = |dt: f64| {
@@ -223,7 +223,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             .into_iter()
             .zip(memories)
             .enumerate()
-            .map(|(node, initial)| begin(initial, ground.under(node), dt))
+            .map(|(node, (state, memory))| begin(state, memory, ground.under(node), dt))
             .collect();
         Self {
             row,
@@ -276,18 +276,22 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 });
             }
             if node.time > body.start_time {
-                let times = (body.start_time, node.time);
+                let times = [body.start_time, node.time];
                 let ends = [body.start, end];
-                let loads = [
-                    Load::at(&ends[0], (ends[0].restoring_force, damping * central), body.start_ground),
-                    Load::at(&ends[1], (ends[1].restoring_force, damping * body.velocity), ground),
-                ];
-                let weights = (0.5 * constants.time_step, [1.0; 2]);
+                let load = |end: &State, velocity: f64, ground: f64| {
+                    let forces = StoreyForces {
+                        restoring: end.restoring_force,
+                        damping: damping * velocity,
+                    };
+                    Load::at(end, forces, ground)
+                };
+                let loads = [load(&ends[0], central, body.start_ground), load(&ends[1], body.velocity, ground)];
+                let weights = Weights::trapezoidal(0.5 * constants.time_step);
                 let mut span = Span::step(recorder.reads_weighed(), index, times, ends, weights, loads);
                 span.impulse_from_left -= body.excess.0;
                 span.impulse_from_right -= body.excess.1;
                 let slots = self.row.incidence().slots_at(index);
-                self.pushes.end(slots.clone(), weights.0);
+                self.pushes.end(slots.clone(), weights.scale);
                 span.pushes = self.pushes.of(slots);
                 recorder.span(&span);
             }
@@ -305,7 +309,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
 fn advance<Column: RestoringForce>(body: &mut Body<Column::Memory>, constants: &Coefficients, column: &Column, ground: f64) -> State {
     let response = column.respond(body.displacement, body.memory);
     let pounding_force = body.force_from_left + body.force_from_right;
-    let smooth = constants.smooth((pounding_force, response.force), constants.mobile * ground);
+    let smooth = constants.smooth(pounding_force, response.force, constants.mobile * ground);
     let increment = constants.next(smooth, body.increment);
     let velocity = constants.velocity([body.increment, increment]);
     let state = State {

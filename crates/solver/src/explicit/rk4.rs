@@ -8,11 +8,11 @@
 //! acceleration in the middle of a step is taken from the record.
 
 use crate::impact::impacts::Impacts;
-use crate::march::{Step, Stepping, march};
+use crate::march::{ClockStep, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the classical Runge–Kutta method (none). Order 4 while nothing touches or yields.
@@ -93,7 +93,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     const PARTS: usize = 2;
 
     #[inline]
-    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         self.advance(row, step.parts(), step.clock.time_step);
         self.finish(row, step, recorder)?;
         step.collide(row, &mut self.states, &mut self.impacts, work, recorder)?;
@@ -105,7 +105,7 @@ impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
 impl<Memory: Copy> Scratch<Memory> {
     fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: Ground<'_>) -> Self {
         let (states, memories) = row.initial(ground);
-        let nothing = Load::at(&State::default(), (0.0, 0.0), 0.0);
+        let nothing = Load::at(&State::default(), StoreyForces::default(), 0.0);
         Self {
             stages: states.clone(),
             slopes: vec![(0.0, 0.0); states.len()],
@@ -163,7 +163,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        step: Step<'_>,
+        step: ClockStep<'_>,
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let (times, [_, _, ground]) = (step.times(), step.parts());
@@ -190,7 +190,11 @@ impl<Memory: Copy> Scratch<Memory> {
         }
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
-            let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
+            let weights = Weights {
+                scale: sixth,
+                of_loads: WEIGHTS,
+            };
+            let loads = self.loads[structure];
             let mut span = Span::step(recorder.reads_weighed(), structure, times, [*start, *end], weights, loads);
             span.below = row.below(structure, [starts, ends]);
             span.pushes = self.pushes.of(row.incidence().slots_at(structure));

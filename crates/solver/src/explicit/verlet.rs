@@ -11,21 +11,18 @@
 //! Impacts are located in this method, not in the central difference method, for two reasons. A step needs only the state at its start, so
 //! that it may begin and end anywhere. And displacements are quadratic in time: a gap closes at the root of a quadratic.
 
-pub(crate) mod formulas;
 mod storeys;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use formulas::{Closing, Length};
-
 use crate::impact::impacts::Impacts;
-use crate::march::{Step, Stepping, march};
+use crate::march::{ClockStep, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::dashpots::Dashpots;
-use crate::model::ground::Ground;
+use crate::model::ground::{Ground, Now};
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the velocity Verlet method. Order 2 while nothing touches, critical time step 2/ω.
@@ -92,7 +89,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 
 impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let duration = step.clock.time_step;
         self.pushes.pass();
         if self.when == VerletImpacts::Located {
@@ -139,7 +136,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn locate<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        step: Step<'_>,
+        step: ClockStep<'_>,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
@@ -158,7 +155,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row, instant, step.at(instant).0);
+            self.gather(row, instant, step.at(instant).ground);
             self.finish(row, step, instant, work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
@@ -226,12 +223,12 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        step: Step<'_>,
+        step: ClockStep<'_>,
         instant: f64,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        let (ground, time) = step.at(instant);
+        let Now { ground, time } = step.at(instant);
         row.push(&mut self.ends, &mut self.pushes, &mut self.approaches, ground);
         self.share(row, instant);
         if self.dashpots.is_some() {
@@ -248,18 +245,22 @@ impl<Memory: Copy> Scratch<Memory> {
             }
             let h = instant - body.since;
             let ground = ground.under(structure);
-            body.memory = close(node, body, (start, end), (ground, h));
+            body.memory = close(node, body, start, end, ground, h);
             work.force_evaluations += 1;
-            let (start_ground, start_time) = step.at(body.since);
-            let start_ground = start_ground.under(structure);
+            let began = step.at(body.since);
+            let start_ground = began.ground.under(structure);
             let loads = [(start, start_ground), (&*end, ground)].map(|(state, ground)| {
-                let forces = (state.restoring_force, node.damping * state.velocity);
+                let forces = StoreyForces {
+                    restoring: state.restoring_force,
+                    damping: node.damping * state.velocity,
+                };
                 Load::at(state, forces, ground)
             });
-            let (times, ends) = ((start_time, time), [*start, *end]);
+            let (times, ends) = ([began.time, time], [*start, *end]);
             let slots = row.incidence().slots_at(structure);
             self.pushes.start(slots.clone(), 0.5 * h);
-            let mut span = Span::step(recorder.reads_weighed(), structure, times, ends, (0.5 * h, [1.0, 1.0]), loads);
+            let weights = Weights::trapezoidal(0.5 * h);
+            let mut span = Span::step(recorder.reads_weighed(), structure, times, ends, weights, loads);
             span.impulse_from_left = 0.5 * h * start.force_from_left + body.impulses.0;
             span.impulse_from_right = 0.5 * h * start.force_from_right + body.impulses.1;
             span.pushes = self.pushes.of(slots.clone());
@@ -299,7 +300,7 @@ impl<Memory: Copy> Scratch<Memory> {
 
 /// When the gap of a pair closes, counted from the start of the step; infinite if it does not close before the end or is closed from the
 /// start.
-fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
+fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: ClockStep<'_>) -> f64 {
     let since = bodies[pair.left()].since.max(bodies[pair.right()].since);
     let h = |floor: usize| since - bodies[floor].since;
     let ahead = pair.relation.ahead(|floor| {
@@ -311,7 +312,7 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
     let (mut gap, mut rate) = (pair.gap() - ahead, pair.relation.ahead(faster));
     let mut curvature = pair.relation.ahead(bends);
     if !step.is_common() {
-        let ground = step.at(since).0;
+        let ground = step.at(since).ground;
         let opening = ground.opening(pair);
         gap -= opening.displacement;
         rate += opening.velocity;
@@ -330,8 +331,10 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
 fn close<Column: RestoringForce>(
     node: &Node<Column>,
     body: &Body<Column::Memory>,
-    (start, end): (&State, &mut State),
-    (ground, h): (f64, f64),
+    start: &State,
+    end: &mut State,
+    ground: f64,
+    h: f64,
 ) -> Column::Memory {
     let response = node.column.respond(end.displacement, body.memory);
     let length = Length::new(h, node.inverse_mass * node.damping);
@@ -346,4 +349,62 @@ fn close<Column: RestoringForce>(
     end.velocity = length.velocity(half_way, smooth, pushed);
     end.acceleration = node.acceleration(end, ground);
     response.memory
+}
+
+/// The length of a span, for one structure.
+#[derive(Clone, Copy)]
+struct Length {
+    /// Half of it, h/2 \[s\].
+    half: f64,
+    /// 1/(1 + h c/(2m)): the damping at the end belongs to the velocity at the end.
+    solve: f64,
+}
+
+impl Length {
+    /// The length of a span \[s\] for a structure with c/m \[1/s\].
+    fn new(whole: f64, damping: f64) -> Self {
+        let half = 0.5 * whole;
+        Self {
+            half,
+            solve: 1.0 / (1.0 + half * damping),
+        }
+    }
+
+    /// Velocity at the end \[m/s\].
+    ///
+    /// It follows from the velocity at mid-span \[m/s\], the acceleration by column and ground at the end \[m/s²\], and the contribution of
+    /// the pounding force at the end \[m/s\].
+    fn velocity(&self, half_way: f64, smooth: f64, pushed: f64) -> f64 {
+        self.solve * (half_way + self.half * smooth + pushed)
+    }
+}
+
+/// Two structures with quadratic motions.
+struct Closing {
+    /// Distance between them \[m\], ≥ 0.
+    gap: f64,
+    /// Rate at which it closes \[m/s\].
+    rate: f64,
+    /// Half of the relative acceleration \[m/s²\].
+    curvature: f64,
+}
+
+impl Closing {
+    /// Returns the x ≥ 0 at which rate·x + curvature·x² rises through the gap \[s\]; infinite if there is none.
+    fn instant(&self) -> f64 {
+        let Self { gap, rate, curvature } = *self;
+        let discriminant = rate * rate + 4.0 * curvature * gap;
+        if discriminant < 0.0 {
+            return f64::INFINITY;
+        }
+        let root = discriminant.sqrt();
+        // The form of the root without cancellation. It is 0/0 only for a path that stays in the gap.
+        if rate > 0.0 {
+            2.0 * gap / (rate + root)
+        } else if curvature > 0.0 {
+            (root - rate) / (2.0 * curvature)
+        } else {
+            f64::INFINITY
+        }
+    }
 }

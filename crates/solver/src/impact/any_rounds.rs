@@ -172,7 +172,7 @@ impl Jumps {
     }
 
     /// Adds a pair by its index in the row. `rate` and `scale` are those of the grounds under it.
-    pub(crate) fn push(&mut self, (pair, relation): (usize, Relation), closed: Closed) {
+    pub(crate) fn push(&mut self, pair: usize, relation: Relation, closed: Closed) {
         self.touching.push((pair, relation));
         self.rounds.pairs.push(closed);
         self.opens |= closed.rate != 0.0;
@@ -258,7 +258,7 @@ mod tests {
                 scale: 0.0,
                 impulse: 0.0,
             };
-            jumps.push((index, pair.relation), closed);
+            jumps.push(index, pair.relation, closed);
         }
         let mut velocities = [1.0, 1.0 + f64::EPSILON, -1.0];
         assert_eq!(jumps.strike_all(&mut velocities), Ok(true));

@@ -66,7 +66,7 @@ impl<N: Number> Together<N> {
 
     /// Adds a pair, to the right of the earlier pairs, and its left neighbour.
     #[inline(always)]
-    pub(crate) fn push(&mut self, (pair, left): (usize, usize), demand: N) {
+    pub(crate) fn push(&mut self, pair: usize, left: usize, demand: N) {
         let before = self.links.last();
         self.links.push(Link {
             pair,

@@ -177,7 +177,7 @@ impl Complementarity {
 }
 
 /// A contact of a search.
-struct Contact {
+struct SearchContact {
     /// Length of its column.
     norm: f64,
     demand: f64,
@@ -190,7 +190,7 @@ struct Contact {
 
 /// The search for pushing contacts with independent columns.
 struct Search {
-    contacts: Vec<Contact>,
+    contacts: Vec<SearchContact>,
     /// A, column by column.
     columns: Vec<f64>,
     /// Contacts that push, in the order of the basis.
@@ -233,7 +233,7 @@ impl Search {
         for (row, element) in column {
             elements[row] += element;
         }
-        self.contacts.push(Contact {
+        self.contacts.push(SearchContact {
             norm: norm(elements, self.basis.split),
             demand: 0.0,
             scale: 0.0,
@@ -292,7 +292,7 @@ impl Search {
 
     /// The velocity that a contact still has to lose, and the magnitude of its terms.
     fn lack(&self, index: usize) -> (f64, f64) {
-        let Contact { demand, scale, .. } = self.contacts[index];
+        let SearchContact { demand, scale, .. } = self.contacts[index];
         let column = self.column(index).iter().zip(&self.sizes);
         let terms: f64 = column.map(|(element, size)| element.abs() * size).sum();
         (demand - self.taken(index), demand.abs().max(scale) + terms)
@@ -316,7 +316,7 @@ impl Search {
         let negligible = DEPENDENT * self.contacts[index].norm;
         let (mut blocking, mut least) = (None, f64::INFINITY);
         for (place, share) in self.free.iter().enumerate() {
-            let Contact { norm, impulse, .. } = self.contacts[self.pushing[place]];
+            let SearchContact { norm, impulse, .. } = self.contacts[self.pushing[place]];
             if share * norm > negligible && impulse / share < least {
                 (blocking, least) = (Some(place), impulse / share);
             }
@@ -342,7 +342,7 @@ impl Search {
             self.basis.solve(&mut self.free);
             // The part of the way at which a contact that would pull reaches zero. A contact that has just entered gives 0 / 0, counts as
             // zero, and leaves.
-            let ratio = |contact: &Contact, free: f64| {
+            let ratio = |contact: &SearchContact, free: f64| {
                 if free > 0.0 {
                     f64::INFINITY
                 } else {

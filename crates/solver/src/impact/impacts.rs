@@ -11,7 +11,7 @@
 
 use crate::impact::any_rounds::{Closed, Jumps};
 use crate::impact::rounds::{Rounds, Touching};
-use crate::model::ground::Ground;
+use crate::model::ground::{Ground, Now};
 use crate::{Impact, Pair, Recorder, RestoringForce, Row, RunError, State};
 
 /// Scratch of the rule, allocated once per run.
@@ -59,16 +59,16 @@ impl Impacts {
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
-        instant: (Ground<'_>, f64),
+        now: Now<'_>,
         recorder: &mut R,
     ) -> Result<bool, RunError> {
         let mut touches = false;
         for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
-            *touching = instant.0.deformation_of(pair, states) >= 0.0 && pair.law.impulsive().is_some();
+            *touching = now.ground.deformation_of(pair, states) >= 0.0 && pair.law.impulsive().is_some();
             touches |= *touching;
         }
         if touches {
-            self.jump(row, states, instant, recorder)
+            self.jump(row, states, now, recorder)
         } else {
             Ok(false)
         }
@@ -76,26 +76,26 @@ impl Impacts {
 
     /// Applies jumps to the pairs marked as touching: first velocities, then accelerations from equilibrium; true if any jumped.
     ///
-    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported. Returns an error if pairs are
+    /// Precondition: the spans that end now have been reported. Returns an error if pairs are
     /// no chain and their walls close in on them. In a chain the velocities become non-finite in this case.
     pub(crate) fn jump<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
-        instant: (Ground<'_>, f64),
+        now: Now<'_>,
         recorder: &mut R,
     ) -> Result<bool, RunError> {
         self.remember(states);
-        self.gather(row.pairs(), instant.0);
+        self.gather(row.pairs(), now.ground);
         let closed_in = |pair: usize| {
             let pair = &row.pairs()[pair];
-            let ([left, right], time) = ([pair.left(), pair.right()], instant.1);
+            let ([left, right], time) = ([pair.left(), pair.right()], now.time);
             RunError::ClosedIn { left, right, time }
         };
         let jumps = self.strike_all().map_err(closed_in)?;
         if jumps {
             self.tell(states);
-            self.settle(row, states, instant, recorder);
+            self.settle(row, states, now, recorder);
         }
         Ok(jumps)
     }
@@ -113,7 +113,8 @@ impl Impacts {
                 let (restitution, speeds) = (law.restitution, ground.extent(pair).velocity);
                 match &mut self.rounds {
                     Solver::Chain(rounds) => rounds.push(
-                        (index, pair.left()),
+                        index,
+                        pair.left(),
                         Touching {
                             scenes: true,
                             factor: 1.0 + restitution,
@@ -122,7 +123,8 @@ impl Impacts {
                         },
                     ),
                     Solver::Any(rounds) => rounds.push(
-                        (index, pair.relation),
+                        index,
+                        pair.relation,
                         Closed {
                             rate: opening,
                             restitution,
@@ -176,13 +178,13 @@ impl Impacts {
         row: &Row<Column>,
         states: &mut [State],
         impulses: &[f64],
-        instant: (Ground<'_>, f64),
+        now: Now<'_>,
         recorder: &mut R,
     ) {
         self.impulses.copy_from_slice(impulses);
         self.remember(states);
         strike(row, impulses, &mut self.net, states);
-        self.settle(row, states, instant, recorder);
+        self.settle(row, states, now, recorder);
     }
 
     fn remember(&mut self, states: &[State]) {
@@ -192,17 +194,11 @@ impl Impacts {
     }
 
     /// Reports the impacts of an instant, and updates the accelerations from the new velocities.
-    fn settle<Column: RestoringForce, R: Recorder>(
-        &self,
-        row: &Row<Column>,
-        states: &mut [State],
-        (ground, time): (Ground<'_>, f64),
-        recorder: &mut R,
-    ) {
-        self.report(row.pairs(), states, (ground, time), recorder);
+    fn settle<Column: RestoringForce, R: Recorder>(&self, row: &Row<Column>, states: &mut [State], now: Now<'_>, recorder: &mut R) {
+        self.report(row.pairs(), states, now, recorder);
         for node in 0..states.len() {
             if self.feels_jump(row, node, states) {
-                states[node].acceleration = row.acceleration(node, states, ground.under(node));
+                states[node].acceleration = row.acceleration(node, states, now.ground.under(node));
             }
         }
     }
@@ -214,7 +210,7 @@ impl Impacts {
         jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
     }
 
-    fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], (ground, time): (Ground<'_>, f64), recorder: &mut R) {
+    fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], Now { ground, time }: Now<'_>, recorder: &mut R) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
                 let before = |floor: usize| self.before[floor];

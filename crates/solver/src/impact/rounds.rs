@@ -86,9 +86,9 @@ impl<N: Number> Rounds<N> {
 
     /// Adds a pair, to the right of the earlier pairs, and its left neighbour.
     #[inline(always)]
-    pub fn push(&mut self, of: (usize, usize), touching: Touching<N>) {
+    pub fn push(&mut self, pair: usize, left: usize, touching: Touching<N>) {
         let zero = touching.factor.like(0.0);
-        self.together.push(of, zero);
+        self.together.push(pair, left, zero);
         self.impulses.push(zero);
         self.touching.push(touching);
     }

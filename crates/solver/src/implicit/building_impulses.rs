@@ -61,7 +61,7 @@ impl Joint {
             for first in 0..row.buildings().len() {
                 let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
                 if clusters.gather(row, first, joins) && clusters.is_general() {
-                    let settled = self.settle(row, &mut clusters, (contacts, scratch), slopes);
+                    let settled = self.settle(row, &mut clusters, contacts, scratch, slopes);
                     lacked = lacked.and_then(|lacked| Ok(lacked | settled?));
                 }
             }
@@ -75,7 +75,8 @@ impl Joint {
         &mut self,
         row: &Row<Column>,
         clusters: &mut Clusters,
-        (contacts, scratch): (&mut Contacts, &Scratch<Column::Memory>),
+        contacts: &mut Contacts,
+        scratch: &Scratch<Column::Memory>,
         slopes: Slopes,
     ) -> Result<bool, usize> {
         let pairs = clusters.pairs.iter().copied();

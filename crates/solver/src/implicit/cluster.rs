@@ -8,12 +8,12 @@ use crate::model::profile::Profile;
 use crate::{RestoringForce, Row};
 
 /// Neighbouring structures of one storey; each touches the next.
-pub(crate) struct Line {
+pub(crate) struct TouchingLine {
     pub(crate) nodes: Range<usize>,
     pub(crate) pairs: Range<usize>,
 }
 
-impl Cluster for Line {
+impl Cluster for TouchingLine {
     const STOREYS: bool = false;
 
     #[inline]
@@ -67,7 +67,7 @@ impl Cluster for Alone<'_> {
         std::iter::empty()
     }
 
-    /// Elimination in the tridiagonal system of its floors, as for a [`Line`].
+    /// Elimination in the tridiagonal system of its floors, as for a [`TouchingLine`].
     #[inline]
     fn correct<Column: RestoringForce>(&mut self, _: &Row<Column>, trials: &mut [Trial<Column::Memory>], _: &[PairTrial]) {
         for floors in self.floors.windows(2) {

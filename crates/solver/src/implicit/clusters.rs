@@ -1,6 +1,6 @@
 //! Clusters: buildings that pairs join and that move together.
 
-use crate::implicit::cluster::{Joined, Line, couples};
+use crate::implicit::cluster::{Joined, TouchingLine, couples};
 use crate::model::buildings::Buildings;
 use crate::model::incidence::Incident;
 use crate::model::profile::Profile;
@@ -36,7 +36,7 @@ pub(crate) struct Clusters {
 
 impl Clusters {
     /// Clusters of a row with buildings of several storeys, or with pairs that are no chain; `None` for other rows, whose clusters are
-    /// [lines](Line).
+    /// [lines](TouchingLine).
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
         let buildings = row.buildings();
         if buildings.are_single() && row.is_chain() {
@@ -130,7 +130,7 @@ impl Clusters {
         true
     }
 
-    /// Whether the last gathered cluster is more than a [`Line`]: it has a building of several storeys, or may branch.
+    /// Whether the last gathered cluster is more than a [`TouchingLine`]: it has a building of several storeys, or may branch.
     pub(crate) fn is_general(&self) -> bool {
         !self.is_chain || self.has_storeys
     }
@@ -147,7 +147,7 @@ impl Clusters {
 
     /// The last gathered cluster if none of its buildings has several storeys: its structures are neighbours and each touches the next.
     /// Tall buildings elsewhere in the row then do not change their bits.
-    pub(crate) fn line(&self) -> Option<Line> {
+    pub(crate) fn line(&self) -> Option<TouchingLine> {
         let range = |indices: &[usize]| {
             let (first, last) = (indices.first()?, indices.last()?);
             Some(*first..*last + 1)
@@ -155,7 +155,7 @@ impl Clusters {
         if self.is_general() {
             return None;
         }
-        Some(Line {
+        Some(TouchingLine {
             nodes: range(&self.nodes)?,
             pairs: range(&self.pairs)?,
         })

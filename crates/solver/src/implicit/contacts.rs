@@ -30,7 +30,7 @@ pub(crate) struct Contacts {
 }
 
 impl Contacts {
-    pub(crate) fn new((n_structures, n_pairs): (usize, usize)) -> Self {
+    pub(crate) fn new(n_structures: usize, n_pairs: usize) -> Self {
         Self {
             closed: vec![false; n_pairs],
             impulses: vec![0.0; n_pairs],

@@ -1,6 +1,7 @@
 //! The equations of a step: how its unknowns follow from accelerations, and which floors find their equilibrium together.
 
 use crate::implicit::trial::{PairTrial, Trial};
+use crate::model::ground::Ground;
 use crate::{RestoringForce, Row};
 
 /// Slopes of a method's step for Newton's method: how displacement and velocity follow the acceleration.
@@ -14,6 +15,13 @@ pub(crate) struct Slopes {
     pub(crate) inertia: f64,
     /// Δt, for messages \[s\].
     pub(crate) time_step: f64,
+}
+
+/// The end of a step, where the unknowns are sought.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StepEnd<'a> {
+    pub(crate) slopes: Slopes,
+    pub(crate) ground: Ground<'a>,
 }
 
 /// An equilibrium that was not found.

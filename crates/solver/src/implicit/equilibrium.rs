@@ -2,9 +2,8 @@
 
 use pounding_contact::Overlap;
 
-use crate::implicit::equation::{Cluster, Slopes};
+use crate::implicit::equation::{Cluster, Slopes, StepEnd};
 use crate::implicit::trial::{PairTrial, Trial};
-use crate::model::ground::Ground;
 use crate::{Floor, Node, RestoringForce, Row, Support, Work};
 
 /// Relative rounding of a displacement, a velocity or a deformation, each the result of up to four operations.
@@ -16,11 +15,13 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 #[inline]
 pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
-    (trials, pairs): (&mut [Trial<Column::Memory>], &mut [PairTrial]),
+    trials: &mut [Trial<Column::Memory>],
+    pairs: &mut [PairTrial],
     cluster: &C,
-    (slopes, ground): (Slopes, Ground<'_>),
+    end: StepEnd<'_>,
     work: &mut Work,
 ) -> f64 {
+    let StepEnd { slopes, ground } = end;
     let mut n_nodes = 0;
     for index in cluster.nodes() {
         let node = &row.nodes()[index];
@@ -29,23 +30,23 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
                 let (before, rest) = trials.split_at_mut(index);
                 let (below, trial) = (&mut before[floor.below], &mut rest[0]);
                 follow(trial, slopes);
-                let drift = (trial.displacement - below.displacement, trial.velocity - below.velocity);
-                evaluate(node, trial, drift, (slopes, ground.under(index)));
+                let (drift, rate) = (trial.displacement - below.displacement, trial.velocity - below.velocity);
+                evaluate(node, trial, drift, rate, slopes, ground.under(index));
                 let carrying = &row.nodes()[floor.below];
                 stand(node, trial, carrying, below, &floor, slopes);
             }
             Support::Ground | Support::Floor(_) => {
                 let trial = &mut trials[index];
                 follow(trial, slopes);
-                let drift = (trial.displacement, trial.velocity);
-                evaluate(node, trial, drift, (slopes, ground.under(index)));
+                let (drift, rate) = (trial.displacement, trial.velocity);
+                evaluate(node, trial, drift, rate, slopes, ground.under(index));
             }
         }
         n_nodes += 1;
     }
     work.force_evaluations += n_nodes;
     for pair in cluster.pairs() {
-        couple(row, pair, trials, &mut pairs[pair], (slopes, ground));
+        couple(row, pair, trials, &mut pairs[pair], end);
     }
     let mut sum = 0.0;
     for index in cluster.nodes() {
@@ -71,8 +72,10 @@ fn follow<Memory>(trial: &mut Trial<Memory>, slopes: Slopes) {
 fn evaluate<Column: RestoringForce>(
     node: &Node<Column>,
     trial: &mut Trial<Column::Memory>,
-    (drift, rate): (f64, f64),
-    (slopes, ground): (Slopes, f64),
+    drift: f64,
+    rate: f64,
+    slopes: Slopes,
+    ground: f64,
 ) {
     let w = node.inverse_mass;
     trial.response = node.column.respond(drift, trial.memory);
@@ -118,15 +121,15 @@ fn stand<Column: RestoringForce>(
     let rounding = |(displacement, velocity): (f64, f64)| ROUNDING * (stiffness * displacement + node.damping * velocity);
     below.residual -= w_below * (restoring + damping);
     let both = rounding(extent) + rounding(extent_below);
-    below.push(w_below, restoring.abs() + damping.abs(), (tangent, both));
+    below.push(w_below, restoring.abs() + damping.abs(), tangent, both);
     below.above = -w_below * tangent;
     trial.below = -w * tangent;
     trial.rounding += w * rounding(extent_below);
     // Damping against the ground.
     let against = floor.ground_damping * trial.velocity;
     trial.residual += w * against;
-    let own = (floor.ground_damping * slopes.velocity, ROUNDING * floor.ground_damping * extent.1);
-    trial.push(w, against.abs(), own);
+    let (tangent, rounding) = (floor.ground_damping * slopes.velocity, ROUNDING * floor.ground_damping * extent.1);
+    trial.push(w, against.abs(), tangent, rounding);
 }
 
 /// Adds the pounding force of one pair.
@@ -135,7 +138,7 @@ fn couple<Column: RestoringForce>(
     index: usize,
     trials: &mut [Trial<Column::Memory>],
     known: &mut PairTrial,
-    (slopes, ground): (Slopes, Ground<'_>),
+    StepEnd { slopes, ground }: StepEnd<'_>,
 ) {
     let pair = &row.pairs()[index];
     (known.force, known.tangent) = (0.0, 0.0);
@@ -184,7 +187,6 @@ fn couple<Column: RestoringForce>(
             trial.force_from_left += size * contact.force;
             trial.lower = off;
         }
-        let own = (size * tangent, rounding);
-        trial.push(size * inverse_mass, contact.force, own);
+        trial.push(size * inverse_mass, contact.force, size * tangent, rounding);
     }
 }

@@ -26,8 +26,9 @@ use crate::implicit::contacts::Contacts;
 use crate::implicit::equation::Slopes;
 use crate::implicit::newton::{self};
 use crate::implicit::step::{Scratch, arrive, balance, begin, commit, load, load_at};
-use crate::march::{Step, Stepping, march};
+use crate::march::{ClockStep, Stepping, march};
 use crate::model::ground::Ground;
+use crate::span::Weights;
 use crate::{Course, Excitation, Pair, Recorder, RestoringForce, Row, RunError, Work};
 
 /// Settings of Moreau–Jean time stepping. No critical time step.
@@ -71,8 +72,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let (dt, theta) = (course.clock.time_step, settings.theta);
     let begin = |ground: Ground<'_>| {
         let scratch = begin(row, ground);
-        let size = (row.nodes().len(), row.pairs().len());
-        Run {
+        let (n_nodes, n_pairs) = (row.nodes().len(), row.pairs().len());
+        MoreauJeanRun {
             theta,
             slopes: Slopes {
                 displacement: theta * theta * dt * dt,
@@ -80,7 +81,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 inertia: 1.0,
                 time_step: dt,
             },
-            solution: Solution::new(size, scratch.clusters.is_some()),
+            solution: Solution::new(n_nodes, n_pairs, scratch.clusters.is_some()),
             scratch,
         }
     };
@@ -88,19 +89,19 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 /// A run: its state and all its memory, allocated once.
-struct Run<Memory> {
+struct MoreauJeanRun<Memory> {
     theta: f64,
     slopes: Slopes,
     solution: Solution,
     scratch: Scratch<Memory>,
 }
 
-impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
+impl<Column: RestoringForce> Stepping<Column> for MoreauJeanRun<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (dt, theta, at_ends) = (step.clock.time_step, self.theta, step.ends());
         let (scratch, reads_weighed) = (&mut self.scratch, recorder.reads_weighed());
-        self.solution.solve(row, scratch, (self.slopes, &step), work)?;
+        self.solution.solve(row, scratch, self.slopes, &step, work)?;
         let contacts = &self.solution.contacts;
         arrive(scratch, &step)?;
         let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
@@ -112,7 +113,8 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             let after = |node: usize| ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node];
             let start = load(reads_weighed, row, node, ends[0], at_ends[0].under(node));
             let end = load_at(reads_weighed, row, node, ends[1], at_ends[1].under(node), after);
-            ((dt, [1.0 - theta, theta]), [start, end])
+            let of_loads = [1.0 - theta, theta];
+            (Weights { scale: dt, of_loads }, [start, end])
         });
         work.touching_steps += contacts.n_touching(row, scratch, at_ends[1]);
         if hit {
@@ -124,10 +126,9 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
 }
 
 impl Solution {
-    fn new(size: (usize, usize), has_storeys: bool) -> Self {
-        let (n_structures, n_pairs) = size;
+    fn new(n_structures: usize, n_pairs: usize, has_storeys: bool) -> Self {
         Self {
-            contacts: Contacts::new(size),
+            contacts: Contacts::new(n_structures, n_pairs),
             lacking: vec![false; n_pairs],
             found: vec![0.0; n_pairs],
             together: Together::new(n_pairs),
@@ -140,10 +141,11 @@ impl Solution {
         &mut self,
         row: &Row<Column>,
         scratch: &mut Scratch<Column::Memory>,
-        (slopes, step): (Slopes, &Step<'_>),
+        slopes: Slopes,
+        step: &ClockStep<'_>,
         work: &mut Work,
     ) -> Result<(), RunError> {
-        let (ground, time) = (step.ends(), step.end().1);
+        let (ground, time) = (step.ends(), step.end().time);
         self.contacts.choose(row, scratch, slopes.time_step, ground[0]);
         for (rate, pair) in self.contacts.opening_rates.iter_mut().zip(row.pairs()) {
             *rate = ground[1].opening(pair).velocity;
@@ -204,7 +206,7 @@ impl Solution {
                 // Remove the earlier impulses, which are about to be replaced.
                 let taken = taken(pair.right()) - taken(pair.left());
                 let demand = rate + self.contacts.bounce[index] + taken;
-                self.together.push((index, pair.left()), demand);
+                self.together.push(index, pair.left(), demand);
             }
         }
         self.replace(row.pairs());

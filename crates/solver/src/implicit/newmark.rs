@@ -6,9 +6,9 @@
 use crate::error::require;
 use crate::implicit::equation::Slopes;
 use crate::implicit::step::{Scratch, arrive, balance, begin, commit, load};
-use crate::march::{Step, Stepping, march};
+use crate::march::{ClockStep, Stepping, march};
 use crate::model::ground::Ground;
-use crate::span::Load;
+use crate::span::{Load, Weights};
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
@@ -50,7 +50,7 @@ pub(crate) struct Family {
 }
 
 /// A run of a method of this family.
-pub(crate) struct Run<Memory> {
+pub(crate) struct NewmarkRun<Memory> {
     family: Family,
     slopes: Slopes,
     scratch: Scratch<Memory>,
@@ -90,7 +90,7 @@ impl Family {
         recorder: &mut R,
     ) -> Result<Work, RunError> {
         let dt = course.clock.time_step;
-        let begin = |ground: Ground<'_>| Run {
+        let begin = |ground: Ground<'_>| NewmarkRun {
             family: self,
             // Divided by 1+α, so that Newton's method sees the forces at the end of the step with weight 1.
             slopes: Slopes {
@@ -119,9 +119,9 @@ impl Family {
     }
 }
 
-impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
+impl<Column: RestoringForce> Stepping<Column> for NewmarkRun<Column::Memory> {
     #[inline]
-    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: Step<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
+    fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (dt, at_ends) = (step.clock.time_step, step.ends());
         let family = self.family;
         self.predict(row, dt, at_ends[0]);
@@ -136,8 +136,8 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
             };
             let (start, end) = (load(0), load(1));
             let before = earlier[node].replace(start);
-            let weights = family.weights(before.is_none());
-            ((dt, weights), [before.unwrap_or(start), start, end])
+            let of_loads = family.weights(before.is_none());
+            (Weights { scale: dt, of_loads }, [before.unwrap_or(start), start, end])
         });
         let Scratch { states, impacts, .. } = scratch;
         if step.collide(row, states, impacts, work, recorder)? && !family.in_equilibrium {
@@ -147,7 +147,7 @@ impl<Column: RestoringForce> Stepping<Column> for Run<Column::Memory> {
     }
 }
 
-impl<Memory: Copy> Run<Memory> {
+impl<Memory: Copy> NewmarkRun<Memory> {
     /// Predicts displacements and velocities at the end of a step, without the acceleration there.
     fn predict<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, dt: f64, ground: Ground<'_>) {
         let Family { beta, gamma, alpha, .. } = self.family;

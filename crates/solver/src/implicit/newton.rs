@@ -6,10 +6,9 @@
 //! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a full correction can
 //! jump out of contact and back for ever.
 
-use crate::implicit::equation::{Cluster, Failure, Slopes};
+use crate::implicit::equation::{Cluster, Failure, StepEnd};
 use crate::implicit::equilibrium::residual;
 use crate::implicit::trial::{PairTrial, Trial};
-use crate::model::ground::Ground;
 use crate::{Node, RestoringForce, Row, Work};
 
 /// Most iterations for a cluster. The run is given up beyond.
@@ -25,10 +24,10 @@ pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
     trials: &mut [Trial<Column::Memory>],
     pairs: &mut [PairTrial],
     cluster: &mut C,
-    step: (Slopes, Ground<'_>),
+    end: StepEnd<'_>,
     work: &mut Work,
 ) -> Result<(), Failure> {
-    let mut merit = residual(row, (trials, pairs), cluster, step, work);
+    let mut merit = residual(row, trials, pairs, cluster, end, work);
     let mut iterations = 0;
     // A motion that has decayed below 1e-150 m leaves residuals whose squares underflow: they cannot fall further.
     while merit != 0.0 && !is_balanced(trials, cluster) {
@@ -44,7 +43,7 @@ pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
         cluster.correct(row, trials, pairs);
         let mut halvings = 0;
         loop {
-            let tried = residual(row, (trials, pairs), cluster, step, work);
+            let tried = residual(row, trials, pairs, cluster, end, work);
             // When balance holds within rounding, the merit may no longer fall. NaN never passes.
             if tried < merit || is_balanced(trials, cluster) {
                 merit = tried;

@@ -1,16 +1,16 @@
 //! A step of an implicit method: equilibrium at its end, and its report.
 
 use crate::impact::impacts::Impacts;
-use crate::implicit::cluster::{Alone, Line};
+use crate::implicit::cluster::{Alone, TouchingLine};
 use crate::implicit::clusters::Clusters;
-use crate::implicit::equation::{Cluster, Failure, Slopes};
+use crate::implicit::equation::{Cluster, Failure, Slopes, StepEnd};
 use crate::implicit::newton::{self};
 use crate::implicit::trial::{PairTrial, TOLERANCE, Trial};
-use crate::march::Step;
+use crate::march::ClockStep;
 use crate::model::approach::speed;
 use crate::model::ground::Ground;
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Scratch of an implicit run, allocated once.
@@ -55,7 +55,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
     slopes: Slopes,
-    step: &Step<'_>,
+    step: &ClockStep<'_>,
     work: &mut Work,
 ) -> Result<(), RunError> {
     let ground = step.ends();
@@ -71,14 +71,14 @@ pub(crate) fn balance<Column: RestoringForce>(
         row,
         trials,
         pairs,
-        step: (slopes, ground[1]),
-        time: step.end().1,
+        end: StepEnd { slopes, ground: ground[1] },
+        time: step.end().time,
         work,
     };
     match clusters {
         None => {
             for index in 0..row.nodes().len() {
-                equation.solve(Line {
+                equation.solve(TouchingLine {
                     nodes: index..index + 1,
                     pairs: 0..0,
                 })?;
@@ -110,8 +110,7 @@ struct Equation<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     trials: &'a mut [Trial<Column::Memory>],
     pairs: &'a mut [PairTrial],
-    /// The step and the ground at its end.
-    step: (Slopes, Ground<'a>),
+    end: StepEnd<'a>,
     time: f64,
     work: &'a mut Work,
 }
@@ -120,7 +119,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     #[inline]
     fn solve<C: Cluster>(&mut self, mut cluster: C) -> Result<(), RunError> {
         let (trials, pairs) = (&mut *self.trials, &mut *self.pairs);
-        newton::solve(self.row, trials, pairs, &mut cluster, self.step, self.work).map_err(|failure| self.error(failure, &cluster))
+        newton::solve(self.row, trials, pairs, &mut cluster, self.end, self.work).map_err(|failure| self.error(failure, &cluster))
     }
 
     /// Equilibrium of structures that touch.
@@ -140,7 +139,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
                 last = pairs[pair].right();
                 pair += 1;
             }
-            self.solve(Line {
+            self.solve(TouchingLine {
                 nodes: first..last + 1,
                 pairs: start..pair,
             })?;
@@ -167,7 +166,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
     ///
     /// Pairs that begin to touch have the approach speed of a motion without their force.
     fn mark_overlaps(&mut self, touching: &mut [bool]) -> bool {
-        let (trials, ground) = (&*self.trials, self.step.1);
+        let (trials, ground) = (&*self.trials, self.end.ground);
         let mut grown = false;
         for (index, pair) in self.row.pairs().iter().enumerate() {
             if touching[index] || !pair.law.is_compliant() {
@@ -192,7 +191,7 @@ impl<Column: RestoringForce> Equation<'_, Column> {
             Failure::NotFinite { structure } => RunError::Diverged {
                 structure,
                 time,
-                time_step: self.step.0.time_step,
+                time_step: self.end.slopes.time_step,
             },
             Failure::NotConverged { iterations, residual } => RunError::NotConverged {
                 first: cluster.nodes().min().unwrap_or(0),
@@ -213,7 +212,7 @@ pub(crate) fn marked<Column: RestoringForce>(row: &Row<Column>, marks: &[bool]) 
 }
 
 /// Accepts the states at the end of a step.
-pub(crate) fn arrive<Memory: Copy>(scratch: &mut Scratch<Memory>, step: &Step<'_>) -> Result<(), RunError> {
+pub(crate) fn arrive<Memory: Copy>(scratch: &mut Scratch<Memory>, step: &ClockStep<'_>) -> Result<(), RunError> {
     let ends = scratch.ends.iter_mut().zip(&scratch.trials);
     for (structure, (end, trial)) in ends.enumerate() {
         *end = trial.state();
@@ -243,21 +242,25 @@ pub(crate) fn load_at<Column: RestoringForce>(
 ) -> Load {
     let state = &states[node];
     let forces = if !reads_weighed {
-        (0.0, 0.0)
+        StoreyForces::default()
     } else if row.stands_alone(node) {
-        let damping = row.nodes()[node].damping;
-        (state.restoring_force, damping * velocity(node))
+        StoreyForces {
+            restoring: state.restoring_force,
+            damping: row.nodes()[node].damping * velocity(node),
+        }
     } else {
         storeys(row, node, states, velocity)
     };
     Load::at(state, forces, ground)
 }
 
-/// Restoring and damping force of the storeys below and above a floor.
+/// Forces of the storeys below and above a floor.
 #[inline(never)]
-fn storeys<Column: RestoringForce>(row: &Row<Column>, node: usize, states: &[State], velocity: impl Fn(usize) -> f64) -> (f64, f64) {
-    let damping = row.damping_at(node, velocity);
-    (row.restoring_force(node, states), damping)
+fn storeys<Column: RestoringForce>(row: &Row<Column>, node: usize, states: &[State], velocity: impl Fn(usize) -> f64) -> StoreyForces {
+    StoreyForces {
+        damping: row.damping_at(node, velocity),
+        restoring: row.restoring_force(node, states),
+    }
 }
 
 /// Accepts the end of a step and reports its spans. For each node it takes the loads in the states at both ends and the weights of the
@@ -266,9 +269,9 @@ fn storeys<Column: RestoringForce>(row: &Row<Column>, node: usize, states: &[Sta
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    step: &Step<'_>,
+    step: &ClockStep<'_>,
     recorder: &mut R,
-    mut weighed: impl FnMut(usize, [&[State]; 2]) -> ((f64, [f64; N]), [Load; N]),
+    mut weighed: impl FnMut(usize, [&[State]; 2]) -> (Weights<N>, [Load; N]),
 ) {
     let (times, reads_weighed) = (step.times(), recorder.reads_weighed());
     let (pushes, incidence) = (&mut scratch.pushes, row.incidence());

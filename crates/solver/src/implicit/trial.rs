@@ -123,7 +123,7 @@ impl<Memory> Trial<Memory> {
     }
 
     /// Adds a force (its magnitude) to the tangent and the bounds of a floor's equation.
-    pub(crate) fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
+    pub(crate) fn push(&mut self, inverse_mass: f64, force: f64, tangent: f64, rounding: f64) {
         self.scale += inverse_mass * force;
         self.rounding += inverse_mass * rounding;
         self.diagonal += inverse_mass * tangent;

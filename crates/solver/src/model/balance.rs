@@ -8,9 +8,8 @@
 use pounding_contact::Number;
 
 use crate::model::ground::Ground;
-use crate::model::support::{Floor, Support};
-use crate::span::Load;
-use crate::{Motion, Node, RestoringForce, Row, State};
+use crate::span::{Load, StoreyForces};
+use crate::{Floor, Motion, Node, RestoringForce, Row, State, Support};
 
 /// The dashpot of a storey below a floor.
 #[derive(Debug, Clone, Copy)]
@@ -112,7 +111,10 @@ impl<Column: RestoringForce> Row<Column> {
     /// The load on a node in these states, as it enters the equation of motion.
     #[inline]
     pub(crate) fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
-        let forces = (self.restoring_force(node, states), self.damping_force(node, states));
+        let forces = StoreyForces {
+            restoring: self.restoring_force(node, states),
+            damping: self.damping_force(node, states),
+        };
         Load::at(&states[node], forces, ground)
     }
 

@@ -39,9 +39,9 @@ impl RestoringForce for Bilinear {
 
     fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
         let elastic = self.elastic();
-        let drift = (displacement, plastic_displacement);
         let at_yield = || self.yield_force / self.stiffness;
-        let plastic = yielding(drift, self.plastic(), at_yield, [self.stiffness, elastic]);
+        let tangents = [self.stiffness, elastic];
+        let plastic = yielding(displacement, plastic_displacement, self.plastic(), at_yield, tangents);
         Response {
             force: elastic * displacement + plastic.force,
             ..plastic

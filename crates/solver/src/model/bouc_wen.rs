@@ -56,10 +56,10 @@ impl Smoothness {
         // Counted in floating-point numbers: a NaN drift also makes y NaN and stops the run.
         let mut piece = 0.0;
         while piece < way.pieces {
-            let end = y + self.piece(y, (way.direction, way.h));
+            let end = y + self.piece(y, way.direction, way.h);
             // |y|ⁿ has a kink at 0 that would lower the order of the method: the piece is split there.
             y = if y * end < 0.0 {
-                self.piece(0.0, (way.direction, way.h - self.way_to_zero(y, way.direction)))
+                self.piece(0.0, way.direction, way.h - self.way_to_zero(y, way.direction))
             } else {
                 end
             };
@@ -73,7 +73,7 @@ impl Smoothness {
         let way = Way::new(s, FIRST_PIECES * f64::from(self.exponent));
         let (mut y, mut rest, mut piece) = (0.0, 0.0, 0.0);
         while piece < way.pieces {
-            let more = self.piece(y, (way.direction, way.h)) + rest;
+            let more = self.piece(y, way.direction, way.h) + rest;
             let end = y + more;
             rest = more - (end - y);
             if more.abs() < NOTHING * y.abs() {
@@ -86,7 +86,7 @@ impl Smoothness {
     }
 
     /// Change of y over a piece of length h, by the classical Runge–Kutta method.
-    fn piece(&self, y: f64, (direction, h): (f64, f64)) -> f64 {
+    fn piece(&self, y: f64, direction: f64, h: f64) -> f64 {
         let first = self.slope(y, direction);
         let second = self.slope(y + 0.5 * h * first, direction);
         let third = self.slope(y + 0.5 * h * second, direction);
@@ -132,18 +132,18 @@ impl RestoringForce for BoucWen {
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         let moved = displacement - memory.drift;
         let follow = |scale: f64| self.smoothness.follow(memory.elastic * scale, moved * scale);
-        self.response((displacement, moved), memory.elastic, follow)
+        self.response(displacement, moved, memory.elastic, follow)
     }
 
     fn loaded(&self, displacement: f64) -> Response<Bent> {
         let first = |scale: f64| self.smoothness.first(displacement * scale);
-        self.response((displacement, displacement), 0.0, first)
+        self.response(displacement, displacement, 0.0, first)
     }
 }
 
 impl BoucWen {
     /// The response at a drift, from the last change of drift and an elastic part; `follow` finds y from k/`f_y`.
-    fn response(&self, (drift, moved): (f64, f64), elastic: f64, follow: impl Fn(f64) -> f64) -> Response<Bent> {
+    fn response(&self, drift: f64, moved: f64, elastic: f64, follow: impl Fn(f64) -> f64) -> Response<Bent> {
         let (elastic, bend) = if self.yield_force.is_finite() {
             let scale = self.stiffness / self.yield_force;
             let y = follow(scale);

@@ -135,7 +135,8 @@ impl Hysteretic for Elastic {
 /// \[m\]. `tangents` \[N/m\] are those on the elastic branch and beyond.
 #[inline(always)]
 pub fn returned<N: Number>(
-    (displacement, plastic_displacement): (N, N),
+    displacement: N,
+    plastic_displacement: N,
     [stiffness, yield_force]: [N; 2],
     at_yield: N,
     [elastic, plastic]: [N; 2],
@@ -155,7 +156,8 @@ pub fn returned<N: Number>(
 /// The return map of a single column; the drift of first yielding is computed only if the column yields.
 #[inline(always)]
 pub(crate) fn yielding(
-    (displacement, plastic_displacement): (f64, f64),
+    displacement: f64,
+    plastic_displacement: f64,
     [stiffness, yield_force]: [f64; 2],
     at_yield: impl FnOnce() -> f64,
     tangents: [f64; 2],
@@ -168,8 +170,8 @@ pub(crate) fn yielding(
             memory: plastic_displacement,
         };
     }
-    let drift = (displacement, plastic_displacement);
-    returned(drift, [stiffness, yield_force], at_yield(), tangents)
+    let limits = [stiffness, yield_force];
+    returned(displacement, plastic_displacement, limits, at_yield(), tangents)
 }
 
 #[cfg(test)]

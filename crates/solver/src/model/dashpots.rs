@@ -62,7 +62,7 @@ pub(crate) struct Eliminated {
 
 impl Eliminated {
     /// Equation for a matrix with the diagonal `unit` and damping rates weighted by `weigh`. The floor above is already eliminated.
-    pub(crate) fn new((rates, on_ground): (&DampingRates, bool), above: Option<&Self>, unit: f64, weigh: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn new(rates: &DampingRates, on_ground: bool, above: Option<&Self>, unit: f64, weigh: impl Fn(f64) -> f64) -> Self {
         let (storey, upper) = (weigh(rates.storey), weigh(rates.above));
         let (fixed, below) = if on_ground {
             (unit + storey, 0.0)
@@ -145,8 +145,7 @@ fn eliminate(floors: &mut [FloorEquation], step: f64) {
     let mut above = None;
     for (level, floor) in floors.iter_mut().enumerate().rev() {
         let weigh = |rate| 0.5 * step * rate;
-        let rates = (&floor.rates, level == 0);
-        floor.equation = Eliminated::new(rates, above.as_ref(), 1.0, weigh);
+        floor.equation = Eliminated::new(&floor.rates, level == 0, above.as_ref(), 1.0, weigh);
         floor.solve = 1.0 / floor.equation.pivot;
         floor.from_above = floor.equation.above * floor.solve;
         floor.from_below = floor.equation.below * floor.solve;

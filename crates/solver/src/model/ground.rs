@@ -35,6 +35,14 @@ pub(crate) enum Ground<'a> {
     },
 }
 
+/// An instant, and the ground at it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Now<'a> {
+    pub(crate) ground: Ground<'a>,
+    /// Time \[s\].
+    pub(crate) time: f64,
+}
+
 impl<'a> Shaking<'a> {
     /// Shaking of a row with this many nodes. `travel` is `Some` if the motion does not arrive everywhere at once.
     pub(crate) fn new(n_nodes: usize, travel: Option<Travel>, excitation: Excitation<'a>, clock: Clock) -> Self {
@@ -79,7 +87,7 @@ impl Ground<'_> {
     pub(crate) fn under(self, node: usize) -> f64 {
         match self {
             Self::Common(acceleration) => acceleration,
-            Self::Delayed { of, step, part } => of.acceleration(node, (step, part)),
+            Self::Delayed { of, step, part } => of.acceleration(node, step, part),
         }
     }
 
@@ -118,7 +126,7 @@ impl Ground<'_> {
     pub(crate) fn opening(self, pair: &Pair) -> Motion {
         match self {
             Self::Common(_) => Motion::default(),
-            Self::Delayed { of, step, part } => of.opening(pair, (step, part)),
+            Self::Delayed { of, step, part } => of.opening(pair, step, part),
         }
     }
 
@@ -127,7 +135,7 @@ impl Ground<'_> {
     pub(crate) fn extent(self, pair: &Pair) -> Motion {
         match self {
             Self::Common(_) => Motion::default(),
-            Self::Delayed { of, step, part } => of.extent(pair, (step, part)),
+            Self::Delayed { of, step, part } => of.extent(pair, step, part),
         }
     }
 
@@ -142,7 +150,7 @@ impl Ground<'_> {
 
 impl Delayed<'_> {
     #[inline(never)] // Rows whose ground moves alike would share its registers.
-    fn acceleration(&self, node: usize, (step, part): (usize, f64)) -> f64 {
+    fn acceleration(&self, node: usize, step: usize, part: f64) -> f64 {
         let at = |step: usize| {
             let position = step as f64 * self.ratio - self.arrivals[node];
             self.excitation.at_position(position)
@@ -151,21 +159,21 @@ impl Delayed<'_> {
         if part > 0.0 { start + part * (at(step + 1) - start) } else { start }
     }
 
-    fn grounds(&self, pair: &Pair, (step, part): (usize, f64)) -> [Motion; 2] {
+    fn grounds(&self, pair: &Pair, step: usize, part: f64) -> [Motion; 2] {
         let position = (step as f64 + part) * self.ratio;
         let under = |node: usize| self.travel.at(position - self.arrivals[node]);
         [under(pair.left()), under(pair.right())]
     }
 
     #[inline(never)]
-    fn opening(&self, pair: &Pair, at: (usize, f64)) -> Motion {
-        let [left, right] = self.grounds(pair, at);
+    fn opening(&self, pair: &Pair, step: usize, part: f64) -> Motion {
+        let [left, right] = self.grounds(pair, step, part);
         left.since(right)
     }
 
     #[inline(never)]
-    fn extent(&self, pair: &Pair, at: (usize, f64)) -> Motion {
-        let [left, right] = self.grounds(pair, at);
+    fn extent(&self, pair: &Pair, step: usize, part: f64) -> Motion {
+        let [left, right] = self.grounds(pair, step, part);
         Motion {
             displacement: left.displacement.abs() + right.displacement.abs(),
             velocity: left.velocity.abs() + right.velocity.abs(),

@@ -19,5 +19,4 @@ pub(crate) mod profile;
 pub(crate) mod relation;
 pub(crate) mod row;
 pub(crate) mod sampling;
-pub(crate) mod support;
 pub(crate) mod travel;

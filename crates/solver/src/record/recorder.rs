@@ -1,4 +1,4 @@
-use crate::span::{Load, Path, Weighed};
+use crate::span::{Load, Path, Weighed, Weights};
 use crate::{Relation, Span, State};
 
 /// Velocities of a pair \[m/s\].
@@ -107,7 +107,7 @@ pub struct Touch {
 
 impl Touch {
     /// The uncertainty of a touch from s, v and a.
-    pub(crate) fn uncertainty(time: f64, deformation: f64, (rate, acceleration): (f64, f64)) -> f64 {
+    pub(crate) fn uncertainty(time: f64, deformation: f64, rate: f64, acceleration: f64) -> f64 {
         let (rate, bend) = (rate.max(0.0), 2.0 * acceleration.abs() * deformation);
         let transversal = 2.0 * deformation / (rate + (rate * rate - bend).max(0.0).sqrt());
         let grazing = (2.0 * deformation / acceleration.abs()).sqrt();
@@ -139,22 +139,19 @@ pub trait Recorder {
 
 impl Span<'_> {
     /// Makes the path of a step, with impulses only if a recorder reads them.
-    ///
-    /// The impulse is the sum of the loads of the step with these weights, times `scale` \[s\]. In the trapezoidal rule, `scale` is Δt/2
-    /// and the weights of the loads at both ends are 1 and 1.
     #[inline]
     pub(crate) fn step<const N: usize>(
         reads_weighed: bool,
         structure: usize,
-        (start_time, end_time): (f64, f64),
+        [start_time, end_time]: [f64; 2],
         [start, end]: [State; 2],
-        (scale, weights): (f64, [f64; N]),
+        weights: Weights<N>,
         loads: [Load; N],
     ) -> Self {
         let weigh = |force: fn(&Load) -> f64| {
-            let terms = weights.iter().zip(&loads);
+            let terms = weights.of_loads.iter().zip(&loads);
             let sum = terms.map(|(weight, load)| weight * force(load));
-            scale * sum.reduce(|sum, term| sum + term).unwrap_or(0.0)
+            weights.scale * sum.reduce(|sum, term| sum + term).unwrap_or(0.0)
         };
         let weighed = if reads_weighed {
             Weighed {

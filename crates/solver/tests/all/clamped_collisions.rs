@@ -29,8 +29,7 @@ impl Recorder for Pushes {
 
 /// Collisions, pushes, and overlaps counted at equal intervals.
 fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
-    let asked = (0.2, Calibration::Exact);
-    let law = LawName::KelvinVoigt.calibrated(9.35e7, asked, &FreePair::UNIT);
+    let law = LawName::KelvinVoigt.calibrated(9.35e7, 0.2, Calibration::Exact, &FreePair::UNIT);
     let law = law.expect("a good law");
     let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, GAP, law)).expect("a row");
     let ground = ground();

@@ -24,7 +24,7 @@ fn laws(restitutions: &[f64]) -> Vec<(f64, ContactLaw)> {
             None => continue,
         };
         for &e in restitutions {
-            if let Ok(law) = name.calibrated(stiffness, (e, Calibration::Exact), &PAIR) {
+            if let Ok(law) = name.calibrated(stiffness, e, Calibration::Exact, &PAIR) {
                 laws.push((e, law));
             }
         }

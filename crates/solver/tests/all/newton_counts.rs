@@ -19,7 +19,7 @@ fn law(name: LawName, factor: f64) -> Option<ContactLaw> {
         reduced_mass: WEAK.0 * STIFF.0 / (WEAK.0 + STIFF.0),
         approach_speed: 0.3,
     };
-    let of = |e| name.calibrated(factor * stiffness, (e, Calibration::Exact), &pair);
+    let of = |e| name.calibrated(factor * stiffness, e, Calibration::Exact, &pair);
     of(0.65).or_else(|_| of(1.0)).ok()
 }
 

@@ -93,7 +93,7 @@ fn calibrated() -> BoxedStrategy<ContactLaw> {
     };
     let law = move |(name, exponent, e): (LawName, f64, f64)| {
         let stiffness = libm::pow(10.0, exponent);
-        let exact = |e| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
+        let exact = |e| name.calibrated(stiffness, e, Calibration::Exact, &pair);
         // Springs have only e = 1.
         exact(e).or_else(|_| exact(1.0)).expect("the stiffness is positive")
     };

@@ -4,9 +4,9 @@ use pounding_solver::{Hysteresis, Hysteretic, Impact, Node, Recorder, Response, 
 
 /// Columns of any loop, from rest at zero drift.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Columns(pub(crate) Hysteresis);
+pub(crate) struct LoopColumns(pub(crate) Hysteresis);
 
-impl RestoringForce for Columns {
+impl RestoringForce for LoopColumns {
     type Memory = ();
 
     fn untouched(&self) {}
@@ -20,7 +20,7 @@ impl RestoringForce for Columns {
     }
 }
 
-impl Hysteretic for Columns {
+impl Hysteretic for LoopColumns {
     fn hysteresis(&self) -> Hysteresis {
         self.0
     }
@@ -28,7 +28,7 @@ impl Hysteretic for Columns {
 
 /// Computes energies, and finds the largest violation of the properties of spans and impacts.
 pub(crate) struct Books<'a> {
-    row: &'a Row<Columns>,
+    row: &'a Row<LoopColumns>,
     ground: &'a [f64],
     /// End of the last span of each node: instant, displacement, velocity; impulse since then.
     ends: Vec<[f64; 4]>,
@@ -49,8 +49,8 @@ pub(crate) struct Books<'a> {
 }
 
 impl<'a> Books<'a> {
-    pub(crate) fn new(row: &'a Row<Columns>, ground: &'a [f64]) -> Self {
-        let start = |node: &Node<Columns>| {
+    pub(crate) fn new(row: &'a Row<LoopColumns>, ground: &'a [f64]) -> Self {
+        let start = |node: &Node<LoopColumns>| {
             let (u, v) = (node.initial_displacement, node.initial_velocity);
             [0.0, u, v, 0.0]
         };
@@ -102,7 +102,7 @@ impl<'a> Books<'a> {
         let tears = [span.start.displacement - displacement, span.start_time - time];
         self.tear = tears.iter().fold(self.tear, |most, tear| most.max(tear.abs()));
         self.ends[span.structure] = [span.end_time, span.end.displacement, span.end.velocity, 0.0];
-        let Columns(loops) = node.column;
+        let LoopColumns(loops) = node.column;
         if loops.yield_force.is_finite() {
             let [_, drift] = span.drifts();
             let line = loops.hardening * loops.stiffness * drift.displacement;

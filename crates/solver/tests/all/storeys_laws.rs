@@ -10,7 +10,7 @@ use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
 use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::random_rows::any_law;
-use crate::storeys_books::{Books, Columns};
+use crate::storeys_books::{Books, LoopColumns};
 use crate::storeys_exact::EXACT;
 use crate::watch::Watch;
 
@@ -20,7 +20,7 @@ struct Case {
     /// Whether the first building is a wall.
     wall: bool,
     /// Storeys of every building.
-    buildings: Vec<Vec<Storey<Columns>>>,
+    buildings: Vec<Vec<Storey<LoopColumns>>>,
     /// Gap and law of floors that face each other, for every two neighbours.
     between: Vec<Vec<(f64, ContactLaw)>>,
     /// Samples every 0.01 s \[m/s²\].
@@ -31,7 +31,7 @@ fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| libm::pow(10.0, exponent))
 }
 
-fn storey(spread: f64) -> impl Strategy<Value = Storey<Columns>> {
+fn storey(spread: f64) -> impl Strategy<Value = Storey<LoopColumns>> {
     let knee = prop_oneof![
         2 => Just(Knee::Sharp),
         1 => (1..=20_u32, 0.0..1.0_f64)
@@ -52,7 +52,7 @@ fn storey(spread: f64) -> impl Strategy<Value = Storey<Columns>> {
                 mass,
                 damping: beta * stiffness,
                 ground_damping: alpha * mass,
-                column: Columns(Hysteresis {
+                column: LoopColumns(Hysteresis {
                     stiffness,
                     hardening,
                     yield_force: stiffness * yields,
@@ -98,7 +98,7 @@ fn cases() -> impl Strategy<Value = Case> {
 }
 
 impl Case {
-    fn row(&self) -> Row<Columns> {
+    fn row(&self) -> Row<LoopColumns> {
         let counts: Vec<_> = self.buildings.iter().map(Vec::len).collect();
         let levels = Levels::new(&counts);
         let floor = |node: usize| {
@@ -124,7 +124,7 @@ impl Case {
 }
 
 /// Largest overlap \[m\] of impulsive pairs at the instants of histories.
-fn overlap(row: &Row<Columns>, dense: &Histories) -> f64 {
+fn overlap(row: &Row<LoopColumns>, dense: &Histories) -> f64 {
     let impulsive = |pair: &&Pair| matches!(pair.law, ContactLaw::Stereomechanical(_));
     let pairs = row.pairs().iter().filter(impulsive);
     pairs.fold(0.0, |most, pair| {
@@ -188,7 +188,7 @@ fn reference_energies_of_elastic_towers_balance() {
         mass,
         damping: 1.5e-3 * stiffness,
         ground_damping: 0.5 * mass,
-        column: Columns(Hysteresis::elastic(stiffness)),
+        column: LoopColumns(Hysteresis::elastic(stiffness)),
     };
     let buildings = vec![
         vec![storey(9e4, 4e7), storey(8e4, 3e7), storey(7e4, 2.5e7), storey(5e4, 1.5e7)],

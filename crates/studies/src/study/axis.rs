@@ -207,7 +207,7 @@ fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
         let form = contact.law.form(pair.reduced_mass, SPEED);
         let stiffness = form.map_or(1.0, |form| form.spring.coefficient);
         contact.law = name
-            .calibrated(stiffness, (restitution, Calibration::Exact), &pair)
+            .calibrated(stiffness, restitution, Calibration::Exact, &pair)
             .map_err(|error| error.to_string())?;
     }
     Ok(())
@@ -231,8 +231,7 @@ fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
     let stiffness = Certificate::usual_stiffness(name);
     let restitution = if name.is_elastic() { 1.0 } else { 0.65 };
     let pair = free_pair(&scene.structures, SPEED);
-    let asked = (restitution, Calibration::Exact);
-    let law = name.calibrated(stiffness, asked, &pair);
+    let law = name.calibrated(stiffness, restitution, Calibration::Exact, &pair);
     let law = law.map_err(|error| error.to_string())?;
     for contact in scene.contacts.iter_mut().flatten() {
         contact.law = law;

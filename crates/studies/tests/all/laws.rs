@@ -146,7 +146,7 @@ fn under(law: LawName, scene: &Scene) -> Scene {
             reduced_mass: reduced_mass(inverse_mass(&pair[0]), inverse_mass(&pair[1])),
             approach_speed: 0.3,
         };
-        let calibrated = law.calibrated(stiffness, (0.65, Calibration::Exact), &pair);
+        let calibrated = law.calibrated(stiffness, 0.65, Calibration::Exact, &pair);
         contact.law = calibrated.expect("a law that takes these settings");
     }
     scene

@@ -63,7 +63,8 @@ impl Form {
     /// The words that do not fit.
     pub(super) fn of(
         words: &Summary,
-        (listed, value): (&[Listed], impl Fn(&str, u64) -> String),
+        listed: &[Listed],
+        value: impl Fn(&str, u64) -> String,
         mut columns: Vec<Summed>,
     ) -> Result<Self, Refused> {
         let chosen = chosen(&words.by, listed)?;

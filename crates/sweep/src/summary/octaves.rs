@@ -30,9 +30,41 @@ pub(super) struct Octaves(BTreeMap<u16, Box<Octave>>);
 pub(super) struct Octave {
     /// Sum of the fractions.
     pub(super) sum: u128,
-    /// Sum of their squares, and number of carries of 2¹²⁸.
-    pub(super) squares: (u128, u64),
+    /// Sum of their squares.
+    pub(super) squares: Wide,
     bins: [Bin; BINS],
+}
+
+/// A whole number of 192 bits.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Wide {
+    /// The lower 128 bits.
+    pub(super) low: u128,
+    /// The upper 64 bits.
+    pub(super) high: u64,
+}
+
+impl Wide {
+    fn plus(self, other: Self) -> Self {
+        let (low, carried) = self.low.overflowing_add(other.low);
+        Self {
+            low,
+            high: self.high + other.high + u64::from(carried),
+        }
+    }
+
+    /// The number minus a product that is no larger, of at most 120 bits and the 52 bits of a fraction.
+    pub(super) fn less_product(self, sum: u128, fraction: u128) -> Self {
+        const HALF: u128 = u64::MAX as u128;
+        let below = (sum & HALF) * fraction;
+        let above = (sum >> 64) * fraction + (below >> 64);
+        let (low, borrowed) = self.low.overflowing_sub((above << 64) | (below & HALF));
+        let above = u64::try_from(above >> 64).expect("the product is no larger");
+        Self {
+            low,
+            high: self.high - above - u64::from(borrowed),
+        }
+    }
 }
 
 /// The numbers of a bin: their number, and the smallest and the largest fraction.
@@ -60,7 +92,7 @@ impl Bin {
 impl Octave {
     const EMPTY: Self = Self {
         sum: 0,
-        squares: (0, 0),
+        squares: Wide { low: 0, high: 0 },
         bins: [EMPTY; BINS],
     };
 
@@ -73,12 +105,11 @@ impl Octave {
         self.bins[bin_of(fraction)].merge(&one);
         let fraction = u128::from(fraction);
         self.sum += fraction;
-        self.carry((fraction * fraction, 0));
-    }
-
-    fn carry(&mut self, squares: (u128, u64)) {
-        let (low, carried) = self.squares.0.overflowing_add(squares.0);
-        self.squares = (low, self.squares.1 + squares.1 + u64::from(carried));
+        let square = Wide {
+            low: fraction * fraction,
+            high: 0,
+        };
+        self.squares = self.squares.plus(square);
     }
 
     fn merge(&mut self, other: &Self) {
@@ -86,7 +117,7 @@ impl Octave {
             bin.merge(other);
         }
         self.sum += other.sum;
-        self.carry(other.squares);
+        self.squares = self.squares.plus(other.squares);
     }
 
     pub(super) fn count(&self) -> u64 {
@@ -113,7 +144,7 @@ impl From<Octave> for Kept {
         let bins = bins.filter(|(_, bin)| bin.count > 0);
         Self {
             sum: octave.sum,
-            squares: octave.squares,
+            squares: (octave.squares.low, octave.squares.high),
             bins: bins.map(|(place, bin)| (place, bin.count, bin.least, bin.largest)).collect(),
         }
     }
@@ -123,14 +154,18 @@ impl TryFrom<Kept> for Octave {
     type Error = &'static str;
 
     fn try_from(kept: Kept) -> Result<Self, Self::Error> {
+        let (low, high) = kept.squares;
         let mut octave = Self {
             sum: kept.sum,
-            squares: kept.squares,
+            squares: Wide { low, high },
             ..Self::EMPTY
         };
         for (place, count, least, largest) in kept.bins {
             let bin = octave.bins.get_mut(place).ok_or("a bin beyond an octave")?;
             *bin = Bin { count, least, largest };
+        }
+        if octave.count() == 0 {
+            return Err("an octave without numbers");
         }
         Ok(octave)
     }

@@ -23,7 +23,7 @@ impl Sweep {
                 self.motions.all[place * n_directions].name.clone()
             }
         };
-        Form::of(words, (&listed, value), self.summed_columns())
+        Form::of(words, &listed, value, self.summed_columns())
     }
 
     /// Possible axes of cells: the motion, and every field with a list of values.
@@ -65,7 +65,7 @@ impl Sweep {
 
     /// Runs a range of runs, some at a time, and sums them up; `None` if stopped before the end. `done` receives the number of runs each
     /// time.
-    pub(crate) fn summed_up(&self, form: &Form, (runs, at_a_time): (Range<u64>, u64), done: &(dyn Fn(u64) + Sync)) -> Option<Tally> {
+    pub(crate) fn summed_up(&self, form: &Form, runs: Range<u64>, at_a_time: u64, done: &(dyn Fn(u64) + Sync)) -> Option<Tally> {
         let mut tally = Tally::default();
         let mut run = runs.start;
         while run < runs.end {

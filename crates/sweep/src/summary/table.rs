@@ -3,12 +3,12 @@
 use pounding_assess::wilson;
 use pounding_text::{Cell, csv_text};
 
-use super::exact::Sums;
 use super::form::{Form, Summed};
+use super::moments::Moments;
 use super::octaves::Octaves;
 use super::tally::{CellTally, ColumnTally, Tally};
-use crate::column::SweepColumn;
 use crate::output::is_of_all;
+use crate::table::SweepColumn;
 
 /// Names of the columns after those that identify cells.
 const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
@@ -64,7 +64,7 @@ pub struct Exceedance {
 }
 
 /// A line of the table, without its cell.
-struct Line {
+struct SummaryLine {
     column: String,
     statistic: &'static str,
     at: Option<f64>,
@@ -123,13 +123,13 @@ impl SummaryTable {
     }
 
     /// The lines of all cells, each with its cell.
-    fn lines(&self) -> impl Iterator<Item = (u64, Line)> {
+    fn lines(&self) -> impl Iterator<Item = (u64, SummaryLine)> {
         let known = self.known();
         self.tally.cells.iter().flat_map(move |(cell, tally)| {
             let mut lines = of_runs(tally);
             let columns = self.form.columns.iter().zip(&tally.columns).zip(&known);
             for ((of, column), is_known) in columns {
-                self.of_column((tally, *is_known), (of, column), &mut lines);
+                self.of_column(tally, *is_known, of, column, &mut lines);
             }
             lines.into_iter().map(|line| (*cell, line))
         })
@@ -156,10 +156,10 @@ impl SummaryTable {
         self.form.columns.iter().any(|of| is_of_all(&of.name))
     }
 
-    fn of_column(&self, (cell, is_known): (&CellTally, bool), (of, column): (&Summed, &ColumnTally), to: &mut Vec<Line>) {
+    fn of_column(&self, cell: &CellTally, is_known: bool, of: &Summed, column: &ColumnTally, to: &mut Vec<SummaryLine>) {
         let name = name_of(of);
         let mut line = |statistic, at, value, bounds| {
-            to.push(Line {
+            to.push(SummaryLine {
                 column: name.clone(),
                 statistic,
                 at,
@@ -167,7 +167,7 @@ impl SummaryTable {
                 bounds,
             });
         };
-        let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
+        let (numbers, moments) = (&column.numbers, Moments::of(&column.numbers));
         let count = numbers.count();
         let ends = numbers.ends();
         line("numbers", None, Some(count as f64), None);
@@ -175,13 +175,13 @@ impl SummaryTable {
         line("without_number", None, Some(without as f64), None);
         line("least", None, ends.map(|ends| ends.0), None);
         line("largest", None, ends.map(|ends| ends.1), None);
-        line("mean", None, sums.mean(), None);
-        line("standard_deviation", None, sums.deviation(), None);
+        line("mean", None, moments.mean(), None);
+        line("standard_deviation", None, moments.deviation(), None);
         for part in &self.form.quantiles {
             let bounds = numbers.quantile(*part);
             line("quantile", Some(*part), bounds.map(middle), bounds);
         }
-        for one in exceedances((cell, is_known), of, column) {
+        for one in exceedances(cell, is_known, of, column) {
             let Exceedance {
                 threshold,
                 probability,
@@ -239,16 +239,16 @@ impl SummaryTable {
     fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
         let columns = self.form.columns.iter().zip(&cell.columns).zip(self.known());
         let summed = |((of, column), is_known): ((&Summed, &ColumnTally), bool)| {
-            let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
+            let (numbers, moments) = (&column.numbers, Moments::of(&column.numbers));
             SummedColumn {
                 name: name_of(of),
                 numbers: numbers.count(),
-                mean: sums.mean(),
-                standard_deviation: sums.deviation(),
+                mean: moments.mean(),
+                standard_deviation: moments.deviation(),
                 median: numbers.quantile(0.5),
                 p84: numbers.quantile(0.84),
                 largest: numbers.ends().map(|ends| ends.1),
-                exceedances: exceedances((cell, is_known), of, column),
+                exceedances: exceedances(cell, is_known, of, column),
             }
         };
         columns.map(summed).collect()
@@ -256,7 +256,7 @@ impl SummaryTable {
 }
 
 /// Number of runs of a cell, and their results.
-fn of_runs(cell: &CellTally) -> Vec<Line> {
+fn of_runs(cell: &CellTally) -> Vec<SummaryLine> {
     let counts = [
         ("runs", cell.runs),
         ("failed", cell.failed),
@@ -264,7 +264,7 @@ fn of_runs(cell: &CellTally) -> Vec<Line> {
         ("checked_beside", cell.beside),
         ("checked_both", cell.both),
     ];
-    let line = |(statistic, count): (&'static str, u64)| Line {
+    let line = |(statistic, count): (&'static str, u64)| SummaryLine {
         column: RUN.into(),
         statistic,
         at: None,
@@ -276,7 +276,7 @@ fn of_runs(cell: &CellTally) -> Vec<Line> {
 
 /// Exceedances of each threshold; a run without the number does not exceed it. Empty if no run of the sweep has the number, or all runs of
 /// the cell failed.
-fn exceedances((cell, is_known): (&CellTally, bool), of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
+fn exceedances(cell: &CellTally, is_known: bool, of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
     let runs = cell.runs - cell.failed;
     if !is_known || runs == 0 {
         return Vec::new();

@@ -95,12 +95,12 @@ fn of_everything() -> Value {
 }
 
 /// A row by the names of its columns.
-struct Row<'a> {
+struct TableRow<'a> {
     columns: &'a [String],
     fields: &'a [String],
 }
 
-impl Row<'_> {
+impl TableRow<'_> {
     fn field(&self, name: &str) -> &str {
         let index = self.columns.iter().position(|column| column == name);
         &self.fields[index.unwrap_or_else(|| panic!("{name} in {:?}", self.columns))]
@@ -136,7 +136,7 @@ fn limit_a_row_is_the_run_of_the_scene_written_by_hand() {
     assert_eq!(sweep.n_runs(), 2 * 2 * 3 * 4);
     let (columns, mut ran) = (sweep.columns(), 0);
     for fields in &table(&sweep, 0..sweep.n_runs()) {
-        let row = Row { columns: &columns, fields };
+        let row = TableRow { columns: &columns, fields };
         let prepared = Simulation::new(&row.by_hand(), Path::new("")).expect("it can be modelled");
         let outcome = match prepared.run(None) {
             Ok(outcome) => outcome,

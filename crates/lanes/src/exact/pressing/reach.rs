@@ -5,7 +5,7 @@ use pounding_contact::Number;
 
 use super::Pressing;
 use crate::exact::dormand_prince::Stepped;
-use crate::exact::pressed::{Corner, Point, rate};
+use crate::exact::pressed::{Corner, PressedPoint, rate};
 use crate::exact::search::rise;
 use crate::number::{Lanes, Mask};
 
@@ -27,7 +27,7 @@ pub(super) struct Reached<S: Simd> {
     pub(super) stepped: Stepped<Lanes<S>>,
     pub(super) length: Lanes<S>,
     /// The end, exactly at the corner.
-    pub(super) next: Point<Lanes<S>>,
+    pub(super) next: PressedPoint<Lanes<S>>,
     pub(super) bends: Mask<S>,
     pub(super) parts: Mask<S>,
     /// Lanes that would miss corners or turns: they are tried again up to `length`.
@@ -167,7 +167,7 @@ impl<S: Simd> Pressing<S> {
 
     /// Moves a point near a corner to it along a line; true in lanes in which it was close enough.
     #[inline(always)]
-    fn settle(&self, corner: Corner, near: &Point<Lanes<S>>, length: Lanes<S>) -> (Point<Lanes<S>>, Mask<S>) {
+    fn settle(&self, corner: Corner, near: &PressedPoint<Lanes<S>>, length: Lanes<S>) -> (PressedPoint<Lanes<S>>, Mask<S>) {
         let pressed = &self.pressed;
         let probe = length * length.like(PROBE);
         let value = pressed.side_of(corner, &near.state);

@@ -38,8 +38,8 @@ impl FloorCoefficients {
             let (first, mut above) = (all.len(), None);
             for index in building.iter().rev() {
                 let rates = DampingRates::new(row, *index);
-                let parts = (&rates, *index == building[0]);
-                let equation = Eliminated::new(parts, above.as_ref(), inertia, weigh);
+                let on_ground = *index == building[0];
+                let equation = Eliminated::new(&rates, on_ground, above.as_ref(), inertia, weigh);
                 let solve = 1.0 / equation.pivot;
                 let half = weigh(rates.storey) + weigh(rates.ground) + weigh(rates.above);
                 all.push(Self {
@@ -121,9 +121,9 @@ pub fn solve<N: Number>(floors: &mut impl Floors<N>, coefficients: &[FloorCoeffi
     };
     for level in (1..n).rev() {
         let below = floors.motion(level - 1);
-        above = hold(floors, coefficients, (level, below), above, ground);
+        above = hold(floors, coefficients, level, below, above, ground);
     }
-    hold(floors, coefficients, (0, [zero; 2]), above, ground);
+    hold(floors, coefficients, 0, [zero; 2], above, ground);
     let mut below = zero;
     for (level, constants) in coefficients.iter().enumerate() {
         let increment = floors.held(level) + constants.from_below * below;
@@ -146,7 +146,8 @@ struct Above<N> {
 fn hold<N: Number>(
     floors: &mut impl Floors<N>,
     coefficients: &[FloorCoefficients<N>],
-    (level, below): (usize, [N; 2]),
+    level: usize,
+    below: [N; 2],
     above: Above<N>,
     ground: N,
 ) -> Above<N> {
@@ -154,7 +155,7 @@ fn hold<N: Number>(
     let [displacement, increment] = floors.motion(level);
     let force = floors.respond(level, displacement - below[0]);
     let own = &constants.own;
-    let smooth = own.smooth((floors.pounding(level), force - above.force), ground);
+    let smooth = own.smooth(floors.pounding(level), force - above.force, ground);
     let before = own.carry * increment + constants.below * below[1];
     // Only a product and a sum wait for the floor above.
     let alone = own.solve * (smooth + before);

@@ -30,7 +30,7 @@ impl<N: Number> Coefficients<N> {
     /// Acceleration without damping \[m/s²\], from the net pounding force and the restoring force \[N\] and the ground acceleration that
     /// the structure feels.
     #[inline(always)]
-    pub fn smooth(&self, (pounding, restoring): (N, N), ground: N) -> N {
+    pub fn smooth(&self, pounding: N, restoring: N, ground: N) -> N {
         self.inverse_mass * (pounding - restoring) - ground
     }
 

@@ -2,12 +2,12 @@
 
 use pounding_contact::Overlap;
 
-use super::{Body, Instant, Run};
-use crate::model::ground::Ground;
+use super::{Body, CentralDifferenceRun, Instant};
+use crate::model::ground::{Ground, Now};
 use crate::pushes::Pushes;
 use crate::{Recorder, RestoringForce, Row, RunError, Work};
 
-impl<Column: RestoringForce> Run<'_, Column> {
+impl<Column: RestoringForce> CentralDifferenceRun<'_, Column> {
     /// Contact at a node, pair by pair; true if an impulsive pair is closed and may jump.
     ///
     /// The rate of deformation of compliant laws is the backward difference of the deformation, even if the deformation one step earlier
@@ -66,7 +66,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     approach_speed: self.approaches.of(index, rate),
                 };
                 if let Some(contact) = pair.law.respond(&overlap) {
-                    push(row, (index, contact.force), steps, (bodies, &mut self.pushes));
+                    push(row, index, contact.force, steps, bodies, &mut self.pushes);
                 }
             }
         }
@@ -78,8 +78,11 @@ impl<Column: RestoringForce> Run<'_, Column> {
         for (state, body) in self.states.iter_mut().zip(&self.bodies) {
             *state = body.start;
         }
-        let instant = (node.ground, node.time);
-        self.jumps.jump(self.row, &mut self.states, instant, recorder)?;
+        let now = Now {
+            ground: node.ground,
+            time: node.time,
+        };
+        self.jumps.jump(self.row, &mut self.states, now, recorder)?;
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
             // Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
             let jumped = (state.velocity - body.start.velocity).abs() > 0.0 || (state.acceleration - body.start.acceleration).abs() > 0.0;
@@ -125,15 +128,17 @@ impl<Column: RestoringForce> Run<'_, Column> {
 /// Gives the floors of a pair its force. It acts on all of them for half of the shorter step.
 fn push<Column: RestoringForce>(
     row: &Row<Column>,
-    (pair, force): (usize, f64),
+    pair: usize,
+    force: f64,
     [left, right]: [f64; 2],
-    (bodies, pushes): (&mut [Body<Column::Memory>], &mut Pushes),
+    bodies: &mut [Body<Column::Memory>],
+    pushes: &mut Pushes,
 ) {
     let shorter = left.min(right);
     let late = |on_left: bool| {
         if on_left { left - shorter } else { right - shorter }
     };
-    pushes.act(row, (pair, force), |floor, on_left, force| {
+    pushes.act(row, pair, force, |floor, on_left, force| {
         let body = &mut bodies[floor];
         let excess = 0.5 * force * late(on_left);
         if on_left {

@@ -4,10 +4,10 @@
 //! floor below has not advanced yet.
 
 use super::building::{FloorCoefficients, Floors, solve};
-use super::{Body, Instant, Run};
+use super::{Body, CentralDifferenceRun, Instant};
 use crate::model::dashpots::Dashpots;
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Data that only rows with floors on floors need, building by building.
@@ -46,7 +46,7 @@ impl Storeys {
     }
 }
 
-impl<Column: RestoringForce> Run<'_, Column> {
+impl<Column: RestoringForce> CentralDifferenceRun<'_, Column> {
     /// Solves the equations of a node, building by building, and reports the spans that end there.
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
     pub(super) fn advance_storeys<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
@@ -112,8 +112,19 @@ struct Building<'a, Column: RestoringForce> {
 struct Above {
     /// Velocity at the end of the span \[m/s\].
     velocity: f64,
-    /// Forces of its columns and its dashpot at the start and at the end of the span \[N\].
-    forces: [(f64, f64); 2],
+    /// Forces of its columns and its dashpot at the start and at the end of the span.
+    forces: [StoreyForces; 2],
+}
+
+/// The end of the span of a floor.
+struct SpanEnd {
+    state: State,
+    /// Velocity of the floor below \[m/s\].
+    below_velocity: f64,
+    /// Time \[s\].
+    time: f64,
+    /// Acceleration of the ground \[m/s²\].
+    ground: f64,
 }
 
 impl<Column: RestoringForce> Floors<f64> for Building<'_, Column> {
@@ -233,8 +244,13 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 force_from_right: body.force_from_right,
             };
             if time > body.start_time {
-                let instant = (time, ground);
-                self.report(level, end, below_velocity, instant, &mut above, recorder);
+                let span_end = SpanEnd {
+                    state: end,
+                    below_velocity,
+                    time,
+                    ground,
+                };
+                self.report(level, span_end, &mut above, recorder);
             }
             above.velocity = velocity;
             let body = &mut self.bodies[index];
@@ -247,50 +263,42 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// Reports the span of a floor that ends at a node, from its state and the velocity of the floor below.
-    fn report<R: Recorder>(
-        &mut self,
-        level: usize,
-        end: State,
-        below_velocity: f64,
-        (time, ground): (f64, f64),
-        above: &mut Above,
-        recorder: &mut R,
-    ) {
+    /// Reports the span of a floor that ends at a node.
+    fn report<R: Recorder>(&mut self, level: usize, end: SpanEnd, above: &mut Above, recorder: &mut R) {
         let index = self.floors[level];
         let body = &self.bodies[index];
         let below = level.checked_sub(1).map(|level| {
             let lower = &self.bodies[self.floors[level]];
             let end = Motion {
                 displacement: lower.displacement,
-                velocity: below_velocity,
+                velocity: end.below_velocity,
             };
             [(&lower.start).into(), end]
         });
         let forces = if recorder.reads_weighed() {
             self.forces(level, &mut above.forces)
         } else {
-            [(0.0, 0.0); 2]
+            [StoreyForces::default(); 2]
         };
         let loads = [
             Load::at(&body.start, forces[0], body.start_ground),
-            Load::at(&end, forces[1], ground),
+            Load::at(&end.state, forces[1], end.ground),
         ];
-        let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
-        let times = (body.start_time, time);
-        let mut span = Span::step(recorder.reads_weighed(), index, times, [body.start, end], weights, loads);
+        let weights = Weights::trapezoidal(0.5 * self.coefficients[level].own.time_step);
+        let (times, ends) = ([body.start_time, end.time], [body.start, end.state]);
+        let mut span = Span::step(recorder.reads_weighed(), index, times, ends, weights, loads);
         span.impulse_from_left -= body.excess.0;
         span.impulse_from_right -= body.excess.1;
         span.below = below;
         let slots = self.row.incidence().slots_at(index);
-        self.pushes.end(slots.clone(), weights.0);
+        self.pushes.end(slots.clone(), weights.scale);
         span.pushes = self.pushes.of(slots);
         recorder.span(&span);
     }
 
-    /// Net restoring and damping force \[N\] on a floor at both ends of its span, at the velocities of the equations. Replaces the forces
-    /// of the storey above by those of the floor's storey.
-    fn forces(&self, level: usize, storey: &mut [(f64, f64); 2]) -> [(f64, f64); 2] {
+    /// Net forces on a floor at both ends of its span, at the velocities of the equations. Replaces the forces of the storey above by those
+    /// of the floor's storey.
+    fn forces(&self, level: usize, storey: &mut [StoreyForces; 2]) -> [StoreyForces; 2] {
         let index = self.floors[level];
         let (node, found) = (&self.row.nodes()[index], &self.solutions[level]);
         let start = &self.bodies[index];
@@ -303,13 +311,16 @@ impl<Column: RestoringForce> Building<'_, Column> {
             (start.start.restoring_force, start.velocity),
             (found.restoring_force, found.velocity),
         ];
-        let mut net = [(0.0, 0.0); 2];
+        let mut net = [StoreyForces::default(); 2];
         for end in 0..2 {
             let (restoring, velocity) = own[end];
             let damping = node.damping * (velocity - below[end]);
             let all = damping + node.support.ground_damping() * velocity;
-            net[end] = (restoring - storey[end].0, all - storey[end].1);
-            storey[end] = (restoring, damping);
+            net[end] = StoreyForces {
+                restoring: restoring - storey[end].restoring,
+                damping: all - storey[end].damping,
+            };
+            storey[end] = StoreyForces { restoring, damping };
         }
         net
     }

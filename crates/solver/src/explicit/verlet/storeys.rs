@@ -4,9 +4,9 @@
 //! together, so that its equations have a common step.
 
 use super::{Body, Scratch};
-use crate::march::Step;
+use crate::march::ClockStep;
 use crate::pushes::Pushes;
-use crate::span::Load;
+use crate::span::{Load, StoreyForces, Weights};
 use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 impl<Memory: Copy> Scratch<Memory> {
@@ -15,7 +15,7 @@ impl<Memory: Copy> Scratch<Memory> {
     pub(super) fn finish_storeys<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        step: Step<'_>,
+        step: ClockStep<'_>,
         instant: f64,
         work: &mut Work,
         recorder: &mut R,
@@ -30,11 +30,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 continue;
             }
             // All floors of a building stand on one ground.
-            let at = |instant: f64| {
-                let (ground, time) = step.at(instant);
-                (ground.under(floors[0]), time)
-            };
-            let (start, end) = (at(since), at(instant));
+            let ends = [since, instant].map(|instant| step.at(instant));
             let mut building = Building {
                 row,
                 floors,
@@ -42,7 +38,9 @@ impl<Memory: Copy> Scratch<Memory> {
                 states: &mut self.states,
                 ends: &mut self.ends,
                 pushes: &mut self.pushes,
-                span: (instant - since, [start, end]),
+                length: instant - since,
+                grounds: ends.map(|now| now.ground.under(floors[0])),
+                times: ends.map(|now| now.time),
             };
             if let Some(structure) = building.diverged() {
                 return Err(step.diverged(structure));
@@ -66,8 +64,11 @@ struct Building<'a, Column: RestoringForce> {
     states: &'a mut [State],
     ends: &'a mut [State],
     pushes: &'a mut Pushes,
-    /// Length of the span \[s\]; ground acceleration \[m/s²\] and time \[s\] at both ends.
-    span: (f64, [(f64, f64); 2]),
+    /// Length of the span \[s\].
+    length: f64,
+    /// Ground acceleration \[m/s²\] and time \[s\] at both ends.
+    grounds: [f64; 2],
+    times: [f64; 2],
 }
 
 impl<Column: RestoringForce> Building<'_, Column> {
@@ -79,7 +80,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
 
     /// From the top down: computes the forces of columns, and the velocities without the damping at the end.
     fn respond(&mut self, velocities: &mut [f64]) {
-        let (h, [_, (ground, _)]) = self.span;
+        let (h, [_, ground]) = (self.length, self.grounds);
         let mut carried = 0.0;
         for (&index, velocity) in self.floors.iter().zip(velocities).rev() {
             let (floor, start) = (&self.row.nodes()[index], &self.states[index]);
@@ -101,8 +102,8 @@ impl<Column: RestoringForce> Building<'_, Column> {
     /// From the top down: accepts the velocities at the end, reports the spans, and advances.
     fn go_on<R: Recorder>(&mut self, velocities: &[f64], instant: f64, recorder: &mut R) {
         // Forces of the columns and of the dashpot of the storey above, at both ends.
-        let mut above = [(0.0, 0.0); 2];
-        let (h, [(first_ground, start_time), (last_ground, end_time)]) = self.span;
+        let mut above = [StoreyForces::default(); 2];
+        let (h, [first_ground, last_ground]) = (self.length, self.grounds);
         for (level, &index) in self.floors.iter().enumerate().rev() {
             let floor = &self.row.nodes()[index];
             let below = floor.support.below();
@@ -119,25 +120,27 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 let damping = floor.damping * (state.velocity - below);
                 let all = damping + floor.support.ground_damping() * state.velocity;
                 let (restoring, carried) = (state.restoring_force, above[at]);
-                above[at] = (restoring, damping);
-                (restoring - carried.0, all - carried.1)
+                above[at] = StoreyForces { restoring, damping };
+                StoreyForces {
+                    restoring: restoring - carried.restoring,
+                    damping: all - carried.damping,
+                }
             };
             let first = if recorder.reads_weighed() {
                 net(0, &start, before)
             } else {
-                (0.0, 0.0)
+                StoreyForces::default()
             };
             let last = net(1, end, below_velocity);
             let ground = if floor.is_wall() { 0.0 } else { last_ground };
-            end.acceleration = floor.inverse_mass * (end.pounding_force() - last.1 - last.0) - ground;
+            end.acceleration = floor.inverse_mass * (end.pounding_force() - last.damping - last.restoring) - ground;
             let end = *end;
             let loads = [Load::at(&start, first, first_ground), Load::at(&end, last, last_ground)];
-            let times = (start_time, end_time);
-            let weights = (0.5 * h, [1.0, 1.0]);
+            let weights = Weights::trapezoidal(0.5 * h);
             let body = &mut self.bodies[index];
             let slots = self.row.incidence().slots_at(index);
             self.pushes.start(slots.clone(), 0.5 * h);
-            let mut span = Span::step(recorder.reads_weighed(), index, times, [start, end], weights, loads);
+            let mut span = Span::step(recorder.reads_weighed(), index, self.times, [start, end], weights, loads);
             span.impulse_from_left = 0.5 * h * start.force_from_left + body.impulses.0;
             span.impulse_from_right = 0.5 * h * start.force_from_right + body.impulses.1;
             span.below = self.row.below(index, [self.states, self.ends]);

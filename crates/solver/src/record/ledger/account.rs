@@ -1,6 +1,6 @@
 //! Energy and momentum of a floor and of the storey below it.
 
-use super::columns::Columns;
+use super::columns::LedgerColumns;
 use super::largest::Balances;
 use super::{LedgerError, Terms};
 use crate::{Excitation, Hysteretic, Motion, Path, Row, Span, State, Support, Weighed};
@@ -14,7 +14,7 @@ pub(super) struct Account {
     support: Support,
     /// Arrival of the ground motion \[s\].
     arrival: f64,
-    columns: Columns,
+    columns: LedgerColumns,
     /// Whether its first span or impact has come.
     open: bool,
     /// Strain energy at the start \[J\].
@@ -87,7 +87,7 @@ impl Acting {
 impl Account {
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>, index: usize) -> Self {
         let node = &row.nodes()[index];
-        let columns = Columns::new(node.column.hysteresis());
+        let columns = LedgerColumns::new(node.column.hysteresis());
         let drift = match node.support.below() {
             None => node.initial_displacement,
             Some(below) => node.initial_displacement - row.nodes()[below].initial_displacement,

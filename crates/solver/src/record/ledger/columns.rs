@@ -4,7 +4,7 @@ use crate::{Flight, Hysteresis, Knee, Motion, Path, Series, Span};
 
 /// The columns of a storey: f = a k d + h under a drift d; only h yields.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Columns {
+pub(super) struct LedgerColumns {
     stiffness: f64,
     yield_force: f64,
     /// Stiffness a k of the elastic part \[N/m\].
@@ -21,7 +21,7 @@ const ROUNDING: f64 = 1e-12;
 /// Number of operations whose rounding is in a force h computed from f and d, and in a drift computed from two displacements.
 const OPERATIONS: f64 = 8.0;
 
-impl Columns {
+impl LedgerColumns {
     pub(super) fn new(loops: Hysteresis) -> Self {
         let part = 1.0 - loops.hardening;
         Self {
@@ -194,7 +194,7 @@ mod tests {
 
     /// Strain energy and dissipation of columns along a path of drifts, in steps, and the work on them by the trapezoidal rule.
     fn led<Column: Hysteretic>(column: Column, drifts: impl Iterator<Item = f64>) -> [f64; 3] {
-        let columns = Columns::new(column.hysteresis());
+        let columns = LedgerColumns::new(column.hysteresis());
         let (mut memory, mut at) = (column.untouched(), [0.0, 0.0]);
         let (mut flow, mut work) = (0.0, 0.0);
         for drift in drifts {
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn reference_flow_of_a_smooth_knee_by_its_law() {
         // A force that violates the law: h = 900 t, ḋ = 0.02, n = 2, loading: ∫ h ḋ y² dt = 900·0.02/4.
-        let columns = Columns::new(Hysteresis {
+        let columns = LedgerColumns::new(Hysteresis {
             stiffness: 1e5,
             hardening: 0.0,
             yield_force: 900.0,

@@ -10,7 +10,7 @@ const PULL: f64 = 1e-9;
 
 /// Account of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
+pub(super) struct ContactAccount {
     relation: Relation,
     /// The floors that carry both points, in the order of [`Relation::pushes`].
     sides: [Side; 4],
@@ -94,7 +94,7 @@ pub struct PairTerms {
     pub imbalance: f64,
 }
 
-impl Contact {
+impl ContactAccount {
     pub(super) fn new(pair: &Pair) -> Self {
         let mut sides = [Side::default(); 4];
         for (side, (floor, part)) in sides.iter_mut().zip(pair.relation.pushes()) {
@@ -330,9 +330,9 @@ mod tests {
         };
         let law = pounding_contact::ContactLaw::Stereomechanical(pounding_contact::Stereomechanical { restitution: 0.0 });
         let pair = Pair::of_floors(0, 1, 0.0, law);
-        let mut contact = Contact::new(&pair);
+        let mut contact = ContactAccount::new(&pair);
         assert_eq!(contact.push(7, 0, &push(-4e-120, 0.0)), Ok(()));
-        let pull = Contact::new(&pair).push(7, 0, &push(-1.0, 0.01));
+        let pull = ContactAccount::new(&pair).push(7, 0, &push(-1.0, 0.01));
         let Err(LedgerError::Tension { pair: 7, found, .. }) = pull else {
             panic!("{pull:?}");
         };

@@ -14,7 +14,7 @@ pub use error::LedgerError;
 pub use terms::Terms;
 
 use account::Account;
-use contact::{Contact, Push};
+use contact::{ContactAccount, Push};
 use largest::{Balances, Largest};
 use opening::{opening_part, work_of};
 use sightings::Sightings;
@@ -49,7 +49,7 @@ pub struct Ledger<'a> {
     accounts: Vec<Account>,
     buildings: Buildings,
     sightings: Sightings,
-    contacts: Vec<Contact>,
+    contacts: Vec<ContactAccount>,
     /// Incidence of pairs and floors.
     incidence: Incidence,
     /// The impacts since the last time that all pairs were apart.
@@ -111,7 +111,7 @@ impl<'a> Ledger<'a> {
             accounts: (0..row.nodes().len()).map(|node| Account::new(row, node)).collect(),
             buildings: row.buildings().clone(),
             sightings: Sightings::new(row.buildings()),
-            contacts: row.pairs().iter().map(Contact::new).collect(),
+            contacts: row.pairs().iter().map(ContactAccount::new).collect(),
             incidence: row.incidence().clone(),
             meeting: None,
             n_meeting: 0,

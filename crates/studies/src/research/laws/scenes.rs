@@ -40,11 +40,10 @@ pub(super) fn n_runs(scenes: &[Scene]) -> usize {
 fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasSettings)) -> Result<Quantities, String> {
     let mut scene = scene.clone();
     let name = entry.name();
-    let asked = (settings.restitution(name), Calibration::Exact);
     let neighbours = scene.structures.windows(2);
     for (contact, two) in scene.contacts.iter_mut().flatten().zip(neighbours) {
         let pair = free_pair(two, settings.approach_speed_m_per_s);
-        let law = name.calibrated(settings.stiffness(name), asked, &pair);
+        let law = name.calibrated(settings.stiffness(name), settings.restitution(name), Calibration::Exact, &pair);
         contact.law = law.map_err(|error| error.to_string())?;
     }
     let prepared = Simulation::new(&scene, completed.file.base());

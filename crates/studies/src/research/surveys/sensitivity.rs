@@ -132,7 +132,8 @@ impl Asked<'_> {
         let settings = self.settings;
         let law = LawName::NonlinearViscoelastic.calibrated(
             settings.impact_stiffness_n_per_m1_5.log_uniform(stiffness),
-            (settings.restitution.uniform(restitution), Calibration::Exact),
+            settings.restitution.uniform(restitution),
+            Calibration::Exact,
             &FreePair::UNIT,
         );
         let law = law.expect("the study gives stiffnesses and restitutions in range");

@@ -77,7 +77,7 @@ fn law(random: &mut Random, style: Style, two: &[Structure]) -> ContactLaw {
     let stiffness = random.log_within(low, high);
     let pair = free_pair(two, SPEED);
     let restitution = random.within(0.1, 1.0);
-    let calibrated = |e: f64| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
+    let calibrated = |e: f64| name.calibrated(stiffness, e, Calibration::Exact, &pair);
     // Springs without damping take 1 alone.
     calibrated(restitution)
         .or_else(|_| calibrated(1.0))

@@ -5,10 +5,10 @@ use serde_json::{Map, Value};
 
 /// The path to a field of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Place(Vec<Step>);
+pub(super) struct FieldPath(Vec<PathStep>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Step {
+enum PathStep {
     Field(String),
     Item(usize),
     /// `[*]`: every item.
@@ -23,7 +23,7 @@ fn indices(found: usize) -> String {
     }
 }
 
-impl Place {
+impl FieldPath {
     /// The places that a text names in a scene, at least one.
     pub(super) fn all(text: &str, scene: &Value) -> Result<Vec<Self>, Refused> {
         let steps = steps(text).ok_or_else(|| {
@@ -42,7 +42,7 @@ impl Place {
 
     /// Its first field.
     pub(super) fn begins_with(&self, field: &str) -> bool {
-        matches!(self.0.first(), Some(Step::Field(first)) if first == field)
+        matches!(self.0.first(), Some(PathStep::Field(first)) if first == field)
     }
 
     /// Whether it is this field, or inside it.
@@ -58,7 +58,7 @@ impl Place {
     /// For a field of an item of a list, its index and the path from there: `structures[0].sdof.mass_kg` gives 0 and `sdof.mass_kg`.
     pub(super) fn in_item_of(&self, list: &str) -> Option<(usize, String)> {
         match &self.0[..] {
-            [Step::Field(name), Step::Item(index), rest @ ..] if name == list => Some((*index, named(rest))),
+            [PathStep::Field(name), PathStep::Item(index), rest @ ..] if name == list => Some((*index, named(rest))),
             _ => None,
         }
     }
@@ -70,41 +70,41 @@ impl Place {
                 *value = Value::Object(Map::new());
             }
             match (step, value) {
-                (Step::Field(name), Value::Object(fields)) => {
+                (PathStep::Field(name), Value::Object(fields)) => {
                     // Looked up first: a new key needs an allocation.
                     if !fields.contains_key(name) {
                         fields.insert(name.clone(), Value::Null);
                     }
                     fields.get_mut(name)
                 }
-                (Step::Item(index), Value::Array(items)) => items.get_mut(*index),
+                (PathStep::Item(index), Value::Array(items)) => items.get_mut(*index),
                 _ => None,
             }
         })
     }
 }
 
-impl std::fmt::Display for Place {
+impl std::fmt::Display for FieldPath {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.write_str(&named(&self.0))
     }
 }
 
-fn named(steps: &[Step]) -> String {
+fn named(steps: &[PathStep]) -> String {
     let mut text = String::new();
     for step in steps {
         match step {
-            Step::Field(name) if text.is_empty() => text.push_str(name),
-            Step::Field(name) => text = format!("{text}.{name}"),
-            Step::Item(index) => text = format!("{text}[{index}]"),
-            Step::Every => text.push_str("[*]"),
+            PathStep::Field(name) if text.is_empty() => text.push_str(name),
+            PathStep::Field(name) => text = format!("{text}.{name}"),
+            PathStep::Item(index) => text = format!("{text}[{index}]"),
+            PathStep::Every => text.push_str("[*]"),
         }
     }
     text
 }
 
 /// The steps of a text; `None` if it is no path to a field.
-fn steps(text: &str) -> Option<Vec<Step>> {
+fn steps(text: &str) -> Option<Vec<PathStep>> {
     let mut steps = Vec::new();
     for piece in text.split('.') {
         let mut parts = piece.split('[');
@@ -112,12 +112,12 @@ fn steps(text: &str) -> Option<Vec<Step>> {
         if !name.chars().all(|letter| letter.is_alphanumeric() || letter == '_') {
             return None;
         }
-        steps.push(Step::Field(name.into()));
+        steps.push(PathStep::Field(name.into()));
         for part in parts {
             let item = part.strip_suffix(']')?;
             steps.push(match item {
-                "*" => Step::Every,
-                index => Step::Item(index.parse().ok()?),
+                "*" => PathStep::Every,
+                index => PathStep::Item(index.parse().ok()?),
             });
         }
     }
@@ -125,40 +125,40 @@ fn steps(text: &str) -> Option<Vec<Step>> {
 }
 
 /// Walks on from `value`, which lies at `way`.
-fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Place>) -> Result<(), Refused> {
+fn expand(rest: &[PathStep], value: &Value, way: &mut Vec<PathStep>, found: &mut Vec<FieldPath>) -> Result<(), Refused> {
     let Some((step, rest)) = rest.split_first() else {
-        found.push(Place(way.clone()));
+        found.push(FieldPath(way.clone()));
         return Ok(());
     };
-    let mut go = |step: Step, value: &Value| {
+    let mut go = |step: PathStep, value: &Value| {
         way.push(step);
         let gone = expand(rest, value, way, found);
         way.pop();
         gone
     };
     match (step, value) {
-        (Step::Field(name), Value::Object(fields)) => go(step.clone(), fields.get(name).unwrap_or(&Value::Null)),
+        (PathStep::Field(name), Value::Object(fields)) => go(step.clone(), fields.get(name).unwrap_or(&Value::Null)),
         // A missing value of the scene may be a table.
-        (Step::Field(_), Value::Null) => go(step.clone(), &Value::Null),
-        (Step::Field(_), _) => {
+        (PathStep::Field(_), Value::Null) => go(step.clone(), &Value::Null),
+        (PathStep::Field(_), _) => {
             let none = Refused::default().found(format!("no table `{}` in the scene", named(way)));
             Err(none.so(": ", "write it there as a table with its fields"))
         }
-        (Step::Item(index), Value::Array(items)) => {
+        (PathStep::Item(index), Value::Array(items)) => {
             let Some(item) = items.get(*index) else {
                 let none = Refused::default().found(format!("{}[{index}]", named(way)));
                 return Err(none.allowed_are(format!("{} in the scene", indices(items.len()))));
             };
             go(step.clone(), item)
         }
-        (Step::Every, Value::Array(items)) => {
+        (PathStep::Every, Value::Array(items)) => {
             let has = |item: &Value| match rest.first() {
-                Some(Step::Field(name)) => item.get(name).is_some(),
+                Some(PathStep::Field(name)) => item.get(name).is_some(),
                 _ => true,
             };
             let before = found.len();
             for (index, item) in items.iter().enumerate().filter(|(_, item)| has(item)) {
-                way.push(Step::Item(index));
+                way.push(PathStep::Item(index));
                 let gone = expand(rest, item, way, found);
                 way.pop();
                 gone?;
@@ -170,7 +170,7 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
             }
             Ok(())
         }
-        (Step::Item(_) | Step::Every, _) => {
+        (PathStep::Item(_) | PathStep::Every, _) => {
             let none = Refused::default().found(format!("no list `{}` in the scene", named(way)));
             Err(none.allowed_are("the lists that it has"))
         }
@@ -181,7 +181,7 @@ fn expand(rest: &[Step], value: &Value, way: &mut Vec<Step>, found: &mut Vec<Pla
 mod tests {
     use serde_json::json;
 
-    use super::Place;
+    use super::FieldPath;
 
     #[test]
     fn reference_places_in_a_scene() {
@@ -190,7 +190,7 @@ mod tests {
             "contacts": [{"gap_m": 0.1}, {"gap_m": 0.2}],
             "method": "exact",
         });
-        let named = |text: &str| match Place::all(text, &scene) {
+        let named = |text: &str| match FieldPath::all(text, &scene) {
             Ok(places) => places.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
             Err(error) => error.to_string(),
         };
@@ -218,7 +218,7 @@ mod tests {
             assert!(named(text).starts_with(begins), "{text}: {}", named(text));
         }
         let mut changed = scene.clone();
-        let place = &Place::all("record.scale_to.pga_g", &scene).expect("a place")[0];
+        let place = &FieldPath::all("record.scale_to.pga_g", &scene).expect("a place")[0];
         *place.slot(&mut changed).expect("a slot") = json!(0.3);
         assert_eq!(changed["record"]["scale_to"]["pga_g"], json!(0.3));
     }

@@ -1,19 +1,31 @@
 //! Equations of motion between two events.
 
 use super::block::Block;
-use super::branch::{Branch, sign};
 use super::law::{Law, Touching};
 use super::model::{Model, TIME, displacement, velocity};
-use super::phases::{Contact, Phases};
+use super::phases::{ContactPhase, Phases};
 use super::state::State;
+use super::storey::{Branch, sign};
 use super::variable::Variable;
 
+/// A place in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct InStep {
+    /// Variable of the step.
+    pub variable: Variable,
+    /// Value of the variable, from 0 at the start of the step.
+    pub position: f64,
+}
+
 /// Place of derivatives with respect to time.
-pub(super) const NOW: (Variable, f64) = (Variable::Time, 0.0);
+pub(super) const NOW: InStep = InStep {
+    variable: Variable::Time,
+    position: 0.0,
+};
 
 /// All data of the equations of motion.
 #[derive(Debug, Clone)]
-pub(super) struct Motion {
+pub(super) struct Equations {
     pub model: Model,
     pub phases: Phases,
     /// The pairs that press at rest; decided together with the phases.
@@ -49,9 +61,9 @@ impl Segment {
     }
 }
 
-impl Motion {
+impl Equations {
     /// Derivative of the unknowns with respect to a variable at a position.
-    pub(super) fn slope(&self, place: (Variable, f64), y: &[f64], dy: &mut [f64]) {
+    pub(super) fn slope(&self, place: InStep, y: &[f64], dy: &mut [f64]) {
         let Self { model, segment, .. } = self;
         self.accelerate(place, y, dy);
         self.lean(dy);
@@ -65,7 +77,7 @@ impl Motion {
             };
         }
         dy[TIME] = 1.0;
-        let (variable, position) = place;
+        let InStep { variable, position } = place;
         if !matches!(variable, Variable::Time) {
             let pace = variable.pace(position, |pair| model.rate(pair, y));
             for slope in dy {
@@ -75,7 +87,7 @@ impl Motion {
     }
 
     /// Pounding forces and absolute accelerations without the forces of pairs at rest, and the other derivatives.
-    pub(super) fn accelerate(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
+    pub(super) fn accelerate(&self, InStep { variable, position }: InStep, y: &[f64], dy: &mut [f64]) {
         let Self {
             model, phases, segment, ..
         } = self;
@@ -116,7 +128,7 @@ impl Motion {
     /// Derivatives of deformations and their rates, from absolute accelerations.
     fn close(&self, y: &[f64], dy: &mut [f64]) {
         for (pair, phase) in self.model.pairs.iter().zip(&self.phases.pairs) {
-            let rests = matches!(phase.contact, Contact::Resting { .. });
+            let rests = matches!(phase.contact, ContactPhase::Resting { .. });
             let [rate, closing] = if rests {
                 [0.0; 2]
             } else {
@@ -174,9 +186,9 @@ impl Motion {
         };
         let touching = self.touching(pair, deformation, rate);
         match self.phases.pairs[pair].contact {
-            Contact::Apart | Contact::Resting { .. } | Contact::Clamped => 0.0,
-            Contact::Approach { .. } => force.on_approach(touching),
-            Contact::Restitution { .. } => force.on_return(touching),
+            ContactPhase::Apart | ContactPhase::Resting { .. } | ContactPhase::Clamped => 0.0,
+            ContactPhase::Approach { .. } => force.on_approach(touching),
+            ContactPhase::Restitution { .. } => force.on_return(touching),
         }
     }
 
@@ -233,9 +245,13 @@ impl Motion {
             let pulls = self.grip(pair, y) < 0.0;
             let contact = &mut self.phases.pairs[pair].contact;
             match contact {
-                Contact::Restitution { .. } if pulls => *contact = Contact::Clamped,
-                Contact::Clamped if !pulls => *contact = Contact::Restitution { rising: -1.0 },
-                Contact::Apart | Contact::Approach { .. } | Contact::Restitution { .. } | Contact::Clamped | Contact::Resting { .. } => {}
+                ContactPhase::Restitution { .. } if pulls => *contact = ContactPhase::Clamped,
+                ContactPhase::Clamped if !pulls => *contact = ContactPhase::Restitution { rising: -1.0 },
+                ContactPhase::Apart
+                | ContactPhase::Approach { .. }
+                | ContactPhase::Restitution { .. }
+                | ContactPhase::Clamped
+                | ContactPhase::Resting { .. } => {}
             }
         }
     }
@@ -248,7 +264,7 @@ impl Motion {
         }
         for pair in 0..self.phases.pairs.len() {
             let rate = self.force_rate(pair, y, slope);
-            if let Contact::Approach { rising, .. } | Contact::Restitution { rising } = &mut self.phases.pairs[pair].contact
+            if let ContactPhase::Approach { rising, .. } | ContactPhase::Restitution { rising } = &mut self.phases.pairs[pair].contact
                 && *rising * rate < 0.0
             {
                 *rising = -*rising;
