@@ -1,8 +1,8 @@
-//! Studies of structural pounding: what the paper printed, what comes out, and questions asked beyond it.
+//! Studies of structural pounding: the paper's numbers, the computed numbers, and questions beyond the paper.
 //!
-//! A [`Study`] is scenes and what to print of them. The studies of the paper are data files in `studies/`, one per table and figure.
-//! [`Studies::reproduce`] runs the whole folder. It gives tables, figures, the agreement with the published numbers and the verdicts on
-//! the paper's claims.
+//! A [`Study`] holds scenes and the output to print of them. The studies of the paper are data files in `studies/`, one per table and
+//! figure. [`Studies::reproduce`] runs the whole folder. It gives tables, figures, the agreement with the published numbers and the
+//! verdicts on the paper's claims.
 //!
 //! ```
 //! use pounding_studies::{Completed, StudyFile, Table};
@@ -22,12 +22,12 @@
 //! # Ok::<(), pounding_studies::StudyError>(())
 //! ```
 //!
-//! Left out: everything that users of the library run. Scenes are in `pounding-scene`, sweeps in `pounding-sweep`, methods in
-//! `pounding-solver`, record formats in `pounding-motion`. `cargo xtask` writes the files that come out.
+//! This crate leaves out everything that users of the library run. Scenes are in `pounding-scene`, sweeps in `pounding-sweep`, methods in
+//! `pounding-solver`, record formats in `pounding-motion`. `cargo xtask` writes the resulting files.
 //!
 //! Where to start:
 //!
-//! - [`Study`] and [`Output`] (`study/`): what a study file says.
+//! - [`Study`] and [`Output`] (`study/`): the contents of a study file.
 //! - [`Studies`], [`Comparison`] and [`Claim`] (`paper/`): tables, figures, agreement, claims.
 //! - [`PapersProgram`] (`program/`): the program that gave the published numbers, with its slips.
 //! - [`Survey`], [`Beyond`], [`Trade`] and [`verify`] (`research/`): surveys, other motions, error against work, random scenes.

@@ -1,9 +1,9 @@
-//! The lines of methods in figures.
+//! Line styles of methods in figures.
 
 use pounding_plot::{Kind, Mark, Shade};
 use pounding_scene::{REFERENCE, RIVAL};
 
-/// The line of a method, by its name in tables; nothing where it would lie on that of another one.
+/// The line style of a method, by its name in tables. `None` if the method's curve would hide behind another method's.
 pub(crate) fn line_of(key: &str) -> Option<(Shade, Kind, Mark)> {
     Some(match key {
         RIVAL => (Shade::Blue, Kind::Line, Mark::Disc),

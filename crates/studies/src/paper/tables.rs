@@ -1,11 +1,11 @@
-//! Tables: what a study prints as CSV, and the single numbers in it.
+//! Tables that studies print as CSV, and the numbers in them.
 
 use crate::{Completed, Output, StudyError};
 use pounding_scene::{RunResult, Scene, Structure};
 use pounding_solver::{Collision, Histories};
 use pounding_text::Table as Text;
 
-/// One computed number with the keys that published numbers carry.
+/// One computed number with the keys that published numbers have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// Row of the table, for example `layout A elastic left`.
@@ -33,7 +33,7 @@ impl Value {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     text: String,
-    /// The numbers, to be compared with published ones.
+    /// The numbers, for the comparison with published ones.
     pub values: Vec<Value>,
 }
 
@@ -47,10 +47,10 @@ impl Table {
         self.text.clone()
     }
 
-    /// The table of a study; nothing for a study that draws a figure.
+    /// The table of a study; `None` if the study draws a figure.
     ///
     /// # Errors
-    /// [`StudyError::Study`] when the scenes do not give what the table shows.
+    /// [`StudyError::Study`] if the scenes do not give the contents of the table.
     pub fn of(completed: &Completed) -> Result<Option<Self>, StudyError> {
         let output = &completed.file.study.output;
         let table = if let Output::StructuresTable = output {
@@ -131,7 +131,7 @@ fn transferred_momentum<'a>(completed: &'a Completed) -> Table {
     Table::new(&text, values)
 }
 
-/// Place of a structure in its row in words.
+/// Position of a structure in its row, in words.
 fn position(index: usize, n_structures: usize) -> String {
     match index {
         0 => "left".into(),
@@ -174,7 +174,7 @@ struct Line {
     /// `3` for the third impact, `3.2` for the second step of the third collision.
     label: String,
     time: f64,
-    /// Force on the right structure \[N\]; the left one gets its negative.
+    /// Force on the right structure \[N\]; the force on the left one is its negative.
     force: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The paper's scenes under other ground motions: what is told of them, and what claims say where nothing touches.
+//! The paper's scenes under other ground motions: tables, messages, and claims where nothing touches.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,7 +18,7 @@ fn studies() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
 }
 
-/// The studies, with another list of motions; the paper's scenes alone, unless the list says otherwise.
+/// The studies with a changed list of motions. Changed scenes run only if the list adds them.
 fn listing(change: impl FnOnce(&mut BeyondSettings)) -> Vec<StudyFile> {
     let mut files = StudyFile::read_all(&studies()).expect("readable studies");
     let settings = files.iter_mut().find_map(|file| {
@@ -104,7 +104,7 @@ fn limit_the_papers_case_is_the_paper_run_exactly() {
     }
 }
 
-/// The paper's record alone, weaker.
+/// Runs the paper's record alone, multiplied by `scale`.
 fn weakened(scale: f64) -> Beyond {
     run(&listing(|settings| {
         settings.motions.truncate(1);
@@ -127,8 +127,8 @@ fn limit_claims_about_nothing_do_not_apply() {
     assert!(!rows(&files(&made), "scenes.csv").iter().any(touch));
 }
 
-/// In one direction two elastic structures touch and two nonlinear ones do not: what is said of both does not hold, what is
-/// said of each is said of those that touch.
+/// In one direction two elastic structures touch and two nonlinear ones do not. A claim about both does not hold; a claim about each is
+/// tested on the touching ones.
 #[test]
 fn limit_claims_about_something_and_nothing() {
     assert_snapshot!(text(&files(&weakened(0.35)), "verdicts.csv"));
@@ -153,8 +153,8 @@ fn committed(name: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// `reproduce` does not make them: they take longer than all else beyond the paper's record. What runs here is their part under
-/// that record.
+/// `reproduce` does not make these files: they take longer than all else beyond the paper's record. This test runs their part under that
+/// record.
 #[test]
 fn reference_buildings_of_storeys_are_what_their_command_made() {
     for table in ["claims.csv", "direction.csv", "scenes.csv", "verdicts.csv"] {
@@ -228,7 +228,7 @@ fn limit_motions_scaled_by_a_spectrum_share_it() {
             damping_ratio: 0.05,
         });
         for motion in &mut settings.motions {
-            // All of the record counts in the scaling.
+            // The scaling uses the whole record.
             motion.duration_s = None;
         }
     }));
@@ -268,7 +268,7 @@ fn extreme_lists_that_are_refused() {
     assert_snapshot!(messages.join("\n"));
 }
 
-/// A folder with a record, its vertical twin, and a file that is none.
+/// A folder with a record, its vertical twin, and a file that is not a record.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     drop(fs::remove_dir_all(&folder));

@@ -1,4 +1,4 @@
-//! Claims about what goes into the runs: time step, damping, restitution (sections 2 and 3, Table 1).
+//! Claims about inputs of the runs: time step, damping, restitution (sections 2 and 3, Table 1).
 
 use crate::StudyError;
 use pounding_contact::ContactLaw;

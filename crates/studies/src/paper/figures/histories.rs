@@ -12,7 +12,7 @@ pub(super) fn time_axis(scene: &Scene) -> Axis {
     Axis::over("Time (s)", 0.0, scene.duration())
 }
 
-/// The title of a study over its first panel, nothing over the others.
+/// The study's title for its first panel, an empty text for the others.
 fn title(completed: &Completed, panel: usize) -> String {
     match panel {
         0 => completed.file.study.title.clone(),
@@ -20,7 +20,7 @@ fn title(completed: &Completed, panel: usize) -> String {
     }
 }
 
-/// The record as its file has it: in g, not reversed.
+/// The record as in its file: in g, not reversed.
 pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let sign = if scene.record.reversed { -1.0 } else { 1.0 };
     let in_g = |acceleration: f64| sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2);
@@ -50,7 +50,7 @@ fn over_time(title: String, label: &str, curves: Vec<Curve>, notes: Vec<Note>) -
     }
 }
 
-/// Displacements of structures that stand apart, a panel each, their peaks marked.
+/// Displacements of separate structures, one panel each, with marks at the peaks.
 pub(super) fn displacements(completed: &Completed) -> Figure {
     let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
     let panel = |(index, structure)| {
@@ -71,7 +71,7 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
     }
 }
 
-/// Shear force of one structure: the first scene behind, each further scene in a panel of its own.
+/// Shear force of one structure. The first scene is in the background; each further scene has its own panel.
 pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Figure, StudyError> {
     let curve = |((scene, outcome), index): ((&Scene, &RunResult), usize)| {
         let mut names = scene.structures.iter().map(Structure::name);

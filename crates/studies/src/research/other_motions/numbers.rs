@@ -1,16 +1,16 @@
-//! The numbers of every scene, and what the direction alone changes in them.
+//! Tables of the numbers of every scene, and of the effect of the direction alone.
 
 use super::shaking::Shaking;
 use super::world::{MotionCase, Row};
 use crate::files::direction;
 use pounding_text::Table;
 
-/// A structure of a scene under a motion.
+/// The keys of a table row: a structure of a scene under a motion.
 trait Keys {
     fn keys(&self) -> (&Row, &Shaking);
 }
 
-/// A table with the columns that say which structure of which scene under which motion.
+/// A table whose first columns name the motion, scene and structure of a row.
 fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
     Table::of(rows)
         .column("table", |one: &One| one.keys().0.table.clone())
@@ -20,7 +20,7 @@ fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
         .column("motion", |one| one.keys().1.name.clone())
 }
 
-/// Under a motion in one direction.
+/// A row under a motion in one direction; the flag says whether it is reversed.
 struct Directed<'a>(&'a Row, &'a Shaking, bool);
 
 impl Keys for Directed<'_> {
@@ -29,7 +29,7 @@ impl Keys for Directed<'_> {
     }
 }
 
-/// Under a motion as recorded and reversed.
+/// Two rows under a motion, as recorded and reversed.
 struct Both<'a>([&'a Row; 2], &'a Shaking);
 
 impl Keys for Both<'_> {
@@ -38,7 +38,7 @@ impl Keys for Both<'_> {
     }
 }
 
-/// Rows of the same structure under every motion stand together.
+/// Pairs the rows of both directions; rows of one structure under every motion follow each other.
 fn both<'a>(motions: &'a [Shaking], worlds: &'a [[MotionCase; 2]]) -> impl Iterator<Item = Both<'a>> {
     let structures = 0..worlds.first().map_or(0, |[world, _]| world.rows.len());
     structures.flat_map(move |structure| {
@@ -47,7 +47,7 @@ fn both<'a>(motions: &'a [Shaking], worlds: &'a [[MotionCase; 2]]) -> impl Itera
     })
 }
 
-/// A row per scene, structure, motion and direction.
+/// Table with one row per scene, structure, motion and direction.
 pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
     let directed = both(motions, worlds)
         .flat_map(|Both([recorded, reversed], motion)| [Directed(recorded, motion, false), Directed(reversed, motion, true)]);
@@ -65,10 +65,10 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
         .csv()
 }
 
-/// A number of a row, if it has it.
+/// A number of a row; `None` if the row does not have it.
 type Number = fn(&Row) -> Option<f64>;
 
-/// Numbers whose two directions are compared.
+/// Numbers to compare between the two directions.
 const COMPARED: [(&str, Number); 7] = [
     ("transferred_momentum", |row| Some(row.momentum)),
     ("collisions", |row| Some(row.collisions as f64)),
@@ -79,7 +79,8 @@ const COMPARED: [(&str, Number); 7] = [
     ("peak_shear", |row| Some(row.shear)),
 ];
 
-/// Every number under the reversed motion over the one under the motion as recorded, without signs; empty if there is nothing to divide by.
+/// Table of every number under the reversed motion over the number under the motion as recorded, without signs. A cell is empty if the
+/// divisor is zero.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
     let ratio = |one: &Both<'_>, (_, number): (&str, Number)| {
         let [recorded, reversed] = one.0.map(number);

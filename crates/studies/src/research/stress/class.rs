@@ -1,4 +1,4 @@
-//! What becomes of a number at the edge.
+//! Classes of a number in an extreme scene.
 
 use crate::listed::listed;
 use pounding_plot::{Fill, Shade};
@@ -6,27 +6,27 @@ use pounding_scene::DOUBTFUL;
 
 /// Error up to which a number is exact to tolerance \[–\].
 const EXACT: f64 = 1e-6;
-/// Error up to which it is accurate \[–\]; a warning of such a number is a false alarm.
+/// Error up to which a number is accurate \[–\]; a warning about such a number is a false alarm.
 pub(super) const ACCURATE: f64 = 0.01;
 /// Error above which a number without a warning is silently wrong \[–\].
 pub(super) const WRONG: f64 = 0.1;
 
-// Between a false alarm and a silent fault there is room for a threshold.
+// A threshold for warnings must fit between a false alarm and a silent fault.
 const _: () = assert!(
     ACCURATE < DOUBTFUL && DOUBTFUL < WRONG,
     "a threshold of warnings between what is good and what is wrong"
 );
 
-/// How a class is shown.
+/// The appearance of a class.
 pub(super) struct Look {
     /// Name in tables.
     pub(super) key: &'static str,
     /// Name in figures.
     pub(super) words: &'static str,
     pub(super) fill: Fill,
-    /// A letter by which it is read in grey.
+    /// Letter that identifies the class in grey.
     pub(super) letter: &'static str,
-    /// Place from good to bad.
+    /// Rank from good to bad.
     pub(super) rank: usize,
 }
 
@@ -42,31 +42,31 @@ const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, o
 }
 
 listed! {
-    /// What becomes of a number.
+    /// The class of a number.
     pub(super) enum Class { look: Look;
         /// Within 1e-6 of the exact run.
         ExactToTolerance = look(1, ("exact_to_tolerance", "exact to 1e-6"), (Shade::Blue, 0.75), ""),
         /// Within 1 %.
         Accurate = look(2, ("accurate", "within 1 %"), (Shade::Blue, 0.3), ""),
-        /// Further off, but by less than 10 % or with a warning.
+        /// Between 1 % and 10 % off, or further off with a warning.
         Degraded = look(3, ("degraded", "degraded"), (Shade::Amber, 0.6), "d"),
         /// The scene is refused before it runs.
         Refused = look(4, ("refused", "refused"), (Shade::Mist, 1.0), "r"),
         /// The run ends with an error, or its verdict is that a law of mechanics is broken.
         Caught = look(5, ("diverged_and_caught", "diverged, caught"), (Shade::Vermilion, 0.7), "c"),
-        /// More than 10 % off without a word.
+        /// More than 10 % off without a warning.
         SilentlyWrong = look(8, ("silently_wrong", "silently wrong"), (Shade::Ink, 1.0), ""),
-        /// There is no exact run to compare with; the program says so, where it measures errors.
+        /// There is no exact run for a comparison. The program prints that, if it measures errors.
         NoReference = look(6, ("no_reference", "no exact run"), (Shade::White, 1.0), "–"),
-        /// A number of the exact run that the second route cannot follow.
+        /// A number of the exact run that the second route cannot confirm.
         NotVerified = look(7, ("not_verified", "not verified"), (Shade::White, 1.0), "?"),
-        /// Neither run has the number: nothing touches.
+        /// Neither run has the number because nothing touches.
         Nothing = look(0, ("nothing_touches", "nothing touches"), (Shade::White, 1.0), ""),
     }
 }
 
 impl Class {
-    /// The class of a number that a run printed, with or without a warning.
+    /// The class of a number that a run printed, from its error and whether there was a warning.
     pub(super) fn of(error: Option<f64>, warned: bool) -> Self {
         match error {
             None => Self::Nothing,

@@ -1,4 +1,4 @@
-//! A map of a grid: a panel per method, a square per scene, in the colour of the worst number of the run.
+//! Maps of grids: one panel per method, one square per scene in the colour of the worst number of the run.
 
 use super::class::Class;
 use super::measure::{Measured, Run};
@@ -8,7 +8,7 @@ use pounding_scene::{REFERENCE, label_of};
 
 /// Side of a square \[mm\].
 const SIDE: f64 = 4.2;
-/// Panels in a row.
+/// Number of panels in a row.
 const COLUMNS: usize = 3;
 /// Space left of a panel, below and above it \[mm\].
 const MARGIN: (f64, f64, f64) = (13.0, 12.0, 6.0);
@@ -16,10 +16,10 @@ const MARGIN: (f64, f64, f64) = (13.0, 12.0, 6.0);
 const LEGEND: f64 = 12.0;
 /// Size of letters in points.
 const TEXT: f64 = 7.5;
-/// Size of the letters in squares, and of those at the axes, in points.
+/// Size of the letters in squares and at the axes, in points.
 const SMALL: f64 = 6.0;
 
-/// The map on paper.
+/// Drawing of a map.
 pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawing {
     let own = cells.iter().zip(measured).filter(|(cell, _)| cell.place == map.name);
     let own: Vec<&Measured> = own.map(|(_, measured)| measured).collect();
@@ -36,7 +36,7 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
         let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
         let title = match run.method {
             REFERENCE => "Exact, by the second route".into(),
-            // The panels are narrow.
+            // The panels are too narrow for the whole name.
             method => label_of(method).replace(" in contact", ""),
         };
         panel(map, (corner, &title), &runs, &mut shapes);
@@ -48,7 +48,7 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
     }
 }
 
-/// One method: squares row by row from below, numbers at the axes.
+/// Draws one method: squares row by row from below, numbers at the axes.
 fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: &mut Vec<Shape>) {
     let (n_x, n_y) = (map.x.values.len(), map.y.values.len());
     for (index, run) in runs.iter().enumerate() {
@@ -82,7 +82,7 @@ fn worst(run: &Run) -> Class {
     classes.max_by_key(|class| class.look().rank).unwrap_or(Class::Nothing)
 }
 
-/// A square with the letter of its class.
+/// Draws a square with the letter of its class.
 fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
     let look = class.look();
     shapes.push(Shape::boxed(corner, (SIDE, SIDE), look.fill, Pen::solid(Shade::White, 0.5)));
@@ -90,7 +90,7 @@ fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
     shapes.push(Shape::text(middle, look.letter, SMALL, Align::Middle));
 }
 
-/// The classes in two rows, from good to bad.
+/// The legend of the classes in two rows, from good to bad.
 fn legend(width: f64, height: f64) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let column = (width - 6.0) / 5.0;
@@ -106,7 +106,7 @@ fn legend(width: f64, height: f64) -> Vec<Shape> {
     shapes
 }
 
-/// A value at an axis: plain, or as a power of ten.
+/// A value at an axis: a plain number, or a power of ten.
 fn number(value: f64) -> String {
     if value == 0.0 || (1e-2..=1e3).contains(&value) {
         format!("{value}")

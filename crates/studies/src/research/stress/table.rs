@@ -1,4 +1,4 @@
-//! Cells and their counts as CSV.
+//! Tables of the extreme scenes and of their counts as CSV.
 
 use super::class::Class;
 use super::measure::{Judged, Measured, Run};
@@ -6,7 +6,7 @@ use crate::research::work_precision::MethodQuantity;
 use crate::study::stress::Cell;
 use pounding_text::{Cell as Text, Table};
 
-/// A row per scene and method, of the scenes that pass the test.
+/// One row per scene and method, for the scenes that pass a test.
 pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) -> bool) -> String {
     let own = cells.iter().zip(measured).filter(|(cell, _)| test(cell));
     let rows = own.flat_map(|(cell, measured)| measured.runs.iter().map(move |run| (cell, run)));
@@ -44,15 +44,15 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
         .csv()
 }
 
-/// Two digits: what an error is worth.
+/// Errors get two digits: more are not reliable.
 fn short(value: Option<f64>) -> Text {
     Text::number(value, |value| format!("{value:.1e}"))
 }
 
-/// Whether a number is counted.
+/// A test of a number that is counted.
 type Test = fn(&Judged) -> bool;
 
-/// Counts of the summary, with their columns.
+/// Columns of the summary with the test that each counts.
 const COUNTS: [(&str, Test); 6] = [
     ("compared", Judged::is_compared),
     ("false_alarms", Judged::is_false_alarm),
@@ -62,7 +62,7 @@ const COUNTS: [(&str, Test); 6] = [
     ("false_alarms_unmeasured", Judged::is_false_alarm_unmeasured),
 ];
 
-/// How many numbers of all runs are of each class: by method, by quantity, and in all.
+/// Numbers of each class over all runs: by method, by quantity, and in all.
 pub(super) fn summary(measured: &[Measured]) -> String {
     let numbers = || {
         let runs = measured.iter().flat_map(|measured| &measured.runs);

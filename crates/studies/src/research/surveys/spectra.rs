@@ -1,4 +1,4 @@
-//! Spectra of pounding: what two elastic structures do to each other, over both periods.
+//! Spectra of pounding: the effects of two elastic structures on each other, over both periods.
 
 use super::cases::{Case, Response, rows, sdof, set_period, with_gap};
 use super::heat::{Classes, Heat, HeatRow};
@@ -15,37 +15,37 @@ use rand_pcg::rand_core::Rng;
 /// A pair of structures with a gap.
 #[derive(Debug, Clone, Copy)]
 struct Cell {
-    /// Which periods.
+    /// Index of the left structure's period.
     left: usize,
     right: usize,
     gap: f64,
     mass_ratio: f64,
 }
 
-/// What is shown of a run.
+/// Quantities of a run in tables and figures.
 #[derive(Debug, Clone, Copy)]
 struct Numbers([f64; 4]);
 
-/// Their names.
+/// Names of the quantities.
 const KEYS: [&str; 4] = [
     "force_over_weight",
     "impulse_over_reduced_mass_m_per_s",
     "left_over_alone",
     "right_over_alone",
 ];
-/// Colours of forces, impulses and amplifications.
+/// Classes of forces, impulses and amplifications.
 const FORCE: Classes = Classes::Rising([0.25, 0.5, 1.0, 2.0, 4.0]);
 const IMPULSE: Classes = Classes::Rising([0.5, 1.0, 2.0, 4.0, 8.0]);
 const AMPLIFICATION: Classes = Classes::About([0.5, 0.75, 0.95, 1.05, 1.5, 2.5]);
-/// Periods with a number at the axes \[s\].
+/// Periods that have a number at the axes \[s\].
 const TICKS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 4.0];
 
-/// The pairs under the motions.
+/// The pairs with their motions.
 struct Spectra<'a> {
     settings: &'a PoundingSpectra,
     template: &'a Scene,
     cases: Vec<&'a Case>,
-    /// Peak displacement alone of every period, for every case \[m\].
+    /// Peak displacement without neighbours, for every period and case \[m\].
     alone: Vec<Vec<f64>>,
 }
 
@@ -114,7 +114,7 @@ impl Spectra<'_> {
         scene
     }
 
-    /// What happens under every motion.
+    /// The quantities under every motion.
     fn numbers(&self, cell: Cell) -> Result<Vec<Numbers>, StudyError> {
         let of = |(index, case): (usize, &&Case)| {
             let mut scene = self.scene(cell, index);
@@ -136,7 +136,7 @@ impl Spectra<'_> {
         ])
     }
 
-    /// A row per pair, gap and ratio of masses.
+    /// Table with one row per pair, gap and mass ratio.
     fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> String {
         let periods = &self.settings.periods_s;
         let mut table = Table::of(cells.iter().zip(found))
@@ -174,7 +174,7 @@ impl Spectra<'_> {
             own.map(value).collect()
         };
         let gaps = &self.settings.gaps_over_srss;
-        // Equal masses: the right one is the left one with both periods exchanged.
+        // With equal masses, the map of the right structure is that of the left one with both periods exchanged.
         let n_rows = if mass_ratio.total_cmp(&1.0).is_eq() { 3 } else { 4 };
         let row = |(quantity, (label, classes)): (usize, (&str, Classes))| HeatRow {
             label: label.into(),
@@ -191,8 +191,8 @@ impl Spectra<'_> {
         }
     }
 
-    /// Some runs once more, with a tolerance ten thousand times as large and a record larger by 10⁻¹²: how far the numbers
-    /// move, relative to themselves.
+    /// Repeats some runs with a tolerance ten thousand times as large, and with a record scaled by 1 + 10⁻¹². Returns a table of the
+    /// relative changes of the numbers.
     fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
         const TOLERANCE: f64 = 1e-12;
         const SLIGHT: f64 = 1e-12;
@@ -217,7 +217,7 @@ impl Spectra<'_> {
                 .collect::<Vec<f64>>())
         })?;
         let moves = |(quantity, key)| (key, sorted(moved.iter().map(|moves: &Vec<f64>| moves[quantity])));
-        // Two digits: the last ones are rounding, which other machines may not share.
+        // Two digits: further ones are rounding, which differs between machines.
         let part = |moves: &[f64], part| Text::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
         Ok(Table::of(KEYS.into_iter().enumerate().map(moves))
             .column("quantity", |(key, _)| *key)
@@ -229,12 +229,12 @@ impl Spectra<'_> {
     }
 }
 
-/// In how many cases the pair touches.
+/// Number of cases in which the pair touches.
 fn touching(numbers: &[Numbers]) -> usize {
     numbers.iter().filter(|numbers| numbers.0[1] > 0.0).count()
 }
 
-/// A quantity of all cases in rising order.
+/// A quantity over all cases, in rising order.
 fn of_quantity(numbers: &[Numbers], quantity: usize) -> Vec<f64> {
     sorted(numbers.iter().map(|numbers| numbers.0[quantity]))
 }

@@ -1,5 +1,5 @@
-//! Which method is cheapest for an error, and whether the exact method is the cheaper one: its error of 1e-6 against 1 % of the central
-//! difference method.
+//! The cheapest method for an error, and the price of the exact method at an error of 1e-6 against that of the central difference method at
+//! 1 %.
 
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
@@ -8,20 +8,20 @@ use crate::files::yes_or_no;
 use pounding_scene::{COMPARED_METHODS, ComparedMethod, EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, holding, price};
 use pounding_text::{Cell, Table};
 
-/// Errors asked for \[–\], with their names in per cent.
+/// Largest errors \[–\] with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
 
-/// The cheapest run of a method that holds what is asked, here and at every smaller setting of the ladder.
+/// The cheapest run of a method that passes a test and keeps passing it at every smaller setting of the ladder.
 pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<(&Rung, u64)> {
     let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
-    // Of equal costs the finest.
+    // Of equal costs the finest run counts.
     let rungs = holding(&entrant.rungs, holds).iter().rev();
     rungs
         .filter_map(|rung| Some((rung, rung.outcome.as_ref().ok()?.cost())))
         .min_by_key(|(_, cost)| *cost)
 }
 
-/// A question to every method, and the cheapest run of each that answers it.
+/// A quantity and an error, with the cheapest run of each method that reaches it.
 struct Asked<'a> {
     race: &'a Race,
     quantity: &'static str,
@@ -30,7 +30,7 @@ struct Asked<'a> {
     found: Vec<Option<Run<'a>>>,
 }
 
-/// A run, and its work.
+/// A run with its work.
 type Run<'a> = (&'a Rung, u64);
 
 impl<'a> Asked<'a> {
@@ -45,7 +45,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The cheapest of all.
+    /// The cheapest run of all methods.
     fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
         let runs = COMPARED_METHODS.iter().zip(&self.found);
         runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
@@ -53,7 +53,7 @@ impl<'a> Asked<'a> {
     }
 }
 
-/// For every scene, quantity and error the cheapest method, and the setting that each method needs.
+/// Table of the cheapest method for every scene, quantity and error, with the setting that each method needs.
 pub(super) fn table(races: &[Race]) -> String {
     let mut rows = Vec::new();
     for race in races {
@@ -95,16 +95,16 @@ pub(super) fn table(races: &[Race]) -> String {
         .csv()
 }
 
-/// Error asked of the exact method \[–\].
+/// Largest error of the exact method in the comparison \[–\].
 pub(super) const EXACT: f64 = 1e-6;
-/// Error asked of the central difference method \[–\].
+/// Largest error of the central difference method in the comparison \[–\].
 pub(super) const STEPPING: f64 = 1e-2;
 
-/// What a method needs for an error.
+/// The cost of a method for an error.
 struct Need {
     setting: String,
     work: u64,
-    /// In force evaluations of equal time.
+    /// Cost as a number of force evaluations that take the same time.
     price: u64,
 }
 
@@ -120,7 +120,7 @@ impl Need {
     }
 }
 
-/// What both methods need for their errors of some quantities.
+/// Costs of both methods for their errors in some quantities.
 struct Both<'a> {
     scene: &'a str,
     quantity: &'static str,
@@ -160,7 +160,7 @@ impl<'a> Both<'a> {
     }
 }
 
-/// For every scene and quantity, and for all of them at once, what either method needs.
+/// Table of the costs of both methods for every scene and quantity, and for all quantities at once.
 pub(super) fn exact_or_stepping<'a>(races: &'a [Race]) -> String {
     let of_race = |race: &'a Race| {
         let mut present = MethodQuantity::ALL.to_vec();
