@@ -1,15 +1,15 @@
-//! Where something is that is refused.
+//! Places of faults.
 
 use std::path::{Path, PathBuf};
 
 use crate::{Knob, Naming};
 
-/// Where something is refused: in which file, where in it, in which scene, and in which field. Each may be absent.
+/// The place of a fault: file, spot in the file, scene and field. Each may be absent.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Place {
     /// The file.
     pub file: Option<PathBuf>,
-    /// Where in the file.
+    /// The spot in the file.
     pub spot: Option<Spot>,
     /// Name of the scene.
     pub scene: Option<String>,
@@ -17,14 +17,14 @@ pub struct Place {
     pub field: Option<Knob>,
 }
 
-/// Where in a file, counted from 1.
+/// A spot in a file, counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spot {
     /// A letter of a line: line and column.
     Letter(usize, usize),
     /// A line.
     Line(usize),
-    /// Lines, the first and the last.
+    /// Lines: the first and the last.
     Lines(usize, usize),
     /// A field of a line of numbers: line and field.
     Field(usize, usize),
@@ -33,7 +33,7 @@ pub enum Spot {
 }
 
 impl Place {
-    /// The place in words, one part after the other; nothing where nothing is known.
+    /// The place in words, one part after the other; empty if nothing is known.
     pub(crate) fn words(&self, naming: Naming) -> String {
         let file = self.file.as_ref().map(|file| file.display().to_string());
         let spot = self.spot.map(|spot| spot.to_string());
