@@ -7,7 +7,7 @@
 //!
 //! | Option | Times | Ratios in `results/` |
 //! |---|---|---|
-//! | none | every method on the scenes of two structures, with its accuracy | `wall-time.csv`, and those below but `--peers` |
+//! | none | every method on the scenes of two structures, with its accuracy | `wall-time.csv`, and all below except `--peers` |
 //! | `--savings` | rows with one burden each against the leanest row | `savings.csv` |
 //! | `--storeys` | a floor of a building against a structure of one storey | `storeys.csv` |
 //! | `--lanes` | long rows, scenes in SIMD lanes, sweeps | `bench/`: `structures.csv`, `lanes.csv`, `buildings.csv`, `sweeps.csv` |

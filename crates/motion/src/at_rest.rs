@@ -4,7 +4,7 @@ use crate::{Record, Refused};
 
 /// The record minus (p + q·t) times weights, with p and q such that velocity and displacement end at zero, to rounding.
 ///
-/// There is one weight ≥ 0 for every sample. Two of them must not be zero, or the record is returned as it is.
+/// There is one weight ≥ 0 for every sample. If fewer than two are above zero, the record stays unchanged.
 pub(crate) fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record, Refused> {
     let middle = 0.5 * (weights.len() - 1) as f64;
     let tilted = |(index, weight): (usize, &f64)| weight * (index as f64 - middle);
@@ -25,7 +25,7 @@ pub(crate) fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record
     with(record, samples.map(less).collect())
 }
 
-/// Other samples in the place of a record's.
+/// Replaces the samples of a record.
 fn with(record: &Record, samples: Vec<f64>) -> Result<Record, Refused> {
     Record::new(record.time_step(), samples, record.source())
 }

@@ -50,10 +50,10 @@ use draft::{Draft, Peak, Scale, Stated, reading};
 use pounding_text::{Kind, Naming, Spot};
 use spacing::Spacing;
 
-/// Ctrl-Z, which old programs write after a text.
+/// Ctrl-Z, which old programs write at the end of a text.
 const END_OF_TEXT: u8 = 0x1a;
 
-/// The bytes of a file and, should it be a text, its lines.
+/// The bytes of a file, with its lines if it is a text.
 struct File<'t> {
     bytes: &'t [u8],
     lines: Vec<Line<'t>>,
@@ -64,19 +64,19 @@ struct File<'t> {
 /// The reader of a format.
 struct Reader {
     format: Format,
-    /// Whether the file is in this format, by its content.
+    /// Whether the contents of the file have this format.
     recognises: fn(&File<'_>) -> bool,
-    /// The components in their order; none where a file holds one that has no name.
+    /// The components in their order; none if the file holds a single one without a name.
     components: fn(&File<'_>) -> Result<Vec<Component>, Refused>,
-    /// The component of that index, 0 where none has a name.
+    /// Reads the component with this index, 0 if none has a name.
     read: fn(&File<'_>, usize) -> Result<Draft, Refused>,
-    /// What it says of where and when its motion was recorded.
+    /// Reads the place and time of the recording.
     identity: fn(&File<'_>) -> Identity,
 }
 
 /// The readers; the first that recognises a file reads it.
 ///
-/// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
+/// CSV comes first: its header is unmistakable, and its comments may contain the header of any other format.
 const READERS: [Reader; 26] = [
     csv::READER,
     sac::READER,
@@ -106,12 +106,12 @@ const READERS: [Reader; 26] = [
     plain::READER,
 ];
 
-/// Reads the bytes of a file in any [`Format`], which is recognised by its content, not by a file name.
+/// Reads the bytes of a file in any [`Format`], which is recognised by the contents, not by the file name.
 ///
 /// The file must contain all information; see [`read_declared`].
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`Refused`].
+/// [`Refused`] with the place, the value found, the values allowed and the remedy.
 pub fn read(bytes: &[u8]) -> Result<Accelerogram, Refused> {
     read_declared(bytes, &Declared::default())
 }
@@ -122,8 +122,8 @@ pub fn read(bytes: &[u8]) -> Result<Accelerogram, Refused> {
 /// are replaced in titles and refused in numbers.
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`Refused`]. Refuses what
-/// neither the file nor the caller says, and what both say differently.
+/// [`Refused`] with the place, the value found, the values allowed and the remedy: also for information that neither the file nor the
+/// caller gives, and for contradictions between the two.
 pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, Refused> {
     let read = read_as_declared(bytes, declared);
     read.map_err(|refused| refused.by(Naming::Argument))
@@ -162,7 +162,7 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// Returns the names of the components of a file, in their order; empty for a single component without a name.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+/// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -174,7 +174,7 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
 /// recording.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+/// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn contents(bytes: &[u8]) -> Result<Contents, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -204,7 +204,7 @@ fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
     components.into_iter().map(|component| component.name).collect()
 }
 
-/// The blocks of lines, each from a line at which `begins` is true to the next.
+/// The blocks of lines, each from a line for which `begins` is true to the next one.
 fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
     let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
     starts.push(lines.len());
@@ -246,8 +246,7 @@ fn unknown(file: &File<'_>) -> Refused {
 }
 
 impl<'t> File<'t> {
-    /// Blank lines above the first and rows of nothing but commas below the last say nothing, nor does the mark of DOS for the
-    /// end of a text.
+    /// Blank lines above the first line, rows of only commas below the last, and the DOS mark at the end are ignored.
     fn new(bytes: &'t [u8]) -> Result<Self, Refused> {
         let end = bytes.trim_ascii_end();
         let marks = end.iter().rev().take_while(|byte| **byte == END_OF_TEXT);
@@ -277,7 +276,7 @@ impl<'t> File<'t> {
         &self.lines[..=line.number - first]
     }
 
-    /// The lines behind this one.
+    /// The lines after this one.
     fn behind(&self, line: Line<'_>) -> &[Line<'t>] {
         &self.lines[self.through(line).len()..]
     }

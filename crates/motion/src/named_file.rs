@@ -1,4 +1,4 @@
-//! Names of files: direction and number of the record, and which files belong to one record.
+//! Facts from file names: direction and number of the record, and the files that belong to one record.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -18,15 +18,15 @@ use crate::Direction;
 
 /// A `NamedFile` holds the facts that the name of a file tells.
 ///
-/// They are weaker than the header of the file: a name may hold a word by chance. [`of_all`](Self::of_all) compares the names of a
-/// folder and tells more.
+/// They are weaker than the header of the file, because a name may contain a word by chance. [`of_all`](Self::of_all) compares the names of
+/// a folder and finds more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedFile {
     /// The name with `*` for the direction: components of one record share it.
     pub stem: String,
     /// The word for the direction, in capitals: `UP`, `180`, `HNE`.
     pub word: Option<String>,
-    /// How the component lies; `None` if the word is an azimuth, or a letter that may stand for something else.
+    /// Direction of the component; `None` if the word is an azimuth, or a letter that may mean something else.
     pub direction: Option<Direction>,
     /// Azimuth, up to 360 \[°\]; or a number that looks like one.
     pub azimuth: Option<u16>,
@@ -45,7 +45,7 @@ impl NamedFile {
         Self::of_all(&[name]).remove(0)
     }
 
-    /// Reads the names of one folder together, and keeps their order.
+    /// Reads the names of one folder together, in their order.
     ///
     /// Names that differ only in a word for a direction belong to a common record, wherever the word is. A number is an azimuth only if
     /// another number is a right angle apart, or a vertical component is next to it: `r001`, `r002`, `r091` are three records. A letter
@@ -90,7 +90,7 @@ impl NamedFile {
     }
 }
 
-/// The number behind `RSN` or `NGA_no_` at the start of a name.
+/// The number after `RSN` or `NGA_no_` at the start of a name.
 fn rsn(name: &str) -> Option<u32> {
     let behind = ["RSN", "NGA_NO_"].iter().find_map(|start| {
         let begin = name.get(..start.len())?;

@@ -10,19 +10,18 @@ use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
 use crate::{Envelope, GroundFilter, Record, Refused};
 
-/// Random sequence that all seeds start in; nothing depends on its value.
+/// Random sequence of all seeds; nothing depends on its value.
 const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 
-/// Largest number of terms × samples: some half a minute of work.
+/// Largest number of terms × samples: about half a minute of work.
 const MOST_PRODUCTS: f64 = 1e10;
 
-/// A ground motion of random phases: noise that the ground has filtered, under an envelope.
+/// A ground motion with random phases: noise that the ground has filtered, under an envelope.
 ///
-/// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a
-/// turn (M. Shinozuka and G. Deodatis, *Appl. Mech. Rev.* 44 (1991) 191). The variance of a strong part is that of the
-/// density S up to the cutoff for every seed, its values are nearly normal. The same settings and seed
-/// give the same bits on every machine; a shorter time step that divides the duration samples the same motion, before it
-/// is brought to rest and scaled to a peak.
+/// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a turn (M. Shinozuka
+/// and G. Deodatis, *Appl. Mech. Rev.* 44 (1991) 191). For every seed the variance of a strong part is that of the density S up to the
+/// cutoff, and its values are nearly normal. Equal settings and seeds give equal bits on every machine. A shorter time step that divides
+/// the duration samples the same motion, except for the final correction and scaling.
 ///
 /// The high-pass filter alone does not bring the ground to rest at the end. An envelope that comes and goes within few periods of the
 /// filter leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore subtracted, such that velocity and
@@ -35,7 +34,7 @@ pub struct StochasticMotion {
     pub ground: GroundFilter,
     /// Largest magnitude \[m/s²\], ≥ 0, to which every motion is scaled.
     pub peak: f64,
-    /// How it comes and goes.
+    /// The strength of the motion over time.
     pub envelope: Envelope,
     /// Highest frequency \[Hz\], below half of one over the time step and at least one over the duration; 25 is usual.
     pub cutoff: f64,
@@ -51,7 +50,7 @@ impl StochasticMotion {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         self.ground.check()?;
         self.envelope.check()?;
@@ -74,12 +73,12 @@ impl StochasticMotion {
     /// Those of [`StochasticMotion::check`], and samples that are not finite.
     pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
-        // Any density will do: the peak is scaled.
+        // Any density will do, because the peak is scaled.
         self.shaped(1.0)?.scaled_to_peak(self.peak)
     }
 
-    /// The motion under its envelope, at rest at the end, of white noise of a two-sided spectral density S₀ over circular
-    /// frequency \[m²/s³\]; its peak differs from seed to seed.
+    /// The motion under its envelope, at rest at the end, from white noise of a two-sided spectral density S₀ over circular frequency
+    /// \[m²/s³\]. Its peak differs between seeds.
     fn shaped(&self, density: f64) -> Result<Record, Refused> {
         let mut samples = self.stationary(density)?;
         let factor = |step: usize| self.envelope.at(step as f64 * self.time_step);
@@ -91,12 +90,12 @@ impl StochasticMotion {
         brought_to_rest(&record, &factors)
     }
 
-    /// One period of the stationary motion \[m/s²\] and its first sample once more.
+    /// One period of the stationary motion \[m/s²\], with its first sample repeated at the end.
     fn stationary(&self, density: f64) -> Result<Vec<f64>, Refused> {
         let n_steps = steps(self.duration, self.time_step)?;
         let period = n_steps as f64 * self.time_step;
         let n_terms = steps(self.cutoff, 1.0 / period)?;
-        // Every cosine takes its values from these: all frequencies are multiples of the lowest.
+        // Every cosine takes its values from this table: all frequencies are multiples of the lowest.
         let turn = |step: usize| TAU * (step as f64 / n_steps as f64);
         let table: Vec<[f64; 2]> = (0..n_steps).map(|step| [libm::cos(turn(step)), libm::sin(turn(step))]).collect();
         let mut random = Pcg64::new(u128::from(self.seed), STREAM);

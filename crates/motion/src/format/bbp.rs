@@ -1,4 +1,4 @@
-//! SCEC Broadband Platform: comments behind `#` that name four columns, time and three components, on one line or a line each.
+//! SCEC Broadband Platform: comments after `#` name four columns, time and three components, on one line or one line each.
 //!
 //! The comments give the unit `cm/s` for velocities and, in some files, also for accelerations. Such files count as velocities unless the
 //! caller states otherwise, and need a declared unit.
@@ -48,7 +48,7 @@ fn comments<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &file.lines[..comments.count()]
 }
 
-/// The three components as the comments name them.
+/// The three components named by the comments.
 fn columns<'t>(file: &File<'t>) -> Option<Vec<Column<'t>>> {
     let comments = comments(file);
     let together = comments
@@ -71,7 +71,7 @@ fn columns<'t>(file: &File<'t>) -> Option<Vec<Column<'t>>> {
     })
 }
 
-/// The components that a line names, in its order.
+/// The components that a line names, in the order of the line.
 fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
     let text = line.text().to_ascii_uppercase();
     let mut found: Vec<(usize, &'static str)> = Vec::new();

@@ -93,7 +93,7 @@ fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Resu
     })
 }
 
-/// Times and values that stand in pairs.
+/// Times and values in pairs.
 #[derive(Default)]
 struct Pairs<'t> {
     times: TimeColumn,
@@ -135,7 +135,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
         return Err(refusals::sample_count(numbers.end, values.len(), count.value));
     }
     let (time_step, rest) = times.into_step_from_anywhere(&mut values)?;
-    // A state of rest may have come before the pairs that were counted above.
+    // A state of rest may precede the pairs that were counted above.
     let count = Stated {
         value: values.len(),
         ..count
@@ -158,7 +158,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
     })
 }
 
-/// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown where no title names units.
+/// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown if no title names units.
 pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, Refused> {
     let Some(line) = title::line_with(titles, "UNITS") else {
         return Ok(Scale::Unknown);
@@ -168,8 +168,7 @@ pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, Refused> {
     Ok(Scale::Unit(title::stated_unit(line, units)?))
 }
 
-/// The number of pairs: of a title such as `NO. OF POINTS =   8820`, else the 28th of the whole
-/// numbers.
+/// The number of pairs from a title such as `NO. OF POINTS =   8820`, else from the 28th whole number.
 fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
     if let Some(line) = title::line_with(&header[..TITLES], "POINTS") {
         let text = line.text();
@@ -182,7 +181,7 @@ fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
     title::count(line, &count.map(|count| count.to_string()).unwrap_or_default())
 }
 
-/// The peak of a title such as `UNCOR MAX  =  -.275 G`.
+/// The peak from a title such as `UNCOR MAX  =  -.275 G`.
 fn peak(titles: &[Line<'_>]) -> Option<Peak> {
     titles.iter().find_map(|line| {
         let text = line.text();

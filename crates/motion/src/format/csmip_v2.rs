@@ -13,7 +13,7 @@ use crate::{Direction, Identity, Place, Refused, Site};
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
 
-/// Lines after a channel's first among which its header ends.
+/// Number of lines in which the end of a channel's header is searched.
 const SEARCHED: usize = 80;
 
 pub(super) const READER: Reader = Reader {
@@ -33,8 +33,7 @@ pub(super) fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &file.lines[..file.lines.len().min(TITLES)]
 }
 
-/// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected
-/// one that it was made from.
+/// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected accelerogram that it was made from.
 fn starts(lines: &[Line<'_>], index: usize) -> bool {
     let (Some(first), Some(second)) = (lines.get(index), lines.get(index + 1)) else {
         return false;
@@ -54,7 +53,7 @@ pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(channels(file).into_iter().map(component).collect())
 }
 
-/// The channel as the titles name it: `CHAN  1:  90 DEG` or `COMP N08W`.
+/// The channel as named by the titles: `CHAN  1:  90 DEG` or `COMP N08W`.
 pub(super) fn component(lines: &[Line<'_>]) -> Component {
     let titles = &lines[..lines.len().min(TITLES)];
     let named = titles.iter().find(|line| {
@@ -68,7 +67,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     let name = title::before(title::before(&text, "("), "LOCATION");
     let mut words: Vec<&str> = name.split_whitespace().collect();
     if words.first().is_some_and(|word| word.eq_ignore_ascii_case("COMP")) {
-        // The length of the title may follow; or the direction does, behind the number of the channel.
+        // The length of the title may follow; or the direction may, after the number of the channel.
         let is_length = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
         let kept = if words
             .get(2)
@@ -130,7 +129,7 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The unit behind the step of a block's line, or else of the peak in the titles; unknown where neither has one.
+/// The unit after the step of a block's line, else the unit of the peak in the titles; unknown if both are missing.
 fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, Refused> {
     let format = behind.rfind('(').filter(|_| Columns::named_in(line).is_some());
     let unit = &behind[..format.unwrap_or(behind.len())];

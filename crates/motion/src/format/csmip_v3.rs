@@ -1,4 +1,4 @@
-//! CSMIP volume 3: spectra and no history, refused with advice.
+//! CSMIP volume 3: it holds spectra instead of a history, and is refused with advice.
 
 use super::{File, Format, Reader, no_identity, title};
 use crate::refusals;

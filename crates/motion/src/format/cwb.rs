@@ -1,7 +1,6 @@
-//! CWB (CWA) of Taiwan: keys, behind `#` in most files, then time, up, north and east in 4F10.3, or in the order of a key.
+//! CWB (CWA) of Taiwan: keys, in most files after `#`, then time, up, north and east in 4F10.3, or in the order of a key.
 //!
-//! What the header calls the amplitudes may still have the offset of the instrument, so they are not
-//! held against the values.
+//! The amplitudes in the header may include the offset of the instrument, so they are not compared with the values.
 
 use super::columns::Columns;
 use super::table::Table;
@@ -97,7 +96,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
     let rate = key(header, "SampleRate(Hz):")?;
     let length = key(header, "RecordLength(sec):")?;
-    // The last step may be counted or not; a row that is missing is told.
+    // The last step may be counted or not; a missing row is reported.
     let count = (length.value * rate.value).round();
     let off = n_samples as f64 - count;
     if off.abs() > 1.0 {
@@ -137,7 +136,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The number behind a key such as `SampleRate(Hz):`.
+/// The number after a key such as `SampleRate(Hz):`.
 fn key(header: &[Line<'_>], key: &'static str) -> Result<Stated<f64>, Refused> {
     let (line, printed) = said(header, key).ok_or(refusals::no_key(key))?;
     let place = Place::Line(line.number);

@@ -1,4 +1,4 @@
-//! Why the values of a file end early: a damaged number, or another cause.
+//! The reason why the values of a file end early: a damaged number, or another cause.
 
 use super::File;
 use crate::line::{excerpt, number};
@@ -6,7 +6,7 @@ use crate::refusals;
 use crate::{Place, Refused};
 use pounding_text::{Kind, Spot};
 
-/// The same error, or one that names the field where the values stopped.
+/// The error, or an error about the field at which the values stopped.
 pub(super) fn located(error: Refused, file: &File<'_>) -> Refused {
     let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(Kind::CutShort)) else {
         return error;
@@ -24,7 +24,7 @@ pub(super) fn located(error: Refused, file: &File<'_>) -> Refused {
     }
 }
 
-/// Whether a line of numbers, sound or damaged, stands behind the last value.
+/// Whether a line of numbers, sound or damaged, follows the last value.
 pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
     let last = end.line().unwrap_or(usize::MAX);
     let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
@@ -32,7 +32,7 @@ pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
     next.is_some_and(|line| line.pieces().all(is_like_a_number))
 }
 
-/// A number, or what is left of one: digits with commas, the asterisks of Fortran, the words of programs for what is no number.
+/// Whether a piece is a number or remains of one: digits with commas, the asterisks of Fortran, the words of programs for NaN.
 fn is_like_a_number(piece: &[u8]) -> bool {
     let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);
     let has_digit = piece.iter().any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));

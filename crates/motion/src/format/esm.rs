@@ -7,10 +7,10 @@ use crate::line::{Line, number};
 use crate::refusals;
 use crate::{Identity, Place, Refused, Site};
 
-/// Lines in which keys are looked for; their number is 64 in all files seen.
+/// Number of lines in which keys are searched; all known files have 64.
 const HEADER: usize = 100;
 
-/// Depth at which a sensor is no longer at the ground \[m\].
+/// Largest depth of a sensor that counts as at the ground \[m\].
 const DEEP: f64 = 3.0;
 
 pub(super) const READER: Reader = Reader {

@@ -1,8 +1,8 @@
 //! K-NET and KiK-net: 17 lines of keys, then whole numbers of a digitiser, eight to a line.
 //!
-//! The scale factor of the header, such as `3920(gal)/6182761`, turns counts into gal. The counts
-//! have an offset, so their mean is removed, as it is for the peak in the header. Directions are
-//! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface, each north-south, east-west and up.
+//! The scale factor in the header, such as `3920(gal)/6182761`, turns counts into gal. The counts have an offset, so their mean is removed,
+//! as for the peak in the header. Directions are compass points. On KiK-net they are 1 to 3 in the borehole and 4 to 6 at the surface, each
+//! north-south, east-west and up.
 //!
 //! The network does not allow redistribution of its files, and none was available: this follows its description and programs that read the
 //! format.
@@ -46,7 +46,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-/// The direction as stated, and in words where it is a number of KiK-net: `6: UP`.
+/// The direction as stated, with words if it is a number of KiK-net: `6: UP`.
 fn direction(stated: String) -> String {
     match stated.as_str() {
         "1" | "4" => format!("{stated}: N-S"),

@@ -1,9 +1,7 @@
-//! USGS SMC: titles, numbers that describe, comments after `|`, then eight values of ten bytes to a
-//! line.
+//! USGS SMC: titles, descriptive numbers, comments after `|`, then eight values of ten bytes per line.
 //!
-//! The numbers in the header say how many comments and values there are and how many samples make a
-//! second; they begin with the marks of what is missing. Where no rate is given the values are pairs of time and value. The
-//! format fixes the unit.
+//! The numbers in the header give the number of comments, the number of values and the rate; they begin with the marks of missing values.
+//! Without a rate the values are pairs of time and value. The format fixes the unit.
 
 use super::columns::{Columns, leading_data};
 use super::numbers::is_mark;
@@ -14,7 +12,7 @@ use crate::line::{Line, number};
 use crate::refusals;
 use crate::{AccelerationUnit, Identity, Place, Refused, Site};
 
-/// Lines of titles, of whole numbers, and of numbers with a point.
+/// Numbers of title lines, of lines of whole numbers, and of lines of numbers with a point.
 const TITLES: usize = 11;
 const WHOLE: usize = 6;
 const REAL: usize = 10;
@@ -27,8 +25,7 @@ pub(super) const READER: Reader = Reader {
     identity: |file| identity_of(&file.lines),
 };
 
-/// The component of the title, such as `component=  360`, where there is one; `UP` where the header says that the sensor
-/// stands upright.
+/// The component in the title, such as `component=  360`, if there is one; `UP` if the header describes an upright sensor.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
 fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
@@ -43,11 +40,11 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
         let name = title::words(title::after(&text, "COMPONENT=")?);
         Some(name).filter(|name| !name.is_empty())
     });
-    // The place of the sensor stands behind the last comma of the station: `Del Valle Dam, crest`.
+    // The place of the sensor follows the last comma of the station: `Del Valle Dam, crest`.
     let station = station(titles).unwrap_or_default();
     let site = Site::of_location(station.rsplit_once(',').map_or("", |(_, place)| place));
     let component = |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
-    // A number would be the azimuth of an upright sensor.
+    // A number would be the azimuth of an upright sensor, which has no meaning.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
     let line = line.or(titles.last().copied());
     let line = line.map_or(1, |line| line.number);
@@ -59,7 +56,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     })
 }
 
-/// The station of the title.
+/// The station in the title.
 fn station(titles: &[Line<'_>]) -> Option<String> {
     let line = title::line_with(titles, "STATION =")?;
     let text = line.text();
@@ -78,7 +75,7 @@ fn identity_of(lines: &[Line<'_>]) -> Identity {
     }
 }
 
-/// A stage from 1 to 9 and its name, then a line with a star.
+/// Whether the first line is a stage from 1 to 9 with its name, and the second has a star.
 fn recognises(file: &File<'_>) -> bool {
     let [first, second, ..] = file.lines[..] else {
         return false;
@@ -98,12 +95,12 @@ struct Header<'l, 't> {
     real_lines: &'l [Line<'t>],
     whole: Vec<Option<f64>>,
     real: Vec<Option<f64>>,
-    /// Marks of what is missing.
+    /// Marks of missing values.
     missing: Vec<f64>,
 }
 
 impl<'l, 't> Header<'l, 't> {
-    /// The header, and what follows it.
+    /// Splits the header from the lines after it.
     fn split(lines: &'l [Line<'t>]) -> Result<(Self, &'l [Line<'t>]), Refused> {
         let split = lines.split_at_checked(TITLES + WHOLE + REAL);
         let (header, rest) = needed(split, lines.last().copied(), "the numbers of its header")?;
@@ -125,7 +122,7 @@ impl<'l, 't> Header<'l, 't> {
         Ok((header, rest))
     }
 
-    /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
+    /// Splits off the comments. The 16th whole number, counted from 1, is their number.
     fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), Refused> {
         let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
         let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");
@@ -140,13 +137,13 @@ impl<'l, 't> Header<'l, 't> {
         ))
     }
 
-    /// The 17th whole number: how many numbers follow.
+    /// The 17th whole number: the number of values.
     fn count(&self) -> Result<Stated<usize>, Refused> {
         let count = number_of(&self.whole, 17).map(|count| count.to_string());
         title::count(self.whole_lines[2], &count.unwrap_or_default())
     }
 
-    /// The second number with a point: samples in a second; none where it is marked as missing.
+    /// The second number with a point, the rate in samples per second, as a time step; `None` if it is marked as missing.
     fn time_step(&self) -> Result<Option<Stated<f64>>, Refused> {
         let rate = number_of(&self.real, 2);
         let is_missing = rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
@@ -212,7 +209,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     })
 }
 
-/// How the values stand: five of fourteen bytes to a line, as some programs write them, or eight of ten.
+/// The columns of the values: five of fourteen bytes per line, as some programs write them, or eight of ten.
 fn data_columns(data: &[Line<'_>]) -> Columns {
     let wide = Columns::new(5, 14);
     let is_wide = data.first().is_some_and(|line| {
@@ -240,8 +237,7 @@ fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
     })
 }
 
-/// Pairs of time and value, which stand where the header gives no rate; it counts the numbers, or the pairs. Some files go on
-/// behind them.
+/// Pairs of time and value, for a header without a rate; its count is that of the numbers or of the pairs. Some files continue after them.
 fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
     let fields = data.iter().flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
     let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
@@ -272,7 +268,7 @@ fn number_of(numbers: &[Option<f64>], n: usize) -> Option<f64> {
     numbers.get(n - 1).copied().flatten()
 }
 
-/// The larger of the largest value, number 30, and the smallest, number 32, where both are given.
+/// The larger magnitude of the largest value, number 30, and the smallest, number 32, if both are given.
 fn peak(real: &[Option<f64>], lines: &[Line<'_>]) -> Option<Peak> {
     let missing = number_of(real, 1)?;
     let stated = |n| number_of(real, n).filter(|value| !is_mark(*value, missing));
@@ -284,7 +280,7 @@ fn peak(real: &[Option<f64>], lines: &[Line<'_>]) -> Option<Peak> {
             place: Place::Line(lines[5].number),
             text: format!("{value} cm/s²"),
         },
-        // Seven digits are printed, fewer of the values.
+        // The peak has seven digits, more than the values.
         digit: value * 1e-6,
         unit: None,
     })

@@ -143,7 +143,7 @@ fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
     assert!(outcome.work.events < 10_000, "{:?}", outcome.work);
 }
 
-/// Undecidable differences are told apart from faults: 1/67 loses touches with the last digits of its data, and changes of its data by
+/// Undecidable differences do not count as faults: 1/67 loses touches with the last digits of its data, and changes of its data by
 /// 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {

@@ -1,4 +1,4 @@
-//! How the numbers of a plain text stand: one after the other, or in columns.
+//! The arrangement of the numbers in a plain text: one after the other, or in columns.
 
 use super::super::File;
 use super::super::said::{Other, Said};
@@ -11,30 +11,30 @@ use crate::refusals;
 use crate::{Place, Refused};
 use pounding_text::{Knob, Spot};
 
-/// Rows of numbers and what is known of them.
+/// Rows of numbers with their properties.
 pub(super) struct Layout<'l, 't> {
     /// The lines above the first numbers.
     pub(super) titles: &'l [Line<'t>],
-    /// What they say.
+    /// The statements of the titles.
     pub(super) said: Said,
-    /// Numbers of a header, where they stand above the rows.
+    /// Numbers of a header above the rows, if any.
     pub(super) above: Option<Above<'t>>,
     pub(super) rows: Rows<'l, 't>,
     pub(super) kind: Kind<'t>,
 }
 
-/// How values stand in rows.
+/// The arrangement of values in rows.
 pub(super) enum Kind<'t> {
-    /// One after the other, any number to a row; perhaps below a name.
+    /// One after the other, with any number per row, and possibly a name above.
     Values(Option<Name<'t>>),
-    /// A time in each row, perhaps, and a value of each component.
+    /// One value of each component per row, possibly with a time.
     Table {
         clock: Option<Clock>,
         /// The columns of components.
         columns: Vec<usize>,
         names: Option<Vec<Name<'t>>>,
     },
-    /// That is not known; the reason.
+    /// Unknown, for this reason.
     Unknown(&'static str),
 }
 
@@ -123,8 +123,8 @@ impl<'l, 't> Layout<'l, 't> {
         }
     }
 
-    /// Columns with names: those of times, of sums and of numbers of rows are no components, nor are those of velocities and
-    /// displacements beside accelerations.
+    /// Columns with names. Columns of times, sums and row numbers are not components, nor are velocities and displacements next to
+    /// accelerations.
     fn named(rows: &Rows<'_, '_>, names: Vec<Name<'t>>) -> Kind<'t> {
         if !rows.is_full() {
             return Kind::Unknown("the rows below have others");
