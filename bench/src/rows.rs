@@ -4,7 +4,7 @@
 //! step has to follow, therefore does not grow with the height.
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::{
     Building, COMPARED_METHODS, Columns, Contact, Damping, Error, FileUse, Method, REFERENCE, RIVAL, RecordUse, RunBudget,
     STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure, label_of,
@@ -107,7 +107,7 @@ impl TimedRow {
         let name = format!("{} buildings of {} storeys", size.buildings, size.storeys);
         let building = |index| Structure::Building(building(index, size.storeys, condition.yielding));
         let structures = (0..size.buildings).map(building).collect();
-        let prepared = timed_row((name, structures), condition.touching.then_some(GAP), method, (record, DURATION))?;
+        let prepared = timed_row(name, structures, condition.touching.then_some(GAP), method, record, DURATION)?;
         Ok(Self { prepared })
     }
 
@@ -130,10 +130,12 @@ impl TimedRow {
 /// # Errors
 /// [`Error`] if the record cannot be read.
 pub(crate) fn timed_row(
-    (name, structures): (String, Vec<Structure>),
+    name: String,
+    structures: Vec<Structure>,
     gap: Option<f64>,
     method: Method,
-    (record, duration): (&Path, f64),
+    record: &Path,
+    duration: f64,
 ) -> Result<Simulation, Error> {
     let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
         impact_stiffness: 2.75e9,
@@ -239,13 +241,13 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
     let mut guide: Vec<(f64, f64)> = costs.iter().map(slope).collect();
     guide.sort_by(|one, other| one.0.total_cmp(&other.0));
     guide.dedup();
-    let mut curves = vec![Curve::new(Kind::Dashed, Shade::Silver, guide).named("Slope one")];
+    let mut curves = vec![Curve::new(CurveKind::Dashed, Shade::Silver, guide).named("Slope one")];
     for (method, shade, mark) in METHODS {
         let own = costs.iter().filter(|cost| cost.method == method);
         let mut points: Vec<_> = own.map(|cost| (count(cost.size), cost.over_smallest)).collect();
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         if !points.is_empty() {
-            let curve = Curve::new(Kind::Line, shade, points).marked(mark);
+            let curve = Curve::new(CurveKind::Line, shade, points).marked(mark);
             curves.push(curve.named(label_of(method)));
         }
     }

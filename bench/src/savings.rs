@@ -1,16 +1,15 @@
 //! Savings of models without unneeded features, on rows of 2 to 1000 structures.
 
 use std::path::Path;
-use std::time::Duration;
 
 use pounding_scene::{Damping, Error, Extras, Method, Sdof, Simulation, Structure};
 use serde_json::json;
 
-use crate::measure::{Outcome, Table, in_turn, median};
+use crate::measure::{Outcome, RatioTable, Rounds, in_turn, median};
 use crate::rows::timed_row;
 use crate::setting::RECORD;
 
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/savings.csv",
     title: "Wall time beside the lean row (no pairs, elastic, peaks and impulses alone)",
     header: "method,structures,burden,wall_time_ratio",
@@ -18,7 +17,7 @@ const TABLE: Table = Table {
 /// Lengths of the rows.
 const LENGTHS: [usize; 4] = [2, 10, 100, 1000];
 /// Least number and duration of runs of each row.
-const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
+const ROUNDS: Rounds = Rounds::new(3, 2);
 
 /// Times rows with a single additional feature against the lean row, in turn, and keeps the ratios of their medians.
 pub(super) fn run(root: &Path) -> Outcome<()> {
@@ -96,7 +95,7 @@ impl Burdened {
             Burden::None | Burden::Yielding | Burden::Histories | Burden::Ledger => None,
         };
         let structures = (0..n).map(|index| structure(index, burden == Burden::Yielding)).collect();
-        let prepared = timed_row((format!("{n} structures"), structures), gap, method, (record, DURATION))?;
+        let prepared = timed_row(format!("{n} structures"), structures, gap, method, record, DURATION)?;
         Ok(Self { prepared, burden })
     }
 

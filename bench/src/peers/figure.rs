@@ -1,6 +1,6 @@
 //! Figure of error over CPU time for programs that solve equal scenes.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 
 /// Smaller errors are rounding \[–\].
 const ROUNDING: f64 = 1e-14;
@@ -84,6 +84,6 @@ fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {
     let mark = marks[place.unwrap_or(0) % marks.len()];
     let visible = one.points.iter().filter(|(_, error)| *error < WORTHLESS);
     let points = visible.map(|(time, error)| (*time, error.max(ROUNDING)));
-    let curve = Curve::new(Kind::Line, one.competitor.shade(), points.collect());
+    let curve = Curve::new(CurveKind::Line, one.competitor.shade(), points.collect());
     curve.marked(mark).named(one.label.clone())
 }

@@ -44,10 +44,10 @@ mod values;
 
 use crate::line::{Line, lines};
 use crate::refusals;
-use crate::{Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, Refused, Site};
+use crate::{Accelerogram, Channel, Contents, Declared, Direction, FilePlace, Format, Identity, Refused, Site};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
-use pounding_text::{Kind, Naming, Spot};
+use pounding_text::{Naming, RefusalKind, Spot};
 use spacing::Spacing;
 
 /// Ctrl-Z, which old programs write at the end of a text.
@@ -139,7 +139,7 @@ fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, R
     let components = (reader.components)(&file)?;
     let index = chosen(&components, declared.component.as_deref())?;
     let draft = (reader.read)(&file, index).map(|mut draft| {
-        let remark = |line| reading("decimal commas", Some(Place::Line(line)), "read as points");
+        let remark = |line| reading("decimal commas", Some(FilePlace::Line(line)), "read as points");
         draft.remarks.extend(commas.map(remark));
         draft
     });
@@ -238,7 +238,7 @@ fn unknown(file: &File<'_>) -> Refused {
         None => refusals::empty(),
         Some(line) => {
             let said = format!("line {} begins none of the formats known: {}", line.number, Format::names());
-            let refused = Refused::that_at(Spot::Line(line.number), said).kind(Kind::NoRecord);
+            let refused = Refused::that_at(Spot::Line(line.number), said).kind(RefusalKind::NoRecord);
             refused.help("fetch the file again in one of them, or write one number to a line")
         }
     };

@@ -77,7 +77,7 @@ pub use named_file::NamedFile;
 pub use named_file::Quantity;
 pub use pounding_text::Refused;
 pub use pulses::{HalfSinePulse, RickerPulse};
-pub use reading::{Place, Reading};
+pub use reading::{FilePlace, Reading};
 pub use record::{Record, at_rest};
 pub use site::Site;
 pub use stochastic::StochasticMotion;

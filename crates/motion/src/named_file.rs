@@ -9,7 +9,7 @@ mod place;
 mod quantity;
 mod way;
 
-use place::Place;
+use place::DirectionWord;
 use way::Way;
 
 pub use quantity::Quantity;
@@ -52,13 +52,13 @@ impl NamedFile {
     /// such as `U` is up next to `E` or `N`; letters that count, as in `A`, `B`, `E`, have no meaning.
     pub fn of_all<N: AsRef<OsStr>>(names: &[N]) -> Vec<Self> {
         let names: Vec<_> = names.iter().map(|name| name.as_ref().to_string_lossy()).collect();
-        let places: Vec<Vec<Place>> = names.iter().map(|name| Place::all_of(name)).collect();
-        let mut groups: BTreeMap<&str, Vec<&Place>> = BTreeMap::new();
+        let places: Vec<Vec<DirectionWord>> = names.iter().map(|name| DirectionWord::all_of(name)).collect();
+        let mut groups: BTreeMap<&str, Vec<&DirectionWord>> = BTreeMap::new();
         for place in places.iter().flatten() {
             groups.entry(&place.stem).or_default().push(place);
         }
-        let read = |(name, places): (&Cow<'_, str>, &Vec<Place>)| {
-            let group = |place: &Place| &groups[place.stem.as_str()][..];
+        let read = |(name, places): (&Cow<'_, str>, &Vec<DirectionWord>)| {
+            let group = |place: &DirectionWord| &groups[place.stem.as_str()][..];
             let paired = places.iter().find(|place| place.is_paired(group(place)));
             let mut telling = places.iter().filter(|place| place.tells);
             let place = paired.or_else(|| telling.find(|place| !place.is_listed(group(place))));
@@ -66,7 +66,7 @@ impl NamedFile {
             Self {
                 stem: paired.map_or_else(|| name.to_string(), |place| place.stem.clone()),
                 word: place.map(|place| place.word.clone()),
-                direction: place.and_then(Place::direction),
+                direction: place.and_then(DirectionWord::direction),
                 azimuth: place.and_then(|place| place.azimuth),
                 quantity: Quantity::of_name(name),
                 rsn: rsn(name),

@@ -13,16 +13,16 @@ pub struct Reading {
     pub found: String,
 }
 
-/// A `Place` is a position in a file, counted from 1.
+/// A `FilePlace` is a position in a file, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum FilePlace {
     /// A line of a text.
     Line(usize),
     /// A byte of a binary file.
     Byte(usize),
 }
 
-impl Place {
+impl FilePlace {
     /// Returns the line; `None` in a binary file.
     pub fn line(self) -> Option<usize> {
         match self {
@@ -32,7 +32,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePlace {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(out, "line {line}"),

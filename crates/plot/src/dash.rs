@@ -1,16 +1,16 @@
 //! Lines split into dashes, which plotters does not do in an SVG.
 
-use super::Point;
+use super::PaperPoint;
 
 /// Length of a dash and of the space after it, in widths of the line.
 const DASH: (f64, f64) = (4.0, 2.4);
 
 /// Cuts a line into dashes; `width` is that of the line \[mm\].
-pub(super) fn dashes(points: &[Point], width: f64) -> Vec<Vec<Point>> {
+pub(super) fn dashes(points: &[PaperPoint], width: f64) -> Vec<Vec<PaperPoint>> {
     let lengths = [DASH.0 * width, DASH.1 * width];
-    let mut dashes: Vec<Vec<Point>> = Vec::new();
+    let mut dashes: Vec<Vec<PaperPoint>> = Vec::new();
     let (mut phase, mut left) = (0, lengths[0]);
-    let mut dash: Vec<Point> = points.first().copied().into_iter().collect();
+    let mut dash: Vec<PaperPoint> = points.first().copied().into_iter().collect();
     for pair in points.windows(2) {
         let (mut from, to) = (pair[0], pair[1]);
         loop {

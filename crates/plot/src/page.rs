@@ -10,7 +10,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBAColor, RGBColor, ShapeStyle, TextStyle};
 
 use super::text::{CAPITAL, FAMILY, MM_PER_POINT};
-use super::{Align, Drawing, Fill, Pen, PlotError, Point, Shade, Shape, dash, text};
+use super::{Align, Drawing, Fill, PaperPoint, Pen, PlotError, Shade, Shape, dash, text};
 
 /// Units of the canvas in a millimetre.
 const UNITS: f64 = 100.0;
@@ -69,7 +69,7 @@ fn with_header(written: &str, drawing: &Drawing) -> String {
 /// Whether all of a shape is at finite positions on the paper or close to it.
 fn on_paper(drawing: &Drawing, shape: &Shape) -> bool {
     let reach = 10.0 * drawing.width.max(drawing.height);
-    let near = |&(x, y): &Point| x.abs() <= reach && y.abs() <= reach;
+    let near = |&(x, y): &PaperPoint| x.abs() <= reach && y.abs() <= reach;
     match shape {
         Shape::Rectangle { corner, size, .. } => near(corner) && near(size),
         Shape::Circle { centre, radius, .. } => near(centre) && near(&(*radius, 0.0)),
@@ -137,60 +137,60 @@ impl Page<'_> {
                 radius,
                 fill,
                 outline,
-            } => self.circle(*centre, *radius, (*fill, *outline)),
+            } => self.circle(*centre, *radius, *fill, *outline),
             Shape::Polygon { corners, fill, outline } => {
                 self.polygon(corners, *fill)?;
                 outline.map_or(Ok(()), |pen| self.outline(corners, pen))
             }
             Shape::Line { points, pen } => self.line(points, *pen),
-            Shape::Arrow { from, to, pen } => self.arrow((*from, *to), *pen),
+            Shape::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
             Shape::Text { .. } => self.text(shape),
         }
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "`on_paper` bounds coordinates to 2e6 units")]
-    fn unit(&self, (x, y): Point) -> (i32, i32) {
+    fn unit(&self, (x, y): PaperPoint) -> (i32, i32) {
         ((x * UNITS).round() as i32, ((self.height - y) * UNITS).round() as i32)
     }
 
-    fn units(&self, points: &[Point]) -> Vec<(i32, i32)> {
+    fn units(&self, points: &[PaperPoint]) -> Vec<(i32, i32)> {
         let mut units: Vec<_> = points.iter().map(|&point| self.unit(point)).collect();
         units.dedup();
         units
     }
 
-    fn rectangle(&mut self, (x, y): Point, (width, height): Point, fill: Fill) -> Result<(), PlotError> {
+    fn rectangle(&mut self, (x, y): PaperPoint, (width, height): PaperPoint, fill: Fill) -> Result<(), PlotError> {
         let (upper_left, lower_right) = (self.unit((x, y + height)), self.unit((x + width, y)));
         self.canvas
             .draw_rect(upper_left, lower_right, &inside(fill), true)
             .map_err(|_| REFUSED)
     }
 
-    fn circle(&mut self, centre: Point, radius: f64, look: (Option<Fill>, Option<Pen>)) -> Result<(), PlotError> {
+    fn circle(&mut self, centre: PaperPoint, radius: f64, fill: Option<Fill>, outline: Option<Pen>) -> Result<(), PlotError> {
         let centre = self.unit(centre);
-        if let Some(fill) = look.0 {
+        if let Some(fill) = fill {
             self.canvas
                 .draw_circle(centre, size(radius), &inside(fill), true)
                 .map_err(|_| REFUSED)?;
         }
-        let Some(pen) = look.1 else { return Ok(()) };
+        let Some(pen) = outline else { return Ok(()) };
         self.canvas
             .draw_circle(centre, size(radius), &stroke(pen), false)
             .map_err(|_| REFUSED)
     }
 
-    fn polygon(&mut self, corners: &[Point], fill: Fill) -> Result<(), PlotError> {
+    fn polygon(&mut self, corners: &[PaperPoint], fill: Fill) -> Result<(), PlotError> {
         let corners = self.units(corners);
         self.canvas.fill_polygon(corners, &inside(fill)).map_err(|_| REFUSED)
     }
 
     /// Draws a line around corners, and on to the second corner, so that it closes with a corner.
-    fn outline(&mut self, corners: &[Point], pen: Pen) -> Result<(), PlotError> {
+    fn outline(&mut self, corners: &[PaperPoint], pen: Pen) -> Result<(), PlotError> {
         let points = corners.iter().chain(corners.iter().take(2));
         self.line(&points.copied().collect::<Vec<_>>(), pen)
     }
 
-    fn line(&mut self, points: &[Point], pen: Pen) -> Result<(), PlotError> {
+    fn line(&mut self, points: &[PaperPoint], pen: Pen) -> Result<(), PlotError> {
         let pieces = if pen.dashed {
             dash::dashes(points, pen.points * MM_PER_POINT)
         } else {
@@ -205,8 +205,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn arrow(&mut self, ends: (Point, Point), pen: Pen) -> Result<(), PlotError> {
-        let (from, to) = ends;
+    fn arrow(&mut self, from: PaperPoint, to: PaperPoint, pen: Pen) -> Result<(), PlotError> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = (dx * dx + dy * dy).sqrt();
         if length == 0.0 {
@@ -218,7 +217,7 @@ impl Page<'_> {
     }
 
     /// Draws a head in a direction of length 1; returns the end of its shaft.
-    fn head(&mut self, tip: Point, (dx, dy): Point, pen: Pen) -> Result<Point, PlotError> {
+    fn head(&mut self, tip: PaperPoint, (dx, dy): PaperPoint, pen: Pen) -> Result<PaperPoint, PlotError> {
         let width = pen.points * MM_PER_POINT;
         let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
         let neck = (tip.0 - long * dx, tip.1 - long * dy);

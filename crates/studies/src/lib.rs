@@ -5,11 +5,11 @@
 //! verdicts on the paper's claims.
 //!
 //! ```
-//! use pounding_studies::{Completed, StudyFile, Table};
+//! use pounding_studies::{Completed, StudyFile, StudyTable};
 //!
 //! // Table 4 of the paper: two structures, 30 mm apart, with the nonlinear viscoelastic element under El Centro.
 //! let study = StudyFile::read("../../studies/table-4.json".as_ref())?;
-//! let table = Table::of(&Completed::run(study, &|| ())?)?.expect("the study prints a table");
+//! let table = StudyTable::of(&Completed::run(study, &|| ())?)?.expect("the study prints a table");
 //! let force = |quantity| {
 //!     let mut values = table.values.iter();
 //!     values.find(|one| (&*one.row, &*one.quantity) == ("elastic 1.2", quantity)).map(|one| one.value)
@@ -51,7 +51,7 @@ pub use paper::agreement::{CLOSE, Comparison, Published, PublishedValues, REPROD
 pub use paper::claims::{Claim, ClaimCount, ClaimCounts, Finding, Survival, claims, claims_csv};
 pub use paper::figures::figure_png;
 pub use paper::printed::{NotPrinted, Printed, PrintedDigits};
-pub use paper::tables::{Table, Value};
+pub use paper::tables::{StudyTable, Value};
 pub use program::PapersProgram;
 pub use reproduce::{Reproduction, Studies};
 pub use research::examples::Examples;
@@ -67,6 +67,6 @@ pub use study::change::Change;
 pub use study::completed::Completed;
 pub use study::laws::AtlasSettings;
 pub use study::other_motions::{BeyondSettings, ListedMotion, Strength};
-pub use study::stress::{Edges, Extent, Line, Map, Values};
+pub use study::stress::{ChangeSeries, Edges, Extent, Map, Values};
 pub use study::surveys::{Fragility, HeldConstant, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity, StiffnessRatio, Survey};
 pub use study::{Output, Study, StudyFile};

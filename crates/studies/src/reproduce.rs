@@ -6,7 +6,7 @@ use crate::paper::tables::Value;
 use crate::program::Program;
 use crate::{
     Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes, Output, PublishedValues,
-    StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv, figure_png, paper,
+    StudyError, StudyFile, StudyTable, Trade, agreement_csv, claims, claims_csv, figure_png, paper,
 };
 use pounding_scene::parallel;
 use std::collections::BTreeMap;
@@ -152,7 +152,7 @@ fn rendered(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Resu
     } else {
         Files::new()
     };
-    let (id, table) = (&study.file.id, Table::of(study)?);
+    let (id, table) = (&study.file.id, StudyTable::of(study)?);
     if let Some(table) = &table {
         files.insert(Path::new("tables").join(id).with_extension("csv"), table.to_csv().into_bytes());
     }

@@ -95,7 +95,7 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
 }
 
 /// A column of a table: its name, and a function that takes its cell from a row. Header and cells therefore always match.
-struct Column<'a, Row> {
+struct TableColumn<'a, Row> {
     name: Cow<'static, str>,
     cell: Box<dyn Fn(&Row) -> Cell + 'a>,
 }
@@ -115,7 +115,7 @@ struct Column<'a, Row> {
 /// ```
 pub struct Table<'a, Row> {
     rows: Vec<Row>,
-    columns: Vec<Column<'a, Row>>,
+    columns: Vec<TableColumn<'a, Row>>,
 }
 
 impl<Row> std::fmt::Debug for Table<'_, Row> {
@@ -137,7 +137,7 @@ impl<'a, Row> Table<'a, Row> {
     /// Adds a column whose cells `cell` takes from the rows. Numbers get seven significant digits, unless `cell` returns [`Cell::number`].
     #[must_use]
     pub fn column<C: Into<Cell>>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
-        self.columns.push(Column {
+        self.columns.push(TableColumn {
             name: name.into(),
             cell: Box::new(move |row| cell(row).into()),
         });

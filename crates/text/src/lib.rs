@@ -38,10 +38,10 @@ mod words;
 
 pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
 pub use knob::{Knob, Naming};
-pub use place::{Place, Spot};
+pub use place::{FaultPlace, Spot};
 pub use refused::{Refusal, Refused, refusal_json};
 pub use visible::{message, steers, visible};
-pub use words::{Kind, Words};
+pub use words::{RefusalKind, Words};
 
 /// A number as a message repeats it: as written if that is short, else with seven significant digits. It never prints the 309 digits of
 /// 1.7e308.

@@ -6,7 +6,7 @@ use crate::{Knob, Naming};
 
 /// The place of a fault: file, spot in the file, scene and field. Each may be absent.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct FaultPlace {
     /// The file.
     pub file: Option<PathBuf>,
     /// The spot in the file.
@@ -32,7 +32,7 @@ pub enum Spot {
     Byte(usize),
 }
 
-impl Place {
+impl FaultPlace {
     /// The place in words, one part after the other; empty if nothing is known.
     pub(crate) fn words(&self, naming: Naming) -> String {
         let file = self.file.as_ref().map(|file| file.display().to_string());
@@ -62,7 +62,7 @@ impl std::fmt::Display for Spot {
 
 macro_rules! from {
     ($($part:ty, $name:ident, $place:expr;)+) => {$(
-        impl From<$part> for Place {
+        impl From<$part> for FaultPlace {
             fn from($name: $part) -> Self {
                 $place
             }

@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::words::{Piece, Words};
-use crate::{Kind, Knob, Naming, Place, message};
+use crate::{FaultPlace, Knob, Naming, RefusalKind, message};
 
 /// The reason for a refusal in parts: `place: found this, allowed is that; help`.
 ///
@@ -18,20 +18,20 @@ pub struct Refused(Box<Parts>);
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct Parts {
-    place: Place,
+    place: FaultPlace,
     /// Whether the sentence itself names the line or byte.
     names_spot: bool,
     /// The value found, the values allowed and the remedy.
-    said: [Part; 3],
+    said: [RefusalPart; 3],
     /// Index of the part that was added last.
     last: usize,
-    kind: Kind,
+    kind: RefusalKind,
     wants: Option<Knob>,
     naming: Naming,
 }
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-struct Part {
+struct RefusalPart {
     lead: Cow<'static, str>,
     words: Words,
 }
@@ -73,7 +73,7 @@ impl Parts {
 
 impl Refused {
     /// A refusal with a place.
-    pub fn at(place: impl Into<Place>) -> Self {
+    pub fn at(place: impl Into<FaultPlace>) -> Self {
         let mut new = Self::default();
         new.0.place = place.into();
         new
@@ -85,7 +85,7 @@ impl Refused {
     }
 
     /// A refusal with a sentence of the caller that itself names the line or byte.
-    pub fn that_at(place: impl Into<Place>, sentence: impl Into<Words>) -> Self {
+    pub fn that_at(place: impl Into<FaultPlace>, sentence: impl Into<Words>) -> Self {
         let mut new = Self::at(place).is(sentence);
         new.0.names_spot = true;
         new
@@ -101,7 +101,7 @@ impl Refused {
         };
         let mut new = Self::default();
         new.0.place.field = Some(field).filter(|field| !field.is_empty()).map(Knob::field);
-        new.0.said = said.map(|(lead, words)| Part {
+        new.0.said = said.map(|(lead, words)| RefusalPart {
             lead: lead.into(),
             words: words.into(),
         });
@@ -110,12 +110,12 @@ impl Refused {
 
     /// A refusal by the operating system when a file is used.
     pub fn by_system(file: &Path, error: &io::Error) -> Self {
-        Self::at(file).is(error.to_string()).kind(Kind::System(error.kind()))
+        Self::at(file).is(error.to_string()).kind(RefusalKind::System(error.kind()))
     }
 
     /// A refusal by the operating system when a file is read.
     pub fn unreadable(file: &Path, error: &io::Error) -> Self {
-        let kind = Kind::System(error.kind());
+        let kind = RefusalKind::System(error.kind());
         Self::at(file).is("cannot be read: ").and(error.to_string()).kind(kind)
     }
 
@@ -210,13 +210,13 @@ impl Refused {
     fn say(mut self, part: usize, lead: &'static str, words: Words) -> Self {
         self.0.last = part;
         let lead = lead.into();
-        self.0.said[part] = Part { lead, words };
+        self.0.said[part] = RefusalPart { lead, words };
         self
     }
 
     /// Sets the kind of the refusal.
     #[must_use]
-    pub fn kind(mut self, kind: Kind) -> Self {
+    pub fn kind(mut self, kind: RefusalKind) -> Self {
         self.0.kind = kind;
         self
     }
@@ -250,22 +250,22 @@ impl Refused {
     }
 
     /// The place of the fault.
-    pub fn place(&self) -> &Place {
+    pub fn place(&self) -> &FaultPlace {
         &self.0.place
     }
 
     /// The place of the fault, for additions.
-    pub fn place_mut(&mut self) -> &mut Place {
+    pub fn place_mut(&mut self) -> &mut FaultPlace {
         &mut self.0.place
     }
 
     /// Whether the refusal is of a kind.
-    pub fn is_kind(&self, kind: Kind) -> bool {
+    pub fn is_kind(&self, kind: RefusalKind) -> bool {
         self.0.kind == kind
     }
 
     /// The kind of the refusal, to hand it on.
-    pub fn own_kind(&self) -> Kind {
+    pub fn own_kind(&self) -> RefusalKind {
         self.0.kind
     }
 
@@ -357,11 +357,11 @@ pub struct Refusal {
 /// Never panics: texts have a JSON form.
 pub fn refusal_json(refused: &Refused) -> String {
     #[derive(Serialize)]
-    struct Line {
+    struct JsonLine {
         error: Refusal,
     }
     let error = refused.parts();
-    serde_json::to_string(&Line { error }).expect("texts are JSON")
+    serde_json::to_string(&JsonLine { error }).expect("texts are JSON")
 }
 
 #[cfg(test)]
@@ -369,7 +369,7 @@ mod tests {
     use std::path::Path;
 
     use super::Refused;
-    use crate::{Kind, Knob, Naming, Spot};
+    use crate::{Knob, Naming, RefusalKind, Spot};
 
     fn parts(refused: &Refused) -> [String; 5] {
         let of = refused.parts();
@@ -460,6 +460,6 @@ mod tests {
             assert!(said.iter().zip(wanted).all(|(said, wanted)| said.ends_with(wanted)), "{said:?}");
         }
         assert_eq!(unit.wanted(), Some(&Knob::Unit));
-        assert!(unit.is_kind(Kind::Wrong));
+        assert!(unit.is_kind(RefusalKind::Wrong));
     }
 }

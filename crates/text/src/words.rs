@@ -8,7 +8,7 @@ use crate::{Knob, Naming};
 /// The kind of a refusal, for callers that do more than repeat it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Kind {
+pub enum RefusalKind {
     /// A fault that the user can remove.
     #[default]
     Wrong,

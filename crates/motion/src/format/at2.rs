@@ -3,7 +3,7 @@
 mod header;
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, values};
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 
 pub(super) const READER: Reader = Reader {
     format: Format::PeerAt2,
@@ -40,10 +40,10 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         && points.count == numbers.values.len()
     {
         let found = format!("{:?}, which the values have, and not {:?}", points.line.excerpt(), line.excerpt());
-        remarks.push(reading("count", Some(Place::Line(points.line.number)), &found));
+        remarks.push(reading("count", Some(FilePlace::Line(points.line.number)), &found));
         stated = points;
     }
-    let of_line = Place::Line(stated.line.number);
+    let of_line = FilePlace::Line(stated.line.number);
     let text = stated.line.excerpt();
     Ok(Draft {
         values: numbers.values,
@@ -62,7 +62,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         scale: unit.map_or(Scale::Unknown, |unit| {
             Scale::Unit(Stated {
                 value: AccelerationUnit::StandardGravity,
-                place: Place::Line(unit.number),
+                place: FilePlace::Line(unit.number),
                 text: unit.excerpt(),
             })
         }),

@@ -8,7 +8,7 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
 /// Number of title lines of a channel, of lines of its header, and of lines up to the one that begins with the rate.
 const TITLES: usize = 13;
@@ -65,7 +65,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let is_near = |duration: f64| (duration - count.value as f64 * step.value).abs() < 1.5 * step.value;
     if !duration.is_none_or(is_near) {
         return Err(refusals::header(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the duration that the number of points and the rate of the header give",
         ));

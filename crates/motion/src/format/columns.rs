@@ -15,7 +15,7 @@ const WIDEST: usize = 1000;
 
 /// A Fortran format of equal fields, such as 8F10.5: eight to a line, each ten bytes wide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Columns {
+pub(super) struct FixedColumns {
     pub(super) per_line: usize,
     /// Number of blanks before the first number.
     lead: usize,
@@ -24,13 +24,13 @@ pub(super) struct Columns {
     whole: bool,
 }
 
-impl fmt::Display for Columns {
+impl fmt::Display for FixedColumns {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{} to a line, {} bytes each", self.per_line, self.width)
     }
 }
 
-impl Columns {
+impl FixedColumns {
     pub(super) const fn new(per_line: usize, width: usize) -> Self {
         Self {
             per_line,

@@ -1,21 +1,21 @@
 //! The components of a file, and the choice of one.
 
 use crate::refusals::listed;
-use crate::{Place, Refused, Site};
+use crate::{FilePlace, Refused, Site};
 use pounding_text::Knob;
 
 /// One component of a file.
 #[derive(Debug)]
 pub(super) struct Component {
     pub(super) name: String,
-    pub(super) place: Place,
+    pub(super) place: FilePlace,
     /// Place of its sensor.
     pub(super) site: Site,
 }
 
 impl Component {
     /// A component whose file does not give the place of its sensor.
-    pub(super) fn new(name: impl Into<String>, place: Place) -> Self {
+    pub(super) fn new(name: impl Into<String>, place: FilePlace) -> Self {
         Self {
             name: name.into(),
             place,
@@ -116,10 +116,10 @@ fn cuts_number(left: char, right: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Component, chosen};
-    use crate::Place;
+    use crate::FilePlace;
 
     fn components(names: &[&str]) -> Vec<Component> {
-        let component = |name: &&str| Component::new(*name, Place::Line(1));
+        let component = |name: &&str| Component::new(*name, FilePlace::Line(1));
         names.iter().map(component).collect()
     }
 

@@ -5,13 +5,13 @@
 //! code for their unit. A volume 2 may have velocity and displacement as further channels; only those of acceleration are listed. Volume 1
 //! was available, volumes 0 and 2 were not.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Direction, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity, Refused, Site};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cosmos,
@@ -32,7 +32,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Result<Vec<&'l [Line<'t>]>, Refused> 
     if channels.is_empty() {
         let line = file.lines[0];
         return Err(refusals::not_acceleration(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the channels of acceleration of the record",
         ));
@@ -58,9 +58,9 @@ fn component(channel: &[Line<'_>]) -> Component {
     if Direction::of_component(&name).is_none()
         && let Some((line, code)) = code(channel)
     {
-        return Component::new(code, Place::Line(line.number)).at(site);
+        return Component::new(code, FilePlace::Line(line.number)).at(site);
     }
-    Component::new(name, Place::Line(line.number)).at(site)
+    Component::new(name, FilePlace::Line(line.number)).at(site)
 }
 
 /// Number of lines in which the code of a channel is searched.
@@ -114,7 +114,7 @@ struct Block<'l, 't> {
 fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, Refused> {
     let (line, rest) = needed(lines.split_first(), None, "a block of its header")?;
     let text = line.text();
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let n_lines = title::after(&text, word).and_then(title::first_number);
     let n_lines = n_lines.and_then(|number| number.parse().ok());
     let n_lines: usize = n_lines.ok_or_else(|| refusals::header(place, line.excerpt(), "the number of lines of the block below"))?;
@@ -139,9 +139,14 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let marks = [unknown];
     // In counts the mark may be a valid value.
     let marks = if matches!(scale, Scale::Counts(_)) { &[][..] } else { &marks[..] };
-    let columns = Columns::named_in(*line);
-    let columns =
-        columns.ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a Fortran format such as Format=(8F10.5)"))?;
+    let columns = FixedColumns::named_in(*line);
+    let columns = columns.ok_or_else(|| {
+        refusals::header(
+            FilePlace::Line(line.number),
+            line.excerpt(),
+            "a Fortran format such as Format=(8F10.5)",
+        )
+    })?;
     let numbers = columns.numbers(*line, leading_data(data), marks)?;
     let header = Header::new(&real, unknown);
     let time_step = header.stated(62).map(|step| Stated {
@@ -163,7 +168,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
             unit: None,
         }),
         provenance: title::provenance(titles),
-        remarks: vec![reading("columns", Some(Place::Line(line.number)), &columns.to_string())],
+        remarks: vec![reading("columns", Some(FilePlace::Line(line.number)), &columns.to_string())],
     })
 }
 
@@ -177,7 +182,7 @@ struct Header<'l, 't> {
 
 impl<'l, 't> Header<'l, 't> {
     fn new(block: &Block<'l, 't>, unknown: f64) -> Self {
-        let columns = Columns::named_in(block.line).unwrap_or(Columns::new(5, 15));
+        let columns = FixedColumns::named_in(block.line).unwrap_or(FixedColumns::new(5, 15));
         Self {
             numbers: columns.header(block.lines),
             lines: block.lines,
@@ -192,7 +197,7 @@ impl<'l, 't> Header<'l, 't> {
         let line = self.lines.get((n - 1) / self.per_line)?;
         (!is_mark(value, self.unknown) && value.is_finite()).then(|| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: format!("number {n} of the block: {value}"),
         })
     }
@@ -211,7 +216,7 @@ fn unknown(titles: &[Line<'_>]) -> f64 {
 
 /// Quantity and unit of the values, from a line such as `7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
 fn scale(line: Line<'_>) -> Result<Scale, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let text = line.excerpt();
     if !title::holds(line, "ACC") {
         return Err(refusals::not_acceleration(
@@ -254,7 +259,7 @@ fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f6
         return Ok(());
     }
     Err(refusals::header(
-        Place::Line(line.number),
+        FilePlace::Line(line.number),
         line.excerpt(),
         "a duration that the number of values and the time step of the header give",
     ))

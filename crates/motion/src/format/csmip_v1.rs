@@ -4,7 +4,7 @@
 //! EQUALLY SPACED AT .005 SEC. (UNITS: G)` above the values. Older files have pairs of time and value, five to a line of 10F7 (USC:
 //! 1X,10F7). Most have a title such as `UNITS ARE SEC AND G/10`; otherwise the unit must be declared.
 
-use super::columns::{Columns, decimal, leading_data};
+use super::columns::{FixedColumns, decimal, leading_data};
 use super::csmip_v2::{component, identity_in};
 use super::numbers::Values;
 use super::time_column::TimeColumn;
@@ -12,14 +12,14 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Lines of titles of a channel, and of all of its header.
 const TITLES: usize = 13;
 const HEADER: usize = 27;
 
 /// Pairs of time and value.
-const PAIRS: Columns = Columns::new(10, 7);
+const PAIRS: FixedColumns = FixedColumns::new(10, 7);
 
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV1,
@@ -78,7 +78,7 @@ fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Resu
     let step = behind("POINTS AT").map(|rate| 1.0 / rate);
     let step = step.or_else(|| behind("SPACED AT"));
     let unit = title::after(&text, "UNITS").or_else(|| title::after(&text, " IN "));
-    let columns = Columns::named_in(line).unwrap_or(Columns::new(8, 9));
+    let columns = FixedColumns::named_in(line).unwrap_or(FixedColumns::new(8, 9));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     Ok(Draft {
         values: numbers.values,
@@ -109,7 +109,7 @@ impl<'t> Pairs<'t> {
             for (index, pair) in fields.chunks(2).enumerate() {
                 let &[time, value] = pair else {
                     return Err(refusals::header(
-                        Place::Line(line.number),
+                        FilePlace::Line(line.number),
                         line.excerpt(),
                         "a value behind each time",
                     ));
@@ -142,7 +142,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
     };
     let remark = reading(
         "columns",
-        Some(Place::Line(header[HEADER - 1].number + 1)),
+        Some(FilePlace::Line(header[HEADER - 1].number + 1)),
         "pairs of time and value",
     );
     Ok(Draft {
@@ -176,7 +176,7 @@ fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
         return title::count(line, count.unwrap_or_default());
     }
     let line = header[TITLES + 1];
-    let whole = Columns::new(16, 5).header(&header[TITLES..TITLES + 7]);
+    let whole = FixedColumns::new(16, 5).header(&header[TITLES..TITLES + 7]);
     let count = whole.get(27).copied().flatten();
     title::count(line, &count.map(|count| count.to_string()).unwrap_or_default())
 }

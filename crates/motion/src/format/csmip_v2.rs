@@ -4,11 +4,11 @@
 //! The line above each block gives the number of values, their step, their unit and, in newer files, their Fortran format; older files have
 //! 8F10.3.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{Direction, Identity, Place, Refused, Site};
+use crate::{Direction, FilePlace, Identity, Refused, Site};
 
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
@@ -80,7 +80,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
         words.truncate(kept);
     }
     let location = title::after(&text, "LOCATION:").unwrap_or_default();
-    Component::new(words.join(" "), Place::Line(line.number)).at(Site::of_location(location))
+    Component::new(words.join(" "), FilePlace::Line(line.number)).at(Site::of_location(location))
 }
 
 /// Station, event and its time: the event is in the title with this index, from 0, and its time in the next title.
@@ -107,8 +107,8 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let spacing = title::after(&text, "SPACED AT").unwrap_or_default();
     let step = title::first_number(spacing).and_then(|step| number(step.as_bytes()));
     let behind = title::after(spacing, "SEC").unwrap_or_default();
-    let named = Columns::named_in(line);
-    let columns = named.unwrap_or(Columns::new(8, 10));
+    let named = FixedColumns::named_in(line);
+    let columns = named.unwrap_or(FixedColumns::new(8, 10));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     let peak = title::line_with(titles, "PEAK ACCELERATION");
     let peak = peak.and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?));
@@ -125,13 +125,13 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         scale: scale(line, behind, peak.as_ref())?,
         peak,
         provenance: title::provenance(titles),
-        remarks: vec![reading("columns", Some(Place::Line(line.number)), &cut)],
+        remarks: vec![reading("columns", Some(FilePlace::Line(line.number)), &cut)],
     })
 }
 
 /// The unit after the step of a block's line, else the unit of the peak in the titles; unknown if both are missing.
 fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, Refused> {
-    let format = behind.rfind('(').filter(|_| Columns::named_in(line).is_some());
+    let format = behind.rfind('(').filter(|_| FixedColumns::named_in(line).is_some());
     let unit = &behind[..format.unwrap_or(behind.len())];
     if unit.bytes().any(|byte| byte.is_ascii_alphabetic()) {
         return Ok(Scale::Unit(title::stated_unit(line, unit)?));

@@ -4,7 +4,7 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused, Site};
+use crate::{FilePlace, Identity, Refused, Site};
 
 /// Number of lines in which titles are searched.
 const TITLES: usize = 25;
@@ -43,7 +43,7 @@ fn component(file: &File<'_>) -> Option<Component> {
     let titles = titles(file);
     let (line, name) = title::value_of(titles, "COMP.")?;
     let place = identity::behind(titles, "OBSERVING POINT:").unwrap_or_default();
-    let component = Component::new(title::words(&name), Place::Line(line.number));
+    let component = Component::new(title::words(&name), FilePlace::Line(line.number));
     Some(component.at(Site::of_location(&place)))
 }
 
@@ -68,7 +68,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let unit = line_of("UNIT:")?;
     if !title::holds(unit, "ACCELERATION") {
         return Err(refusals::not_acceleration(
-            Place::Line(unit.number),
+            FilePlace::Line(unit.number),
             unit.excerpt(),
             "the file of accelerations of the record",
         ));

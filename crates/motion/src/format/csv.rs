@@ -7,7 +7,7 @@ use super::time_column::TimeColumn;
 use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
 use crate::line::Line;
 use crate::refusals;
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 use pounding_text::Spot;
 
 pub(super) const READER: Reader = Reader {
@@ -99,7 +99,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         time_step: Some(time_step),
         scale: Scale::Unit(Stated {
             value: unit,
-            place: Place::Line(header.number),
+            place: FilePlace::Line(header.number),
             text: header.excerpt(),
         }),
         peak: None,

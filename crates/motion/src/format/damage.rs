@@ -3,12 +3,12 @@
 use super::File;
 use crate::line::{excerpt, number};
 use crate::refusals;
-use crate::{Place, Refused};
-use pounding_text::{Kind, Spot};
+use crate::{FilePlace, Refused};
+use pounding_text::{RefusalKind, Spot};
 
 /// The error, or an error about the field at which the values stopped.
 pub(super) fn located(error: Refused, file: &File<'_>) -> Refused {
-    let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(Kind::CutShort)) else {
+    let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(RefusalKind::CutShort)) else {
         return error;
     };
     let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
@@ -25,7 +25,7 @@ pub(super) fn located(error: Refused, file: &File<'_>) -> Refused {
 }
 
 /// Whether a line of numbers, sound or damaged, follows the last value.
-pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
+pub(super) fn goes_on(file: &File<'_>, end: FilePlace) -> bool {
     let last = end.line().unwrap_or(usize::MAX);
     let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
     let next = behind.next();

@@ -1,20 +1,20 @@
 //! Result of a reader, and its comparison with the header and the declaration.
 
 use crate::refusals;
-use pounding_text::{Kind, Knob, plain, short};
+use pounding_text::{Knob, RefusalKind, plain, short};
 
 use super::Format;
 use super::component::Component;
 use super::spacing::{self, Spacing};
 use crate::direction::is_seismometer;
 use crate::shape;
-use crate::{AccelerationUnit, Accelerogram, Declared, Place, Reading, Refused, Unusual};
+use crate::{AccelerationUnit, Accelerogram, Declared, FilePlace, Reading, Refused, Unusual};
 
 /// A statement of a file, with its place and its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Stated<T> {
     pub(crate) value: T,
-    pub(crate) place: Place,
+    pub(crate) place: FilePlace,
     pub(crate) text: String,
 }
 
@@ -52,7 +52,7 @@ pub(crate) struct Peak {
 pub(crate) struct Draft {
     pub(crate) values: Vec<f64>,
     /// Place of the last value.
-    pub(crate) end: Place,
+    pub(crate) end: FilePlace,
     /// Unit of the last printed digit of the largest value; 0 if values are not printed.
     pub(crate) digit: f64,
     pub(crate) count: Option<Stated<usize>>,
@@ -147,7 +147,7 @@ impl Draft {
                 .help("take the record of accelerations, such as channel HNE of an accelerometer, or declare ")
                 .and(Knob::Acceleration)
                 .and(" if the values were turned into accelerations")
-                .kind(Kind::Velocity)
+                .kind(RefusalKind::Velocity)
                 .wants(Knob::Acceleration));
         }
         if let Scale::Displacement(stated) = &self.scale {
@@ -335,10 +335,10 @@ const MOST_DIFFERENT: f64 = 0.2;
 /// Largest relative difference between programs in the value of g: 978 to 983 cm/s².
 const GRAVITY_SPREAD: f64 = 5e-3;
 
-pub(super) fn reading(what: &'static str, place: Option<Place>, found: &str) -> Reading {
+pub(super) fn reading(what: &'static str, place: Option<FilePlace>, found: &str) -> Reading {
     Reading {
         what,
-        line: place.and_then(Place::line),
+        line: place.and_then(FilePlace::line),
         found: found.to_owned(),
     }
 }

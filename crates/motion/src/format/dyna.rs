@@ -3,7 +3,7 @@
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
 /// Number of lines in which the line above the values is searched.
 const HEADER: usize = 40;
@@ -44,7 +44,7 @@ fn said(file: &File<'_>, key: &'static str) -> Option<String> {
 
 fn component(file: &File<'_>) -> Option<Component> {
     let (line, name) = value(file, "Orientation").ok()?;
-    Some(Component::new(name, Place::Line(line.number)))
+    Some(Component::new(name, FilePlace::Line(line.number)))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, Refused> {
@@ -54,7 +54,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     // The files spell it "Accelaration".
     if !last.bytes.to_ascii_uppercase().starts_with(b"ACCEL") {
         return Err(refusals::not_acceleration(
-            Place::Line(last.number),
+            FilePlace::Line(last.number),
             last.excerpt(),
             "the .acc file of the record",
         ));

@@ -4,7 +4,7 @@
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
 /// Number of numbers in the second line.
 const NUMBERS: usize = 8;
@@ -47,7 +47,7 @@ fn component(file: &File<'_>) -> Option<Component> {
     let name = names.pieces().nth(1)?;
     Some(Component::new(
         String::from_utf8_lossy(name).into_owned(),
-        Place::Line(names.number),
+        FilePlace::Line(names.number),
     ))
 }
 

@@ -4,18 +4,18 @@
 //! Values are in mm/s². A V2A was available, a V1A was not. The peak may exclude the offset of uncorrected values: only that of a V2A is
 //! checked.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Identity, Place, Refused};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity, Refused};
 
 /// Numbers of title lines, of lines of whole numbers, and of lines of the whole header.
 const TITLES: usize = 16;
 const WHOLE: usize = 4;
 const HEADER: usize = 26;
 
-const COLUMNS: Columns = Columns::new(10, 8);
+const COLUMNS: FixedColumns = FixedColumns::new(10, 8);
 
 pub(super) const READER: Reader = Reader {
     format: Format::GeoNet,
@@ -47,7 +47,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
             _ => 1,
         };
         let name = words[..n_words.min(words.len())].join(" ");
-        Component::new(name, Place::Line(line.number))
+        Component::new(name, FilePlace::Line(line.number))
     };
     channels(file).into_iter().map(component).collect()
 }
@@ -87,7 +87,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         }
         None => Stated {
             value: AccelerationUnit::MillimetrePerSecondSquared,
-            place: Place::Line(titles[0].number),
+            place: FilePlace::Line(titles[0].number),
             text: "as the format has it".to_owned(),
         },
     };

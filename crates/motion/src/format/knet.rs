@@ -11,7 +11,7 @@ use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused, Site};
 
 /// Lines in which keys are looked for.
 const HEADER: usize = 40;
@@ -33,7 +33,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
         "1" | "2" | "3" => Site::Borehole(format!("Dir. {stated}, of KiK-net's borehole")),
         _ => Site::Ground,
     };
-    let component = Component::new(direction(stated), Place::Line(line.number));
+    let component = Component::new(direction(stated), FilePlace::Line(line.number));
     Ok(vec![component.at(site)])
 }
 
@@ -93,13 +93,13 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         time_step: Some(Spacing::Even(time_step)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(scale_line.number),
+            place: FilePlace::Line(scale_line.number),
             text: scale_line.excerpt(),
         }),
         peak: title::peak(peak_line, &peak),
         provenance: title::provenance(file.through(memo)),
         remarks: vec![
-            reading("scale factor", Some(Place::Line(scale_line.number)), &scale),
+            reading("scale factor", Some(FilePlace::Line(scale_line.number)), &scale),
             reading("mean removed", None, &remark),
         ],
     })
@@ -114,5 +114,11 @@ fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), Refused> {
     let usable = |value: f64| value.is_finite() && value > 0.0;
     parts
         .filter(|(gal, counts)| usable(*gal) && usable(*counts) && usable(gal / counts))
-        .ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a scale factor such as 3920(gal)/6182761"))
+        .ok_or_else(|| {
+            refusals::header(
+                FilePlace::Line(line.number),
+                line.excerpt(),
+                "a scale factor such as 3920(gal)/6182761",
+            )
+        })
 }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use super::component::is_sum;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 use record::Record;
 
 pub(super) const READER: Reader = Reader {
@@ -68,13 +68,13 @@ fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, Refused> {
     streams.retain(is_component);
     match of_none.filter(|_| streams.is_empty()) {
         Some((found, (_, at))) => Err(refusals::not_acceleration(
-            Place::Byte(at + 1),
+            FilePlace::Byte(at + 1),
             found,
             "a stream of one component, this one sums several",
         )),
         None => Ok(streams
             .into_iter()
-            .map(|(name, (_, at))| Component::new(name, Place::Byte(at + 1)))
+            .map(|(name, (_, at))| Component::new(name, FilePlace::Byte(at + 1)))
             .collect()),
     }
 }
@@ -110,7 +110,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     };
     Ok(Draft {
         values,
-        end: Place::Byte(last.at + 1),
+        end: FilePlace::Byte(last.at + 1),
         digit: 0.0,
         count: None,
         time_step: Some(Spacing::Even(Stated {

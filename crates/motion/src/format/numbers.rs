@@ -2,14 +2,14 @@
 
 use crate::line::Line;
 use crate::record::MAX_SAMPLES;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// The numbers of some lines.
 #[derive(Debug)]
 pub(super) struct Numbers {
     pub(super) values: Vec<f64>,
     /// Place of the last number.
-    pub(super) end: Place,
+    pub(super) end: FilePlace,
     /// Unit of the last printed digit of the largest number.
     pub(super) digit: f64,
 }
@@ -46,7 +46,7 @@ impl<'t> Values<'t> {
     pub(super) fn finish(self, header: Line<'_>) -> Numbers {
         Numbers {
             digit: self.largest.digit(),
-            end: Place::Line(self.last_line.unwrap_or(header.number)),
+            end: FilePlace::Line(self.last_line.unwrap_or(header.number)),
             values: self.found,
         }
     }

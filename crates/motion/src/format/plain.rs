@@ -17,9 +17,9 @@ use super::spacing::Spacing;
 use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Reading, Refused, Site};
+use crate::{FilePlace, Reading, Refused, Site};
 use clock::Clock;
-use layout::{Kind, Layout};
+use layout::{Arrangement, Layout};
 use names::Name;
 use pounding_text::{Knob, Spot};
 use rows::first_row;
@@ -45,21 +45,21 @@ pub(super) fn tells(name: &str) -> bool {
 /// The columns of values if there are several; else the component that a title or a name gives.
 fn components(layout: Layout<'_, '_>) -> Vec<Component> {
     let of_titles = layout.said.component;
-    let Kind::Table { columns, names, .. } = &layout.kind else {
+    let Arrangement::Table { columns, names, .. } = &layout.kind else {
         return of_titles.into_iter().collect();
     };
     let first = layout.rows.first().number;
     let component = |column: &usize| match names {
         Some(names) => {
             let name = &names[*column];
-            let component = Component::new(&*name.text, Place::Line(name.line.number));
+            let component = Component::new(&*name.text, FilePlace::Line(name.line.number));
             if name.is_below(names) {
                 component.at(Site::Borehole(name.text.clone()))
             } else {
                 component
             }
         }
-        None => Component::new(format!("column {}", column + 1), Place::Line(first)),
+        None => Component::new(format!("column {}", column + 1), FilePlace::Line(first)),
     };
     if let [only] = columns[..] {
         let tells = names.as_ref().is_some_and(|names| names[only].tells_direction());
@@ -76,7 +76,7 @@ fn components(layout: Layout<'_, '_>) -> Vec<Component> {
 struct Held {
     values: Vec<f64>,
     digit: f64,
-    end: Place,
+    end: FilePlace,
     /// Number of values or rows read, without a state of rest.
     n_read: usize,
     spacing: Option<Spacing>,
@@ -86,13 +86,13 @@ struct Held {
 
 fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, Refused> {
     let held = match &layout.kind {
-        Kind::Values(name) => one_after_the_other(layout, name.as_ref())?,
-        Kind::Table { clock, columns, names } => {
+        Arrangement::Values(name) => one_after_the_other(layout, name.as_ref())?,
+        Arrangement::Table { clock, columns, names } => {
             let column = columns[index.min(columns.len() - 1)];
             let name = names.as_ref().and_then(|names| names.get(column));
             table(layout, clock.as_ref(), column, name)?
         }
-        Kind::Unknown(reason) => return Err(unknown(layout, reason)),
+        Arrangement::Unknown(reason) => return Err(unknown(layout, reason)),
     };
     let comments = layout.titles.iter().map(|line| line.text());
     let comments: Vec<String> = comments
@@ -186,7 +186,7 @@ fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Resu
         end: numbers.end,
         n_read,
         spacing: None,
-        remarks: vec![reading("columns", Some(Place::Line(first.number)), &found)],
+        remarks: vec![reading("columns", Some(FilePlace::Line(first.number)), &found)],
         scale: scale(name, &layout.said),
     })
 }
@@ -204,7 +204,7 @@ fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Op
         (Some(_), several) => format!("{several}, time and components"),
         (None, several) => format!("{several} components"),
     };
-    let place = Place::Line(rows.first().number);
+    let place = FilePlace::Line(rows.first().number);
     let mut held = Held {
         n_read: numbers.values.len(),
         values: numbers.values,
@@ -239,7 +239,7 @@ fn header_above(layout: &Layout<'_, '_>) -> Option<Refused> {
 /// Quantity and unit of the values, from the name of their column and from titles.
 fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
     let of_name = name.map(|name| {
-        let place = Place::Line(name.line.number);
+        let place = FilePlace::Line(name.line.number);
         let text = if name.unit.is_empty() {
             name.text.clone()
         } else {

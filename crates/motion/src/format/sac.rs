@@ -7,7 +7,7 @@ use super::numbers::{at_most, is_mark};
 use super::stamp::Stamp;
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::refusals;
-use crate::{Direction, Identity, Place, Refused, Site};
+use crate::{Direction, FilePlace, Identity, Refused, Site};
 
 /// Number of bytes of the header, and of the part that version 7 adds after the values.
 const HEADER: usize = 632;
@@ -94,8 +94,8 @@ impl<'t> Sac<'t> {
     }
 }
 
-fn byte(at: usize) -> Place {
-    Place::Byte(at + 1)
+fn byte(at: usize) -> FilePlace {
+    FilePlace::Byte(at + 1)
 }
 
 fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, Refused> {
@@ -196,7 +196,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
 }
 
 /// The values, and the place of the last.
-fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), Refused> {
+fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, FilePlace), Refused> {
     let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;

@@ -9,7 +9,7 @@ use super::stamp;
 use super::title::{unit_in, unit_of};
 use super::{Component, Scale, Stated};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Identity, Place};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity};
 use phrases::{around, counts, other_quantity, steps, unit_of_accelerations};
 
 /// Lines above the numbers in which statements are searched.
@@ -143,7 +143,7 @@ impl Said {
         let text = spelt(&line.text());
         let stated = |value| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         };
         let steps = steps(&text);
@@ -151,7 +151,7 @@ impl Said {
         let counts = counts(&text);
         let stated = |value| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         };
         self.counts.extend(counts.into_iter().map(stated));
@@ -161,7 +161,7 @@ impl Said {
     }
 
     fn read_unit(&mut self, line: Line<'_>, text: &str) {
-        let place = Place::Line(line.number);
+        let place = FilePlace::Line(line.number);
         // The unit of another number, such as that of gravity or of a speed of waves.
         if OF_OTHERS.iter().any(|word| text.contains(word)) {
             return;
@@ -229,7 +229,7 @@ impl Said {
             let word = word.filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
             self.component = word
                 .filter(|word| Direction::of_component(word).is_some())
-                .map(|name| Component::new(name, Place::Line(line.number)));
+                .map(|name| Component::new(name, FilePlace::Line(line.number)));
         }
         self.station = self.station.take().or_else(|| name_of(&STATION));
         let rest_of = |keys: &[&str]| {
@@ -254,7 +254,7 @@ impl Said {
             return;
         };
         let fields: Vec<&str> = behind.split(',').map(str::trim).collect();
-        let place = Place::Line(line.number);
+        let place = FilePlace::Line(line.number);
         let names: Vec<&str> = fields[0].split('_').collect();
         if let [network, station, .., channel, _quality] = names[..] {
             self.station = Some(format!("{network}.{station}"));

@@ -4,7 +4,7 @@ use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, no_identity};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// The key of the step, and the beginning of the keys of values.
 const STEP: &[u8] = b"\"dT\"";
@@ -41,7 +41,7 @@ fn lists<'t>(file: &File<'t>) -> Vec<List<'t>> {
             "" => "data",
             name => name,
         };
-        let component = Component::new(name, Place::Line(number));
+        let component = Component::new(name, FilePlace::Line(number));
         let end = memchr::memchr(b']', values)?;
         let bytes = &values[..end];
         Some(List {
@@ -91,7 +91,7 @@ fn step(file: &File<'_>) -> Result<Stated<f64>, Refused> {
     };
     Ok(Stated {
         value: line.finite(1, line.bytes)?,
-        place: Place::Line(line.number),
+        place: FilePlace::Line(line.number),
         text: line.excerpt(),
     })
 }

@@ -3,14 +3,14 @@
 //! The numbers in the header give the number of comments, the number of values and the rate; they begin with the marks of missing values.
 //! Without a rate the values are pairs of time and value. The format fixes the unit.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::numbers::is_mark;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused, Site};
 
 /// Numbers of title lines, of lines of whole numbers, and of lines of numbers with a point.
 const TITLES: usize = 11;
@@ -30,7 +30,7 @@ pub(super) const READER: Reader = Reader {
 fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
     let whole = file.lines.get(TITLES..TITLES + WHOLE);
-    let numbers = whole.map(|lines| Columns::new(8, 10).header(lines));
+    let numbers = whole.map(|lines| FixedColumns::new(8, 10).header(lines));
     // The 13th number is the angle from upright, in degrees.
     let angle = numbers.and_then(|numbers| number_of(&numbers, 13));
     let upright = angle.is_some_and(|angle| [0.0, 180.0].iter().any(|up| is_mark(angle, *up)));
@@ -43,7 +43,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     // The place of the sensor follows the last comma of the station: `Del Valle Dam, crest`.
     let station = station(titles).unwrap_or_default();
     let site = Site::of_location(station.rsplit_once(',').map_or("", |(_, place)| place));
-    let component = |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
+    let component = |name: String, line: usize| Component::new(name, FilePlace::Line(line)).at(site.clone());
     // A number would be the azimuth of an upright sensor, which has no meaning.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
     let line = line.or(titles.last().copied());
@@ -106,8 +106,8 @@ impl<'l, 't> Header<'l, 't> {
         let (header, rest) = needed(split, lines.last().copied(), "the numbers of its header")?;
         let (titles, numbers) = header.split_at(TITLES);
         let (whole_lines, real_lines) = numbers.split_at(WHOLE);
-        let whole = Columns::new(8, 10).header(whole_lines);
-        let real = Columns::new(5, 15).header(real_lines);
+        let whole = FixedColumns::new(8, 10).header(whole_lines);
+        let real = FixedColumns::new(5, 15).header(real_lines);
         let missing = [whole[..].first(), real[..].first()];
         let missing = missing.into_iter().filter_map(|mark| mark.copied().flatten());
         let missing = missing.chain([-32768.0, 1.7e38]).collect();
@@ -131,7 +131,7 @@ impl<'l, 't> Header<'l, 't> {
             return Ok(rest.split_at(found));
         }
         Err(refusals::header(
-            Place::Line(self.whole_lines[1].number),
+            FilePlace::Line(self.whole_lines[1].number),
             self.whole_lines[1].excerpt(),
             "the number of comment lines that follow as the eighth",
         ))
@@ -159,7 +159,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let is_unknown = first.bytes.starts_with(b"0") && title::holds(first, "UNKNOWN");
     if !(title::holds(first, "ACCELEROGRAM") || is_unknown) {
         return Err(refusals::not_acceleration(
-            Place::Line(first.number),
+            FilePlace::Line(first.number),
             first.excerpt(),
             "the accelerogram of the record",
         ));
@@ -181,7 +181,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         if !times.rise() {
             let line = header.real_lines[0];
             return Err(refusals::header(
-                Place::Line(line.number),
+                FilePlace::Line(line.number),
                 line.excerpt(),
                 "a number of samples in a second, or below the header pairs of time and value,",
             ));
@@ -210,13 +210,13 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
 }
 
 /// The columns of the values: five of fourteen bytes per line, as some programs write them, or eight of ten.
-fn data_columns(data: &[Line<'_>]) -> Columns {
-    let wide = Columns::new(5, 14);
+fn data_columns(data: &[Line<'_>]) -> FixedColumns {
+    let wide = FixedColumns::new(5, 14);
     let is_wide = data.first().is_some_and(|line| {
         let fields: Vec<&[u8]> = wide.fields(*line).collect();
         fields.len() > 1 && fields.iter().all(|field| field.len() == 14 && number(field).is_some())
     });
-    if is_wide { wide } else { Columns::new(8, 10) }
+    if is_wide { wide } else { FixedColumns::new(8, 10) }
 }
 
 /// The unit, which the format fixes for accelerations. A file of type `UNKNOWN` must speak of them in its comments.
@@ -231,14 +231,14 @@ fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
     line.map_or(Scale::Unknown, |line| {
         Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: text.to_owned(),
         })
     })
 }
 
 /// Pairs of time and value, for a header without a rate; its count is that of the numbers or of the pairs. Some files continue after them.
-fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
+fn pairs(data: &[Line<'_>], columns: FixedColumns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
     let fields = data.iter().flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
     let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
     let n_numbers = if fields.len() == 2 * count.value {
@@ -248,7 +248,7 @@ fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(
     };
     let Some(fields) = fields.get(..n_numbers) else {
         return Err(refusals::sample_count(
-            data.last().map_or(count.place, |line| Place::Line(line.number)),
+            data.last().map_or(count.place, |line| FilePlace::Line(line.number)),
             fields.len(),
             count.value,
         ));
@@ -277,7 +277,7 @@ fn peak(real: &[Option<f64>], lines: &[Line<'_>]) -> Option<Peak> {
     Some(Peak {
         stated: Stated {
             value,
-            place: Place::Line(lines[5].number),
+            place: FilePlace::Line(lines[5].number),
             text: format!("{value} cm/s²"),
         },
         // The peak has seven digits, more than the values.

@@ -5,7 +5,7 @@ use pounding_text::{Knob, plain, short};
 
 use super::{Stated, reading};
 use crate::record::MAX_SAMPLES;
-use crate::{Declared, Place, Reading, Refused};
+use crate::{Declared, FilePlace, Reading, Refused};
 
 /// Time steps that a file may give without a declaration that repeats them \[s\]. Outside this range the header is damaged, or lacks the
 /// step.
@@ -89,7 +89,7 @@ pub(crate) struct Uneven {
     /// Times \[s\], one per value, none before the previous one.
     pub(crate) times: Vec<f64>,
     /// Place of the first time.
-    pub(crate) place: Place,
+    pub(crate) place: FilePlace,
     /// The refusal that describes the unevenness.
     pub(crate) refusal: Refused,
 }
@@ -256,13 +256,13 @@ pub(super) fn peak(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Uneven;
-    use crate::Place;
+    use crate::FilePlace;
     use crate::refusals;
 
     fn uneven(times: &[f64]) -> Uneven {
         Uneven {
             times: times.to_vec(),
-            place: Place::Line(1),
+            place: FilePlace::Line(1),
             refusal: refusals::empty(),
         }
     }

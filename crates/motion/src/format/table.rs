@@ -8,13 +8,13 @@ use crate::line::Line;
 use pounding_text::Spot;
 
 /// Rows with equal numbers of fields.
-pub(super) struct Table<'l, 't, F> {
+pub(super) struct ComponentTable<'l, 't, F> {
     header: Line<'t>,
     lines: &'l [Line<'t>],
     fields: F,
 }
 
-impl<'l, 't, I, F> Table<'l, 't, F>
+impl<'l, 't, I, F> ComponentTable<'l, 't, F>
 where
     I: Iterator<Item = &'t [u8]>,
     F: Fn(Line<'t>) -> I,

@@ -4,8 +4,8 @@ use super::spacing::{Spacing, Uneven};
 use super::{Stated, reading};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Reading, Refused};
-use pounding_text::{Kind, Knob, Spot, plain};
+use crate::{FilePlace, Reading, Refused};
+use pounding_text::{Knob, RefusalKind, Spot, plain};
 
 /// Largest departure from equal steps that is not due to printing, in steps.
 const UNEVENNESS: f64 = 1e-6;
@@ -63,7 +63,7 @@ impl TimeColumn {
     /// The times unchanged, as uneven ones with ties.
     pub(super) fn into_uneven(self) -> Spacing {
         Spacing::Uneven(Uneven {
-            place: Place::Line(self.lines[0]),
+            place: FilePlace::Line(self.lines[0]),
             refusal: self.unevenness(),
             times: self.times,
         })
@@ -93,7 +93,7 @@ impl TimeColumn {
             (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
             _ => {
                 let found = format!("the {} s of the first line, taken as t = 0", self.times[0]);
-                Some(reading("start", Some(Place::Line(self.lines[0])), &found))
+                Some(reading("start", Some(FilePlace::Line(self.lines[0])), &found))
             }
         };
         Ok((spacing, remark))
@@ -104,7 +104,7 @@ impl TimeColumn {
         values.insert(0, 0.0);
         reading(
             "state of rest",
-            Some(Place::Line(self.lines[0])),
+            Some(FilePlace::Line(self.lines[0])),
             "0 put at t = 0, where the file has nothing",
         )
     }
@@ -126,9 +126,9 @@ impl TimeColumn {
         if !mean.is_finite() {
             // The difference of times near ±1.8e308 overflows.
             let line = self.lines[self.lines.len() - 1];
-            return Err(refusals::time_step(Place::Line(line), mean));
+            return Err(refusals::time_step(FilePlace::Line(line), mean));
         }
-        let place = Place::Line(self.lines[0]);
+        let place = FilePlace::Line(self.lines[0]);
         let Some((time_step, slack)) = self.time_step(mean) else {
             let uneven = Uneven {
                 times: self.times.clone(),
@@ -227,7 +227,7 @@ impl TimeColumn {
         .and(Knob::TimeStep)
         .and(", or print them with more decimals")
         .wants(Knob::TimeStep)
-        .kind(Kind::Uneven)
+        .kind(RefusalKind::Uneven)
     }
 }
 

@@ -4,7 +4,7 @@ use super::numbers::last_digit;
 use super::{Peak, Stated};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 
 /// Units of an acceleration without a length over a time, in capitals.
 const UNITS: [(&str, AccelerationUnit); 8] = {
@@ -52,7 +52,7 @@ pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
 
 /// The unit that a line states in a part of it, or a refusal.
 pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<AccelerationUnit>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let (unit, word) = unit_in(text).ok_or_else(|| refusals::unknown_unit(place, line.excerpt()))?;
     Ok(Stated {
         value: unit,
@@ -106,12 +106,12 @@ pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, S
 
 /// A required line, or a refusal with the values allowed.
 pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, Refused> {
-    found.ok_or_else(|| refusals::truncated(Place::Line(last.map_or(1, |line| line.number)), allowed))
+    found.ok_or_else(|| refusals::truncated(FilePlace::Line(last.map_or(1, |line| line.number)), allowed))
 }
 
 /// A number of a line, as a count above zero.
 pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let value = text.trim().parse().ok().filter(|count| *count > 0);
     let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a whole number of samples above 0"))?;
     Ok(Stated {
@@ -123,7 +123,7 @@ pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, Refused
 
 /// A time step \[s\] of a line, above zero.
 pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a time step"))?;
     if !(value.is_finite() && value > 0.0) {
         return Err(refusals::time_step(place, value));
@@ -142,7 +142,7 @@ pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
     Some(Peak {
         stated: Stated {
             value: number(printed.as_bytes()).filter(|value| value.is_finite())?,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         },
         digit: last_digit(printed.as_bytes()),

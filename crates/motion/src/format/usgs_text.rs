@@ -4,7 +4,7 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused, Site};
+use crate::{FilePlace, Identity, Refused, Site};
 
 /// Number of title lines of a block, and index of the line with the rate, the last but one.
 const TITLES: usize = 7;
@@ -41,7 +41,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
         let text = line.text();
         Component::new(
             title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
         )
         .at(Site::of_location(block[0].text().rsplit_once(',').map_or("", |(_, place)| place)))
     };
@@ -63,7 +63,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let line = file.lines[RATE];
     let Some(block) = channels.get(index) else {
         return Err(refusals::not_acceleration(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the file with DATA TYPE=AC",
         ));

@@ -17,7 +17,7 @@ const COUNTED: &str = "R GM EQ REC RECORD NO RUN MOTION QUAKE SAMPLE TEST CASE S
 const DONE: &str = "SCALE SCALED SET BACK RAMP START BUILD";
 
 /// A word for a direction in a name. It may also be a letter or number that shows that others only count.
-pub(super) struct Place {
+pub(super) struct DirectionWord {
     /// The name with `*` for the word.
     pub(super) stem: String,
     /// The word in capitals.
@@ -30,7 +30,7 @@ pub(super) struct Place {
     may_be_town: bool,
 }
 
-impl Place {
+impl DirectionWord {
     /// The places of a name, last pieces first; after them those of the name without the marks of copies.
     pub(super) fn all_of(name: &str) -> Vec<Self> {
         let mut places = Name::of(name).places();
@@ -99,7 +99,7 @@ impl<'n> Name<'n> {
     }
 
     /// The words of each piece, last piece first: the ends of the piece, longest first, with and without a number.
-    fn places(&self) -> Vec<Place> {
+    fn places(&self) -> Vec<DirectionWord> {
         let mut places = Vec::new();
         for (index, (_, piece)) in self.pieces.iter().enumerate().rev() {
             let letters = uncounted(piece).len();
@@ -118,9 +118,9 @@ impl<'n> Name<'n> {
         places
     }
 
-    fn made(&self, start: usize, end: usize, way: Option<Way>) -> Place {
+    fn made(&self, start: usize, end: usize, way: Option<Way>) -> DirectionWord {
         let before = self.name[..start].trim_end_matches(['-', '_', ' ']);
-        Place {
+        DirectionWord {
             // `A-ELC180` and `A-ELC-UP` belong to one record.
             stem: format!("{before}*{}", &self.name[end..]),
             word: self.name[start..end].to_ascii_uppercase(),
@@ -132,7 +132,7 @@ impl<'n> Name<'n> {
     }
 
     /// A word in two pieces: `N-S`.
-    fn pair(&self, index: usize) -> Option<Place> {
+    fn pair(&self, index: usize) -> Option<DirectionWord> {
         let (at, piece) = self.pieces[index];
         let (next_at, next) = self.pieces.get(index + 1)?;
         let way = Way::of(&format!("{piece}-{next}").to_ascii_uppercase())?;
@@ -142,7 +142,7 @@ impl<'n> Name<'n> {
     }
 
     /// The word between two positions of a piece, if it is one.
-    fn place(&self, index: usize, start: usize, end: usize) -> Option<Place> {
+    fn place(&self, index: usize, start: usize, end: usize) -> Option<DirectionWord> {
         let (at, piece) = self.pieces[index];
         let mut place = self.made(at + start, at + end, None);
         let inner = &piece[..start];

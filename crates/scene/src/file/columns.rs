@@ -1,6 +1,6 @@
 //! Columns of a storey, as files give them.
 
-use pounding_text::{Place, Refused, plain};
+use pounding_text::{FaultPlace, Refused, plain};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -59,7 +59,7 @@ pub(super) struct ColumnsFile {
 }
 
 /// What is converted must be in range here: what comes of it would not tell which field is wrong.
-pub(super) fn positive(field: impl Into<Place>, found: f64) -> Result<f64, Refused> {
+pub(super) fn positive(field: impl Into<FaultPlace>, found: f64) -> Result<f64, Refused> {
     if found > 0.0 && found.is_finite() {
         Ok(found)
     } else {

@@ -1,5 +1,5 @@
 use pounding_solver::{LedgerError, RunError};
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -43,7 +43,7 @@ impl Error {
 
     /// Whether somebody ended the run.
     pub fn is_stopped(&self) -> bool {
-        self.refused().is_kind(Kind::Stopped)
+        self.refused().is_kind(RefusalKind::Stopped)
     }
 
     /// The message without the name of a record file, beside which it stands.
@@ -70,6 +70,6 @@ impl From<Error> for Refused {
 /// What is said of a run that ended early.
 pub fn ended(source: &RunError) -> Refused {
     let is_stopped = matches!(source, RunError::Stopped { .. });
-    let kind = if is_stopped { Kind::Stopped } else { Kind::Wrong };
+    let kind = if is_stopped { RefusalKind::Stopped } else { RefusalKind::Wrong };
     Refused::that(source.to_string()).kind(kind)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use pounding_text::{Kind, short};
+use pounding_text::{RefusalKind, short};
 use serde_json::{Value, json};
 
 use super::{Motion, Suite};
@@ -115,12 +115,12 @@ impl Reason {
         let refused = error.refused();
         let word = refused.word().unwrap_or("by its name");
         match refused.own_kind() {
-            Kind::System(_) => ReasonKind::Unreadable.saying(error.reason()),
-            Kind::NoRecord => ReasonKind::NoRecord.saying(""),
-            Kind::Velocity => ReasonKind::Velocity.saying(word),
-            Kind::Displacement => ReasonKind::Displacement.saying(word),
-            Kind::OtherQuantity => ReasonKind::NoAcceleration.saying(word),
-            Kind::Wrong | Kind::CutShort | Kind::Stopped | _ => ReasonKind::Refused.saying(error.reason()),
+            RefusalKind::System(_) => ReasonKind::Unreadable.saying(error.reason()),
+            RefusalKind::NoRecord => ReasonKind::NoRecord.saying(""),
+            RefusalKind::Velocity => ReasonKind::Velocity.saying(word),
+            RefusalKind::Displacement => ReasonKind::Displacement.saying(word),
+            RefusalKind::OtherQuantity => ReasonKind::NoAcceleration.saying(word),
+            RefusalKind::Wrong | RefusalKind::CutShort | RefusalKind::Stopped | _ => ReasonKind::Refused.saying(error.reason()),
         }
     }
 

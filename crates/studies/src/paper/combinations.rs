@@ -1,9 +1,9 @@
 //! Every combination of the choices of the paper's program, with the number of printed numbers that each gives.
 
 use crate::program::{Choice, Program, Start};
-use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
+use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyTable};
 use pounding_scene::parallel;
-use pounding_text::Table as Text;
+use pounding_text::Table;
 use std::collections::BTreeMap;
 
 /// Tables whose numbers are counted, and the running text.
@@ -55,7 +55,7 @@ impl Combination {
                 continue;
             }
             let again = study.by_program(|printed| self.of(printed))?;
-            let table = Table::of(&again)?.unwrap_or_default();
+            let table = StudyTable::of(&again)?.unwrap_or_default();
             values.insert(id.to_string(), table.values);
         }
         Ok(published.compare(&values))
@@ -84,7 +84,7 @@ pub(super) fn combinations(completed: &[Completed], published: &PublishedValues)
         "text" => "digits_of_text".into(),
         table => format!("digits_of_table_{table}"),
     };
-    Ok(Text::of(all.iter().zip(&compared))
+    Ok(Table::of(all.iter().zip(&compared))
         .columns(Choice::ALL, |choice| choice.texts()[0].into(), |(one, _), choice| one.words(choice))
         .columns(COUNTED, name, |(_, compared), table| count(compared, Some(table)))
         .column("digits_of_all", |(_, compared)| count(compared, None))

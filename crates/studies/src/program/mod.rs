@@ -10,7 +10,7 @@ use pounding_solver::{Clock, Hysteretic, OnRow, Pair, Recorder, Recorders, Row, 
 use serde::{Deserialize, Serialize};
 
 pub(crate) use choices::{Choice, Program, Start};
-use stepping::Run;
+use stepping::Stepping;
 
 /// Makes a study run by the paper's program: it runs the scenes that name the central difference method.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -114,7 +114,7 @@ impl<R: Recorder> OnRow for ProgramRun<'_, R> {
     type Output = Result<(), RunError>;
 
     fn on<Column: Hysteretic>(mut self, row: &Row<Column>) -> Self::Output {
-        let run = Run::new(self.program, row, self.clock.time_step);
-        run.run(self.record, self.clock, (&mut self.seen, self.momentum))
+        let run = Stepping::new(self.program, row, self.clock.time_step);
+        run.run(self.record, self.clock, &mut self.seen, self.momentum)
     }
 }

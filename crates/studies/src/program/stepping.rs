@@ -41,7 +41,7 @@ impl<Memory> Body<Memory> {
 }
 
 /// A run of the program over a row.
-pub(super) struct Run<'a, Column: RestoringForce> {
+pub(super) struct Stepping<'a, Column: RestoringForce> {
     program: Program,
     row: &'a Row<Column>,
     time_step: f64,
@@ -52,7 +52,7 @@ pub(super) struct Run<'a, Column: RestoringForce> {
     pushes: Vec<Push<'static>>,
 }
 
-impl<'a, Column: RestoringForce> Run<'a, Column> {
+impl<'a, Column: RestoringForce> Stepping<'a, Column> {
     pub(super) fn new(program: Program, row: &'a Row<Column>, time_step: f64) -> Self {
         let body = |node: &pounding_solver::Node<Column>| Body {
             mass: 1.0 / node.inverse_mass,
@@ -80,7 +80,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         mut self,
         record: &Record,
         loaded: Clock,
-        (seen, momentum): (&mut R, &mut TransferredMomentum),
+        seen: &mut R,
+        momentum: &mut TransferredMomentum,
     ) -> Result<(), RunError> {
         let accelerations = self.program.accelerations(record, loaded);
         let times_loads = if self.program.is_described(Choice::Length) { 1 } else { 2 };
@@ -251,7 +252,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let start = body.last;
             if end_time > start_time {
                 let mean = |one: f64, other: f64| 0.5 * dt * (one + other);
-                list_pushes(&mut self.pushes, row, structure, ([start, end], dt));
+                list_pushes(&mut self.pushes, row, structure, [start, end], dt);
                 let span = Span {
                     structure,
                     start_time,
@@ -288,12 +289,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
 }
 
 /// Lists the actions of the pairs on a structure over a step, at most one on each side.
-fn list_pushes<Column: RestoringForce>(
-    pushes: &mut Vec<Push<'_>>,
-    row: &Row<Column>,
-    structure: usize,
-    (ends, time_step): ([State; 2], f64),
-) {
+fn list_pushes<Column: RestoringForce>(pushes: &mut Vec<Push<'_>>, row: &Row<Column>, structure: usize, ends: [State; 2], time_step: f64) {
     pushes.clear();
     for (pair, of) in row.pairs().iter().enumerate() {
         if ![of.left(), of.right()].contains(&structure) {

@@ -14,7 +14,7 @@ pub struct Edges {
     /// Grids of two changes at once.
     pub maps: Vec<Map>,
     /// Series of one change.
-    pub lines: Vec<Line>,
+    pub lines: Vec<ChangeSeries>,
 }
 
 /// A grid of two changes of one scene.
@@ -34,7 +34,7 @@ pub struct Map {
 /// A series of one change, for some scenes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Line {
+pub struct ChangeSeries {
     /// Names of the scenes.
     pub scenes: Vec<String>,
     /// The change.
@@ -63,7 +63,7 @@ pub enum Extent {
 
 /// One changed scene.
 #[derive(Debug, Clone)]
-pub(crate) struct Cell {
+pub(crate) struct ExtremeScene {
     /// Name of the map, or "line" for a series.
     pub(crate) place: String,
     /// Name of the scene.
@@ -79,11 +79,11 @@ type Taken = (f64, bool);
 
 impl Edges {
     /// Every changed scene, maps before series.
-    pub(crate) fn cells(&self, extent: Extent) -> Vec<Cell> {
+    pub(crate) fn cells(&self, extent: Extent) -> Vec<ExtremeScene> {
         let mut cells = Vec::new();
         for map in &self.maps {
             for (y, in_part) in map.y.taken(extent) {
-                cells.extend(map.x.taken(extent).map(|(x, also)| Cell {
+                cells.extend(map.x.taken(extent).map(|(x, also)| ExtremeScene {
                     place: map.name.clone(),
                     scene: map.scene.clone(),
                     changes: vec![(map.x.axis, x), (map.y.axis, y)],
@@ -93,7 +93,7 @@ impl Edges {
         }
         for line in &self.lines {
             for scene in &line.scenes {
-                cells.extend(line.change.taken(extent).map(|(value, in_part)| Cell {
+                cells.extend(line.change.taken(extent).map(|(value, in_part)| ExtremeScene {
                     place: "line".into(),
                     scene: scene.clone(),
                     changes: vec![(line.change.axis, value)],
@@ -112,7 +112,7 @@ impl Values {
     }
 }
 
-impl Cell {
+impl ExtremeScene {
     /// The changed scene. The time step is changed last, because it depends on the structures.
     pub(crate) fn pushed(&self, base: &Simulation, scene: &Scene, time_step: f64) -> Result<Pushed, String> {
         let mut pushed = Pushed::new(scene, base.record(), time_step);

@@ -1,6 +1,6 @@
 //! Agreement with the published numbers: reproduced and other numbers, and messages about changes.
 
-use pounding_studies::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, Table, Value, Verdict};
+use pounding_studies::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, StudyTable, Value, Verdict};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ static COMPUTED: LazyLock<Values> = LazyLock::new(|| {
             let path = studies().join(id).with_extension("json");
             let study = StudyFile::read(&path).expect("a readable study");
             let completed = Completed::run(study, &|| ()).expect("a study that runs");
-            let table = Table::of(&completed).expect("scenes that give the table");
+            let table = StudyTable::of(&completed).expect("scenes that give the table");
             let values = table.expect("a study that prints a table").values;
             (id.trim_start_matches("table-").to_string(), values)
         })

@@ -12,7 +12,7 @@ use pounding_text::digits;
 use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;
-type Row = BTreeMap<String, String>;
+type TableRow = BTreeMap<String, String>;
 
 fn studies() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
@@ -59,7 +59,7 @@ fn text<'a>(files: &'a Files, table: &str) -> &'a str {
 }
 
 /// Rows of a table as columns by name.
-fn rows(files: &Files, table: &str) -> Vec<Row> {
+fn rows(files: &Files, table: &str) -> Vec<TableRow> {
     let mut reader = csv::Reader::from_reader(text(files, table).as_bytes());
     let rows = reader.deserialize();
     rows.map(|row| row.expect("a row of text")).collect()
@@ -123,7 +123,7 @@ fn limit_claims_about_nothing_do_not_apply() {
         assert_eq!((tally.holds, tally.does_not_apply), (0, 2), "{claim}");
         assert_eq!(tally.words(), "in 0 of 2 cases; 2 do not apply");
     }
-    let touch = |row: &Row| row["collisions"] != "0" || !row["first_touch_s"].is_empty();
+    let touch = |row: &TableRow| row["collisions"] != "0" || !row["first_touch_s"].is_empty();
     assert!(!rows(&files(&made), "scenes.csv").iter().any(touch));
 }
 
@@ -195,7 +195,7 @@ fn limit_a_mirrored_row_under_the_reversed_motion_mirrors() {
     let plain = rows(&TWO, "scenes.csv");
     assert_eq!(mirrored.len(), plain.len());
     for row in &plain {
-        let same = |other: &&Row| ["table", "scene", "motion"].iter().all(|key| other[*key] == row[*key]);
+        let same = |other: &&TableRow| ["table", "scene", "motion"].iter().all(|key| other[*key] == row[*key]);
         let in_scene: Vec<_> = mirrored.iter().filter(same).collect();
         let n_structures = in_scene.len() / 2;
         let number: usize = row["structure"].parse().expect("a number");
@@ -233,7 +233,7 @@ fn limit_motions_scaled_by_a_spectrum_share_it() {
         }
     }));
     let rows = rows(&files(&made), "motions.csv");
-    let number = |row: &Row, column: &str| row[column].parse::<f64>().expect("a number");
+    let number = |row: &TableRow, column: &str| row[column].parse::<f64>().expect("a number");
     let [one, other] = [0, 1].map(|index| number(&rows[index], "sa_0.30_s_m_per_s2"));
     assert!((one / other - 1.0).abs() < 1e-3, "{one}, {other}");
     assert!(number(&rows[1], "scaled_by") > 1.5, "{:?}", rows[1]);

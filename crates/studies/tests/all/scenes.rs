@@ -2,7 +2,7 @@
 
 use pounding_scene::{Goal, Method, QuantityGroup, Simulation, advise};
 use pounding_solver::{LedgerError, Rk4};
-use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
+use pounding_studies::{Completed, Study, StudyError, StudyFile, StudyTable, figure_png};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,7 @@ fn make(test: &str, study: &Value) -> Result<(), StudyError> {
     let path = folder.join("study.json");
     fs::write(&path, serde_json::to_string_pretty(study).expect("JSON")).expect("the study can be written");
     let completed = Completed::run(StudyFile::read(&path)?, &|| ())?;
-    Table::of(&completed)?;
+    StudyTable::of(&completed)?;
     figure_png(&completed)?;
     Ok(())
 }
@@ -203,7 +203,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     named.study.scenes[0].method = advice.best().method;
     assert_eq!(asked.file.study.scenes[0].method, advice.best().method);
     let named = Completed::run(named, &|| ()).expect("a good study");
-    let csv = |completed| Table::of(completed).expect("a table").expect("one").to_csv();
+    let csv = |completed| StudyTable::of(completed).expect("a table").expect("one").to_csv();
     assert_eq!(csv(&asked), csv(&named));
 }
 

@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use insta::{assert_snapshot, glob};
-use pounding_studies::{Completed, Studies, StudyFile, Table};
+use pounding_studies::{Completed, Studies, StudyFile, StudyTable};
 
 #[test]
 fn reference_tables() {
     glob!("../../../../studies", "{table-*,text}.json", |path| {
         let study = StudyFile::read(path).expect("a readable study");
         let completed = Completed::run(study, &|| ()).expect("a study that runs");
-        let table = Table::of(&completed).expect("scenes that give the table");
+        let table = StudyTable::of(&completed).expect("scenes that give the table");
         assert_snapshot!(table.expect("a study that prints a table").to_csv());
     });
 }

@@ -5,8 +5,8 @@ use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Direction, Identity, Place, Refused};
-use pounding_text::{Kind, Spot};
+use crate::{Direction, FilePlace, Identity, Refused};
+use pounding_text::{RefusalKind, Spot};
 
 /// Number of lines in which NPTS and DT are searched. PEER has them on line 4, rotated and matched records on line 7.
 const HEADER_LINES: usize = 10;
@@ -83,7 +83,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     // A rotated record has `FN component, azimuth =   233.0`.
     if let Some(line) = title::line_with(titles, "COMPONENT, AZIMUTH") {
         let name = line.pieces().next().map(String::from_utf8_lossy)?;
-        return Some(Component::new(name, Place::Line(line.number)));
+        return Some(Component::new(name, FilePlace::Line(line.number)));
     }
     let line = titles.get(titles.len().checked_sub(2)?)?;
     let text = line.text();
@@ -95,7 +95,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     if !words.all(|word| word.bytes().all(|byte| byte.is_ascii_digit())) {
         return None;
     }
-    Some(Component::new(word.to_owned(), Place::Line(line.number)))
+    Some(Component::new(word.to_owned(), FilePlace::Line(line.number)))
 }
 
 /// Index of the line with NPTS and DT.
@@ -149,7 +149,7 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, Refused> {
         return Err(refused());
     }
     if !(step.is_finite() && step > 0.0) {
-        return Err(refusals::time_step(Place::Line(line.number), step));
+        return Err(refusals::time_step(FilePlace::Line(line.number), step));
     }
     Ok(Stated { line, count, step })
 }
@@ -225,7 +225,9 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, Refused>
 
 /// A line that names another quantity or unit than acceleration in g.
 fn quantity(line: Line<'_>) -> Refused {
-    let read = Refused::at(Spot::Line(line.number)).reads(line.excerpt()).kind(Kind::OtherQuantity);
+    let read = Refused::at(Spot::Line(line.number))
+        .reads(line.excerpt())
+        .kind(RefusalKind::OtherQuantity);
     read.but(", but ", "only acceleration in units of g is read")
         .help("take the .AT2 file of the record")
 }

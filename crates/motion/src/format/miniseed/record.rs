@@ -4,7 +4,7 @@ use super::super::numbers::at_most;
 use super::super::stamp::Stamp;
 use super::samples;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Bytes of the fixed headers.
 const HEADER_2: usize = 48;
@@ -71,7 +71,7 @@ impl<'t> Record<'t> {
         if record.time_step.is_finite() && record.time_step > 0.0 {
             Ok(record)
         } else {
-            Err(refusals::time_step(Place::Byte(at + 1), record.time_step))
+            Err(refusals::time_step(FilePlace::Byte(at + 1), record.time_step))
         }
     }
 
@@ -173,7 +173,7 @@ impl<'t> Record<'t> {
         values.extend(found);
         if values.len() - before != self.n_samples {
             return Err(refusals::sample_count(
-                Place::Byte(self.at + 1),
+                FilePlace::Byte(self.at + 1),
                 values.len() - before,
                 self.n_samples,
             ));
@@ -196,7 +196,7 @@ impl<'t> Record<'t> {
     }
 
     pub(super) fn refused(&self, found: String, allowed: &'static str) -> Refused {
-        refusals::header(Place::Byte(self.at + 1), found, allowed)
+        refusals::header(FilePlace::Byte(self.at + 1), found, allowed)
     }
 }
 
@@ -278,9 +278,9 @@ fn stream_of(name: &str) -> String {
 }
 
 fn header(at: usize, found: &[u8], allowed: &'static str) -> Refused {
-    refusals::header(Place::Byte(at + 1), found.escape_ascii().to_string(), allowed)
+    refusals::header(FilePlace::Byte(at + 1), found.escape_ascii().to_string(), allowed)
 }
 
 fn truncated(at: usize, bytes: &[u8]) -> Refused {
-    refusals::truncated(Place::Byte(at + bytes.len()), "the end of its last record")
+    refusals::truncated(FilePlace::Byte(at + bytes.len()), "the end of its last record")
 }

@@ -4,7 +4,7 @@ use super::super::Stated;
 use super::rows::Rows;
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Longest plausible step above values \[s\].
 const LONGEST: f64 = 0.1;
@@ -115,7 +115,7 @@ impl<'t> Above<'t> {
     pub(super) fn stated<T>(&self, value: T) -> Stated<T> {
         Stated {
             value,
-            place: Place::Line(self.line.number),
+            place: FilePlace::Line(self.line.number),
             text: self.line.excerpt(),
         }
     }

@@ -12,13 +12,13 @@ use crate::refusals;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock {
     pub(super) column: usize,
-    kind: Kind,
+    kind: TimeKind,
     /// Whether the unit is known.
     pub(super) labelled: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum TimeKind {
     /// Dates with a time of day.
     Stamps,
     /// Numbers in a unit with this many decimals of a second.
@@ -75,9 +75,9 @@ impl Clock {
         Self {
             column,
             kind: if value.is_some() {
-                Kind::Numbers { decimals }
+                TimeKind::Numbers { decimals }
             } else {
-                Kind::Stamps
+                TimeKind::Stamps
             },
             labelled: unit.is_some() || value.is_none(),
         }
@@ -90,13 +90,13 @@ impl Clock {
         for row in rows.iter() {
             let field = row.fields().nth(self.column).unwrap_or_default();
             match self.kind {
-                Kind::Stamps => {
+                TimeKind::Stamps => {
                     let moment = stamp(field).ok_or_else(|| refusals::not_a_number(row.number, self.column + 1, excerpt(field)))?;
                     let first: &Stamp = first.get_or_insert_with(|| moment.clone());
                     times.push_time(row, moment.since(first), moment.n_decimals());
                 }
-                Kind::Numbers { decimals: 0 } => times.push(row, field)?,
-                Kind::Numbers { decimals } => {
+                TimeKind::Numbers { decimals: 0 } => times.push(row, field)?,
+                TimeKind::Numbers { decimals } => {
                     let printed = time_column::decimals(field);
                     times.push_time(row, self.scaled(row, field, decimals)?, decimals + printed);
                 }

@@ -84,7 +84,7 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
 }
 
 pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
-    let count = |run: super::Run<'_>| run.outcome.collisions.all().len();
+    let count = |run: super::SceneRun<'_>| run.outcome.collisions.all().len();
     let (mut stated, mut touch, mut computed) = (true, false, Vec::new());
     for law in Law::ALL {
         let [elastic, nonlinear] = runs.two_structures(law)?.map(count);
@@ -120,7 +120,7 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Outcome, Stu
     let (mut holds, mut touch, mut computed) = (true, false, Vec::new());
     for law in Law::ALL {
         let pair = runs.two_structures(law)?;
-        touch |= pair.into_iter().any(super::Run::touches);
+        touch |= pair.into_iter().any(super::SceneRun::touches);
         let [elastic, nonlinear] = pair;
         let peaks = [elastic, nonlinear].map(|run| 1e3 * run.peak_displacement(0));
         let plastic = 1e3 * nonlinear.residual(0).unwrap_or(0.0);

@@ -1,12 +1,12 @@
 //! Claims about three structures (sections 4 and 5).
 
-use super::{Finding, Law, NOTHING, Outcome, Run, Runs, change, is_slight, momentum, peak_force};
+use super::{Finding, Law, NOTHING, Outcome, Runs, SceneRun, change, is_slight, momentum, peak_force};
 use crate::StudyError;
 
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
 
 /// The elastic layout C at time steps of 10 ms and 5 ms; 5 ms is the paper's.
-fn coarse_and_fine<'a>(runs: &Runs<'a>) -> Result<[Run<'a>; 2], StudyError> {
+fn coarse_and_fine<'a>(runs: &Runs<'a>) -> Result<[SceneRun<'a>; 2], StudyError> {
     Ok([
         runs.scene("claims", "layout C elastic, stereomechanical, 10 ms")?,
         runs.scene("figure-11a", "layout C elastic")?,
@@ -47,7 +47,7 @@ pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Outcome, S
 }
 
 /// Largest deformation of any pair over the history \[m\].
-fn largest_overlap(run: Run<'_>) -> f64 {
+fn largest_overlap(run: SceneRun<'_>) -> f64 {
     let histories = run.outcome.histories.as_ref().expect("the studies used here keep histories");
     let mut largest = 0.0_f64;
     for (left, contact) in run.scene.contacts.iter().flatten().enumerate() {
@@ -153,7 +153,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
 }
 
 pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
-    let peak = |run: Run<'_>| {
+    let peak = |run: SceneRun<'_>| {
         let displacement = |index| 1e3 * run.peak_displacement(index).abs();
         (0..run.scene.structures.len()).map(displacement).fold(0.0, f64::max)
     };

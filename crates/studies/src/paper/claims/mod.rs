@@ -14,7 +14,7 @@ use crate::{Completed, StudyError};
 use pounding_text::Table;
 use std::collections::BTreeMap;
 
-pub(crate) use run::Run;
+pub(crate) use run::SceneRun;
 pub use survival::Survival;
 pub(crate) use survival::{asked, survivals, verdicts};
 
@@ -211,7 +211,7 @@ impl<'a> Runs<'a> {
         self.0.get(study).copied().ok_or_else(|| StudyError::no_scene_of(study))
     }
 
-    fn scene(&self, study: &str, scene: &str) -> Result<Run<'a>, StudyError> {
+    fn scene(&self, study: &str, scene: &str) -> Result<SceneRun<'a>, StudyError> {
         let missing = || StudyError::MissingScene {
             study: study.into(),
             scene: scene.into(),
@@ -219,18 +219,18 @@ impl<'a> Runs<'a> {
         let study = self.study(study)?;
         let scenes = study.file.study.scenes.iter();
         let index = scenes.map(|one| &*one.name).position(|name| name == scene);
-        index.map(|index| Run::of(study, index)).ok_or_else(missing)
+        index.map(|index| SceneRun::of(study, index)).ok_or_else(missing)
     }
 
     /// Two structures, elastic and nonlinear, of Table 2 (stereomechanical) or Table 4 (viscoelastic).
-    fn two_structures(&self, law: Law) -> Result<[Run<'a>; 2], StudyError> {
+    fn two_structures(&self, law: Law) -> Result<[SceneRun<'a>; 2], StudyError> {
         let [_, study, _] = law.texts();
         Ok([self.scene(study, "elastic")?, self.scene(study, "nonlinear")?])
     }
 
     /// The runs of a layout of Table 6 (stereomechanical) or Table 7 (viscoelastic). If the method has a time step, a run at half of it
     /// follows.
-    fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<Run<'a>>, StudyError> {
+    fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<SceneRun<'a>>, StudyError> {
         let name = format!("layout {layout} {behaviour}");
         let run = self.scene(law.texts()[2], &name)?;
         if run.scene.method.time_step().is_none() {
@@ -259,19 +259,19 @@ impl Law {
 const NOTHING: &str = "nothing touches";
 
 /// Start \[s\] and impulse \[kN·s\] of the first collision; `None` if nothing touches.
-fn first_collision(run: Run<'_>) -> Option<(f64, f64)> {
+fn first_collision(run: SceneRun<'_>) -> Option<(f64, f64)> {
     let first = run.outcome.collisions.all().first()?;
     Some((first.start, first.impulse / 1e3))
 }
 
 /// Largest pounding force of a run \[kN\]. The force of an impact is its impulse over the time step.
-fn peak_force(run: Run<'_>) -> f64 {
+fn peak_force(run: SceneRun<'_>) -> f64 {
     let force = |collision: &pounding_solver::Collision| collision.peak_force.unwrap_or(collision.impulse / run.scene.method.step()) / 1e3;
     run.outcome.collisions.all().iter().map(force).fold(0.0, f64::max)
 }
 
 /// Transferred momentum of a structure \[kN·s\].
-fn momentum(run: Run<'_>, structure: usize) -> f64 {
+fn momentum(run: SceneRun<'_>, structure: usize) -> f64 {
     run.momentum(structure) / 1e3
 }
 

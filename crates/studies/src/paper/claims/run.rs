@@ -5,13 +5,13 @@ use pounding_scene::{Floors, RunResult, Scene, Simulation};
 
 /// A scene and its result.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Run<'a> {
+pub(crate) struct SceneRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) outcome: &'a RunResult,
     floors: &'a Floors,
 }
 
-impl<'a> Run<'a> {
+impl<'a> SceneRun<'a> {
     /// The scene of a study at a position of its list.
     pub(crate) fn of(study: &'a Completed, index: usize) -> Self {
         Self {

@@ -5,7 +5,7 @@ use super::{Converged, LEVELS, TIME_STEPS};
 use crate::StudyError;
 use crate::files::drawn;
 use crate::paper::tables::Value;
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_text::digits;
 
 /// Index of the drawn level of noise, 1 %: the bands of smaller levels are narrower than the marks.
@@ -66,7 +66,7 @@ impl<'a> Over<'a> {
     pub(crate) fn curve(&self, values: &Quantities, shade: Shade, mark: Mark, name: &str) -> Curve {
         let point = |(y, (row, over)): (usize, &(&Value, f64))| Some((find(values, self.table, row)? / over, y as f64));
         let points = self.rows.iter().enumerate().filter_map(point);
-        Curve::new(Kind::Points, shade, points.collect()).marked(mark).named(name)
+        Curve::new(CurveKind::Points, shade, points.collect()).marked(mark).named(name)
     }
 
     /// A panel with one line per row.

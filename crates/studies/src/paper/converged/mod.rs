@@ -51,7 +51,10 @@ pub(crate) struct Converged {
 }
 
 /// The numbers under one record, and the verdicts on the claims if they are tested.
-type MotionCase = (Quantities, Vec<Option<Claim>>);
+struct RecordCase {
+    quantities: Quantities,
+    verdicts: Vec<Option<Claim>>,
+}
 
 /// Numbers by the exact method.
 #[derive(Clone, Copy)]
@@ -76,7 +79,7 @@ impl Converged {
             let runs = Scenes::of(&files, &["table-6", "table-7"], |method| method.with_time_step(*step))?;
             quantities(&runs.run(None)?)
         })?;
-        let world = |noise: Option<&Noise>, asks: bool| -> Result<MotionCase, StudyError> {
+        let world = |noise: Option<&Noise>, asks: bool| -> Result<RecordCase, StudyError> {
             let quantities = quantities(&whole.run(noise)?)?;
             let verdicts = if asks {
                 let mut runs = scenes.run(noise)?;
@@ -85,16 +88,16 @@ impl Converged {
             } else {
                 Vec::new()
             };
-            Ok((quantities, verdicts))
+            Ok(RecordCase { quantities, verdicts })
         };
-        let (exact, verdicts) = world(None, true)?;
+        let exact = world(None, true)?;
         let mut noisy = Vec::new();
         let mut noisy_verdicts = Vec::new();
         for (level, sigma) in LEVELS.into_iter().enumerate() {
             let asks = level == LEVEL;
             let one = |run: &usize| world(Some(&Noise::new(sigma, level, *run)), asks);
             let worlds = parallel::try_each(&(0..n_runs).collect::<Vec<_>>(), one)?;
-            let (values, verdicts): (Vec<_>, Vec<_>) = worlds.into_iter().unzip();
+            let (values, verdicts): (Vec<_>, Vec<_>) = worlds.into_iter().map(|case| (case.quantities, case.verdicts)).unzip();
             noisy.push(values);
             if asks {
                 noisy_verdicts = verdicts;
@@ -104,9 +107,9 @@ impl Converged {
             exact_of_loads: quantities(&scenes.run(None)?)?,
             stepped: quantities(completed)?,
             finer,
-            exact,
+            exact: exact.quantities,
             noisy,
-            survivals: survivals(&verdicts, &noisy_verdicts),
+            survivals: survivals(&exact.verdicts, &noisy_verdicts),
         })
     }
 

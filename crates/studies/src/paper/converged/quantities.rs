@@ -1,7 +1,7 @@
 //! Numbers of the converged tables, from runs by any method.
 
 use crate::paper::tables::Value;
-use crate::{Completed, Published, StudyError, Table};
+use crate::{Completed, Published, StudyError, StudyTable};
 use std::collections::BTreeMap;
 
 /// Longest pause between impacts of one meeting \[s\]: two time steps of the paper.
@@ -40,7 +40,7 @@ pub(crate) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyErr
 }
 
 fn values(study: &Completed) -> Result<Vec<Value>, StudyError> {
-    Ok(Table::of(study)?.map(|table| table.values).unwrap_or_default())
+    Ok(StudyTable::of(study)?.map(|table| table.values).unwrap_or_default())
 }
 
 /// A group of impacts in quick succession, or one contact.

@@ -7,11 +7,11 @@ use pounding_scene::{Extras, Method, Scene, Simulation, in_scene};
 
 /// Scenes of the paper by another method, ready to run under any record.
 #[derive(Debug)]
-pub(crate) struct Scenes(Vec<Part>);
+pub(crate) struct Scenes(Vec<StudyScenes>);
 
 /// The scenes of one study.
 #[derive(Debug)]
-struct Part {
+struct StudyScenes {
     file: StudyFile,
     prepared: Vec<Simulation>,
     /// Interval of the recorded histories \[s\], at most the length of a run. `None` if no claim reads them.
@@ -39,7 +39,7 @@ impl Scenes {
         let part = |id: &&str| {
             let file = files.iter().find(|file| file.id == **id);
             let file = file.ok_or_else(|| StudyError::no_scene_of(id))?;
-            Part::of((*file).clone(), &method)
+            StudyScenes::of((*file).clone(), &method)
         };
         studies.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
@@ -49,7 +49,7 @@ impl Scenes {
     /// # Errors
     /// [`StudyError`] if a scene cannot be modelled.
     pub(crate) fn shaken(&self, record: &Record, turned: impl Fn(&Scene) -> Scene) -> Result<Self, StudyError> {
-        let part = |part: &Part| part.shaken(record, &turned);
+        let part = |part: &StudyScenes| part.shaken(record, &turned);
         self.0.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
 
@@ -58,7 +58,7 @@ impl Scenes {
     /// # Errors
     /// [`StudyError`] if a scene cannot be modelled.
     pub(crate) fn running_on(&self) -> Result<Self, StudyError> {
-        let parts = self.0.iter().map(Part::running_on);
+        let parts = self.0.iter().map(StudyScenes::running_on);
         parts.collect::<Result<_, _>>().map(Self)
     }
 
@@ -76,7 +76,7 @@ impl Scenes {
     }
 }
 
-impl Part {
+impl StudyScenes {
     /// Prepares the scenes of a study in their order.
     fn prepared(
         file: StudyFile,

@@ -8,7 +8,7 @@ use super::histories::time_axis;
 use super::{label, points};
 use crate::Completed;
 use crate::files::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, minus, sparse_markers};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Note, Panel, Shade, minus, sparse_markers};
 use pounding_scene::{RunResult, Scene};
 use pounding_text::digits;
 
@@ -49,7 +49,7 @@ fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
             0 => label(structure),
             _ => format!("{} + {:.0} mm", label(structure), 1e3 * shift),
         };
-        curves.push(Curve::new(Kind::Line, Shade::nth(index), history).named(name));
+        curves.push(Curve::new(CurveKind::Line, Shade::nth(index), history).named(name));
     }
     let heights = curves.iter().flat_map(|curve: &Curve| &curve.points).map(|point| point.1);
     let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
@@ -97,8 +97,8 @@ fn force_label(scene: &Scene, unit: &str) -> String {
     }
 }
 
-fn kind(scene: &Scene) -> Kind {
-    if scene.is_impulsive() { Kind::Stems } else { Kind::Area }
+fn kind(scene: &Scene) -> CurveKind {
+    if scene.is_impulsive() { CurveKind::Stems } else { CurveKind::Area }
 }
 
 /// The point farther from zero. The positive one wins a tie, so that its label is above the curve.

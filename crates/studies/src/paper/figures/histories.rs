@@ -4,7 +4,7 @@ use super::{label, points};
 use crate::files::capital;
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
-use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Note, Panel, Shade, minus};
 use pounding_scene::{RunResult, Scene, Structure};
 
 /// The axis of time of a scene.
@@ -31,8 +31,8 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let peak = shown.iter().copied().fold((0.0, 0.0), farther);
     let text = minus(&format!("{:.3} g at {:.2} s", peak.1, peak.0));
     let curves = vec![
-        Curve::new(Kind::Thin, Shade::Blue, shown),
-        Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
+        Curve::new(CurveKind::Thin, Shade::Blue, shown),
+        Curve::new(CurveKind::Points, Shade::Vermilion, vec![peak]),
     ];
     let panel = over_time(String::new(), "Ground acceleration (g)", curves, vec![Note::new(peak, text)]);
     Figure::grid(2.8, 1, time_axis(scene), vec![panel])
@@ -59,8 +59,8 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
         let text = minus(&format!("{:.1} mm at {:.2} s", at.1, at.0));
         let history = points(outcome, index, |state| 1e3 * state.displacement);
         let curves = vec![
-            Curve::new(Kind::Line, Shade::nth(index), history).named(label(structure)),
-            Curve::new(Kind::Points, Shade::nth(index), vec![at]),
+            Curve::new(CurveKind::Line, Shade::nth(index), history).named(label(structure)),
+            Curve::new(CurveKind::Points, Shade::nth(index), vec![at]),
         ];
         over_time(title(completed, index), "Displacement (mm)", curves, vec![Note::new(at, text)])
     };
@@ -78,8 +78,8 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
         let position = names.position(|name| name == structure)?;
         let history = points(outcome, position, |state| state.restoring_force / 1e3);
         let (kind, shade) = match index {
-            0 => (Kind::Dashed, Shade::Ink),
-            _ => (Kind::Line, Shade::nth(index - 1)),
+            0 => (CurveKind::Dashed, Shade::Ink),
+            _ => (CurveKind::Line, Shade::nth(index - 1)),
         };
         Some(Curve::new(kind, shade, history).named(capital(&scene.name)))
     };

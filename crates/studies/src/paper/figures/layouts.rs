@@ -51,7 +51,7 @@ fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
     shapes.push(Shape::text((middle, HEIGHT - 4.0), capital(&scene.name), TEXT + 1.0, Align::Middle));
     for (index, (structure, half)) in scene.structures.iter().zip(&halves).enumerate() {
         if let Structure::Sdof(sdof) = structure {
-            storey(sdof, (x + half, Shade::nth(index)), shapes);
+            storey(sdof, x + half, Shade::nth(index), shapes);
         }
         x += 2.0 * half + GAP;
         if let Some(contact) = scene.contacts.as_ref().and_then(|contacts| contacts.get(index)) {
@@ -73,7 +73,7 @@ fn ground(from: f64, to: f64, shapes: &mut Vec<Shape>) {
 /// Draws one structure: two columns, a mass, and its name and data below.
 ///
 /// The colour follows the position in the row, as in the histories.
-fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
+fn storey(structure: &Sdof, x: f64, shade: Shade, shapes: &mut Vec<Shape>) {
     let (half, mass) = size(structure);
     let pen = if is_heavy(structure) { 3.0 } else { 1.2 };
     let leg = half - 1.6;

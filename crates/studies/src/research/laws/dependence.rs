@@ -5,7 +5,7 @@ use super::scenes::{Item, Played, items};
 use crate::files::capital;
 use crate::research::work_precision::MethodQuantity;
 use crate::study::laws::is_linear;
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 use pounding_text::Table;
 
 /// One number of a scene under all laws that are calibrated to one e.
@@ -159,7 +159,7 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
             ratio.is_finite().then_some((ratio, y as f64))
         };
         let points = rows.iter().enumerate().filter_map(point).collect();
-        let curve = Curve::new(Kind::Points, shade(entry.name()), points);
+        let curve = Curve::new(CurveKind::Points, shade(entry.name()), points);
         curve.marked(mark(entry.name())).named(label(entry.name()))
     };
     let mut shown: Vec<_> = entries.iter().filter(|entry| !entry.name().is_elastic()).collect();

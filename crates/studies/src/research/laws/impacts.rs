@@ -5,7 +5,7 @@ use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders
 
 use super::entry::{Entry, by_name, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_scene::{FreeCollision, Refused, ended, no_step, parallel};
 use pounding_text::Table;
 
@@ -137,7 +137,7 @@ pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure
 fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>) -> Figure {
     let met = entries.iter().zip(impacts);
     let met = met.filter_map(|(entry, impact)| {
-        let curve = Curve::new(Kind::Line, shade(entry.name()), points(entry, impact.as_ref()?));
+        let curve = Curve::new(CurveKind::Line, shade(entry.name()), points(entry, impact.as_ref()?));
         Some((entry.name(), curve))
     });
     let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| law.is_elastic());
@@ -147,7 +147,7 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
     let of_law = |(law, curve): &(LawName, Curve)| {
         let same = springs.iter().filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
         let behind = same.map(|(_, spring)| Curve {
-            kind: Kind::Dashed,
+            kind: CurveKind::Dashed,
             shade: Shade::Ink,
             ..spring.clone().named("The same spring without damping")
         });

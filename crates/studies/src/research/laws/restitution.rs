@@ -5,7 +5,7 @@ use pounding_contact::{FreeImpact, FreePair, LawName};
 use super::entry::{Entry, by_name, label, mark, shade};
 use crate::drivers::pairs;
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_scene::{Certificate, parallel};
 use pounding_text::{Cell, Table};
 
@@ -75,7 +75,7 @@ const OFF: (f64, f64) = (-0.06, 0.18);
 pub(super) fn figure(asked: &[Asked]) -> Figure {
     let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [("Linear springs", &is_linear), ("Hertz springs", &|law| !is_linear(law))];
     let delivered = families.map(|(title, wanted)| {
-        let diagonal = Curve::new(Kind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
+        let diagonal = Curve::new(CurveKind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
         let curves = [diagonal].into_iter().chain(curves(asked, wanted, |_, found| found));
         Panel {
             weight: 1.6,
@@ -99,7 +99,7 @@ fn curves(asked: &[Asked], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64,
             (asked.law == law).then_some((e, value(e, found)))
         };
         let points: Vec<_> = asked.iter().filter_map(point).collect();
-        let curve = Curve::new(Kind::Line, shade(law), points).marked(mark(law));
+        let curve = Curve::new(CurveKind::Line, shade(law), points).marked(mark(law));
         curve.named(label(law))
     };
     let laws = LawName::ALL.into_iter().filter(|law| wanted(*law));

@@ -21,7 +21,7 @@ pub(super) struct Played {
 /// Runs every scene under every law. Calls `done` after each run.
 pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
-    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, (entry, settings));
+    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, entry, settings);
     let mut outcomes = each(&pairs(scenes, entries), done, run).into_iter();
     let played = |scene: &Scene| Played {
         scene: scene.name.clone(),
@@ -37,7 +37,7 @@ pub(super) fn n_runs(scenes: &[Scene]) -> usize {
 }
 
 /// Runs a scene under a law that is calibrated for every pair.
-fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasSettings)) -> Result<Quantities, String> {
+fn run(completed: &Completed, scene: &Scene, entry: &Entry, settings: &AtlasSettings) -> Result<Quantities, String> {
     let mut scene = scene.clone();
     let name = entry.name();
     let asked = (settings.restitution(name), Calibration::Exact);

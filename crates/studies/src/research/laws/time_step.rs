@@ -6,7 +6,7 @@ use super::entry::{Entry, N_LAWS, by_name, label};
 use crate::drivers::each;
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 use pounding_scene::{Delivered, StepMethod};
 use pounding_text::{Cell, Table};
 
@@ -130,6 +130,6 @@ fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&Delivered) -> f64) -
     };
     let mut curves: Vec<_> = own.filter_map(curve).collect();
     // Hollow marks are drawn over solid ones, so both stay visible.
-    curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
+    curves.sort_by_key(|curve| curve.kind == CurveKind::Dashed);
     curves
 }

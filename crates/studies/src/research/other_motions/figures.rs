@@ -4,10 +4,10 @@
 use std::ops::Range;
 
 use super::shaking::{DAMPING, Shaking};
-use super::world::{MotionCase, Row};
+use super::world::{MotionCase, StructureResult};
 use super::{Beyond, Group, short};
 use crate::files::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade};
 use pounding_scene::{periods_between, response_spectrum};
 
 /// Tables of the layouts with the names of their contact laws.
@@ -39,7 +39,7 @@ pub(super) fn response(beyond: &Beyond, group: &Group, motions: Range<usize>) ->
         for (table, law) in TABLES {
             for layout in LAYOUTS {
                 let scene = format!("layout {layout} {behaviour}");
-                let of_scene = |row: &&Row| row.table == table && row.scene == scene;
+                let of_scene = |row: &&StructureResult| row.table == table && row.scene == scene;
                 let y = Axis {
                     label: format!("{}, {law}", capital(behaviour)),
                     ..Axis::names(names.clone())
@@ -61,7 +61,7 @@ pub(super) fn response(beyond: &Beyond, group: &Group, motions: Range<usize>) ->
 }
 
 /// Curves with, for every kind of structure, the largest peak displacement over the one without pounding.
-fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<Curve> {
+fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&StructureResult) -> bool) -> Vec<Curve> {
     let mut kinds: Vec<&str> = Vec::new();
     for row in worlds.iter().take(1).flat_map(|[world, _]| world.rows.iter().filter(&of_scene)) {
         if !kinds.contains(&&*row.structure) {
@@ -75,7 +75,7 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             let point = |(line, both): (usize, &[MotionCase; 2])| {
                 let rows = both[direction].rows.iter().filter(&of_scene);
                 let own = rows.filter(|row| row.structure == kind);
-                let largest = own.filter_map(Row::amplification).max_by(f64::total_cmp)?;
+                let largest = own.filter_map(StructureResult::amplification).max_by(f64::total_cmp)?;
                 let aside = |index: usize, apart: f64| if index == 0 { -apart } else { apart };
                 let [of_direction, of_kind] = APART;
                 let line = line as f64 + aside(direction, of_direction) + aside(rank, of_kind);
@@ -83,7 +83,7 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             };
             let points = worlds.iter().enumerate().filter_map(point).collect();
             let name = format!("{}, {}", capital(kind), crate::files::direction(direction == 1));
-            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
+            curves.push(Curve::new(CurveKind::Points, shade, points).marked(mark).named(name));
         }
     }
     curves
@@ -110,7 +110,7 @@ pub(super) fn spectra(motions: &[Shaking], structures: &[f64]) -> Figure {
         let points: Vec<_> = spectrum.iter().map(|values| (values.period, values.pseudo_acceleration)).collect();
         // A logarithmic axis cannot show the zeros of a motion without shaking.
         let moves = points.iter().all(|(_, value)| *value > 0.0);
-        moves.then(|| Curve::new(Kind::Line, shade, points).named(short(&motion.name)))
+        moves.then(|| Curve::new(CurveKind::Line, shade, points).named(short(&motion.name)))
     };
     let panels: Vec<Vec<Curve>> = motions
         .chunks(SHADES.len())

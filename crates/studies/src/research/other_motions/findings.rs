@@ -56,7 +56,7 @@ pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<Asked<'_>> {
 
 /// Table with one row per claim: the number of cases in which it holds, its finding in the paper's case, and the cases in which it fails.
 /// For changed scenes a column adds the number of `plain` cases in which it holds.
-pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], (plain, papers): (Option<Vec<Asked<'_>>>, Option<Case>)) -> String {
+pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], plain: Option<&[Asked<'_>]>, papers: Option<Case>) -> String {
     let mut table = Table::of(all.iter().enumerate())
         .column("claim", |(_, one)| one.claim.claim)
         .column("where", |(_, one)| one.claim.place)
@@ -69,7 +69,7 @@ pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], (plain, papers): (Op
         .column("papers_record_other_direction", |(_, one)| one.of_paper(papers, true))
         .column("does_not_hold_under", |(_, one)| one.under(motions, Finding::DoesNotHold))
         .column("does_not_apply_under", |(_, one)| one.under(motions, Finding::DoesNotApply));
-    if let Some(plain) = &plain {
+    if let Some(plain) = plain {
         table = table.column("holds_of_papers_scenes", |(index, _)| plain[*index].tally().holds);
     }
     table.csv()

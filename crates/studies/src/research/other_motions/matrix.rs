@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::{Beyond, Case, Group, findings, short};
 use crate::files::capital;
 use crate::paper::claims::{Finding, asked as claims_asked};
-use pounding_plot::{Align, Drawing, Fill, Pen, Point, Shade, Shape};
+use pounding_plot::{Align, Drawing, Fill, PaperPoint, Pen, Shade, Shape};
 
 /// Width and height of a cell, and distance between two motions \[mm\].
 const CELL: (f64, f64) = (4.6, 7.6);
@@ -79,7 +79,7 @@ fn left_of(column: usize) -> f64 {
 }
 
 /// Draws the name of a motion, upright, with arrows for its directions.
-fn heading(name: &str, (left, top): Point, shapes: &mut Vec<Shape>) {
+fn heading(name: &str, (left, top): PaperPoint, shapes: &mut Vec<Shape>) {
     for (direction, arrow) in ["→", "←"].into_iter().enumerate() {
         let x = left + (direction as f64 + 0.5) * CELL.0;
         shapes.push(Shape::text((x, top + 2.4), arrow, TEXT, Align::Middle));
@@ -98,7 +98,7 @@ fn lines(words: &str, middle: f64, shapes: &mut Vec<Shape>) {
 }
 
 /// Draws a cell with a sign that can be read in grey.
-fn cell(finding: Finding, corner: Point, shapes: &mut Vec<Shape>) {
+fn cell(finding: Finding, corner: PaperPoint, shapes: &mut Vec<Shape>) {
     let (shade, opacity, sign) = match finding {
         Finding::Holds => (Shade::Blue, 0.85, ""),
         Finding::HoldsOnlyAsStated => (Shade::Blue, 0.3, "•"),

@@ -138,7 +138,7 @@ impl Beyond {
     /// Table of the claims of a group; for changed scenes it includes the counts of the paper's scenes.
     fn findings(&self, group: &Group) -> String {
         let plain = group.change.is_some().then(|| findings::all(&self.groups[0].worlds));
-        findings::table(&self.motions, &findings::all(&group.worlds), (plain, self.papers))
+        findings::table(&self.motions, &findings::all(&group.worlds), plain.as_deref(), self.papers)
     }
 
     /// The range of motions on every page of a figure.

@@ -78,7 +78,7 @@ impl Shaking {
         let plain = read(&motion.record)?;
         let scaled = target.map(|target| read(&target.on(&motion.record)));
         let origin = motion.record.source.to_string();
-        let mut shaking = Self::of((motion.name.clone(), origin), plain, scaled, settings)?;
+        let mut shaking = Self::of(motion.name.clone(), origin, plain, scaled, settings)?;
         if let Some(duration) = motion.duration_s {
             shaking.duration = duration;
         }
@@ -100,11 +100,12 @@ impl Shaking {
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));
-        Self::of((motion.name.clone(), motion.name.clone()), plain, scaled, settings)
+        Self::of(motion.name.clone(), motion.name.clone(), plain, scaled, settings)
     }
 
     fn of(
-        (name, origin): (String, String),
+        name: String,
+        origin: String,
         plain: Record,
         scaled: Option<Result<Record, StudyError>>,
         settings: &BeyondSettings,

@@ -32,7 +32,7 @@ impl BeyondStudy {
         let Some((path, settings)) = StudyFile::listing(files.iter().copied()) else {
             return Ok(None);
         };
-        Self::of(files, (path, settings), usize::MAX).map(|(study, _)| Some(study))
+        Self::of(files, path, settings, usize::MAX).map(|(study, _)| Some(study))
     }
 
     /// The scenes of a folder of studies under the records of another folder, which replace the listed motions.
@@ -45,7 +45,7 @@ impl BeyondStudy {
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
         let (path, settings) = StudyFile::listing(&files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
-        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), (path, settings), 1)?;
+        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), path, settings, 1)?;
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
         let suite = Suite::of(&[records.to_path_buf()], &like.record.declared())?;
@@ -68,7 +68,7 @@ impl BeyondStudy {
     }
 
     /// The first `most` motions of a list, and the target strength of the scaling.
-    fn of(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings), most: usize) -> Result<(Self, Option<Target>), StudyError> {
+    fn of(files: &[&StudyFile], path: &Path, settings: &BeyondSettings, most: usize) -> Result<(Self, Option<Target>), StudyError> {
         let (motions, target) = read(settings, path, most)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
@@ -121,7 +121,7 @@ impl BeyondStudy {
         let of_motion = |motion: &Shaking| {
             parallel::try_each(&changes, |change| {
                 let world = |reversed: &bool| {
-                    let world = MotionCase::new(&self.scenes, (motion, *reversed), *change);
+                    let world = MotionCase::new(&self.scenes, motion, *reversed, *change);
                     done();
                     world
                 };

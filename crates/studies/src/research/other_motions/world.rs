@@ -2,7 +2,7 @@
 
 use super::Change;
 use super::shaking::Shaking;
-use crate::paper::claims::{Claim, Run, verdicts};
+use crate::paper::claims::{Claim, SceneRun, verdicts};
 use crate::paper::converged::{OF_CLAIMS, Scenes};
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
@@ -12,14 +12,14 @@ use pounding_scene::{Scene, Simulation, Structure};
 #[derive(Debug)]
 pub(super) struct MotionCase {
     /// One row per structure of every scene.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<StructureResult>,
     /// The claims of the paper that exact runs can test, in their order.
     pub(super) claims: Vec<Claim>,
 }
 
 /// Results of one structure of one scene.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
+pub(super) struct StructureResult {
     /// Number of the paper's table.
     pub(super) table: String,
     pub(super) scene: String,
@@ -42,7 +42,7 @@ pub(super) struct Row {
     pub(super) first: Option<(f64, f64)>,
 }
 
-impl Row {
+impl StructureResult {
     /// Peak displacement over the one without neighbours; `None` if the structure does not move without them.
     pub(super) fn amplification(&self) -> Option<f64> {
         (self.alone > 0.0).then(|| self.displacement.abs() / self.alone)
@@ -54,7 +54,7 @@ impl MotionCase {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
-    pub(super) fn new(scenes: &Scenes, (shaking, reversed): (&Shaking, bool), change: Option<Change>) -> Result<Self, StudyError> {
+    pub(super) fn new(scenes: &Scenes, shaking: &Shaking, reversed: bool, change: Option<Change>) -> Result<Self, StudyError> {
         let directed = shaking.directed(reversed);
         let record = match change {
             None => directed,
@@ -74,8 +74,8 @@ impl MotionCase {
         let mut rows = Vec::new();
         // The scenes of the claims' own study repeat those of Tables 6 and 7.
         for study in runs.iter().filter(|study| study.file.id != OF_CLAIMS) {
-            for (index, prepared) in study.prepared.iter().enumerate() {
-                rows.extend(of_scene((study, index), prepared, &mut alone)?);
+            for index in 0..study.prepared.len() {
+                rows.extend(of_scene(study, index, &mut alone)?);
             }
         }
         Ok(Self {
@@ -85,20 +85,21 @@ impl MotionCase {
     }
 }
 
-fn of_scene((study, index): (&Completed, usize), prepared: &Simulation, alone: &mut Alone<'_>) -> Result<Vec<Row>, StudyError> {
-    let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
+/// Results of the structures of a study's scene at an index of its list.
+fn of_scene(study: &Completed, index: usize, alone: &mut Alone<'_>) -> Result<Vec<StructureResult>, StudyError> {
+    let (scene, run) = (&study.file.study.scenes[index], SceneRun::of(study, index));
     let id = &study.file.id;
     let row = |(place, structure): (usize, &Structure)| {
         let (collisions, first) = run.collisions(place);
         let yields = structure.yield_forces().iter().any(Option::is_some);
-        Ok(Row {
+        Ok(StructureResult {
             table: id.strip_prefix("table-").unwrap_or(id).into(),
             scene: scene.name.clone(),
             number: place + 1,
             structure: structure.name().into(),
             momentum: run.momentum(place),
             displacement: run.peak_displacement(place),
-            alone: alone.displacement(prepared, structure)?,
+            alone: alone.displacement(&study.prepared[index], structure)?,
             shear: run.peak_shear(place),
             residual: run.residual(place).filter(|_| yields),
             collisions,

@@ -30,8 +30,7 @@ pub(super) struct Look {
     pub(super) rank: usize,
 }
 
-const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, opacity): (Shade, f64), letter: &'static str) -> Look {
-    let fill = Fill { shade, opacity };
+const fn look(rank: usize, key: &'static str, words: &'static str, fill: Fill, letter: &'static str) -> Look {
     Look {
         key,
         words,
@@ -41,27 +40,31 @@ const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, o
     }
 }
 
+const fn fill(shade: Shade, opacity: f64) -> Fill {
+    Fill { shade, opacity }
+}
+
 listed! {
     /// The class of a number.
     pub(super) enum Class { look: Look;
         /// Within 1e-6 of the exact run.
-        ExactToTolerance = look(1, ("exact_to_tolerance", "exact to 1e-6"), (Shade::Blue, 0.75), ""),
+        ExactToTolerance = look(1, "exact_to_tolerance", "exact to 1e-6", fill(Shade::Blue, 0.75), ""),
         /// Within 1 %.
-        Accurate = look(2, ("accurate", "within 1 %"), (Shade::Blue, 0.3), ""),
+        Accurate = look(2, "accurate", "within 1 %", fill(Shade::Blue, 0.3), ""),
         /// Between 1 % and 10 % off, or further off with a warning.
-        Degraded = look(3, ("degraded", "degraded"), (Shade::Amber, 0.6), "d"),
+        Degraded = look(3, "degraded", "degraded", fill(Shade::Amber, 0.6), "d"),
         /// The scene is refused before it runs.
-        Refused = look(4, ("refused", "refused"), (Shade::Mist, 1.0), "r"),
+        Refused = look(4, "refused", "refused", fill(Shade::Mist, 1.0), "r"),
         /// The run ends with an error, or its verdict is that a law of mechanics is broken.
-        Caught = look(5, ("diverged_and_caught", "diverged, caught"), (Shade::Vermilion, 0.7), "c"),
+        Caught = look(5, "diverged_and_caught", "diverged, caught", fill(Shade::Vermilion, 0.7), "c"),
         /// More than 10 % off without a warning.
-        SilentlyWrong = look(8, ("silently_wrong", "silently wrong"), (Shade::Ink, 1.0), ""),
+        SilentlyWrong = look(8, "silently_wrong", "silently wrong", fill(Shade::Ink, 1.0), ""),
         /// There is no exact run for a comparison. The program prints that, if it measures errors.
-        NoReference = look(6, ("no_reference", "no exact run"), (Shade::White, 1.0), "–"),
+        NoReference = look(6, "no_reference", "no exact run", fill(Shade::White, 1.0), "–"),
         /// A number of the exact run that the second route cannot confirm.
-        NotVerified = look(7, ("not_verified", "not verified"), (Shade::White, 1.0), "?"),
+        NotVerified = look(7, "not_verified", "not verified", fill(Shade::White, 1.0), "?"),
         /// Neither run has the number because nothing touches.
-        Nothing = look(0, ("nothing_touches", "nothing touches"), (Shade::White, 1.0), ""),
+        Nothing = look(0, "nothing_touches", "nothing touches", fill(Shade::White, 1.0), ""),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Maps of grids: one panel per method, one square per scene in the colour of the worst number of the run.
 
 use super::class::Class;
-use super::measure::{Measured, Run};
-use crate::study::stress::{Cell, Map};
+use super::measure::{JudgedRun, Measured};
+use crate::study::stress::{ExtremeScene, Map};
 use pounding_plot::{Align, Drawing, Pen, Shade, Shape};
 use pounding_scene::{REFERENCE, label_of};
 
@@ -20,10 +20,10 @@ const TEXT: f64 = 7.5;
 const SMALL: f64 = 6.0;
 
 /// Drawing of a map.
-pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawing {
+pub(super) fn drawing(map: &Map, cells: &[ExtremeScene], measured: &[Measured]) -> Drawing {
     let own = cells.iter().zip(measured).filter(|(cell, _)| cell.place == map.name);
     let own: Vec<&Measured> = own.map(|(_, measured)| measured).collect();
-    let methods: &[Run] = own.first().map_or(&[], |measured| &measured.runs);
+    let methods: &[JudgedRun] = own.first().map_or(&[], |measured| &measured.runs);
     let (n_x, n_y) = (map.x.values.len() as f64, map.y.values.len() as f64);
     let (left, below, above) = MARGIN;
     let (width, height) = (left + n_x * SIDE + 3.0, below + n_y * SIDE + above);
@@ -33,13 +33,13 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
     for (index, run) in methods.iter().enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
         let corner = (column as f64 * width + left, paper.1 - LEGEND - (row + 1) as f64 * height + below);
-        let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
+        let runs: Vec<&JudgedRun> = own.iter().map(|measured| &measured.runs[index]).collect();
         let title = match run.method {
             REFERENCE => "Exact, by the second route".into(),
             // The panels are too narrow for the whole name.
             method => label_of(method).replace(" in contact", ""),
         };
-        panel(map, (corner, &title), &runs, &mut shapes);
+        panel(map, corner, &title, &runs, &mut shapes);
     }
     Drawing {
         width: paper.0,
@@ -49,7 +49,7 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
 }
 
 /// Draws one method: squares row by row from below, numbers at the axes.
-fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: &mut Vec<Shape>) {
+fn panel(map: &Map, corner: (f64, f64), title: &str, runs: &[&JudgedRun], shapes: &mut Vec<Shape>) {
     let (n_x, n_y) = (map.x.values.len(), map.y.values.len());
     for (index, run) in runs.iter().enumerate() {
         let at = (corner.0 + (index % n_x) as f64 * SIDE, corner.1 + (index / n_x) as f64 * SIDE);
@@ -77,7 +77,7 @@ fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: 
 }
 
 /// The worst class of a run's numbers.
-fn worst(run: &Run) -> Class {
+fn worst(run: &JudgedRun) -> Class {
     let classes = run.numbers.iter().map(|number| number.class);
     classes.max_by_key(|class| class.look().rank).unwrap_or(Class::Nothing)
 }

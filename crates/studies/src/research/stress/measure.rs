@@ -14,12 +14,12 @@ const MOST_OF_SECOND_ROUTE: usize = 10;
 #[derive(Debug)]
 pub(super) struct Measured {
     /// First the exact method, measured by the second route; then every stepping method, measured by the exact one.
-    pub(super) runs: Vec<Run>,
+    pub(super) runs: Vec<JudgedRun>,
 }
 
 /// Results of a scene under one method.
 #[derive(Debug)]
-pub(super) struct Run {
+pub(super) struct JudgedRun {
     /// Name of the method.
     pub(super) method: &'static str,
     /// Time step \[s\]; `None` for the exact method.
@@ -94,7 +94,7 @@ impl Judged {
 
 /// Runs every method on a scene; `base` lends the unchanged parts.
 pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
-    let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> Run| {
+    let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> JudgedRun| {
         let methods = StepMethod::differing(impulsive).map(of_method);
         let runs = std::iter::once(first).chain(methods).collect();
         Measured { runs }
@@ -103,7 +103,7 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
         Ok(prepared) => prepared,
         // The scene is refused whatever its method.
         Err(error) => {
-            let run = |method| Run::all(method, None, Class::Refused, error.to_string());
+            let run = |method| JudgedRun::all(method, None, Class::Refused, error.to_string());
             return all(run("exact"), is_impulsive(base), &|method| run(method.name()));
         }
     };
@@ -113,13 +113,13 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
             broken: None,
             balance,
         }) => {
-            let by_second_route = Run {
+            let by_second_route = JudgedRun {
                 residual: Some(balance.residual),
                 ..of_exact(&exact, &outcome)
             };
             (by_second_route, Some(outcome))
         }
-        Ok(Audited { broken: Some(error), .. }) | Err(error) => (Run::all("exact", None, Class::Caught, error.to_string()), None),
+        Ok(Audited { broken: Some(error), .. }) | Err(error) => (JudgedRun::all("exact", None, Class::Caught, error.to_string()), None),
     };
     all(first, is_impulsive(&exact), &|method| {
         of_method(&exact, method.name(), method.at(pushed.time_step), reference.as_ref())
@@ -131,9 +131,9 @@ fn is_impulsive(prepared: &Simulation) -> bool {
 }
 
 /// Measures the exact run by the second route.
-fn of_exact(exact: &Simulation, reference: &RunResult) -> Run {
+fn of_exact(exact: &Simulation, reference: &RunResult) -> JudgedRun {
     let n = exact.scene().structures.len();
-    let not_verified = |reason: String| Run::all("exact", None, Class::NotVerified, reason);
+    let not_verified = |reason: String| JudgedRun::all("exact", None, Class::NotVerified, reason);
     if n > MOST_OF_SECOND_ROUTE {
         return not_verified(format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}"));
     }
@@ -142,12 +142,12 @@ fn of_exact(exact: &Simulation, reference: &RunResult) -> Run {
     }
     let own = Quantities::of(reference, n);
     match crate::second_route(exact, Fineness::FINE) {
-        Ok(second) => Run {
+        Ok(second) => JudgedRun {
             numbers: MethodQuantity::ALL.map(|quantity| {
                 let error = own.distance(&Quantities::of_second_route(&second), quantity);
                 Judged::plain(Class::of(error, false), error)
             }),
-            ..Run::all("exact", None, Class::Nothing, String::new())
+            ..JudgedRun::all("exact", None, Class::Nothing, String::new())
         },
         Err(error) => not_verified(error.to_string()),
     }
@@ -163,9 +163,9 @@ fn hits_at_once(outcome: &RunResult) -> bool {
 }
 
 /// Measures a stepping method by the exact run.
-fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: Option<&RunResult>) -> Run {
+fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: Option<&RunResult>) -> JudgedRun {
     let time_step = method.time_step();
-    let stopped = |class, reason| Run::all(name, time_step, class, reason);
+    let stopped = |class, reason| JudgedRun::all(name, time_step, class, reason);
     let prepared = match exact.with_any_method(method) {
         Ok(prepared) => prepared,
         Err(error) => return stopped(Class::Refused, error.to_string()),
@@ -184,7 +184,7 @@ fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: 
         (None, None) => None,
     };
     let reason = refusal.or(broken.map(|error| error.to_string()));
-    Run {
+    JudgedRun {
         numbers: judge(&prepared, &outcome, reference, wrong),
         residual: Some(balance.residual),
         ..stopped(Class::Nothing, reason.unwrap_or_default())
@@ -238,7 +238,7 @@ fn number(quantity: MethodQuantity, compliant: bool) -> Quantity {
     }
 }
 
-impl Run {
+impl JudgedRun {
     /// A run whose numbers all have one class, and no errors.
     fn all(method: &'static str, time_step: Option<f64>, class: Class, reason: String) -> Self {
         Self {

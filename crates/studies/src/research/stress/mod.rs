@@ -10,7 +10,7 @@ mod table;
 
 use crate::drivers::each;
 use crate::files::{Files, drawn, in_folder, made_by};
-use crate::study::stress::{Cell, Edges, Extent};
+use crate::study::stress::{Edges, Extent, ExtremeScene};
 use crate::{Completed, StudyError};
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ use measure::{Measured, measure};
 pub struct Extremes {
     edges: Edges,
     extent: Extent,
-    cells: Vec<Cell>,
+    cells: Vec<ExtremeScene>,
     measured: Vec<Measured>,
     path: PathBuf,
 }

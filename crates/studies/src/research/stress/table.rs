@@ -1,20 +1,20 @@
 //! Tables of the extreme scenes and of their counts as CSV.
 
 use super::class::Class;
-use super::measure::{Judged, Measured, Run};
+use super::measure::{Judged, JudgedRun, Measured};
 use crate::research::work_precision::MethodQuantity;
-use crate::study::stress::Cell;
-use pounding_text::{Cell as Text, Table};
+use crate::study::stress::ExtremeScene;
+use pounding_text::{Cell, Table};
 
 /// One row per scene and method, for the scenes that pass a test.
-pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) -> bool) -> String {
+pub(super) fn cells(cells: &[ExtremeScene], measured: &[Measured], test: impl Fn(&ExtremeScene) -> bool) -> String {
     let own = cells.iter().zip(measured).filter(|(cell, _)| test(cell));
     let rows = own.flat_map(|(cell, measured)| measured.runs.iter().map(move |run| (cell, run)));
     let mut table = Table::of(rows)
         .column("place", |(cell, _)| cell.place.clone())
         .column("scene", |(cell, _)| cell.scene.clone());
     for index in 0..2 {
-        let change = move |cell: &Cell| cell.changes.get(index).copied();
+        let change = move |cell: &ExtremeScene| cell.changes.get(index).copied();
         table = table
             .column(format!("axis_{}", index + 1), move |(cell, _)| {
                 change(cell).map(|(axis, _)| axis.key())
@@ -31,7 +31,7 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
             .column(quantity.key(), move |(_, run)| run.numbers[index].class.look().key)
             .column(format!("{}_error", quantity.key()), move |(_, run)| short(run.numbers[index].error));
     }
-    let warned = |run: &Run, of: Test| {
+    let warned = |run: &JudgedRun, of: Test| {
         let quantities = MethodQuantity::ALL.iter().zip(&run.numbers);
         let warned = quantities.filter(|(_, number)| of(number));
         warned.map(|(quantity, _)| quantity.key()).collect::<Vec<_>>().join(" ")
@@ -45,8 +45,8 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
 }
 
 /// Errors get two digits: more are not reliable.
-fn short(value: Option<f64>) -> Text {
-    Text::number(value, |value| format!("{value:.1e}"))
+fn short(value: Option<f64>) -> Cell {
+    Cell::number(value, |value| format!("{value:.1e}"))
 }
 
 /// A test of a number that is counted.

@@ -5,7 +5,7 @@ use crate::drivers::pairs;
 use crate::files::{Files, capital, drawn};
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, parallel, wilson};
 use pounding_text::{Table, digits};
 
@@ -160,9 +160,9 @@ fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
         };
         let name = format!("gap {} mm", digits(1e3 * counts[0].gap));
         [
-            curve(Kind::Thin, |one| one.bounds().0),
-            curve(Kind::Thin, |one| one.bounds().1),
-            curve(Kind::Line, Count::share).marked(mark).named(name),
+            curve(CurveKind::Thin, |one| one.bounds().0),
+            curve(CurveKind::Thin, |one| one.bounds().1),
+            curve(CurveKind::Line, Count::share).marked(mark).named(name),
         ]
     };
     let panel = |counts: &[Count]| {

@@ -98,7 +98,7 @@ impl Heat {
             let bottom = height - 2.0 - (row + 1) as f64 * (side + above);
             for (column, cells) in of_row.panels.iter().enumerate() {
                 let corner = (left + column as f64 * (side + between), bottom);
-                self.panel((corner, side), cells, of_row.classes, &mut shapes);
+                self.panel(corner, side, cells, of_row.classes, &mut shapes);
                 if row == 0 {
                     let at = (corner.0 + 0.5 * side, bottom + side + 2.6);
                     shapes.push(Shape::text(at, &*self.titles[column], TEXT, Align::Middle));
@@ -118,7 +118,7 @@ impl Heat {
         }
     }
 
-    fn panel(&self, (corner, side): ((f64, f64), f64), cells: &[Option<f64>], classes: Classes, shapes: &mut Vec<Shape>) {
+    fn panel(&self, corner: (f64, f64), side: f64, cells: &[Option<f64>], classes: Classes, shapes: &mut Vec<Shape>) {
         let n = self.axis.len();
         let cell = side / n as f64;
         for (index, value) in cells.iter().enumerate() {

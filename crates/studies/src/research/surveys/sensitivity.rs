@@ -10,7 +10,7 @@ use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, FreePair, LawName};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_scene::{Damping, Scene, parallel};
 use pounding_text::Table;
 use rand_pcg::Pcg64;
@@ -38,7 +38,7 @@ type Output = [f64; N_OUTPUTS];
 
 /// Runs of one row of the matrices: of both matrices, and of the first with each input taken from the second.
 #[derive(Debug, Clone)]
-struct Row {
+struct SampleRuns {
     a: Output,
     b: Output,
     mixed: [Output; N_INPUTS],
@@ -97,7 +97,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn row(&self, a: &Sample, b: &Sample) -> Result<Row, StudyError> {
+    fn row(&self, a: &Sample, b: &Sample) -> Result<SampleRuns, StudyError> {
         let mut mixed = [[0.0; N_OUTPUTS]; N_INPUTS];
         let of_a = self.run(a)?;
         for (input, output) in mixed.iter_mut().enumerate() {
@@ -105,7 +105,7 @@ impl Asked<'_> {
             sample[input] = b[input];
             *output = if self.is_same(a, &sample) { of_a } else { self.run(&sample)? };
         }
-        Ok(Row {
+        Ok(SampleRuns {
             a: of_a,
             b: self.run(b)?,
             mixed,
@@ -155,7 +155,7 @@ fn square(value: f64) -> f64 {
 }
 
 /// First-order and total index of an input for an output, estimated from some rows.
-fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
+fn estimate(rows: &[&SampleRuns], input: usize, output: usize) -> [f64; 2] {
     let n = rows.len() as f64;
     let both = rows.iter().flat_map(|row| [row.a[output], row.b[output]]);
     let mean = both.clone().sum::<f64>() / (2.0 * n);
@@ -171,8 +171,8 @@ fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
 }
 
 /// Both indices with the bounds of the bootstrap.
-fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [Index; 2] {
-    let all: Vec<&Row> = rows.iter().collect();
+fn indices(rows: &[SampleRuns], input: usize, output: usize, repetitions: usize) -> [Index; 2] {
+    let all: Vec<&SampleRuns> = rows.iter().collect();
     let values = estimate(&all, input, output);
     let mut random = Pcg64::new(1, 2);
     let mut repeated: [Vec<f64>; 2] = Default::default();
@@ -181,7 +181,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
             let n = rows.len() as u64;
             &rows[usize::try_from(random.next_u64() % n).expect("less than a usize")]
         };
-        let drawn: Vec<&Row> = (0..rows.len()).map(draw).collect();
+        let drawn: Vec<&SampleRuns> = (0..rows.len()).map(draw).collect();
         let again = estimate(&drawn, input, output);
         for (all, one) in repeated.iter_mut().zip(again) {
             all.push(one);
@@ -196,7 +196,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
 }
 
 /// Shares of every input in the variance of an output.
-fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
+fn shares(rows: &[SampleRuns], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
     let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;
@@ -243,10 +243,10 @@ fn figure(found: &[Vec<Share>]) -> Figure {
             for (line, share) in shares.iter().enumerate() {
                 let (Index { value, bounds }, y) = (share.indices[order], line as f64 + aside);
                 let span = [bounds.0, bounds.1].map(|bound| (bound.clamp(0.0, 1.0), y));
-                curves.push(Curve::new(Kind::Line, shade, span.into()));
+                curves.push(Curve::new(CurveKind::Line, shade, span.into()));
                 points.push((value.clamp(0.0, 1.0), y));
             }
-            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
+            curves.push(Curve::new(CurveKind::Points, shade, points).marked(mark).named(name));
         }
         let names = shares.iter().map(|share| share.input.into());
         Panel::shared(capital(shares[0].output), Axis::names(names.collect()), curves)
@@ -274,10 +274,10 @@ mod tests {
                 sample[input] = b[input];
                 of(&sample)
             });
-            Row { a: of(a), b: of(b), mixed }
+            SampleRuns { a: of(a), b: of(b), mixed }
         };
-        let rows: Vec<Row> = samples(4096).iter().map(row).collect();
-        let rows: Vec<&Row> = rows.iter().collect();
+        let rows: Vec<SampleRuns> = samples(4096).iter().map(row).collect();
+        let rows: Vec<&SampleRuns> = rows.iter().collect();
         let parts = [2.25 / 12.0, 4.0 / 12.0, 0.25 / 12.0, 0.0];
         let both = [1.0 / 144.0, 0.0, 1.0 / 144.0, 0.0];
         let whole: f64 = parts.iter().sum::<f64>() + 1.0 / 144.0;

@@ -8,13 +8,13 @@ use crate::study::surveys::PoundingSpectra;
 use crate::{StudyError, StudyFile};
 use pounding_scene::{Method, STANDARD_GRAVITY, Scene, parallel};
 use pounding_solver::SimultaneousImpacts;
-use pounding_text::{Cell as Text, Table, digits};
+use pounding_text::{Cell, Table, digits};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 /// A pair of structures with a gap.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
+struct GapPair {
     /// Index of the left structure's period.
     left: usize,
     right: usize,
@@ -86,12 +86,12 @@ pub(super) fn files(settings: &PoundingSpectra, file: &StudyFile, cases: &[Case]
 }
 
 impl Spectra<'_> {
-    fn cells(&self) -> Vec<Cell> {
+    fn cells(&self) -> Vec<GapPair> {
         let n = self.settings.periods_s.len();
         let mut cells = Vec::new();
         for &mass_ratio in &self.settings.mass_ratios {
             for &gap in &self.settings.gaps_over_srss {
-                let pair = |index| Cell {
+                let pair = |index| GapPair {
                     left: index % n,
                     right: index / n,
                     gap,
@@ -103,7 +103,7 @@ impl Spectra<'_> {
         cells
     }
 
-    fn scene(&self, cell: Cell, case: usize) -> Scene {
+    fn scene(&self, cell: GapPair, case: usize) -> Scene {
         let alone = &self.alone[case];
         let gap = cell.gap * libm::hypot(alone[cell.left], alone[cell.right]);
         let mut scene = with_gap(self.template, gap);
@@ -115,7 +115,7 @@ impl Spectra<'_> {
     }
 
     /// The quantities under every motion.
-    fn numbers(&self, cell: Cell) -> Result<Vec<Numbers>, StudyError> {
+    fn numbers(&self, cell: GapPair) -> Result<Vec<Numbers>, StudyError> {
         let of = |(index, case): (usize, &&Case)| {
             let mut scene = self.scene(cell, index);
             let response = case.run(&scene)?;
@@ -124,7 +124,7 @@ impl Spectra<'_> {
         self.cases.iter().enumerate().map(of).collect()
     }
 
-    fn of_response(&self, scene: &mut Scene, cell: Cell, case: usize, response: &Response) -> Numbers {
+    fn of_response(&self, scene: &mut Scene, cell: GapPair, case: usize, response: &Response) -> Numbers {
         let masses = [0, 1].map(|index| sdof(scene, index).mass_kg);
         let weight = STANDARD_GRAVITY * masses[0].min(masses[1]);
         let alone = &self.alone[case];
@@ -137,7 +137,7 @@ impl Spectra<'_> {
     }
 
     /// Table with one row per pair, gap and mass ratio.
-    fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> String {
+    fn table(&self, cells: &[GapPair], found: &[Vec<Numbers>]) -> String {
         let periods = &self.settings.periods_s;
         let mut table = Table::of(cells.iter().zip(found))
             .column("mass_ratio", |(cell, _)| cell.mass_ratio)
@@ -155,7 +155,7 @@ impl Spectra<'_> {
         table.csv()
     }
 
-    fn heat(&self, cells: &[Cell], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
+    fn heat(&self, cells: &[GapPair], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
         let labels = [
             ("Peak force /\nweight of the\nlighter (–)", FORCE),
             ("Total impulse /\nreduced mass\n(m/s)", IMPULSE),
@@ -167,7 +167,7 @@ impl Spectra<'_> {
                 .iter()
                 .zip(found)
                 .filter(|(cell, _)| cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq());
-            let value = |(_, numbers): (&Cell, &Vec<Numbers>)| {
+            let value = |(_, numbers): (&GapPair, &Vec<Numbers>)| {
                 let value = quantile(&of_quantity(numbers, quantity), 0.5)?;
                 (2 * touching(numbers) >= numbers.len()).then_some(value)
             };
@@ -193,7 +193,7 @@ impl Spectra<'_> {
 
     /// Repeats some runs with a tolerance ten thousand times as large, and with a record scaled by 1 + 10⁻¹². Returns a table of the
     /// relative changes of the numbers.
-    fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
+    fn check(&self, cells: &[GapPair], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
         const TOLERANCE: f64 = 1e-12;
         const SLIGHT: f64 = 1e-12;
         let mut random = Pcg64::new(1, 1);
@@ -218,7 +218,7 @@ impl Spectra<'_> {
         })?;
         let moves = |(quantity, key)| (key, sorted(moved.iter().map(|moves: &Vec<f64>| moves[quantity])));
         // Two digits: further ones are rounding, which differs between machines.
-        let part = |moves: &[f64], part| Text::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
+        let part = |moves: &[f64], part| Cell::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
         Ok(Table::of(KEYS.into_iter().enumerate().map(moves))
             .column("quantity", |(key, _)| *key)
             .column("runs", |(_, moves)| moves.len())

@@ -7,7 +7,7 @@ use crate::listed::listed;
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{HeldConstant, StiffnessRatio};
 use crate::{StudyError, StudyFile};
-use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Note, Panel, Shade};
 use pounding_scene::{Scene, Structure, parallel};
 use pounding_text::Table;
 
@@ -20,7 +20,7 @@ const HALVINGS: usize = 8;
 
 /// A layout with the property that stays constant.
 #[derive(Debug)]
-struct Line<'a> {
+struct VariedLayout<'a> {
     scene: &'a Scene,
     kept: HeldConstant,
     /// Quantities of the middle structure without neighbours, for every motion. `None` if its own stiffness varies.
@@ -66,7 +66,7 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
             let alone = (!varies)
                 .then(|| parallel::try_each(cases, |case| alone(case, scene)))
                 .transpose()?;
-            lines.push(Line { scene, kept, alone });
+            lines.push(VariedLayout { scene, kept, alone });
         }
     }
     let (name, reversed) = &settings.papers;
@@ -88,7 +88,7 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
     ]))
 }
 
-impl Line<'_> {
+impl VariedLayout<'_> {
     fn scene(&self, settings: &StiffnessRatio, ratio: f64) -> Scene {
         let mut scene = self.scene.clone();
         let weak = self.scene.structures.iter().position(|one| one.name() == settings.weak);
@@ -111,7 +111,7 @@ impl Line<'_> {
 
 impl Survey<'_> {
     /// Quantities of the middle structure under every motion.
-    fn middles(&self, line: &Line<'_>, ratio: f64) -> Result<Vec<Middle>, StudyError> {
+    fn middles(&self, line: &VariedLayout<'_>, ratio: f64) -> Result<Vec<Middle>, StudyError> {
         let scene = line.scene(self.settings, ratio);
         let places: Vec<usize> = (0..self.cases.len()).collect();
         parallel::try_each(&places, |&place| {
@@ -138,7 +138,7 @@ impl Survey<'_> {
     }
 
     /// Finds where the followed value crosses one, by bisection between the ratios of the grid.
-    fn turns(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]]) -> Result<Vec<Turn>, StudyError> {
+    fn turns(&self, lines: &[VariedLayout<'_>], found: &[&[Vec<Middle>]]) -> Result<Vec<Turn>, StudyError> {
         let mut between = Vec::new();
         for (line, of_line) in found.iter().enumerate() {
             for quantity in Quantity::ALL {
@@ -177,10 +177,11 @@ impl Survey<'_> {
     }
 
     /// Table with one row per layout, constant property, ratio and quantity.
-    fn table<'s>(&self, lines: &'s [Line<'s>], found: &'s [&[Vec<Middle>]]) -> String {
-        let of_line = |(line, of_line): (&'s Line<'s>, &'s &[Vec<Middle>])| {
-            let of_ratio =
-                move |(ratio, middles): (&f64, &'s Vec<Middle>)| Quantity::ALL.map(|quantity| Cell::of((line, *ratio, quantity), middles));
+    fn table<'s>(&self, lines: &'s [VariedLayout<'s>], found: &'s [&[Vec<Middle>]]) -> String {
+        let of_line = |(line, of_line): (&'s VariedLayout<'s>, &'s &[Vec<Middle>])| {
+            let of_ratio = move |(ratio, middles): (&f64, &'s Vec<Middle>)| {
+                Quantity::ALL.map(|quantity| MiddleRow::of(line, *ratio, quantity, middles))
+            };
             self.settings.stiffness_ratios.iter().zip(*of_line).flat_map(of_ratio)
         };
         let cells = lines.iter().zip(found).flat_map(of_line).filter(|one| !one.known.is_empty());
@@ -200,9 +201,9 @@ impl Survey<'_> {
 
     /// Figure with one panel per layout and constant property: medians, and the paper's record. A note marks the ratio above which pounding
     /// helps.
-    fn figure(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
+    fn figure(&self, lines: &[VariedLayout<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
         let ratios = &self.settings.stiffness_ratios;
-        let panel = |(index, (line, of_line)): (usize, (&Line<'_>, &&[Vec<Middle>]))| {
+        let panel = |(index, (line, of_line)): (usize, (&VariedLayout<'_>, &&[Vec<Middle>]))| {
             let note = |ratio: f64| Note::new((ratio, 1.0), format!("{ratio:.*}", usize::from(ratio < 10.0)));
             let title = format!("{}, {} kept", capital(&line.scene.name), line.kept.word());
             let y = Axis::over("Middle / alone (–)", LEAST, MOST).log();
@@ -240,9 +241,9 @@ impl Survey<'_> {
             let ratios = self.settings.stiffness_ratios.iter();
             let points: Vec<_> = ratios.zip(of_line).filter_map(point).collect();
             let (kind, of) = if of_paper {
-                (Kind::Dashed, "the paper's motion")
+                (CurveKind::Dashed, "the paper's motion")
             } else {
-                (Kind::Line, "median of all")
+                (CurveKind::Line, "median of all")
             };
             let name = format!("{}, {of}", capital(quantity.words()));
             (!points.is_empty()).then(|| Curve::new(kind, shade, points).named(name))
@@ -265,8 +266,8 @@ fn known(middles: &[Middle], quantity: Quantity) -> Vec<f64> {
 }
 
 /// A row of the table: a quantity of a layout at a stiffness ratio.
-struct Cell<'a> {
-    line: &'a Line<'a>,
+struct MiddleRow<'a> {
+    line: &'a VariedLayout<'a>,
     ratio: f64,
     quantity: Quantity,
     middles: &'a [Middle],
@@ -274,8 +275,8 @@ struct Cell<'a> {
     known: Vec<f64>,
 }
 
-impl<'a> Cell<'a> {
-    fn of((line, ratio, quantity): (&'a Line<'a>, f64, Quantity), middles: &'a [Middle]) -> Self {
+impl<'a> MiddleRow<'a> {
+    fn of(line: &'a VariedLayout<'a>, ratio: f64, quantity: Quantity, middles: &'a [Middle]) -> Self {
         Self {
             line,
             ratio,
@@ -287,7 +288,7 @@ impl<'a> Cell<'a> {
 }
 
 /// Table with one row per crossing.
-fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> String {
+fn turn_table(lines: &[VariedLayout<'_>], turns: &[Turn]) -> String {
     Table::of(turns)
         .column("scene", |turn| lines[turn.line].scene.name.clone())
         .column("kept", |turn| lines[turn.line].kept.word())

@@ -48,7 +48,7 @@ impl Campaign {
                 // Sending fails if the patience has ended and nobody receives any more; the failure is ignored.
                 sender.send(Message::Begins(stage)).ok();
             };
-            let checked = Checked::run((index, &own), &base, (&begin, stop));
+            let checked = Checked::run(index, &own, &base, &begin, stop);
             sender.send(Message::Ends(Box::new(checked))).ok();
         });
         let mut stage = Stage::Exact;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::class::{Class, rests};
-use super::compared::{ALLOWED, Compared, Place, Stage, Two};
+use super::compared::{ALLOWED, Compared, NumberPlace, Stage, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
 use super::meeting::SAME;
 use super::numbers::Numbers;
@@ -126,7 +126,7 @@ impl Checked {
 
     /// Runs a scene by both routes. `base` is the folder that the name of its record is relative to. `begin` is called at the start of each
     /// part of the work, and `stop` ends the exact runs.
-    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, (begin, stop): (&dyn Fn(Stage), &'static AtomicBool)) -> Self {
+    pub(super) fn run(index: usize, scene: &Scene, base: &Path, begin: &dyn Fn(Stage), stop: &'static AtomicBool) -> Self {
         let failed = |verdict, failure| Self::new(index, scene, verdict, Some(failure));
         begin(Stage::Exact);
         let prepared = match Simulation::new(scene, stopped_by(base, stop)) {
@@ -174,7 +174,7 @@ impl Checked {
                     base,
                     stop,
                 };
-                checked.compare(&data, (exact, second, residual), begin);
+                checked.compare(&data, exact, second, residual, begin);
             }
             Ok(_) => {}
             Err(_) => checked.disagreements = residual.into_iter().filter(|_| broken.is_none()).collect(),
@@ -182,12 +182,7 @@ impl Checked {
         checked
     }
 
-    fn compare(
-        &mut self,
-        data: &Data<'_>,
-        (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
-        begin: &dyn Fn(Stage),
-    ) {
+    fn compare(&mut self, data: &Data<'_>, mut exact: Numbers, mut second: Numbers, residual: Option<Disagreement>, begin: &dyn Fn(Stage)) {
         self.grazes = exact.without_grazes(&mut second);
         let all = exact.beside(&second);
         let close = |two: &Two| two.distance <= ALLOWED;
@@ -245,7 +240,10 @@ impl Disagreement {
 fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
     let moves = |one: &&Disagreement| one.two.what == Compared::Start && one.explained > SAME;
     let mut untold: Vec<_> = judged.iter().filter(moves).map(|one| one.two.place).collect();
-    let pairs: Vec<_> = untold.iter().filter_map(|place| Some(Place::Pair(place.touch()?.0))).collect();
+    let pairs: Vec<_> = untold
+        .iter()
+        .filter_map(|place| Some(NumberPlace::Pair(place.touch()?.0)))
+        .collect();
     untold.extend(pairs);
     for one in judged {
         if one.two.distance.is_infinite() && untold.contains(&one.two.place) {
@@ -307,7 +305,7 @@ fn residual(residual: f64) -> Option<Disagreement> {
     large.then_some(Disagreement {
         two: Two {
             what: Compared::Residual,
-            place: Place::Run,
+            place: NumberPlace::Run,
             first: residual,
             second: 0.0,
             distance: residual,
@@ -373,11 +371,11 @@ fn room_explains(prepared: &Simulation, error: &Error) -> bool {
         return true;
     };
     let walls = prepared.walls();
-    (0..walls.len()).any(|node| walls[node] && leaves_no_room(prepared, &walls, (node, *time)))
+    (0..walls.len()).any(|node| walls[node] && leaves_no_room(prepared, &walls, node, *time))
 }
 
 /// Whether a wall is as close to the next one on its right as the gaps of impulsive contacts between them allow.
-fn leaves_no_room(prepared: &Simulation, walls: &[bool], (wall, time): (usize, f64)) -> bool {
+fn leaves_no_room(prepared: &Simulation, walls: &[bool], wall: usize, time: f64) -> bool {
     let Some(travel) = prepared.travel() else {
         return false;
     };

@@ -48,7 +48,7 @@ listed! {
 
 /// The place of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum NumberPlace {
     /// The floor with this index in the row.
     Floor(usize),
     /// A touch of a pair.
@@ -64,7 +64,7 @@ pub enum Place {
     Run,
 }
 
-impl Place {
+impl NumberPlace {
     /// The pair and the index of the touch, if the place is a touch.
     pub(super) fn touch(self) -> Option<(usize, usize)> {
         match self {
@@ -80,7 +80,7 @@ pub struct Two {
     /// Kind of the number.
     pub what: Compared,
     /// Place of the number.
-    pub place: Place,
+    pub place: NumberPlace,
     /// Value in the first run, in SI units.
     pub first: f64,
     /// Value in the second run, in SI units.

@@ -115,14 +115,14 @@ fn building(random: &mut Random, name: String, low: bool) -> Structure {
     let rate = PI / (period * libm::sin(PI / (4.0 * storeys + 2.0)));
     let taper = random.within(0.4, 1.0);
     let roof = random.within(0.5, 1.0);
-    let mut kind = Kind::one(random);
+    let mut kind = ColumnKind::one(random);
     let changing = random.chance(0.1);
     let mut all = Vec::new();
     let mut below = 0.0;
     while below < storeys {
         let part = 1.0 - (1.0 - taper) * below / storeys;
         if changing {
-            kind = Kind::one(random);
+            kind = ColumnKind::one(random);
         }
         below += 1.0;
         all.push(Storey {
@@ -143,7 +143,7 @@ fn building(random: &mut Random, name: String, low: bool) -> Structure {
 fn sdof(random: &mut Random, name: String) -> Sdof {
     let mass = random.log_within(3e4, 3e6);
     let omega = 2.0 * PI / random.log_within(0.15, 2.0);
-    let kind = Kind::one(random);
+    let kind = ColumnKind::one(random);
     let columns = kind.columns(random, mass * omega * omega);
     Sdof {
         name,
@@ -173,14 +173,14 @@ fn damping(random: &mut Random) -> Damping {
 
 /// Behaviour of the columns of a building.
 #[derive(Debug, Clone, Copy)]
-enum Kind {
+enum ColumnKind {
     Elastic,
     PerfectlyPlastic,
     Bilinear,
     BoucWen { exponent: u32, beta: f64 },
 }
 
-impl Kind {
+impl ColumnKind {
     fn one(random: &mut Random) -> Self {
         match random.below(4) {
             0 => Self::Elastic,

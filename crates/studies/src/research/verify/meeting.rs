@@ -2,7 +2,7 @@
 
 use pounding_contact::Clamp;
 
-use super::compared::{Compared, Place, Two};
+use super::compared::{Compared, NumberPlace, Two};
 use pounding_scene::relative_to;
 use pounding_solver::Pair;
 
@@ -100,7 +100,7 @@ const ROUNDING: f64 = 1e-12;
 
 impl Meeting {
     /// A touch of a pair between two instants \[s\], with its impulse \[N·s\] and force \[N\].
-    pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], (impulse, peak_force): (f64, Option<f64>), uncertainty: Option<f64>) -> Self {
+    pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], impulse: f64, peak_force: Option<f64>, uncertainty: Option<f64>) -> Self {
         // Neighbours part at the end of the force only if nothing clamps it.
         let parts = pair.law.clamp() == Clamp::Never;
         Self {
@@ -136,7 +136,7 @@ impl Meeting {
     /// Compares the touch with the corresponding one of another run; without one, all distances are infinite. A number that the kind of
     /// touch does not have has distance 0. So does a force that only one of both has: rounding may decide whether the impact before a rest
     /// has an impulse, and the impulses are compared.
-    pub(super) fn beside(&self, other: Option<&Self>, place: Place, largest: Largest) -> [Two; 4] {
+    pub(super) fn beside(&self, other: Option<&Self>, place: NumberPlace, largest: Largest) -> [Two; 4] {
         let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
             let (first, second) = (value(self), other.and_then(value));
             Two {

@@ -22,5 +22,5 @@ mod written;
 pub use campaign::Campaign;
 pub use check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 pub use class::Class;
-pub use compared::{ALLOWED, Compared, Place, Stage, Two};
+pub use compared::{ALLOWED, Compared, NumberPlace, Stage, Two};
 pub use table::{KnownLimit, LIMITS, Summary};

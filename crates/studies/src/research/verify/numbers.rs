@@ -1,6 +1,6 @@
 //! Numbers of a scene by both routes, with their distances.
 
-use super::compared::{Compared, Place, Two};
+use super::compared::{Compared, NumberPlace, Two};
 use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
@@ -51,7 +51,7 @@ impl Numbers {
         };
         let touches = |(index, pair): (usize, &Pair)| {
             let all = outcome.collisions_of(index);
-            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), one.uncertainty))
+            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, one.uncertainty))
                 .collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
@@ -67,7 +67,7 @@ impl Numbers {
         let pairs = prepared.pairs().iter().zip(&response.collisions);
         let touches = pairs.map(|(pair, all)| {
             let all = all.iter();
-            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), None))
+            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, None))
                 .collect()
         });
         Self::new(prepared, floors.collect(), touches.collect())
@@ -110,7 +110,7 @@ impl Numbers {
         let largest = self.floors.iter().map(|[.., momentum]| *momentum).fold(0.0, f64::max);
         for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
             let pinched = self.pinched[index] || other.pinched[index];
-            let place = Place::Floor(index);
+            let place = NumberPlace::Floor(index);
             for (what, (&first_value, &second_value)) in OF_FLOORS.into_iter().zip(first.iter().zip(second)) {
                 let scale = if what == Compared::LastDisplacement {
                     first[0]
@@ -142,12 +142,12 @@ impl Numbers {
                 } else {
                     largest
                 };
-                let place = Place::Touch { pair, touch };
+                let place = NumberPlace::Touch { pair, touch };
                 all.extend(one.beside(same.map(|same| &second[same]), place, scale));
             }
             all.push(Two {
                 what: Compared::Touches,
-                place: Place::Pair(pair),
+                place: NumberPlace::Pair(pair),
                 first: first.len() as f64,
                 second: second.len() as f64,
                 distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },

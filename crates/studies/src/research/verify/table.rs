@@ -5,7 +5,7 @@ use std::fmt::{self, Formatter};
 
 use super::check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 use super::class::Class;
-use super::compared::{Compared, Place};
+use super::compared::{Compared, NumberPlace};
 use pounding_text::{Cell, Table};
 
 /// A failure that the documentation of limits describes.
@@ -91,10 +91,10 @@ impl fmt::Display for Disagreement {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let two = &self.two;
         let place = match two.place {
-            Place::Floor(floor) => format!(" of floor {floor}"),
-            Place::Touch { pair, touch } => format!(" {touch} of pair {pair}"),
-            Place::Pair(pair) => format!(" of pair {pair}"),
-            Place::Run => String::new(),
+            NumberPlace::Floor(floor) => format!(" of floor {floor}"),
+            NumberPlace::Touch { pair, touch } => format!(" {touch} of pair {pair}"),
+            NumberPlace::Pair(pair) => format!(" of pair {pair}"),
+            NumberPlace::Run => String::new(),
         };
         let what = two.what.words();
         write!(

@@ -1,6 +1,6 @@
 //! Condition: the sensitivity of a scene's results to its record, and whether the two routes are as close as it allows.
 
-use super::quantities::{MethodQuantity, Quantities, Run};
+use super::quantities::{MethodQuantity, MethodRun, Quantities};
 use crate::noise::Noise;
 use pounding_reference::Response;
 use pounding_scene::{Simulation, parallel, relative};
@@ -65,12 +65,12 @@ impl Knowledge {
     ///
     /// # Errors
     /// The reason if a run of the reference fails.
-    pub(super) fn measure(run: &Run<'_>, second: Option<&Response>) -> Result<Self, String> {
+    pub(super) fn measure(run: &MethodRun<'_>, second: Option<&Response>) -> Result<Self, String> {
         let truth = Results::of(run)?;
         let records: Vec<_> = (0..=N_RECORDS).collect();
         let near = parallel::try_each(&records, |&index| {
             let prepared = under(run.prepared, CHANGE, index).map_err(|error| error.to_string())?;
-            let run = Run {
+            let run = MethodRun {
                 prepared: &prepared,
                 ..*run
             };
@@ -138,7 +138,7 @@ struct Results {
 }
 
 impl Results {
-    fn of(run: &Run<'_>) -> Result<Self, String> {
+    fn of(run: &MethodRun<'_>) -> Result<Self, String> {
         let (outcome, _) = run.recorded()?;
         let mut pairs = vec![Vec::new(); run.prepared.pairs().len()];
         for Collision { pair, start, impulse, .. } in outcome.collisions.all() {

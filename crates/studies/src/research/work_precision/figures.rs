@@ -7,7 +7,7 @@ use std::path::Path;
 use super::measure::{Entrant, Race, Rung};
 use super::quantities::MethodQuantity;
 use crate::files::{capital, drawn};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 
 /// Start of the names of scenes with their own figure; all others share two figures.
 const OWN: &str = "two structures, ";
@@ -58,7 +58,7 @@ fn figure(panels: Vec<Panel>) -> Figure {
 fn panel(race: &Race, quantity: MethodQuantity, [title, error]: [&str; 2]) -> Panel {
     let mut curves: Vec<_> = race.entrants.iter().filter_map(|entrant| curve(entrant, quantity)).collect();
     // Hollow marks are drawn over solid ones, so both stay visible.
-    curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
+    curves.sort_by_key(|curve| curve.kind == CurveKind::Dashed);
     Panel::shared(title, Axis::over(error, ROUNDING, WORTHLESS).log(), curves)
 }
 

@@ -1,7 +1,7 @@
 //! Runs of all methods.
 
 use super::condition::Knowledge;
-use super::quantities::{Ended, MethodQuantity, Quantities, Run};
+use super::quantities::{Ended, MethodQuantity, MethodRun, Quantities};
 use crate::drivers::each;
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
@@ -122,7 +122,7 @@ fn digits(distance: f64) -> u32 {
 pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
     let of_scene = |(scene, prepared)| {
-        entries(scene, ladder).map(move |(contender, setting)| Run {
+        entries(scene, ladder).map(move |(contender, setting)| MethodRun {
             scene,
             prepared,
             contender,
@@ -131,13 +131,13 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
     };
     let runs: Vec<_> = scenes.iter().zip(&completed.prepared).flat_map(of_scene).collect();
     let finest = ladder.tolerances[ladder.tolerances.len() - 1];
-    let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
+    let is_reference = |run: &&MethodRun<'_>| run.contender.key == REFERENCE && run.setting <= finest;
     let references: Vec<_> = runs.iter().filter(is_reference).collect();
     let known = parallel::each(&references, |reference| {
         let second = crate::second_route(reference.prepared, Fineness::FINE);
         Knowledge::measure(reference, second.ok().as_ref())
     });
-    let mut outcomes = each(&runs, done, Run::outcome).into_iter();
+    let mut outcomes = each(&runs, done, MethodRun::outcome).into_iter();
     let race = |(scene, knowledge): (&Scene, Result<Knowledge, String>)| {
         let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
         let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));

@@ -11,14 +11,23 @@ use pounding_text::{Cell, Table};
 /// Largest errors \[–\] with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
 
+/// The cheapest of some runs.
+#[derive(Clone, Copy)]
+pub(super) struct Cheapest<'a> {
+    pub(super) rung: &'a Rung,
+    pub(super) work: u64,
+}
+
 /// The cheapest run of a method that passes a test and keeps passing it at every smaller setting of the ladder.
-pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<(&Rung, u64)> {
+pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<Cheapest<'_>> {
     let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
     // Of equal costs the finest run counts.
     let rungs = holding(&entrant.rungs, holds).iter().rev();
-    rungs
-        .filter_map(|rung| Some((rung, rung.outcome.as_ref().ok()?.cost())))
-        .min_by_key(|(_, cost)| *cost)
+    let runs = rungs.filter_map(|rung| {
+        let work = rung.outcome.as_ref().ok()?.cost();
+        Some(Cheapest { rung, work })
+    });
+    runs.min_by_key(|run| run.work)
 }
 
 /// A quantity and an error, with the cheapest run of each method that reaches it.
@@ -27,14 +36,11 @@ struct Asked<'a> {
     quantity: &'static str,
     percent: &'static str,
     agreed: String,
-    found: Vec<Option<Run<'a>>>,
+    found: Vec<Option<Cheapest<'a>>>,
 }
 
-/// A run with its work.
-type Run<'a> = (&'a Rung, u64);
-
 impl<'a> Asked<'a> {
-    fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
+    fn of(race: &'a Race, quantity: &'static str, percent: &'static str, agreed: String, holds: impl Fn(&Measured) -> bool) -> Self {
         let found = COMPARED_METHODS.iter().map(|contender| cheapest(race.of(contender.key)?, &holds));
         Self {
             race,
@@ -46,10 +52,10 @@ impl<'a> Asked<'a> {
     }
 
     /// The cheapest run of all methods.
-    fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
+    fn best(&self) -> Option<(&'static ComparedMethod, Cheapest<'a>)> {
         let runs = COMPARED_METHODS.iter().zip(&self.found);
         runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
-            .min_by_key(|(_, (_, cost))| *cost)
+            .min_by_key(|(_, run)| run.work)
     }
 }
 
@@ -62,15 +68,14 @@ pub(super) fn table(races: &[Race]) -> String {
                 continue;
             }
             rows.extend(ALLOWED.map(|(allowed, percent)| {
-                let asked = (quantity.key(), percent, agreed(race.digits(quantity)));
-                Asked::of(race, asked, |measured| {
+                Asked::of(race, quantity.key(), percent, agreed(race.digits(quantity)), |measured| {
                     measured.error(quantity).is_some_and(|error| error <= allowed)
                 })
             }));
         }
         if race.truth.n_collisions > 0 {
-            let asked = ("number_of_collisions", "0", race.agreed_count().into());
-            rows.push(Asked::of(race, asked, |measured| measured.same_count));
+            let agreed = race.agreed_count().into();
+            rows.push(Asked::of(race, "number_of_collisions", "0", agreed, |measured| measured.same_count));
         }
     }
     Table::of(rows)
@@ -80,14 +85,14 @@ pub(super) fn table(races: &[Race]) -> String {
         .column("agreed_digits", |one| one.agreed.clone())
         .column("cheapest_method", |one| one.best().map_or("never", |(contender, _)| contender.key))
         .column("cheapest_setting", |one| {
-            one.best().map(|(contender, (rung, _))| setting(contender, rung.setting))
+            one.best().map(|(contender, run)| setting(contender, run.rung.setting))
         })
-        .column("cheapest_work", |one| one.best().map(|(_, (_, cost))| cost))
+        .column("cheapest_work", |one| one.best().map(|(_, run)| run.work))
         .columns(
             0..COMPARED_METHODS.len(),
             |method| COMPARED_METHODS[method].key.into(),
             |one, method| {
-                let needed = |(rung, _): Run<'_>| setting(&COMPARED_METHODS[method], rung.setting);
+                let needed = |run: Cheapest<'_>| setting(&COMPARED_METHODS[method], run.rung.setting);
                 let entrant = one.race.of(COMPARED_METHODS[method].key);
                 entrant.map(|_| one.found[method].map_or("never".into(), needed))
             },
@@ -111,7 +116,7 @@ struct Need {
 impl Need {
     fn of(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Self> {
         let entrant = race.of(key)?;
-        let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
+        let Cheapest { rung, work } = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
         Some(Self {
             setting: setting(entrant.contender, rung.setting),
             work,

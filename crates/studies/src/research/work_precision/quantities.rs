@@ -125,14 +125,14 @@ pub(super) type Ended<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
 
 /// A run of one method on one scene before it starts.
 #[derive(Debug)]
-pub(super) struct Run<'a> {
+pub(super) struct MethodRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) prepared: &'a Simulation,
     pub(super) contender: &'static ComparedMethod,
     pub(super) setting: f64,
 }
 
-impl<'a> Run<'a> {
+impl<'a> MethodRun<'a> {
     pub(super) fn outcome(&self) -> Ended<'a> {
         let (outcome, ledger) = self.recorded()?;
         let quantities = Quantities::of(&outcome, self.scene.structures.len());

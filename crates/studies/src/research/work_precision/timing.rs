@@ -3,7 +3,7 @@
 use super::Trade;
 use super::measure::{Entrant, Measured, Rung};
 use super::pareto::{EXACT, STEPPING, cheapest};
-use super::quantities::{MethodQuantity, Run};
+use super::quantities::{MethodQuantity, MethodRun};
 use super::table::setting;
 use crate::{Completed, StudyError, StudyFile};
 use pounding_scene::{REFERENCE, RIVAL, Scene};
@@ -27,7 +27,7 @@ pub struct Timed<'a> {
     pub work: u64,
     /// Whether other runs are compared with it: true for the convergent central difference method.
     pub is_base: bool,
-    run: Run<'a>,
+    run: MethodRun<'a>,
 }
 
 impl Timed<'_> {
@@ -79,7 +79,7 @@ impl Trade {
                     holds,
                     work: measured.cost(),
                     is_base: entrant.contender.key == RIVAL,
-                    run: Run {
+                    run: MethodRun {
                         scene,
                         prepared,
                         contender: entrant.contender,
@@ -98,6 +98,6 @@ fn choose(entrant: &Entrant) -> Option<(&Rung, &Measured, bool)> {
     let allowed = if exact { EXACT } else { STEPPING };
     let accurate = cheapest(entrant, |measured| measured.worst(&MethodQuantity::ALL) <= allowed);
     let finest = || entrant.rungs.iter().rfind(|rung| rung.outcome.is_ok());
-    let rung = accurate.map(|(rung, _)| rung).or_else(finest)?;
+    let rung = accurate.map(|run| run.rung).or_else(finest)?;
     Some((rung, rung.outcome.as_ref().ok()?, accurate.is_some()))
 }

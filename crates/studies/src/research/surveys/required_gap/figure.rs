@@ -3,7 +3,7 @@
 use super::Widths;
 use super::gaps::{Gaps, Quantity, Swept};
 use crate::statistics::{quantile, sorted};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_scene::Rule;
 
 /// Rules with their own panels; the rule of ASCE 7 is SRSS here.
@@ -15,10 +15,10 @@ const RULES: [(Rule, &str, Shade); 4] = [
 ];
 
 /// Quantiles of the required gap over the gap of a rule, with their looks.
-const SHOWN: [(f64, &str, Kind, Shade); 3] = [
-    (1.0, "largest", Kind::Thin, Shade::Vermilion),
-    (0.95, "95 % quantile", Kind::Dashed, Shade::Blue),
-    (0.5, "median", Kind::Line, Shade::Ink),
+const SHOWN: [(f64, &str, CurveKind, Shade); 3] = [
+    (1.0, "largest", CurveKind::Thin, Shade::Vermilion),
+    (0.95, "95 % quantile", CurveKind::Dashed, Shade::Blue),
+    (0.5, "median", CurveKind::Line, Shade::Ink),
 ];
 
 /// Figure with one panel per rule: the required gap over the gap of the rule.
@@ -42,7 +42,11 @@ fn ratio_of_periods() -> Axis {
 pub(super) fn shares(widths: &Widths<'_>) -> Figure {
     let share = |(rule, name, shade)| {
         let point = |ratio: &f64| (*ratio, 100.0 * widths.score(rule, Some(*ratio)).share());
-        let kind = if shade == Shade::Vermilion { Kind::Dashed } else { Kind::Line };
+        let kind = if shade == Shade::Vermilion {
+            CurveKind::Dashed
+        } else {
+            CurveKind::Line
+        };
         Curve::new(kind, shade, widths.ratios.iter().map(point).collect()).named(name)
     };
     let panel = Panel {
@@ -84,7 +88,7 @@ fn highest(gaps: &Gaps<'_>, quantity: Quantity) -> f64 {
 /// Every case in grey, the median in ink, and the case with the largest rise of the quantity `beyond`.
 fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve> {
     let curves: Vec<_> = own.iter().map(|one| one.curve(quantity)).collect();
-    let thin = |points: &Vec<_>| Curve::new(Kind::Thin, Shade::Silver, points.clone());
+    let thin = |points: &Vec<_>| Curve::new(CurveKind::Thin, Shade::Silver, points.clone());
     let mut drawn: Vec<Curve> = curves.iter().map(thin).collect();
     if let Some(first) = drawn.first_mut() {
         *first = first.clone().named("a motion and direction");
@@ -99,8 +103,8 @@ fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve
     if let Some(steepest) = steepest {
         let points = steepest.curve(quantity);
         let name = "the one that rises most beyond alone";
-        drawn.push(Curve::new(Kind::Line, Shade::Vermilion, points).named(name));
+        drawn.push(Curve::new(CurveKind::Line, Shade::Vermilion, points).named(name));
     }
-    drawn.push(Curve::new(Kind::Line, Shade::Ink, median).named("median"));
+    drawn.push(Curve::new(CurveKind::Line, Shade::Ink, median).named("median"));
     drawn
 }
