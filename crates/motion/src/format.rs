@@ -14,7 +14,6 @@ mod csmip_v3;
 mod csmnc;
 mod csv;
 mod cwb;
-mod damage;
 mod draft;
 mod dyna;
 mod emod3d;
@@ -42,7 +41,7 @@ mod usc;
 mod usgs_text;
 mod values;
 
-use crate::line::{Line, lines};
+use crate::line::{Line, excerpt, lines, number};
 use crate::refusals;
 use crate::{Accelerogram, Channel, Contents, Declared, Direction, FilePlace, Format, Identity, Refused, Site};
 use component::{Component, chosen};
@@ -144,10 +143,10 @@ fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, R
         draft
     });
     let settled = draft.and_then(|draft| {
-        let ends = !damage::goes_on(&file, draft.end);
+        let ends = !continues(&file, draft.end);
         draft.settle(reader.format, components.get(index), declared, ends)
     });
-    settled.map_err(|refused| damage::located(refused, &file))
+    settled.map_err(|refused| located(refused, &file))
 }
 
 /// Returns the format of a file, by its content; `None` if it is unknown.
@@ -286,4 +285,48 @@ impl<'t> File<'t> {
         let mut lines = self.lines.iter().copied();
         lines.find(|line| !line.is_blank() && !line.is_comment())
     }
+}
+
+/// The error, or an error about the field at which the values stopped.
+fn located(error: Refused, file: &File<'_>) -> Refused {
+    let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(RefusalKind::CutShort)) else {
+        return error;
+    };
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
+    let Some(line) = behind.next() else {
+        return error;
+    };
+    let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
+    let of_numbers = line.pieces().all(is_like_a_number);
+    let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
+    match bad {
+        Some((index, piece)) if of_numbers => refusals::not_a_number(line.number, index + 1, excerpt(piece)),
+        _ => error.found_also(format!(" (line {} reads {:?})", line.number, line.excerpt())),
+    }
+}
+
+/// Whether a line of numbers, sound or damaged, follows the last value.
+fn continues(file: &File<'_>, end: FilePlace) -> bool {
+    let last = end.line().unwrap_or(usize::MAX);
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
+    let next = behind.next();
+    next.is_some_and(|line| line.pieces().all(is_like_a_number))
+}
+
+/// Whether a piece is a number or remains of one: digits with commas, the asterisks of Fortran, the words of programs for NaN.
+fn is_like_a_number(piece: &[u8]) -> bool {
+    let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);
+    let has_digit = piece.iter().any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));
+    let words = [
+        &b"NA"[..],
+        b"N/A",
+        b"NULL",
+        b"NONE",
+        b"#N/A",
+        b"#NUM!",
+        b"#VALUE!",
+        b"#REF!",
+        b"#DIV/0!",
+    ];
+    number(piece).is_some() || (has_digit && piece.iter().all(of_digits)) || words.iter().any(|word| word.eq_ignore_ascii_case(piece))
 }

@@ -31,7 +31,6 @@
 //! - A format is a file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
-mod at_rest;
 mod band_pass;
 mod baseline;
 mod butterworth;

@@ -31,7 +31,6 @@
 
 mod clip;
 mod curves;
-mod dash;
 mod decades;
 mod drawing;
 mod error;

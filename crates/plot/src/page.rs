@@ -10,7 +10,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBAColor, RGBColor, ShapeStyle, TextStyle};
 
 use super::text::{CAPITAL, FAMILY, MM_PER_POINT};
-use super::{Align, Drawing, Fill, PaperPoint, Pen, PlotError, Shade, Shape, dash, text};
+use super::{Align, Drawing, Fill, PaperPoint, Pen, PlotError, Shade, Shape, text};
 
 /// Units of the canvas in a millimetre.
 const UNITS: f64 = 100.0;
@@ -23,6 +23,9 @@ const MIDDLE: f64 = 0.25;
 
 /// Length and half width of the head of an arrow, in widths of the line.
 const HEAD: (f64, f64) = (7.0, 2.6);
+
+/// Length of a dash and of the space after it, in widths of the line. Plotters does not split lines of an SVG into dashes.
+const DASH: (f64, f64) = (4.0, 2.4);
 
 /// Draws a picture as an SVG whose letters need the bundled font.
 pub(super) fn svg(drawing: &Drawing) -> Result<String, PlotError> {
@@ -192,7 +195,7 @@ impl Page<'_> {
 
     fn line(&mut self, points: &[PaperPoint], pen: Pen) -> Result<(), PlotError> {
         let pieces = if pen.dashed {
-            dash::dashes(points, pen.points * MM_PER_POINT)
+            dashes(points, pen.points * MM_PER_POINT)
         } else {
             vec![points.to_vec()]
         };
@@ -259,6 +262,39 @@ impl Page<'_> {
     }
 }
 
+/// Cuts a line into dashes; `width` is that of the line \[mm\].
+fn dashes(points: &[PaperPoint], width: f64) -> Vec<Vec<PaperPoint>> {
+    let lengths = [DASH.0 * width, DASH.1 * width];
+    let mut dashes: Vec<Vec<PaperPoint>> = Vec::new();
+    let (mut phase, mut left) = (0, lengths[0]);
+    let mut dash: Vec<PaperPoint> = points.first().copied().into_iter().collect();
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        loop {
+            let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+            let length = (dx * dx + dy * dy).sqrt();
+            if length <= left {
+                left -= length;
+                break;
+            }
+            from = (from.0 + dx * left / length, from.1 + dy * left / length);
+            if phase == 0 {
+                dash.push(from);
+                dashes.push(std::mem::take(&mut dash));
+            } else {
+                dash = vec![from];
+            }
+            phase = 1 - phase;
+            left = lengths[phase];
+        }
+        if phase == 0 {
+            dash.push(to);
+        }
+    }
+    dashes.push(dash);
+    dashes
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -300,5 +336,12 @@ mod tests {
             }),
             svg(&blank)
         );
+    }
+
+    #[test]
+    fn reference_dashes_follow_the_line() {
+        let dashes = dashes(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], 1.0);
+        let expected = [vec![(0.0, 0.0), (3.0, 0.0), (3.0, 1.0)], vec![(3.0, 3.4), (3.0, 7.0)]];
+        assert_eq!(dashes, expected);
     }
 }
