@@ -27,7 +27,7 @@ impl Completed {
         if let Some(scene) = file.study.scenes.iter().find(stepless)
             && file.study.output.shows_steps()
         {
-            let allowed = "methods with a time step, of which this output shows something";
+            let allowed = "methods with a time step, because this output shows single steps";
             return Err(file.refuse("scenes.method", format!("\"{}\" without a time step", scene.name), allowed));
         }
         let prepare = |scene| Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path));

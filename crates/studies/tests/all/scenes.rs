@@ -239,7 +239,7 @@ fn issue_a_start_of_a_scene_that_is_not_there() {
 fn extreme_an_accuracy_where_steps_are_shown() {
     let mut study = study("table-2");
     study["scenes"][0]["method"] = json!({"accuracy": 0.2});
-    assert_snapshot!(refused("steps", &study), @r#"study.json: scenes.method: found "elastic" without a time step, allowed methods with a time step, of which this output shows something"#);
+    assert_snapshot!(refused("steps", &study), @r#"study.json: scenes.method: found "elastic" without a time step, allowed methods with a time step, because this output shows single steps"#);
 }
 
 #[test]

@@ -177,7 +177,7 @@ fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shak
         // The first motion is not scaled to itself: that would change its last digits.
         if let [first] = &motions[..] {
             target = Target::of(settings, first).map_err(|error| {
-                let allowed = "a period and damping of which the first motion has a spectrum";
+                let allowed = "a period and a damping ratio for which the first motion has a spectrum";
                 StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
             })?;
         }

@@ -112,7 +112,7 @@ impl Asked<'_> {
         })
     }
 
-    /// Whether both samples are the same scene and motion; inputs that a run does not depend on are ignored.
+    /// Whether both samples give one scene under one motion and direction.
     fn is_same(&self, one: &Sample, other: &Sample) -> bool {
         let continuous = 0..4;
         let alike = |input: usize| one[input].total_cmp(&other[input]).is_eq();

@@ -1,8 +1,8 @@
 //! The price of accuracy: every method on every scene over a ladder of time steps or tolerances.
 //!
 //! The truth is the exact method at its smallest tolerance. Only the digits in which a second, independent route agrees with it count, so
-//! no error is smaller than the distance of the two. Work is the number of evaluations of restoring forces, plus the number of power series
-//! that carry structures.
+//! no error is smaller than the distance of the two. Work is the number of evaluations of restoring forces, plus the number of pieces of
+//! motion that power series carry.
 
 mod condition;
 mod figures;

@@ -23,7 +23,7 @@ pub struct Timed<'a> {
     pub error: f64,
     /// Whether the run is accurate enough and stays so at smaller settings: 1e-6 for the exact method, 1e-2 for others.
     pub holds: bool,
-    /// Number of force evaluations, plus number of power series that carry structures.
+    /// Number of force evaluations, plus number of pieces of motion that a power series carries.
     pub work: u64,
     /// Whether other runs are compared with it: true for the convergent central difference method.
     pub is_base: bool,
