@@ -7,7 +7,7 @@
 //!
 //! | Option | Times | Ratios in `results/` |
 //! |---|---|---|
-//! | none | every method on the scenes of two structures, with its accuracy | `wall-time.csv`, and those below but `--peers` |
+//! | none | every method on the scenes of two structures, with its accuracy | `wall-time.csv`, and all below except `--peers` |
 //! | `--savings` | rows with one burden each against the leanest row | `savings.csv` |
 //! | `--storeys` | a floor of a building against a structure of one storey | `storeys.csv` |
 //! | `--lanes` | long rows, scenes in SIMD lanes, sweeps | `bench/`: `structures.csv`, `lanes.csv`, `buildings.csv`, `sweeps.csv` |
@@ -39,13 +39,13 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::Parser;
-use measure::{Outcome, Table};
+use measure::{Outcome, RatioTable};
 use pounding_studies::{Timed, Trade};
 use serde_json::Value;
 
 /// Where criterion puts what it measures, from the top folder.
 const MEASURED: &str = "target/criterion";
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/wall-time.csv",
     title: "Work and wall time over those of the central difference method",
     header: "scene,method,setting,error,accurate_enough,work_ratio,wall_time_ratio",

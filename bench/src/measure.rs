@@ -11,26 +11,39 @@ use fearless_simd::{Level, dispatch};
 /// Result of a benchmark, or its error.
 pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
 
+/// Rounds of a timing: they continue until both limits are reached.
+#[derive(Clone, Copy)]
+pub(crate) struct Rounds {
+    /// Least number of rounds.
+    least: usize,
+    /// Least duration of all rounds.
+    patience: Duration,
+}
+
+impl Rounds {
+    pub(crate) const fn new(least: usize, seconds: u64) -> Self {
+        Self {
+            least,
+            patience: Duration::from_secs(seconds),
+        }
+    }
+}
+
 /// Wall times of runs \[s\], a list for each number in the order.
 ///
-/// A round runs the whole order, every second round backwards, so that other load of the machine affects all runs. Rounds continue until
-/// the patience ends, at least `least` of them.
-pub(crate) fn in_turn(
-    order: &[usize],
-    (least, patience): (usize, Duration),
-    mut run: impl FnMut(usize) -> Outcome<()>,
-) -> Outcome<Vec<Vec<f64>>> {
+/// A round runs the whole order, every second round backwards, so that other load of the machine affects all runs.
+pub(crate) fn in_turn(order: &[usize], rounds: Rounds, mut run: impl FnMut(usize) -> Outcome<()>) -> Outcome<Vec<Vec<f64>>> {
     let mut times = vec![Vec::new(); order.iter().max().map_or(0, |last| last + 1)];
     let mut order = order.to_vec();
-    let (started, mut rounds) = (Instant::now(), 0);
-    while rounds < least || started.elapsed() < patience {
+    let (started, mut done) = (Instant::now(), 0);
+    while done < rounds.least || started.elapsed() < rounds.patience {
         for one in &order {
             let start = Instant::now();
             run(*one)?;
             times[*one].push(start.elapsed().as_secs_f64());
         }
         order.reverse();
-        rounds += 1;
+        done += 1;
     }
     Ok(times)
 }
@@ -48,7 +61,7 @@ pub(crate) fn ratio(times: &[f64], others: &[f64]) -> f64 {
 }
 
 /// A table of ratios.
-pub(crate) struct Table {
+pub(crate) struct RatioTable {
     /// Path of the file, from the top folder.
     pub(crate) path: &'static str,
     /// Title for the terminal.
@@ -56,7 +69,7 @@ pub(crate) struct Table {
     pub(crate) header: &'static str,
 }
 
-impl Table {
+impl RatioTable {
     /// Writes and prints lines. If the table begins with the instructions of the machine, each line gets them and replaces lines with these
     /// instructions; lines of other machines stay.
     pub(crate) fn write(&self, root: &Path, lines: &[String]) -> Outcome<()> {
@@ -106,7 +119,7 @@ mod tests {
     #[test]
     fn limit_runs_take_turns_there_and_back() {
         let mut seen = Vec::new();
-        let times = in_turn(&[0, 1, 1], (2, Duration::ZERO), |one| {
+        let times = in_turn(&[0, 1, 1], Rounds::new(2, 0), |one| {
             seen.push(one);
             Ok(())
         });
@@ -118,7 +131,7 @@ mod tests {
     #[test]
     fn limit_lines_of_other_machines_stay() {
         let root = std::env::temp_dir().join(format!("pounding-bench-{}", std::process::id()));
-        let table = Table {
+        let table = RatioTable {
             path: "a/table.csv",
             title: "A table",
             header: "instructions,time",

@@ -1,10 +1,10 @@
-//! What a floor costs in a step: rows of buildings, to be timed beside rows of as many structures of one storey.
+//! Cost of a floor in a step: rows of buildings, timed with rows of as many one-storey structures.
 //!
-//! All floors weigh the same and every storey is as stiff as the structure of one storey in its place, so that the fastest
-//! oscillation, which a time step has to follow, does not grow with the height.
+//! All floors have one mass, and every storey is as stiff as the one-storey structure in its place. The fastest oscillation, which a time
+//! step has to follow, therefore does not grow with the height.
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::file::RunBudget;
 use pounding_scene::{
     Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, Method, RecordUse, STANDARD_GRAVITY, Scene, Simulation, Source,
@@ -13,7 +13,7 @@ use pounding_scene::{
 use std::f64::consts::PI;
 use std::path::Path;
 
-/// How many buildings of how many storeys stand in a row.
+/// Size of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RowSize {
     /// Storeys of each building, > 0.
@@ -28,7 +28,7 @@ impl RowSize {
         self.storeys * self.buildings
     }
 
-    /// A row of as many floors, each a structure of its own.
+    /// A row of equally many floors, each a separate structure.
     #[must_use]
     pub(crate) fn of_one_storey(self) -> Self {
         Self {
@@ -38,17 +38,17 @@ impl RowSize {
     }
 }
 
-/// What the floors of a row do.
+/// Behaviour of the floors of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Condition {
-    /// Columns yield; else they are elastic.
+    /// Whether columns yield; otherwise they are elastic.
     pub(crate) yielding: bool,
-    /// Neighbours stand a hundredth of a millimetre apart and touch; else nothing can touch.
+    /// Whether neighbours are a hundredth of a millimetre apart and touch; otherwise nothing can touch.
     pub(crate) touching: bool,
 }
 
 impl Condition {
-    /// All of them.
+    /// All conditions.
     pub(crate) const ALL: [Self; 4] = [
         Self::new(false, false),
         Self::new(true, false),
@@ -60,7 +60,7 @@ impl Condition {
         Self { yielding, touching }
     }
 
-    /// In the words of a table: columns, and contact.
+    /// The words of a table: columns, and contact.
     pub(crate) fn words(self) -> [&'static str; 2] {
         [
             if self.yielding { "yielding" } else { "elastic" },
@@ -80,14 +80,14 @@ const MASS: f64 = 1e5;
 /// Yield force of a storey over the weight of the floors that it carries \[–\].
 const YIELDS_AT: f64 = 0.03;
 
-/// A row to be timed.
+/// A row to time.
 #[derive(Debug)]
 pub(crate) struct TimedRow {
     prepared: Simulation,
 }
 
 impl TimedRow {
-    /// The methods to be timed, with their names in tables.
+    /// The methods to time, with their names in tables.
     pub(crate) fn methods() -> impl Iterator<Item = (&'static str, Method)> {
         let timed = |key: &str| METHODS.iter().any(|(name, ..)| *name == key);
         let contenders = ComparedMethod::ALL.iter().filter(move |one| timed(one.key));
@@ -103,22 +103,22 @@ impl TimedRow {
     /// A row of buildings under the first seconds of a record.
     ///
     /// # Errors
-    /// [`Error`] when the record cannot be read.
+    /// [`Error`] if the record cannot be read.
     pub(crate) fn new(size: RowSize, condition: Condition, method: Method, record: &Path) -> Result<Self, Error> {
         let name = format!("{} buildings of {} storeys", size.buildings, size.storeys);
         let building = |index| Structure::Building(building(index, size.storeys, condition.yielding));
         let structures = (0..size.buildings).map(building).collect();
-        let prepared = timed_row((name, structures), condition.touching.then_some(GAP), method, (record, DURATION))?;
+        let prepared = timed_row(name, structures, condition.touching.then_some(GAP), method, record, DURATION)?;
         Ok(Self { prepared })
     }
 
     /// Runs the row.
     ///
-    /// Returns the share of steps, over all pairs of floors, in which they touch \[–\]; nothing without pairs, and of a method
-    /// without steps.
+    /// Returns the share of steps in which pairs of floors touch, over all pairs \[–\]. `None` without pairs, and for a method without
+    /// steps.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     pub(crate) fn run(&self) -> Result<Option<f64>, Error> {
         let work = self.prepared.timed()?;
         let steps = work.steps * self.prepared.floors().facing().len() as u64;
@@ -126,15 +126,17 @@ impl TimedRow {
     }
 }
 
-/// A row with equal gaps, or none that can touch, under the first seconds of a record, to be timed.
+/// A row with equal gaps, or without contacts, under the first seconds of a record, to time.
 ///
 /// # Errors
-/// [`Error`] when the record cannot be read.
+/// [`Error`] if the record cannot be read.
 pub(crate) fn timed_row(
-    (name, structures): (String, Vec<Structure>),
+    name: String,
+    structures: Vec<Structure>,
     gap: Option<f64>,
     method: Method,
-    (record, duration): (&Path, f64),
+    record: &Path,
+    duration: f64,
 ) -> Result<Simulation, Error> {
     let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
         impact_stiffness: 2.75e9,
@@ -159,8 +161,7 @@ pub(crate) fn timed_row(
     Simulation::new(&scene, Path::new(""))
 }
 
-/// Storeys as stiff as a structure of one storey with a period of 0.3 to 0.5 s; the multiples of a prime, modulo another,
-/// spread them.
+/// Storeys as stiff as a one-storey structure with a period of 0.3 to 0.5 s. Multiples of a prime, modulo another, spread the periods.
 fn building(index: usize, storeys: usize, yields: bool) -> Building {
     let period = 0.3 + 0.2 * ((index * 7919) % 101) as f64 / 101.0;
     let omega = 2.0 * PI / period;
@@ -182,20 +183,20 @@ fn building(index: usize, storeys: usize, yields: bool) -> Building {
     }
 }
 
-/// What a row cost.
+/// The cost of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FloorCost {
     /// Name of the method in tables.
     pub(crate) method: &'static str,
-    /// What the floors do.
+    /// Behaviour of the floors.
     pub(crate) condition: Condition,
-    /// How many there are.
+    /// Size of the row.
     pub(crate) size: RowSize,
-    /// Wall time over that of the smallest row of the same method and condition \[–\].
+    /// Wall time over that of the smallest row with this method and condition \[–\].
     pub(crate) over_smallest: f64,
 }
 
-/// Methods that are timed, by their names in tables, and their looks.
+/// Timed methods by their names in tables, with their looks.
 const METHODS: [(&str, Shade, Mark); 7] = [
     (ComparedMethod::RIVAL, Shade::Blue, Mark::Disc),
     ("velocity_verlet", Shade::Green, Mark::Diamond),
@@ -206,11 +207,11 @@ const METHODS: [(&str, Shade, Mark); 7] = [
     (ComparedMethod::REFERENCE, Shade::Ink, Mark::HollowTriangle),
 ];
 
-/// Elastic rows over their storeys and over their buildings, apart and touching, as a PNG; `fixed` is the row that both have
-/// in common, `smallest` the one whose time is the unit. The dashed line has the slope one: time grows with floors.
+/// Figure of elastic rows over their storeys and over their buildings, apart and touching, as a PNG. `fixed` is the row that both series
+/// share, `smallest` the row whose time is the unit. The dashed line has the slope one: time grows with floors.
 ///
 /// # Errors
-/// [`PlotError`] for times that cannot be drawn.
+/// [`PlotError`] if a time cannot be drawn.
 pub(crate) fn floor_cost_figure(costs: &[FloorCost], fixed: RowSize, smallest: RowSize) -> Result<Vec<u8>, PlotError> {
     let mut panels = Vec::new();
     for touching in [false, true] {
@@ -241,13 +242,13 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
     let mut guide: Vec<(f64, f64)> = costs.iter().map(slope).collect();
     guide.sort_by(|one, other| one.0.total_cmp(&other.0));
     guide.dedup();
-    let mut curves = vec![Curve::new(Kind::Dashed, Shade::Silver, guide).named("Slope one")];
+    let mut curves = vec![Curve::new(CurveKind::Dashed, Shade::Silver, guide).named("Slope one")];
     for (method, shade, mark) in METHODS {
         let own = costs.iter().filter(|cost| cost.method == method);
         let mut points: Vec<_> = own.map(|cost| (count(cost.size), cost.over_smallest)).collect();
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         if !points.is_empty() {
-            let curve = Curve::new(Kind::Line, shade, points).marked(mark);
+            let curve = Curve::new(CurveKind::Line, shade, points).marked(mark);
             curves.push(curve.named(ComparedMethod::label_of(method)));
         }
     }

@@ -1,16 +1,15 @@
 //! Savings of models without unneeded features, on rows of 2 to 1000 structures.
 
 use std::path::Path;
-use std::time::Duration;
 
 use pounding_scene::{Damping, Error, Extras, Method, Sdof, Simulation, Structure};
 use serde_json::json;
 
-use crate::measure::{Outcome, Table, in_turn, median};
+use crate::measure::{Outcome, RatioTable, Rounds, in_turn, median};
 use crate::rows::timed_row;
 use crate::setting::RECORD;
 
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/savings.csv",
     title: "Wall time beside the lean row (no pairs, elastic, peaks and impulses alone)",
     header: "method,structures,burden,wall_time_ratio",
@@ -18,7 +17,7 @@ const TABLE: Table = Table {
 /// Lengths of the rows.
 const LENGTHS: [usize; 4] = [2, 10, 100, 1000];
 /// Least number and duration of runs of each row.
-const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
+const ROUNDS: Rounds = Rounds::new(3, 2);
 
 /// Times rows with a single additional feature against the lean row, in turn, and keeps the ratios of their medians.
 pub(super) fn run(root: &Path) -> Outcome<()> {
@@ -45,10 +44,10 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     TABLE.write(root, &lines)
 }
 
-/// What a row does that the leanest one leaves out.
+/// A feature of a row that the leanest one lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Burden {
-    /// Nothing: elastic columns, no pairs, peaks and impulses recorded, nothing else.
+    /// No feature: elastic columns, no pairs, only peaks and impulses recorded.
     None,
     /// Columns that remember their yielding and never yield.
     Yielding,
@@ -62,7 +61,7 @@ enum Burden {
     Touching,
 }
 
-/// All burdens in the words of a table, the leanest first.
+/// All burdens with their words in the table, the leanest first.
 const BURDENS: [(Burden, &str); 6] = [
     (Burden::None, "lean"),
     (Burden::Yielding, "columns that remember yielding"),
@@ -72,7 +71,7 @@ const BURDENS: [(Burden, &str); 6] = [
     (Burden::Touching, "pairs that touch"),
 ];
 
-/// A row to be timed.
+/// A row to time.
 #[derive(Debug)]
 struct Burdened {
     prepared: Simulation,
@@ -85,10 +84,10 @@ const INTERVAL: f64 = 0.02;
 const DURATION: f64 = 10.0;
 
 impl Burdened {
-    /// So many structures with periods of 0.4 to 1.6 s, all different in rows of up to a hundred, under a record.
+    /// `n` structures with periods of 0.4 to 1.6 s under a record; in rows of up to a hundred all periods differ.
     ///
     /// # Errors
-    /// [`Error`] when the record cannot be read.
+    /// [`Error`] if the record cannot be read.
     fn new(n: usize, method: Method, burden: Burden, record: &Path) -> Result<Self, Error> {
         let gap = match burden {
             Burden::Pairs => Some(10.0),
@@ -96,14 +95,14 @@ impl Burdened {
             Burden::None | Burden::Yielding | Burden::Histories | Burden::Ledger => None,
         };
         let structures = (0..n).map(|index| structure(index, burden == Burden::Yielding)).collect();
-        let prepared = timed_row((format!("{n} structures"), structures), gap, method, (record, DURATION))?;
+        let prepared = timed_row(format!("{n} structures"), structures, gap, method, record, DURATION)?;
         Ok(Self { prepared, burden })
     }
 
     /// Runs the row.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     fn run(&self) -> Result<(), Error> {
         if self.burden == Burden::Ledger {
             return self.prepared.audited(None).map(|_| ());
@@ -118,7 +117,7 @@ impl Burdened {
     }
 }
 
-/// Structures of a hundred tonnes; the multiples of a prime, modulo another, spread the periods.
+/// A structure of a hundred tonnes. Multiples of a prime, modulo another, spread the periods.
 fn structure(index: usize, remembers: bool) -> Structure {
     let period = 0.4 + 1.2 * ((index * 7919) % 101) as f64 / 101.0;
     let omega = 2.0 * std::f64::consts::PI / period;

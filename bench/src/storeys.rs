@@ -1,15 +1,14 @@
 //! Cost of a floor in a step, over the number of storeys and the number of buildings.
 
 use std::path::Path;
-use std::time::Duration;
 
 use pounding_scene::Method;
 
-use crate::measure::{Outcome, Table, in_turn, keep, ratio};
+use crate::measure::{Outcome, RatioTable, Rounds, in_turn, keep, ratio};
 use crate::rows::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 use crate::setting::RECORD;
 
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/storeys.csv",
     title: "A floor in a step beside one in a row of structures of one storey",
     header: "method,columns,contact,storeys,buildings,floors,touching_share,touching_share_one_storey,\
@@ -23,7 +22,7 @@ const BUILDINGS: [usize; 4] = [2, 10, 30, 100];
 const FIXED: RowSize = RowSize { storeys: 5, buildings: 5 };
 const SMALLEST: RowSize = RowSize { storeys: 1, buildings: 5 };
 /// Least number and duration of rounds over the rows of a method and condition: their median ignores rounds in which the machine was busy.
-const ROUNDS: (usize, Duration) = (3, Duration::from_secs(2));
+const ROUNDS: Rounds = Rounds::new(3, 2);
 /// Floors per round and size. Other load affects short runs most, which are therefore many.
 const FLOORS_PER_ROUND: usize = 100;
 /// Most floors in contact for the exact method: larger bodies take minutes.
@@ -35,7 +34,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     for (name, method) in TimedRow::methods() {
         for condition in Condition::ALL {
             let words = condition.words().join(",");
-            for (size, over_smallest, cells) in timed((method, condition), &root.join(RECORD))? {
+            for (size, over_smallest, cells) in timed(method, condition, &root.join(RECORD))? {
                 lines.push(format!("{name},{words},{cells}"));
                 costs.push(FloorCost {
                     method: name,
@@ -61,7 +60,7 @@ fn sizes(method: Method, condition: Condition) -> impl Iterator<Item = RowSize> 
 }
 
 /// For every size, its time over that of the smallest row, and the cells of its line.
-fn timed((method, condition): (Method, Condition), record: &Path) -> Outcome<Vec<(RowSize, f64, String)>> {
+fn timed(method: Method, condition: Condition, record: &Path) -> Outcome<Vec<(RowSize, f64, String)>> {
     let row = |size| TimedRow::new(size, condition, method, record);
     let sizes: Vec<RowSize> = sizes(method, condition).collect();
     let mut rows = Vec::new();

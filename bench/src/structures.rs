@@ -1,17 +1,16 @@
 //! Cost of a structure in rows of 2 to 1000, relative to a structure in a row of two.
 
 use std::path::Path;
-use std::time::Duration;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{Elastic, Node, Pair, Row};
 
-use crate::measure::{Outcome, Table, in_turn, ratio};
+use crate::measure::{Outcome, RatioTable, Rounds, in_turn, ratio};
 use crate::scenes::{Beside as _, alone};
 use crate::setting::{CLOCK, GAPS, Ground, RESTITUTION, STEPPING, between, random, structure};
 
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/bench/structures.csv",
     title: "Time of a structure in a row of so many over that of one of two, impacts",
     header: "instructions,run,structures,time_of_a_structure_over_one_of_two",
@@ -25,7 +24,7 @@ const WAYS: [(&str, usize, usize); 3] = [
     ("exact", 1000, 6),
 ];
 /// Least number and duration of rounds over the sizes.
-const ROUNDS: (usize, Duration) = (3, Duration::from_secs(6));
+const ROUNDS: Rounds = Rounds::new(3, 6);
 
 /// Times rows of all sizes in turn and keeps medians of ratios.
 pub(super) fn run(root: &Path) -> Outcome<()> {

@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 use pounding_solver::Clock;
 use serde_json::{Value, json};
 
-use crate::measure::{Outcome, Table, median};
+use crate::measure::{Outcome, RatioTable, median};
 use crate::{lanes, setting};
 
-const TABLE: Table = Table {
+const TABLE: RatioTable = RatioTable {
     path: "results/bench/sweeps.csv",
     title: "Wall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads",
     header: "instructions,keeps,runs,steps,threads,time_over_loop_by_hand,largest_memory_mb",

@@ -19,7 +19,7 @@ use crate::scenes::{GROUP, Group, numbers};
 
 /// Peak displacements of all floors, those of the left building first; peak drifts in this order (0 for lowest storeys); and the sum of the
 /// impulses at each level.
-pub(super) type Found = Vec<[f64; GROUP]>;
+pub(super) type LoopNumbers = Vec<[f64; GROUP]>;
 
 /// Numbers that the loop keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,10 +35,12 @@ pub(super) enum Keeps {
 /// `IN_STEP` vectors of scenes make each step together, without waiting for each other.
 pub(super) fn run<const L: usize, const R: usize, const IN_STEP: usize>(
     level: Level,
-    (group, law): (&Group<L, R>, ContactLaw),
+    group: &Group<L, R>,
+    law: ContactLaw,
     keeps: Keeps,
-    (ground, dt): (&[f64], f64),
-) -> Found {
+    ground: &[f64],
+    dt: f64,
+) -> LoopNumbers {
     let peaks = keeps == Keeps::Peaks;
     let (impulsive, law) = numbers(law);
     dispatch!(level, simd => match (peaks, impulsive) {
@@ -77,7 +79,7 @@ struct Loop<S, const PEAKS: bool, const IMPULSIVE: bool> {
 
 impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE> {
     #[inline(always)]
-    fn run<const L: usize, const R: usize, const IN_STEP: usize>(self, group: &Group<L, R>, ground: &[f64]) -> Found {
+    fn run<const L: usize, const R: usize, const IN_STEP: usize>(self, group: &Group<L, R>, ground: &[f64]) -> LoopNumbers {
         let mut found = vec![[0.0; GROUP]; 2 * (L + R) + R];
         let lanes = V::<S>::LEN;
         for first in (0..GROUP).step_by(IN_STEP * lanes) {
@@ -96,8 +98,8 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
     #[inline(always)]
     fn begin<const L: usize, const R: usize>(self, group: &Group<L, R>, first: usize, ground: f64) -> Scenes<S, L, R> {
         let Self { simd, dt, .. } = self;
-        let left = Tower::at_rest(simd, (&group.left, first), dt, ground);
-        let right = Tower::at_rest(simd, (&group.right, first), dt, ground);
+        let left = Tower::at_rest(simd, &group.left, first, dt, ground);
+        let right = Tower::at_rest(simd, &group.right, first, dt, ground);
         let (zero, one) = (V::<S>::splat(simd, 0.0), V::<S>::splat(simd, 1.0));
         let mut pairs = [Pair {
             reduced_mass: zero,
@@ -225,7 +227,7 @@ impl<S: Simd, const PEAKS: bool, const IMPULSIVE: bool> Loop<S, PEAKS, IMPULSIVE
 
 impl<S: Simd, const L: usize, const R: usize> Scenes<S, L, R> {
     #[inline(always)]
-    fn tell(&self, first: usize, found: &mut Found) {
+    fn tell(&self, first: usize, found: &mut LoopNumbers) {
         let lanes = first..first + self.gap.as_slice().len();
         let peaks = self.left.peaks.iter().chain(&self.right.peaks);
         let motions = self.left.motions.iter().chain(&self.right.motions);
@@ -255,10 +257,9 @@ mod tests {
         };
         let pulses: Vec<f64> = (0..400).map(|step| 4.0 * libm::sin(0.06 * f64::from(step))).collect();
         for law in laws().unwrap() {
-            let scenes = (&towers()[0], law);
-            let motion = (pulses.as_slice(), 0.01);
-            let one = run::<_, _, 1>(wide.level(), scenes, Keeps::Peaks, motion);
-            let other = run::<_, _, 1>(narrow.level(), scenes, Keeps::Peaks, motion);
+            let group = &towers()[0];
+            let at = |level| run::<_, _, 1>(level, group, law, Keeps::Peaks, &pulses, 0.01);
+            let (one, other) = (at(wide.level()), at(narrow.level()));
             assert_eq!(one, other);
             let impulses = one.last().unwrap();
             assert!(impulses.iter().any(|impulse| *impulse > 0.0));

@@ -5,7 +5,6 @@ mod tower;
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::Duration;
 
 use by_hand::Keeps;
 use fearless_simd::Level;
@@ -13,16 +12,16 @@ use pounding_contact::ContactLaw;
 use pounding_lanes::{SceneSums, SideBySide};
 use pounding_solver::{Clock, Levels, Peaks, Row};
 
-use crate::measure::{Outcome, Table, in_turn, median};
+use crate::measure::{Outcome, RatioTable, Rounds, in_turn, median};
 use crate::scenes::{self, Beside, GROUP, Group, alone, laws};
 use crate::setting::{self, CLOCK, Ground, STEPPING};
 
-const STRUCTURES: Table = Table {
+const STRUCTURES: RatioTable = RatioTable {
     path: "results/bench/lanes.csv",
     title: "Scenes of two structures per second on one core, over those of the loop by hand that records peaks and impulses",
     header: "instructions,law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches",
 };
-const TOWERS: Table = Table {
+const TOWERS: RatioTable = RatioTable {
     path: "results/bench/buildings.csv",
     title: "The same of two towers of bilinear storeys",
     header: "instructions,law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches,error",
@@ -61,7 +60,7 @@ const MEASURED: usize = 16;
 /// enlarge the effect of rounding.
 const MOST_APART: f64 = 1e-9;
 /// Least number and duration of rounds over all ways of a law.
-const ROUNDS: (usize, Duration) = (5, Duration::from_secs(10));
+const ROUNDS: Rounds = Rounds::new(5, 10);
 
 /// Runs all timings and keeps the ratios.
 pub(super) fn run(root: &Path) -> Outcome<()> {
@@ -83,7 +82,7 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize, clock: Clock) -> Outc
     let (groups, law) = (scenes::structures(), laws()?[0]);
     let run = || {
         for group in &groups {
-            by_hand::<1, 1, 2>((group, law), Keeps::Nothing, (&ground, clock.time_step));
+            by_hand::<1, 1, 2>(group, law, Keeps::Nothing, &ground, clock.time_step);
         }
     };
     let times = in_turn(&[0], ROUNDS, |_| {
@@ -102,11 +101,13 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize, clock: Clock) -> Outc
 struct Compared<'a, const L: usize, const R: usize, const IN_STEP: usize>(&'a [Group<L, R>], ContactLaw, &'a Ground);
 
 fn by_hand<const L: usize, const R: usize, const IN_STEP: usize>(
-    scenes: (&Group<L, R>, ContactLaw),
+    group: &Group<L, R>,
+    law: ContactLaw,
     keeps: Keeps,
-    motion: (&[f64], f64),
-) -> by_hand::Found {
-    black_box(by_hand::run::<L, R, IN_STEP>(Level::new(), scenes, keeps, motion))
+    ground: &[f64],
+    dt: f64,
+) -> by_hand::LoopNumbers {
+    black_box(by_hand::run::<L, R, IN_STEP>(Level::new(), group, law, keeps, ground, dt))
 }
 
 impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN_STEP> {
@@ -116,7 +117,6 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
         let rows = scenes::rows::<Column, L, R>(groups, *law)?;
         let rows: Vec<&Row<Column>> = rows.iter().collect();
         let methods = ground.methods()?;
-        let motion = (ground.sampled.as_slice(), CLOCK.time_step);
         let together = SideBySide::new(STEPPING, methods[0].1, CLOCK)?;
         let steps = vec![CLOCK.n_steps; rows.len()];
         let mut sums = SceneSums::default();
@@ -131,7 +131,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
             let some = &rows[..scenes.min(rows.len())];
             match way {
                 Way::ByHand(keeps) => groups.iter().for_each(|group| {
-                    by_hand::<L, R, IN_STEP>((group, *law), keeps, motion);
+                    by_hand::<L, R, IN_STEP>(group, *law, keeps, &ground.sampled, CLOCK.time_step);
                 }),
                 Way::Lanes(at_once) => some.chunks(at_once).for_each(|rows| {
                     together.run(Column::rows(rows), &steps[..rows.len()], &mut others);
@@ -170,8 +170,7 @@ impl<const L: usize, const R: usize, const IN_STEP: usize> Compared<'_, L, R, IN
         let nodes = [levels.of(0), levels.of(1)].concat();
         let mut largest: f64 = 0.0;
         for (index, group) in groups.iter().enumerate() {
-            let motion = (ground.sampled.as_slice(), CLOCK.time_step);
-            let found = by_hand::<L, R, IN_STEP>((group, *law), Keeps::Peaks, motion);
+            let found = by_hand::<L, R, IN_STEP>(group, *law, Keeps::Peaks, &ground.sampled, CLOCK.time_step);
             for scene in index * GROUP..(index + 1) * GROUP {
                 let mut compare = |ours: f64, of: usize| {
                     let theirs = found[of][scene % GROUP];

@@ -16,7 +16,7 @@ pub(super) type V<S> = <S as Simd>::f64s;
 /// Floors from the ground up, and the largest magnitudes of their displacements and drifts.
 pub(super) struct Tower<S: Simd, const N: usize> {
     pub(super) floors: [Floor<S>; N],
-    pub(super) motions: [Motion<S>; N],
+    pub(super) motions: [FloorState<S>; N],
     pub(super) peaks: [[V<S>; 2]; N],
 }
 
@@ -42,7 +42,7 @@ pub(super) struct Floor<S: Simd> {
 
 /// State of a floor from step to step.
 #[derive(Clone, Copy)]
-pub(super) struct Motion<S: Simd> {
+pub(super) struct FloorState<S: Simd> {
     pub(super) displacement: V<S>,
     pub(super) increment: V<S>,
     plastic: V<S>,
@@ -50,7 +50,7 @@ pub(super) struct Motion<S: Simd> {
 
 /// A building at a node at which floors were hit.
 pub(super) struct Struck<S: Simd, const N: usize> {
-    pub(super) before: [Motion<S>; N],
+    pub(super) before: [FloorState<S>; N],
     /// Velocities after the impacts.
     pub(super) velocities: [V<S>; N],
     /// Accelerations without damping.
@@ -63,16 +63,16 @@ type Storeys<const N: usize> = [[Storey<Bilinear>; N]; GROUP];
 impl<S: Simd, const N: usize> Tower<S, N> {
     /// A tower at rest, in the scenes that start with `first`.
     #[inline(always)]
-    pub(super) fn at_rest(simd: S, (storeys, first): (&Storeys<N>, usize), dt: f64, ground: f64) -> Self {
+    pub(super) fn at_rest(simd: S, storeys: &Storeys<N>, first: usize, dt: f64, ground: f64) -> Self {
         let zero = V::<S>::splat(simd, 0.0);
-        let motion = Motion {
+        let motion = FloorState {
             displacement: zero,
             // The textbook start from rest: u₀ − u₋₁ = −Δt² ü₀/2 with ü₀ = −a_g.
             increment: V::<S>::splat(simd, dt * (0.5 * dt * ground)),
             plastic: zero,
         };
         Self {
-            floors: floors(simd, (storeys, first), dt),
+            floors: floors(simd, storeys, first, dt),
             motions: [motion; N],
             peaks: [[zero; 2]; N],
         }
@@ -179,7 +179,7 @@ impl<S: Simd, const N: usize> Tower<S, N> {
 
 /// Constants of all floors, by elimination from the top floor down.
 #[inline(always)]
-fn floors<S: Simd, const N: usize>(simd: S, (storeys, first): (&Storeys<N>, usize), dt: f64) -> [Floor<S>; N] {
+fn floors<S: Simd, const N: usize>(simd: S, storeys: &Storeys<N>, first: usize, dt: f64) -> [Floor<S>; N] {
     let gather = |level: usize, number: fn(&Storey<Bilinear>) -> f64| {
         let numbers = storeys.each_ref().map(|storeys| number(&storeys[level]));
         V::<S>::from_slice(simd, &numbers[first..first + V::<S>::LEN])

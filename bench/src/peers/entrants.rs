@@ -3,7 +3,7 @@
 use super::figure::Competitor;
 
 use super::own::{EXACT, EXACT_LANES, LANES};
-use super::scenes::Kind;
+use super::scenes::SceneKind;
 
 /// A method of a program over a ladder of settings.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub(super) struct Entrant {
 }
 
 /// All entrants that run scenes of a kind.
-pub(super) fn entrants(kind: Kind) -> impl Iterator<Item = Entrant> {
+pub(super) fn entrants(kind: SceneKind) -> impl Iterator<Item = Entrant> {
     let all = ENTRANTS.iter().filter(move |(.., runs)| runs.contains(&kind));
     all.map(|&(competitor, [tool, method, label], knob, _)| Entrant {
         competitor,
@@ -72,15 +72,15 @@ impl Knob {
 /// Name of this project in tables.
 pub(super) const OURS: &str = "pounding";
 
-const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
-const IMPULSIVE: &[Kind] = &[Kind::Impulsive];
-const COMPLIANT: &[Kind] = &[Kind::Compliant];
-const PRESSED: &[Kind] = &[Kind::Compliant, Kind::Towers];
-const ALL: &[Kind] = &[Kind::Impulsive, Kind::Compliant, Kind::Towers];
+const STRUCTURES: &[SceneKind] = &[SceneKind::Impulsive, SceneKind::Compliant];
+const IMPULSIVE: &[SceneKind] = &[SceneKind::Impulsive];
+const COMPLIANT: &[SceneKind] = &[SceneKind::Compliant];
+const PRESSED: &[SceneKind] = &[SceneKind::Compliant, SceneKind::Towers];
+const ALL: &[SceneKind] = &[SceneKind::Impulsive, SceneKind::Compliant, SceneKind::Towers];
 
 /// Entrants with tool, method and label, their ladder, and their scenes, in the order of tables and legends.
 #[rustfmt::skip]
-const ENTRANTS: [(Competitor, [&str; 3], Knob, &[Kind]); 15] = {
+const ENTRANTS: [(Competitor, [&str; 3], Knob, &[SceneKind]); 15] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
     [

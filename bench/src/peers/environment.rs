@@ -8,7 +8,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use serde_json::{Value, json};
 
 use super::entrants::Entrant;
-use super::scenes::{Found, Measured};
+use super::scenes::{Answers, Measured};
 use crate::measure::Outcome;
 
 /// Installed packages. Newer versions change measurements, so that updates are deliberate.
@@ -152,7 +152,7 @@ impl Worker {
             return Err(format!("{tool} {method}: {}", answer["failed"]).into());
         };
         let number = |value: &Value| value.as_str().and_then(|text| text.parse().ok());
-        let scene = |line: &Value| -> Found { [0, 1, 2].map(|index| number(&line[index]).unwrap_or(f64::NAN)) };
+        let scene = |line: &Value| -> Answers { [0, 1, 2].map(|index| number(&line[index]).unwrap_or(f64::NAN)) };
         let found = answer["found"].as_array().into_iter().flatten();
         Ok(Measured {
             seconds,

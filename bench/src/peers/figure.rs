@@ -1,13 +1,13 @@
-//! Error over CPU time: programs that solve the same scenes.
+//! Figure of error over CPU time for programs that solve equal scenes.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, PlotError, Shade, render_png};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 
-/// Errors below this are rounding.
+/// Smaller errors are rounding \[–\].
 const ROUNDING: f64 = 1e-14;
-/// Errors above this are worth nothing.
+/// Larger errors are not drawn \[–\].
 const WORTHLESS: f64 = 1e1;
 
-/// Who solves the scenes: methods of one of them share a colour.
+/// A solver of the scenes; its methods share a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Competitor {
     /// This project.
@@ -22,12 +22,12 @@ pub(super) enum Competitor {
     OpenSees,
 }
 
-/// What a method needs for its error, over its settings.
+/// CPU times and errors of a method over its settings.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WorkPrecision {
-    /// Whose method it is.
+    /// The solver of the method.
     pub(super) competitor: Competitor,
-    /// Its name in the legend, after that of its competitor.
+    /// Name in the legend, after that of the solver.
     pub(super) label: String,
     /// CPU time in some unit and relative error of each setting, both > 0.
     pub(super) points: Vec<(f64, f64)>,
@@ -44,7 +44,7 @@ impl Competitor {
         }
     }
 
-    /// Marks of its methods, in their order.
+    /// Marks of the solver's methods, in their order.
     fn marks(self) -> [Mark; 4] {
         match self {
             Self::Ours => [Mark::Disc, Mark::Square, Mark::Diamond, Mark::Inverted],
@@ -57,11 +57,10 @@ impl Competitor {
 
 /// Panels over one axis of CPU time, each with its title and its methods, as a PNG.
 ///
-/// Methods of the same competitor are told apart by their place among its names, the same in all panels. `unit` says what has the CPU
-/// time 1.
+/// The position of a method among its solver's methods, equal in all panels, chooses its mark. `unit` names the run with the CPU time 1.
 ///
 /// # Errors
-/// [`PlotError`] for numbers that cannot be drawn.
+/// [`PlotError`] if a number cannot be drawn.
 pub(super) fn work_precision_figure(panels: &[(&str, Vec<WorkPrecision>)], unit: &str) -> Result<Vec<u8>, PlotError> {
     let mut names: Vec<(Competitor, &str)> = Vec::new();
     for one in panels.iter().flat_map(|(_, methods)| methods) {
@@ -85,6 +84,6 @@ fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {
     let mark = marks[place.unwrap_or(0) % marks.len()];
     let visible = one.points.iter().filter(|(_, error)| *error < WORTHLESS);
     let points = visible.map(|(time, error)| (*time, error.max(ROUNDING)));
-    let curve = Curve::new(Kind::Line, one.competitor.shade(), points.collect());
+    let curve = Curve::new(CurveKind::Line, one.competitor.shade(), points.collect());
     curve.marked(mark).named(one.label.clone())
 }

@@ -17,20 +17,20 @@ use std::path::Path;
 
 use figure::work_precision_figure;
 
-use crate::measure::{Outcome, Table, keep};
+use crate::measure::{Outcome, RatioTable, keep};
 use environment::Worker;
 use race::Raced;
 use scenes::Scenes;
 
 /// All settings, and their figure, from the last machine.
-const SETTINGS: Table = Table {
+const SETTINGS: RatioTable = RatioTable {
     path: "results/bench/peers.csv",
     title: "CPU time of a scene over that of central differences in lanes with steps of 0.01 s",
     header: "law,tool,method,setting,error,cpu_time_ratio,over_ours_at_this_error",
 };
 const FIGURE: &str = "results/bench/peers.png";
 /// Error levels, from one machine of each kind of instructions.
-const LEVELS: Table = Table {
+const LEVELS: RatioTable = RatioTable {
     path: "results/bench/peers-levels.csv",
     title: "Best of others over our cheapest method at an error",
     header: "instructions,law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours",

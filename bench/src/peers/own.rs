@@ -7,7 +7,7 @@ use cpu_time::ProcessTime;
 use pounding_lanes::{ExactSideBySide, SceneSums, SideBySide};
 use pounding_solver::{Elastic, Hysteretic, Row};
 
-use super::scenes::{Found, IN_LANES, Measured, Rows, SCENES, Scenes, clock, solved};
+use super::scenes::{Answers, IN_LANES, Measured, Rows, SCENES, Scenes, clock, solved};
 use crate::measure::Outcome;
 use crate::scenes::Beside;
 use crate::setting::{STEPPING, exact, recorded};
@@ -61,7 +61,7 @@ fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured 
         run(&mut tallies);
         black_box(&tallies);
     });
-    let found = |scene: usize| -> Found {
+    let found = |scene: usize| -> Answers {
         if scene >= tallies.len() || !tallies.is_told(scene) {
             return [f64::NAN; 3];
         }

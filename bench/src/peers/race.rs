@@ -18,7 +18,7 @@ pub(super) struct Rung {
 
 /// An entrant and its results.
 #[derive(Debug, Clone)]
-pub(super) struct Run {
+pub(super) struct EntrantRun {
     pub(super) entrant: Entrant,
     pub(super) rungs: Vec<Rung>,
 }
@@ -30,7 +30,7 @@ pub(super) struct Raced {
     pub(super) law: &'static str,
     /// Title of its panel.
     pub(super) title: &'static str,
-    pub(super) runs: Vec<Run>,
+    pub(super) runs: Vec<EntrantRun>,
     /// CPU time of a scene that is the unit of all others \[s\].
     pub(super) unit: f64,
 }
@@ -56,7 +56,7 @@ impl Rung {
     }
 }
 
-impl Run {
+impl EntrantRun {
     /// CPU time and error of every setting with a finite error.
     pub(super) fn points(&self) -> Vec<(f64, f64)> {
         let finite = self.rungs.iter().filter(|rung| rung.error.is_finite());
@@ -97,7 +97,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Outcome<Raced> {
             }
         }
         println!("{}: {}, {} settings", law, entrant.label, rungs.len());
-        runs.push(Run { entrant, rungs });
+        runs.push(EntrantRun { entrant, rungs });
     }
     for _ in 1..ROUNDS {
         for run in &mut runs {

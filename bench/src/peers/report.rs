@@ -2,16 +2,16 @@
 
 use super::figure::{Competitor, WorkPrecision};
 
-use super::race::{Raced, Run};
+use super::race::{EntrantRun, Raced};
 use super::work;
 
 /// Error levels of the comparison \[–\].
 const LEVELS: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
 
-type Points<'a> = Vec<(&'a Run, Vec<(f64, f64)>)>;
+type Points<'a> = Vec<(&'a EntrantRun, Vec<(f64, f64)>)>;
 
 /// CPU times and errors of selected runs.
-fn points(raced: &Raced, meant: impl Fn(&Run) -> bool) -> Points<'_> {
+fn points(raced: &Raced, meant: impl Fn(&EntrantRun) -> bool) -> Points<'_> {
     let runs = raced.runs.iter().filter(|run| meant(run));
     runs.map(|run| (run, run.points())).collect()
 }
@@ -29,7 +29,7 @@ fn ratio(value: f64) -> String {
 pub(super) fn settings(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
-        let ours = points(raced, Run::is_ours);
+        let ours = points(raced, EntrantRun::is_ours);
         for run in &raced.runs {
             for rung in &run.rungs {
                 let seconds = rung.seconds();
@@ -58,7 +58,7 @@ pub(super) fn settings(all: &[Raced]) -> Vec<String> {
 pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
-        let ours = points(raced, Run::is_ours);
+        let ours = points(raced, EntrantRun::is_ours);
         let packages = points(raced, |run| !run.is_ours() && run.entrant.competitor != Competitor::Loop);
         let loops = points(raced, |run| run.entrant.competitor == Competitor::Loop);
         for level in LEVELS {
@@ -73,7 +73,7 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
 }
 
 /// The best entrant at an error, and its CPU time over ours.
-fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
+fn beside(points: &[(&EntrantRun, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     if let Some((run, seconds)) = work::cheapest(points, level) {
         let name = format!("{} {}", run.entrant.tool, run.entrant.method);
         let bound = if work::is_bound(&run.points(), level) { "<" } else { "" };
@@ -97,7 +97,7 @@ pub(super) fn check(all: &[Raced]) {
 
 /// A panel of the figure.
 pub(super) fn panel(raced: &Raced) -> (&'static str, Vec<WorkPrecision>) {
-    let curve = |run: &Run| {
+    let curve = |run: &EntrantRun| {
         let points = run.points().into_iter();
         WorkPrecision {
             competitor: run.entrant.competitor,

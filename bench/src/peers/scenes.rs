@@ -24,11 +24,11 @@ const ANSWER: f64 = 1e-16;
 const STRUCTURES: [usize; 2] = [0, 1];
 
 /// Peak displacements of both tops \[m\] and the sum of impulses \[N·s\] of a scene.
-pub(super) type Found = [f64; 3];
+pub(super) type Answers = [f64; 3];
 
 /// Kinds of scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum SceneKind {
     /// Two elastic structures with impacts.
     Impulsive,
     /// Two elastic structures with the nonlinear viscoelastic element.
@@ -37,7 +37,7 @@ pub(super) enum Kind {
     Towers,
 }
 
-impl Kind {
+impl SceneKind {
     /// Name in tables, and in figures.
     pub(super) const fn names(self) -> [&'static str; 2] {
         match self {
@@ -56,7 +56,7 @@ pub(super) enum Rows {
 
 /// Scenes of a kind.
 pub(super) struct Scenes<'a> {
-    pub(super) kind: Kind,
+    pub(super) kind: SceneKind,
     law: ContactLaw,
     /// All rows; errors are measured on the first ones.
     pub(super) rows: Rows,
@@ -65,7 +65,7 @@ pub(super) struct Scenes<'a> {
     pub(super) n_pairs: usize,
     pub(super) excitation: Excitation<'a>,
     /// Exact answers of the first scenes.
-    answers: Vec<Found>,
+    answers: Vec<Answers>,
 }
 
 /// The clock of a time step \[s\].
@@ -87,7 +87,7 @@ pub(super) fn solved<Column: Hysteretic>(
     tops: [usize; 2],
     excitation: Excitation<'_>,
     tolerance: f64,
-) -> Option<(Found, Collisions)> {
+) -> Option<(Answers, Collisions)> {
     let n = row.nodes().len();
     let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
     let integrator = Integrator::Exact(exact(tolerance));
@@ -128,10 +128,10 @@ impl<'a> Scenes<'a> {
             Some((found, _)) => Ok(found),
         };
         Ok([
-            of_structures(Kind::Impulsive, impacts)?,
-            of_structures(Kind::Compliant, element)?,
+            of_structures(SceneKind::Impulsive, impacts)?,
+            of_structures(SceneKind::Compliant, element)?,
             Self {
-                kind: Kind::Towers,
+                kind: SceneKind::Towers,
                 law: element,
                 answers: rows[..SCENES].iter().map(answer).collect::<Result<_, _>>()?,
                 rows: Rows::Towers(rows),
@@ -143,8 +143,8 @@ impl<'a> Scenes<'a> {
     }
 
     /// The median over the scenes of the largest relative error of a scene; infinite if half of them have none.
-    pub(super) fn error(&self, found: &[Found]) -> f64 {
-        let of_scene = |(found, answer): (&Found, &Found)| {
+    pub(super) fn error(&self, found: &[Answers]) -> f64 {
+        let of_scene = |(found, answer): (&Answers, &Answers)| {
             let errors = found.iter().zip(answer);
             let errors = errors.map(|(found, answer)| (found - answer).abs() / answer);
             // NaN counts as an error, too.
@@ -160,7 +160,7 @@ impl<'a> Scenes<'a> {
 }
 
 /// Structures that touch, without decaying bounces, with the answers of the first.
-fn plain(all: &[Row<Elastic>], excitation: Excitation<'_>) -> Outcome<(Vec<Row<Elastic>>, Vec<Found>)> {
+fn plain(all: &[Row<Elastic>], excitation: Excitation<'_>) -> Outcome<(Vec<Row<Elastic>>, Vec<Answers>)> {
     let (mut rows, mut answers) = (Vec::new(), Vec::new());
     for row in all {
         let solved = solved(row, STRUCTURES, excitation, ANSWER);
@@ -251,5 +251,5 @@ pub(super) struct Measured {
     /// CPU time of a scene \[s\].
     pub(super) seconds: f64,
     /// Results of each scene.
-    pub(super) found: Vec<Found>,
+    pub(super) found: Vec<Answers>,
 }

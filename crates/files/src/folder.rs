@@ -27,7 +27,7 @@ pub enum Others<'a> {
 }
 
 /// Contents of the place at which a folder is to be written.
-enum Found {
+enum FolderContents {
     Nothing,
     /// An empty folder, or the results of an earlier run: only files with their names.
     Results,
@@ -64,12 +64,12 @@ impl ResultFolder {
         };
         folder.restore().map_err(|error| folder.refused(&error))?;
         match (names.found_in(path)?, others) {
-            (Found::Other(name), Others::Refused(word)) => Err(format!(
+            (FolderContents::Other(name), Others::Refused(word)) => Err(format!(
                 "{} holds other things than results, such as \"{name}\"; allowed is a folder that does not exist, is empty or \
                  holds the results of an earlier run: name another, or let {word} put the results beside them",
                 path.display()
             )),
-            (Found::Nothing | Found::Results | Found::Other(_), _) => Ok(folder),
+            (FolderContents::Nothing | FolderContents::Results | FolderContents::Other(_), _) => Ok(folder),
         }
     }
 
@@ -98,9 +98,9 @@ impl ResultFolder {
     pub fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
         let found = self.names.found_in(&self.path)?;
         let placed = self.fill(files).and_then(|()| match found {
-            Found::Nothing => fs::rename(&self.new, &self.path),
-            Found::Results => self.replace(),
-            Found::Other(_) => self.mix(files),
+            FolderContents::Nothing => fs::rename(&self.new, &self.path),
+            FolderContents::Results => self.replace(),
+            FolderContents::Other(_) => self.mix(files),
         });
         let placed = placed.and_then(|()| sync_folder(folder_of(&self.path)));
         placed.map_err(|error| {
@@ -169,10 +169,10 @@ impl ResultFolder {
 
 impl ResultNames {
     /// Contents of a folder.
-    fn found_in(self, folder: &Path) -> Result<Found, String> {
+    fn found_in(self, folder: &Path) -> Result<FolderContents, String> {
         let unreadable = |error: io::Error| format!("{}: {error}", folder.display());
         match fs::metadata(folder) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Found::Nothing),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(FolderContents::Nothing),
             Err(error) => return Err(unreadable(error)),
             Ok(there) if !there.is_dir() => {
                 return Err(format!("{} is a file, allowed is a folder; name another", folder.display()));
@@ -185,13 +185,13 @@ impl ResultNames {
         names.sort();
         let is_other = |name: &&String| !(self.has)(name) || folder.join(name).is_dir();
         if let Some(other) = names.iter().find(is_other) {
-            return Ok(Found::Other(other.clone()));
+            return Ok(FolderContents::Other(other.clone()));
         }
         // Files with these names that no run wrote together belong to the user.
         let is_marked = names.iter().any(|name| self.marks.contains(&name.as_str()));
         Ok(match names.first() {
-            Some(first) if !is_marked => Found::Other(first.clone()),
-            _ => Found::Results,
+            Some(first) if !is_marked => FolderContents::Other(first.clone()),
+            _ => FolderContents::Results,
         })
     }
 }

@@ -73,9 +73,8 @@ impl Accelerogram {
 
     /// Turns the values into m/s², with one g worth `gravity` \[m/s²\].
     ///
-    /// The value of g belongs to the use of a record, not to its file: studies that are compared
-    /// with each other must take the same. Units without g do not depend on it, and powers of ten
-    /// divide, so that 12.3 cm/s² become the number that is written 0.123 m/s².
+    /// The value of g belongs to the use of a record, not to its file: studies to be compared must use one value. Units without g do not
+    /// depend on it. Powers of ten divide, so 12.3 cm/s² become exactly the number written 0.123 m/s².
     ///
     /// # Errors
     /// Refuses a `gravity` that is not finite and above zero, or one that makes a value infinite.

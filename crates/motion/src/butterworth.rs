@@ -1,9 +1,9 @@
 //! Design of a digital Butterworth band-pass filter as second-order sections.
 //!
-//! Own code: existing filter libraries take tan, sin and cos from the platform, so that filtered records would differ in their last digits
-//! between machines. Here these functions come from `libm`, and all other operations are + − × ÷ √.
+//! Existing filter libraries take tan, sin and cos from the platform, so the last digits of filtered records would differ between machines.
+//! Here these functions come from `libm`, and all other operations are + − × ÷ √.
 //!
-//! Source: A. V. Oppenheim and R. W. Schafer, *Discrete-Time Signal Processing*, on the bilinear transformation; the band is that of
+//! Source: A. V. Oppenheim and R. W. Schafer, *Discrete-Time Signal Processing*, on the bilinear transformation. The band is as in
 //! `scipy.signal.butter(order, [low, high], "bandpass")`.
 
 use std::f64::consts::PI;
@@ -19,9 +19,9 @@ pub(crate) struct Section {
 }
 
 impl Section {
-    /// From s²-coefficients: width·s / (s² − sum·s + product), in the variable s = (z − 1)/(z + 1).
+    /// A section from s²-coefficients: width·s / (s² − sum·s + product), in the variable s = (z − 1)/(z + 1).
     fn new(width: f64, sum: f64, product: f64) -> Self {
-        // sum < 0 <= product, so that the denominator is above 1.
+        // sum < 0 <= product, hence the denominator is above 1.
         let scale = 1.0 / (1.0 - sum + product);
         Self {
             gain: width * scale,
@@ -54,7 +54,7 @@ pub(crate) struct Cascade {
 impl Cascade {
     /// A filter of an order ≥ 1 with corners 0 < low < high < 1/2 in cycles per sample.
     pub(crate) fn band_pass(order: u32, low: f64, high: f64) -> Self {
-        // The bilinear transformation bends frequencies; these are bent the other way beforehand.
+        // The bilinear transformation bends frequencies; the corners are bent the other way beforehand.
         let [low, high] = [low, high].map(|corner| libm::tan(PI * corner));
         let (width, centre) = (high - low, low * high);
         let mut sections = Vec::new();
@@ -65,7 +65,7 @@ impl Cascade {
             let outer = outer_root(half, centre);
             let size = outer[0] * outer[0] + outer[1] * outer[1];
             sections.push(Section::new(width, 2.0 * outer[0], size));
-            // The product of the two is `centre`: no difference of large numbers, however wide the band.
+            // The product of the two roots is `centre`, so no difference of large numbers is needed, however wide the band.
             let inner = centre / size;
             sections.push(Section::new(width, 2.0 * inner * outer[0], inner * centre));
         }
@@ -96,7 +96,7 @@ impl Cascade {
 fn outer_root([re, im]: [f64; 2], centre: f64) -> [f64; 2] {
     let [square_re, square_im] = [re * re - im * im - centre, 2.0 * re * im];
     let size = (square_re * square_re + square_im * square_im).sqrt();
-    // The larger part of the square root first, the other from the product: neither loses digits.
+    // The larger part of the square root comes first, and the other from the product: neither loses digits.
     let large = (0.5 * (size + square_re.abs())).sqrt();
     // Both vanish together if the two roots coincide.
     let small = if large > 0.0 { 0.5 * square_im / large } else { 0.0 };

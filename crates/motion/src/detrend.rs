@@ -14,8 +14,8 @@ pub enum Trend {
 impl Record {
     /// Returns the record less the trend of its samples.
     ///
-    /// The trend is fitted to the samples, the quiet ones before and after the shaking included; a digital offset is a
-    /// constant. Of a single sample nothing is left.
+    /// The trend is fitted to all samples, including quiet ones before and after the shaking. A digital offset is a constant. A single
+    /// sample becomes zero.
     ///
     /// # Errors
     /// Refuses samples whose sum is not finite.

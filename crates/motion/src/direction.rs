@@ -1,4 +1,4 @@
-//! Whether a component is vertical, according to its name in formats and files.
+//! The direction of a component, according to its name in formats and files.
 
 /// A `Direction` is the direction of a component, as far as its name shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Direction {
     Vertical,
 }
 
-/// Words for up and down, in capitals; so are those that begin with `VERT`.
+/// Words for up and down, in capitals. Words that begin with `VERT` count too.
 const UPRIGHT: [&str; 14] = [
     "UP", "U", "UD", "U-D", "V", "VER", "VRT", "Z", "DOWN", "DWN", "DN", "UP-DOWN", "UPDOWN", "VTCL",
 ];
@@ -51,7 +51,7 @@ const LEVEL: [&str; 33] = [
     "HORIZONTAL",
 ];
 
-/// Words before the number of a channel, which is no azimuth.
+/// Words in front of a channel number, which is not an azimuth.
 const CHANNEL: [&str; 7] = ["CHAN", "CHN", "CHA", "CHANNEL", "CANAL", "COLUMN", "COL"];
 
 /// Second letters of the channel codes of accelerometers and seismometers, as in HNZ.
@@ -86,7 +86,7 @@ impl Direction {
 
     fn of_word(word: &str) -> Option<Self> {
         let code = end_of_code(word);
-        // Sensors are counted: V2, UP1.
+        // Sensors may be numbered: V2, UP1.
         let letters = word.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let is = |words: &[&str]| words.contains(&word) || words.contains(&letters);
         if is(&UPRIGHT) || word.starts_with("VERT") || code == Some('Z') {
@@ -99,14 +99,14 @@ impl Direction {
     }
 }
 
-/// Whether a channel code such as BHE, in any case, is that of a seismometer, which measures velocity.
+/// Whether a channel code such as BHE, in any case, belongs to a seismometer, which measures velocity.
 pub(crate) fn is_seismometer(code: &str) -> bool {
     let code = code.to_ascii_uppercase();
     let instrument = code.chars().nth(1);
     end_of_code(&code).is_some() && instrument.is_some_and(|letter| "HLMP".contains(letter))
 }
 
-/// The direction of a channel code such as HNZ, in capitals: its last letter. The code of a location may stand behind: HNZ00.
+/// The direction letter of a channel code such as HNZ, in capitals: its last letter. The code of a location may follow: HNZ00.
 fn end_of_code(word: &str) -> Option<char> {
     let word = word.strip_suffix("--").unwrap_or(word);
     let letters: Vec<char> = word.chars().collect();
@@ -119,7 +119,7 @@ fn end_of_code(word: &str) -> Option<char> {
     is_code.then_some(end)
 }
 
-/// Degrees, 0 to 360, or degrees from a compass point to another, `N08W`.
+/// Whether a word is an azimuth in degrees, 0 to 360, or in degrees from one compass point to another, `N08W`.
 fn is_azimuth(word: &str) -> bool {
     let between = word.strip_prefix(['N', 'S']).and_then(|word| word.strip_suffix(['E', 'W']));
     let (degrees, most) = between.map_or((word, 360), |degrees| (degrees, 90));

@@ -1,19 +1,19 @@
-//! How the strength of a generated motion comes and goes.
+//! The strength of a generated motion over time.
 
 use crate::Refused;
 use crate::record::within;
 
-/// A factor on a stationary motion, from 0 to 1: it rises like t², stays, and dies away exponentially.
+/// A factor on a stationary motion, from 0 to 1. It rises like t², stays constant, and decays exponentially.
 ///
-/// Source: P. C. Jennings, G. W. Housner and N. C. Tsai, *Simulated earthquake motions*, Caltech 1968, where the four types
-/// A to D differ in these numbers.
+/// Source: P. C. Jennings, G. W. Housner and N. C. Tsai, *Simulated earthquake motions*, Caltech 1968. Their types A to D differ in these
+/// numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Envelope {
-    /// When the strong shaking begins \[s\], > 0.
+    /// Start of the strong shaking \[s\], > 0.
     pub strong_from: f64,
-    /// When it ends \[s\], not before it begins.
+    /// End of the strong shaking \[s\], not before its start.
     pub strong_until: f64,
-    /// Rate at which it dies away \[1/s\], > 0.
+    /// Rate of the decay \[1/s\], > 0.
     pub decay: f64,
 }
 
@@ -21,7 +21,7 @@ impl Envelope {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         let (from, until) = (self.strong_from, self.strong_until);
         within("envelope.strong_from", from, from > 0.0, "a number > 0 s")?;

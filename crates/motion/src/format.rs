@@ -14,7 +14,6 @@ mod csmip_v3;
 mod csmnc;
 mod csv;
 mod cwb;
-mod damage;
 mod draft;
 mod dyna;
 mod emod3d;
@@ -42,18 +41,18 @@ mod usc;
 mod usgs_text;
 mod values;
 
-use crate::line::{Line, lines};
+use crate::line::{Line, excerpt, lines, number};
 use crate::refusals;
-use crate::{Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, Refused, Site};
+use crate::{Accelerogram, Channel, Contents, Declared, Direction, FilePlace, Format, Identity, Refused, Site};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
-use pounding_text::{Kind, Naming, Spot};
+use pounding_text::{Naming, RefusalKind, Spot};
 use spacing::Spacing;
 
-/// Ctrl-Z, which old programs write after a text.
+/// Ctrl-Z, which old programs write at the end of a text.
 const END_OF_TEXT: u8 = 0x1a;
 
-/// The bytes of a file and, should it be a text, its lines.
+/// The bytes of a file, with its lines if it is a text.
 struct File<'t> {
     bytes: &'t [u8],
     lines: Vec<Line<'t>>,
@@ -64,19 +63,19 @@ struct File<'t> {
 /// The reader of a format.
 struct Reader {
     format: Format,
-    /// Whether the file is in this format, by its content.
+    /// Whether the contents of the file have this format.
     recognises: fn(&File<'_>) -> bool,
-    /// The components in their order; none where a file holds one that has no name.
+    /// The components in their order; none if the file holds a single one without a name.
     components: fn(&File<'_>) -> Result<Vec<Component>, Refused>,
-    /// The component of that index, 0 where none has a name.
+    /// Reads the component with this index, 0 if none has a name.
     read: fn(&File<'_>, usize) -> Result<Draft, Refused>,
-    /// What it says of where and when its motion was recorded.
+    /// Reads the place and time of the recording.
     identity: fn(&File<'_>) -> Identity,
 }
 
 /// The readers; the first that recognises a file reads it.
 ///
-/// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
+/// CSV comes first: its header is unmistakable, and its comments may contain the header of any other format.
 const READERS: [Reader; 26] = [
     csv::READER,
     sac::READER,
@@ -106,12 +105,12 @@ const READERS: [Reader; 26] = [
     plain::READER,
 ];
 
-/// Reads the bytes of a file in any [`Format`], which is recognised by its content, not by a file name.
+/// Reads the bytes of a file in any [`Format`], which is recognised by the contents, not by the file name.
 ///
 /// The file must contain all information; see [`read_declared`].
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`Refused`].
+/// [`Refused`] with the place, the value found, the values allowed and the remedy.
 pub fn read(bytes: &[u8]) -> Result<Accelerogram, Refused> {
     read_declared(bytes, &Declared::default())
 }
@@ -122,8 +121,8 @@ pub fn read(bytes: &[u8]) -> Result<Accelerogram, Refused> {
 /// are replaced in titles and refused in numbers.
 ///
 /// # Errors
-/// Says where, what was found there, what is allowed and what to do; see [`Refused`]. Refuses what
-/// neither the file nor the caller says, and what both say differently.
+/// [`Refused`] with the place, the value found, the values allowed and the remedy: also for information that neither the file nor the
+/// caller gives, and for contradictions between the two.
 pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, Refused> {
     let read = read_as_declared(bytes, declared);
     read.map_err(|refused| refused.by(Naming::Argument))
@@ -139,15 +138,15 @@ fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, R
     let components = (reader.components)(&file)?;
     let index = chosen(&components, declared.component.as_deref())?;
     let draft = (reader.read)(&file, index).map(|mut draft| {
-        let remark = |line| reading("decimal commas", Some(Place::Line(line)), "read as points");
+        let remark = |line| reading("decimal commas", Some(FilePlace::Line(line)), "read as points");
         draft.remarks.extend(commas.map(remark));
         draft
     });
     let settled = draft.and_then(|draft| {
-        let ends = !damage::goes_on(&file, draft.end);
+        let ends = !continues(&file, draft.end);
         draft.settle(reader.format, components.get(index), declared, ends)
     });
-    settled.map_err(|refused| damage::located(refused, &file))
+    settled.map_err(|refused| located(refused, &file))
 }
 
 /// Returns the format of a file, by its content; `None` if it is unknown.
@@ -162,7 +161,7 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// Returns the names of the components of a file, in their order; empty for a single component without a name.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+/// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -174,7 +173,7 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
 /// recording.
 ///
 /// # Errors
-/// Refuses a file of no known format, and one whose components are not found; see [`Refused`].
+/// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn contents(bytes: &[u8]) -> Result<Contents, Refused> {
     let (text, _) = commas::with_points(bytes);
     let file = File::new(&text)?;
@@ -204,7 +203,7 @@ fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
     components.into_iter().map(|component| component.name).collect()
 }
 
-/// The blocks of lines, each from a line at which `begins` is true to the next.
+/// The blocks of lines, each from a line for which `begins` is true to the next one.
 fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
     let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
     starts.push(lines.len());
@@ -238,7 +237,7 @@ fn unknown(file: &File<'_>) -> Refused {
         None => refusals::empty(),
         Some(line) => {
             let said = format!("line {} begins none of the formats known: {}", line.number, Format::names());
-            let refused = Refused::that_at(Spot::Line(line.number), said).kind(Kind::NoRecord);
+            let refused = Refused::that_at(Spot::Line(line.number), said).kind(RefusalKind::NoRecord);
             refused.help("fetch the file again in one of them, or write one number to a line")
         }
     };
@@ -246,8 +245,7 @@ fn unknown(file: &File<'_>) -> Refused {
 }
 
 impl<'t> File<'t> {
-    /// Blank lines above the first and rows of nothing but commas below the last say nothing, nor does the mark of DOS for the
-    /// end of a text.
+    /// Blank lines above the first line, rows of only commas below the last, and the DOS mark at the end are ignored.
     fn new(bytes: &'t [u8]) -> Result<Self, Refused> {
         let end = bytes.trim_ascii_end();
         let marks = end.iter().rev().take_while(|byte| **byte == END_OF_TEXT);
@@ -277,7 +275,7 @@ impl<'t> File<'t> {
         &self.lines[..=line.number - first]
     }
 
-    /// The lines behind this one.
+    /// The lines after this one.
     fn behind(&self, line: Line<'_>) -> &[Line<'t>] {
         &self.lines[self.through(line).len()..]
     }
@@ -287,4 +285,48 @@ impl<'t> File<'t> {
         let mut lines = self.lines.iter().copied();
         lines.find(|line| !line.is_blank() && !line.is_comment())
     }
+}
+
+/// The error, or an error about the field at which the values stopped.
+fn located(error: Refused, file: &File<'_>) -> Refused {
+    let Some(Spot::Line(last)) = error.place().spot.filter(|_| error.is_kind(RefusalKind::CutShort)) else {
+        return error;
+    };
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
+    let Some(line) = behind.next() else {
+        return error;
+    };
+    let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
+    let of_numbers = line.pieces().all(is_like_a_number);
+    let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
+    match bad {
+        Some((index, piece)) if of_numbers => refusals::not_a_number(line.number, index + 1, excerpt(piece)),
+        _ => error.found_also(format!(" (line {} reads {:?})", line.number, line.excerpt())),
+    }
+}
+
+/// Whether a line of numbers, sound or damaged, follows the last value.
+fn continues(file: &File<'_>, end: FilePlace) -> bool {
+    let last = end.line().unwrap_or(usize::MAX);
+    let mut behind = file.lines.iter().filter(|line| line.number > last && !line.is_blank());
+    let next = behind.next();
+    next.is_some_and(|line| line.pieces().all(is_like_a_number))
+}
+
+/// Whether a piece is a number or remains of one: digits with commas, the asterisks of Fortran, the words of programs for NaN.
+fn is_like_a_number(piece: &[u8]) -> bool {
+    let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);
+    let has_digit = piece.iter().any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));
+    let words = [
+        &b"NA"[..],
+        b"N/A",
+        b"NULL",
+        b"NONE",
+        b"#N/A",
+        b"#NUM!",
+        b"#VALUE!",
+        b"#REF!",
+        b"#DIV/0!",
+    ];
+    number(piece).is_some() || (has_digit && piece.iter().all(of_digits)) || words.iter().any(|word| word.eq_ignore_ascii_case(piece))
 }

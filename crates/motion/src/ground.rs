@@ -1,11 +1,11 @@
-//! What the ground makes of white noise: the spectrum of Kanai and Tajimi as Clough and Penzien changed it.
+//! The filtering of white noise by the ground: the spectrum of Kanai and Tajimi as modified by Clough and Penzien.
 
 use crate::Refused;
 use crate::record::within;
 
-/// Two filters that white noise in the rock passes on its way up: the layers of the ground (K. Kanai 1957, H. Tajimi
-/// 1960), and a high-pass filter that leaves velocity and displacement a finite variance (R. W. Clough and J. Penzien,
-/// *Dynamics of Structures*, 1975).
+/// Two filters for white noise on its way up from the rock. The layers of the ground are the first one (K. Kanai 1957, H. Tajimi 1960). A
+/// high-pass filter, the second one, keeps the variance of velocity and displacement finite (R. W. Clough and J. Penzien, *Dynamics of
+/// Structures*, 1975).
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundFilter {
     /// Natural circular frequency of the ground `ω_g` \[rad/s\], > 0.
@@ -19,8 +19,7 @@ pub struct GroundFilter {
 }
 
 impl GroundFilter {
-    /// Firm ground (this and the next two: A. Der Kiureghian and A. Neuenhofer, *Earthquake Engng Struct. Dyn.* 21
-    /// (1992) 713).
+    /// Firm ground. Source of this and the next two: A. Der Kiureghian and A. Neuenhofer, *Earthquake Engng Struct. Dyn.* 21 (1992) 713.
     pub const FIRM: Self = Self {
         angular_frequency: 15.0,
         damping_ratio: 0.6,
@@ -47,7 +46,7 @@ impl GroundFilter {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         let settings = [
             ("ground.angular_frequency", self.angular_frequency),
@@ -60,9 +59,9 @@ impl GroundFilter {
             .try_for_each(|(setting, found)| within(setting, found, found > 0.0, "a finite number > 0"))
     }
 
-    /// Returns the share S(ω)/S₀ \[–\] of the density of white noise that comes up at a circular frequency \[rad/s\].
+    /// Returns the share S(ω)/S₀ \[–\] of the density of white noise that passes the filters at a circular frequency \[rad/s\].
     pub fn passes(&self, angular_frequency: f64) -> f64 {
-        // In shares of the natural frequencies, so that no power of them overflows.
+        // Frequencies are relative to the natural ones, so no power of them overflows.
         let ground = angular_frequency / self.angular_frequency;
         let high_pass = angular_frequency / self.high_pass_angular_frequency;
         let damper = 4.0 * (self.damping_ratio * ground) * (self.damping_ratio * ground);

@@ -6,18 +6,18 @@ use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
 use crate::{Record, Refused};
 
-/// A harmonic ground acceleration A·sin(2πft + φ), which may rise at its start and fall at its end.
+/// A harmonic ground acceleration A·sin(2πft + φ) with optional ramps at its start and end.
 ///
 /// Between samples the record is linear. This reduces its amplitude by up to (πfΔt)²/2 of itself: 1.2 % at twenty samples per period.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Harmonic {
-    /// Amplitude A \[m/s²\], finite; a negative one shifts by half a period.
+    /// Amplitude A \[m/s²\], finite; a negative one shifts the phase by half a period.
     pub amplitude: f64,
     /// Frequency f \[Hz\], > 0 and below half of one over the time step.
     pub frequency: f64,
     /// Phase φ at t = 0 \[rad\], finite; 0 starts from zero acceleration, upwards.
     pub phase: f64,
-    /// Periods \[–\] in which the amplitude rises from zero, and falls to it before the end, ≥ 0, like (1 − cos)/2.
+    /// Number of periods \[–\], ≥ 0, in which the amplitude rises from zero, and falls to zero before the end, like (1 − cos)/2.
     ///
     /// A motion that starts and ends abruptly (0) leaves the ground with a velocity.
     pub ramp_periods: f64,
@@ -31,7 +31,7 @@ impl Harmonic {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
         within("phase", self.phase, true, "a finite number of rad")?;
@@ -72,7 +72,7 @@ impl Harmonic {
 
     /// Share of the amplitude some time \[s\] after zero.
     fn rise(&self, time: f64) -> f64 {
-        // The last sample may lie behind the end by its rounding, and a ramp may have no length.
+        // Rounding may put the last sample behind the end, and a ramp may have no length.
         let time = time.max(0.0);
         if time >= self.ramp() {
             1.0

@@ -7,7 +7,7 @@ use crate::Record;
 pub struct Integrated {
     /// Velocity at t = 0, Δt, 2Δt, … \[m/s\].
     pub velocity: Vec<f64>,
-    /// Displacement at the same times \[m\].
+    /// Displacement at these times \[m\].
     pub displacement: Vec<f64>,
 }
 
@@ -34,8 +34,8 @@ impl Step {
 impl Record {
     /// Returns velocity and displacement of the ground, which starts from rest.
     ///
-    /// The integrals are those of an acceleration that is linear between samples, exact to rounding. No baseline is
-    /// corrected: what an offset of the record does to velocity and displacement is seen.
+    /// The integrals are those of an acceleration that is linear between samples, exact to rounding. The baseline is not corrected, so an
+    /// offset of the record shows in velocity and displacement.
     pub fn integrated(&self) -> Integrated {
         let mut velocity = vec![0.0];
         let mut displacement = vec![0.0];
@@ -47,7 +47,7 @@ impl Record {
         Integrated { velocity, displacement }
     }
 
-    /// The steps between samples, one less than those.
+    /// The steps between samples: one fewer than there are samples.
     pub(crate) fn steps(&self) -> impl Iterator<Item = Step> {
         let start = [0.0, 0.0];
         self.samples().windows(2).scan(start, |[velocity, displacement], pair| {

@@ -7,7 +7,7 @@ use strum::EnumCount;
 pub enum Format {
     /// Two-column CSV with a header of this project.
     Csv,
-    /// PEER AT2 and what goes by that name.
+    /// PEER AT2 and similar files under this name.
     PeerAt2,
     /// CSMIP (CDMG) volume 1, uncorrected.
     CsmipV1,
@@ -58,7 +58,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// All formats that are read.
+    /// All known formats.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Csv,
         Self::PeerAt2,
@@ -87,7 +87,7 @@ impl Format {
         Self::Plain,
     ];
 
-    /// Returns the name that is printed.
+    /// Returns the name for messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Csv => "CSV",
@@ -118,7 +118,7 @@ impl Format {
         }
     }
 
-    /// The names of all formats, for a message.
+    /// The names of all formats for a message.
     pub(crate) fn names() -> String {
         Self::ALL.map(Self::name).join(", ")
     }

@@ -15,13 +15,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A file may leave its unit, its time step or the choice of a component to the caller, who gives
-//! them to [`read_declared`]. Nothing is guessed: [`Accelerogram::readings`] tells what was taken
-//! from which line.
+//! A file may leave its unit, its time step or the choice of a component to the caller, who passes them to [`read_declared`]. Nothing is
+//! guessed: [`Accelerogram::readings`] lists each value with the line that it comes from.
 //!
 //! Motions without a file are [`Harmonic`], [`RickerPulse`], [`HalfSinePulse`] and [`StochasticMotion`].
 //!
-//! Left out on purpose: opening files, folders of records and response spectra (`pounding-scene`), and baseline correction beyond
+//! This crate leaves out opening files, folders of records and response spectra (`pounding-scene`), and baseline correction beyond
 //! [`Record::detrended`]. A velocity or displacement history is refused, not differentiated.
 //!
 //! Where to start:
@@ -32,7 +31,6 @@
 //! - A format is a file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
-mod at_rest;
 mod band_pass;
 mod baseline;
 mod butterworth;
@@ -78,7 +76,7 @@ pub use named_file::NamedFile;
 pub use named_file::Quantity;
 pub use pounding_text::Refused;
 pub use pulses::{HalfSinePulse, RickerPulse};
-pub use reading::{Place, Reading};
+pub use reading::{FilePlace, Reading};
 pub use record::{Record, at_rest};
 pub use site::Site;
 pub use stochastic::StochasticMotion;

@@ -9,13 +9,13 @@ use crate::Refused;
 /// Longest piece of a text that a message repeats, in characters.
 const EXCERPT: usize = 60;
 
-/// Most bytes of a line that are read as words; a line of values may be as long as the file.
+/// Most bytes of a line that are read as words; a line of values may be as long as its file.
 const WORDS: usize = 4096;
 
 /// One line of a text, without its end, and its number from 1.
 ///
-/// It stays bytes until a field is cut out: the columns of fixed-width data are counted in bytes,
-/// and old headers hold letters of many code pages.
+/// The line stays bytes until a field is cut out: the columns of fixed-width data are counted in bytes, and old headers contain letters of
+/// many code pages.
 #[derive(Clone, Copy)]
 pub(crate) struct Line<'a> {
     pub(crate) number: usize,
@@ -31,7 +31,7 @@ impl<'a> Line<'a> {
         self.bytes.starts_with(b"#")
     }
 
-    /// The first part of the line, of as many bytes as words of a header take.
+    /// The first part of the line, with at most as many bytes as words of a header take.
     pub(crate) fn head(self) -> &'a [u8] {
         &self.bytes[..self.bytes.len().min(WORDS)]
     }
@@ -63,7 +63,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// The fields between commas, or else between blanks. Empty ones at the end, which spreadsheets add, are left out.
+    /// The fields between commas, or between blanks if there are no commas. Empty fields at the end, which spreadsheets add, are left out.
     pub(crate) fn fields(self) -> Fields<'a> {
         let is_empty = |byte: &u8| *byte == b',' || byte.is_ascii_whitespace();
         let end = self.bytes.iter().rposition(|byte| !is_empty(byte));
@@ -91,7 +91,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The fields of a line, cut one after the other: a line of values may hold all of a file.
+/// The fields of a line, cut one after the other because a line of values may hold the whole file.
 #[derive(Clone, Debug)]
 pub(crate) struct Fields<'a> {
     rest: &'a [u8],
@@ -118,20 +118,20 @@ impl<'a> Iterator for Fields<'a> {
         let (field, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
         self.rest = rest.get(1..).unwrap_or_default();
         self.is_over = end.is_none();
-        // What commas part may be empty, what blanks part is not.
+        // A field between commas may be empty, a field between blanks may not.
         (self.commas || !field.is_empty()).then(|| field.trim_ascii())
     }
 }
 
 /// Most lines of a text: two for each sample of the longest record. They take 480 MB.
 const MOST: usize = 20_000_000;
-/// Most lines of a text whose lines are mostly empty, which is no record: such lines take more memory than twelve times the text.
+/// Most lines of a text with mostly empty lines, which is not a record: such lines take more memory than twelve times the text.
 const MOST_EMPTY: usize = 1_000_000;
 
 /// The lines of a text that end in LF, CR LF or CR, without a byte order mark.
 ///
 /// # Errors
-/// Refuses a text of too many lines, before it takes memory for them.
+/// Refuses a text with too many lines before it takes memory for them.
 pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, Refused> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let count = |end: u8| memchr::memchr_iter(end, rest).count();
@@ -159,7 +159,7 @@ pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, Refused> {
 /// Most bytes of a number.
 const NUMBER: usize = 400;
 
-/// A number as C or Fortran writes it, `1.5D-3` included; blanks around it are skipped.
+/// A number as C or Fortran writes it, including `1.5D-3`; blanks around it are skipped.
 pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
     let bytes = bytes.trim_ascii();
     if bytes.len() > NUMBER {
@@ -171,7 +171,7 @@ pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
 
 pub(crate) fn excerpt(bytes: &[u8]) -> String {
     let bytes = bytes.trim_ascii();
-    // A letter takes four bytes at most.
+    // A letter takes at most four bytes.
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * EXCERPT + 4)]);
     match text.char_indices().nth(EXCERPT) {
         Some((end, _)) => format!("{}…", &text[..end]),

@@ -19,7 +19,7 @@ impl Record {
     pub fn mean_period(&self) -> Option<f64> {
         let n_least = 1.0 / (SPACING * self.time_step());
         let mut length = self.samples().len().next_power_of_two();
-        // A time step so short that this were more than a hundred million has samples enough of its own.
+        // If the step is so short that the length would exceed a hundred million, the record itself has enough samples.
         while (length as f64) < n_least && length < 1 << 27 {
             length *= 2;
         }
@@ -40,7 +40,7 @@ impl Record {
     }
 }
 
-/// The discrete Fourier transform of as many numbers as a power of two, in place (J. W. Cooley and J. W. Tukey, 1965).
+/// The discrete Fourier transform of 2ⁿ numbers, in place (J. W. Cooley and J. W. Tukey, 1965).
 fn transform(terms: &mut [[f64; 2]]) {
     let length = terms.len();
     if length < 2 {

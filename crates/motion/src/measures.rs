@@ -1,4 +1,4 @@
-//! How strong a ground motion is, in single numbers.
+//! Measures of the strength of a ground motion.
 
 use std::f64::consts::PI;
 
@@ -8,13 +8,13 @@ use crate::integration::Step;
 /// Standard acceleration of gravity in the Arias intensity \[m/s²\].
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-/// Halvings of a time step that find an instant in it to rounding.
+/// Number of bisections of a time step that locate an instant to rounding.
 const HALVINGS: u32 = 53;
 
 /// Intensity measures of a ground motion that is linear between samples, exact to rounding.
 ///
-/// Velocity and displacement are those of [`Record::integrated`], without correction of the baseline. A measure whose
-/// integrand is too large for a number of 64 bits is infinite.
+/// Velocity and displacement are those of [`Record::integrated`], without correction of the baseline. A measure is infinite if its
+/// integrand overflows 64-bit numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measures {
     /// Peak ground acceleration, the largest magnitude \[m/s²\].
@@ -31,7 +31,8 @@ pub struct Measures {
     pub cav: f64,
     /// Interval in which the Arias intensity grows from 5 % to 75 % of its final value; `None` if that is zero or infinite.
     pub d5_75: Option<Interval>,
-    /// When it grows from 5 % to 95 % (M. D. Trifunac and A. G. Brady, *Bull. Seism. Soc. Am.* 65 (1975) 581).
+    /// Interval in which the Arias intensity grows from 5 % to 95 % (M. D. Trifunac and A. G. Brady, *Bull. Seism. Soc. Am.* 65 (1975)
+    /// 581).
     pub d5_95: Option<Interval>,
 }
 
@@ -45,7 +46,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Returns its length \[s\], ≥ 0.
+    /// Returns the length of the interval \[s\], ≥ 0.
     pub fn duration(&self) -> f64 {
         self.end - self.start
     }
@@ -103,10 +104,10 @@ impl Record {
     }
 }
 
-/// ∫a² over the first part of a step, 0..=1 of it, in time steps.
+/// ∫a² over the first `part` of a step, 0..=1, in time steps.
 fn squared([start, end]: [f64; 2], part: f64) -> f64 {
     let end = start + (end - start) * part;
-    // A sum of squares: where they overflow it is infinite, and nothing else.
+    // A sum of squares: on overflow it is infinite, never NaN.
     part * (start * start + (start + end) * (start + end) + end * end) / 6.0
 }
 
@@ -123,7 +124,7 @@ fn magnitude([start, end]: [f64; 2], time_step: f64) -> f64 {
     }
 }
 
-/// Largest magnitudes of velocity and displacement in a step, its start and end included.
+/// Largest magnitudes of velocity and displacement in a step, including its start and end.
 fn peaks(step: &Step, time_step: f64) -> [f64; 2] {
     let [start, end] = step.accelerations;
     let slope = (end - start) / time_step;
@@ -134,12 +135,12 @@ fn peaks(step: &Step, time_step: f64) -> [f64; 2] {
     };
     take(0.0);
     take(time_step);
-    // Velocity has an extremum where the acceleration is zero, displacement where the velocity is.
+    // Velocity has an extremum at zero acceleration, displacement at zero velocity.
     let root = (start * start - 2.0 * slope * step.velocity).sqrt();
     let pivot = -(start + root.copysign(start));
     let inside = [-start / slope, pivot / slope, 2.0 * step.velocity / pivot];
     for time in inside {
-        // Not so for a time that is no number: then there is no such instant.
+        // A NaN fails this test: then there is no such instant.
         if time > 0.0 && time < time_step {
             take(time);
         }

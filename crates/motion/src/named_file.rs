@@ -1,4 +1,4 @@
-//! Names of files: direction and number of the record, and which files belong to one record.
+//! Facts from file names: direction and number of the record, and the files that belong to one record.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ mod place;
 mod quantity;
 mod way;
 
-use place::Place;
+use place::DirectionWord;
 use way::Way;
 
 pub use quantity::Quantity;
@@ -18,15 +18,15 @@ use crate::Direction;
 
 /// A `NamedFile` holds the facts that the name of a file tells.
 ///
-/// They are weaker than the header of the file: a name may hold a word by chance. [`of_all`](Self::of_all) compares the names of a
-/// folder and tells more.
+/// They are weaker than the header of the file, because a name may contain a word by chance. [`of_all`](Self::of_all) compares the names of
+/// a folder and finds more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedFile {
     /// The name with `*` for the direction: components of one record share it.
     pub stem: String,
     /// The word for the direction, in capitals: `UP`, `180`, `HNE`.
     pub word: Option<String>,
-    /// How the component lies; `None` if the word is an azimuth, or a letter that may stand for something else.
+    /// Direction of the component; `None` if the word is an azimuth, or a letter that may mean something else.
     pub direction: Option<Direction>,
     /// Azimuth, up to 360 \[°\]; or a number that looks like one.
     pub azimuth: Option<u16>,
@@ -45,20 +45,20 @@ impl NamedFile {
         Self::of_all(&[name]).remove(0)
     }
 
-    /// Reads the names of one folder together, and keeps their order.
+    /// Reads the names of one folder together, in their order.
     ///
     /// Names that differ only in a word for a direction belong to a common record, wherever the word is. A number is an azimuth only if
     /// another number is a right angle apart, or a vertical component is next to it: `r001`, `r002`, `r091` are three records. A letter
     /// such as `U` is up next to `E` or `N`; letters that count, as in `A`, `B`, `E`, have no meaning.
     pub fn of_all<N: AsRef<OsStr>>(names: &[N]) -> Vec<Self> {
         let names: Vec<_> = names.iter().map(|name| name.as_ref().to_string_lossy()).collect();
-        let places: Vec<Vec<Place>> = names.iter().map(|name| Place::all_of(name)).collect();
-        let mut groups: BTreeMap<&str, Vec<&Place>> = BTreeMap::new();
+        let places: Vec<Vec<DirectionWord>> = names.iter().map(|name| DirectionWord::all_of(name)).collect();
+        let mut groups: BTreeMap<&str, Vec<&DirectionWord>> = BTreeMap::new();
         for place in places.iter().flatten() {
             groups.entry(&place.stem).or_default().push(place);
         }
-        let read = |(name, places): (&Cow<'_, str>, &Vec<Place>)| {
-            let group = |place: &Place| &groups[place.stem.as_str()][..];
+        let read = |(name, places): (&Cow<'_, str>, &Vec<DirectionWord>)| {
+            let group = |place: &DirectionWord| &groups[place.stem.as_str()][..];
             let paired = places.iter().find(|place| place.is_paired(group(place)));
             let mut telling = places.iter().filter(|place| place.tells);
             let place = paired.or_else(|| telling.find(|place| !place.is_listed(group(place))));
@@ -66,7 +66,7 @@ impl NamedFile {
             Self {
                 stem: paired.map_or_else(|| name.to_string(), |place| place.stem.clone()),
                 word: place.map(|place| place.word.clone()),
-                direction: place.and_then(Place::direction),
+                direction: place.and_then(DirectionWord::direction),
                 azimuth: place.and_then(|place| place.azimuth),
                 quantity: Quantity::of_name(name),
                 rsn: rsn(name),
@@ -90,7 +90,7 @@ impl NamedFile {
     }
 }
 
-/// The number behind `RSN` or `NGA_no_` at the start of a name.
+/// The number after `RSN` or `NGA_no_` at the start of a name.
 fn rsn(name: &str) -> Option<u32> {
     let behind = ["RSN", "NGA_NO_"].iter().find_map(|start| {
         let begin = name.get(..start.len())?;

@@ -6,16 +6,16 @@ use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
 use crate::{Record, Refused};
 
-/// Half the duration of a Ricker pulse, in periods of its peak frequency: 1e-8 of its peak is cut off.
+/// Half the duration of a Ricker pulse, in periods of its peak frequency; the cut tails have 1e-8 of its peak.
 const RICKER_REACH: f64 = 1.5;
 
-/// A Ricker pulse A (1 − 2x²) exp(−x²) with x = πf(t − t₀): the ground comes back to rest where it was.
+/// A Ricker pulse A (1 − 2x²) exp(−x²) with x = πf(t − t₀), after which the ground is at rest at its initial position.
 ///
-/// It starts at t = 0 with 1e-8 of its peak, has the peak on the first sample at or after t₀ = 1.5/f, and is symmetric
-/// about it. Source: N. Ricker, *Geophysics* 18 (1953) 10.
+/// It starts at t = 0 with 1e-8 of its peak. The peak is on the first sample at or after t₀ = 1.5/f, and the pulse is symmetric about it.
+/// Source: N. Ricker, *Geophysics* 18 (1953) 10.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RickerPulse {
-    /// Peak A \[m/s²\], finite, with its sign.
+    /// Signed peak A \[m/s²\], finite.
     pub amplitude: f64,
     /// Frequency f of the peak of its Fourier spectrum \[Hz\], > 0 and below half of one over the time step.
     pub frequency: f64,
@@ -27,7 +27,7 @@ impl RickerPulse {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         let frequency = self.frequency;
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
@@ -52,12 +52,12 @@ impl RickerPulse {
     }
 }
 
-/// Half a period of a sine: A·sin(πt/d) for t ≤ d, then nothing. It leaves the ground with the velocity 2Ad/π.
+/// Half a period of a sine: A·sin(πt/d) for t ≤ d, then zero. The ground keeps the velocity 2Ad/π.
 ///
 /// The last sample, 0 m/s², is the first at or after d.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfSinePulse {
-    /// Peak A \[m/s²\], finite, with its sign.
+    /// Signed peak A \[m/s²\], finite.
     pub amplitude: f64,
     /// Duration d \[s\], > 0, at least two time steps.
     pub duration: f64,
@@ -69,7 +69,7 @@ impl HalfSinePulse {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         within("amplitude", self.amplitude, true, "a finite number of m/s²")?;
         let duration = self.duration;
@@ -87,7 +87,7 @@ impl HalfSinePulse {
         self.check()?;
         let last = cover(self.duration, self.time_step)?;
         let sample = |step: usize| {
-            // Not the sine of what rounding leaves of π.
+            // The sine of a rounded π would not be zero.
             if step == last {
                 return 0.0;
             }

@@ -1,29 +1,29 @@
-//! What was read of a file, and where it stood.
+//! Values read from a file, with their places.
 
 use std::fmt;
 
-/// A `Reading` is one thing that was read of a file, so that nothing is taken silently.
+/// A `Reading` is one value read from a file, so that every value can be traced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// Name of the reading, such as `unit` or `time step`.
     pub what: &'static str,
-    /// Line of the file, from 1; none in binary files and for what was declared or concluded.
+    /// Line of the file, from 1; `None` in binary files, and for declared or derived values.
     pub line: Option<usize>,
-    /// What was found, with its unit.
+    /// The value with its unit.
     pub found: String,
 }
 
-/// A `Place` is where something stands in a file, counted from 1.
+/// A `FilePlace` is a position in a file, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum FilePlace {
     /// A line of a text.
     Line(usize),
     /// A byte of a binary file.
     Byte(usize),
 }
 
-impl Place {
-    /// Returns the line; none in a binary file.
+impl FilePlace {
+    /// Returns the line; `None` in a binary file.
     pub fn line(self) -> Option<usize> {
         match self {
             Self::Line(line) => Some(line),
@@ -32,7 +32,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePlace {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(out, "line {line}"),

@@ -1,21 +1,21 @@
-//! The ground acceleration that structures are shaken with.
+//! The ground acceleration that shakes structures.
 
 use crate::Refused;
 use pounding_text::plain;
 
-/// A time this close to a sample, in time steps, is the time of that sample.
+/// Largest distance from a sample at which a time still counts as that sample's \[time steps\].
 ///
-/// The quotient of two decimal numbers misses a whole number by a few parts in 10¹⁶. 10⁻⁹ therefore suffices for records of some millions
-/// of samples, and is far below any measured interval.
+/// The quotient of two decimal numbers misses a whole number by a few parts in 10¹⁶. Hence 10⁻⁹ suffices for records of some millions of
+/// samples, and it is far below any measured interval.
 const COINCIDENCE: f64 = 1e-9;
 
 /// Largest number of samples, for files, resampling and formulas: 80 MB, in a few copies per run.
 pub(crate) const MAX_SAMPLES: usize = 10_000_000;
 
-/// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
+/// A `Record` is a uniformly sampled ground acceleration \[m/s²\] with its origin.
 ///
-/// The first sample is at t = 0; the acceleration is linear between samples and zero before the
-/// first and after the last. There is at least one sample, and all are at most [`Record::STRONGEST`].
+/// The first sample is at t = 0. The acceleration is linear between samples, and zero before the first and after the last. There is at
+/// least one sample, and all are at most [`Record::STRONGEST`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     time_step: f64,
@@ -24,15 +24,15 @@ pub struct Record {
 }
 
 impl Record {
-    /// Largest acceleration of a sample, either way \[m/s²\]: a hundred million g, which no ground has. Squares of much stronger
-    /// ones, integrated, leave the range of numbers, and a measure that is infinite measures nothing.
+    /// Largest magnitude of a sample \[m/s²\]: a hundred million g, far above any ground motion. Integrals of squares of much larger values
+    /// overflow, and an infinite measure says nothing.
     pub const STRONGEST: f64 = 1e9;
-    /// Longest time between two samples \[s\], eleven days; for the same reason.
+    /// Longest time between two samples \[s\], eleven days: longer ones would overflow like [`Self::STRONGEST`].
     pub const LONGEST_STEP: f64 = 1e6;
 
     /// Makes a record of accelerations \[m/s²\] that are `time_step` \[s\] apart.
     ///
-    /// `source` says where they came from, in any words.
+    /// `source` describes the origin in any words.
     ///
     /// # Errors
     /// Refuses an empty list, a sample beyond [`Self::STRONGEST`], and a time step that is not above zero and up to
@@ -42,7 +42,7 @@ impl Record {
         if samples.is_empty() {
             return Err(Refused::default().found("no sample").allowed_is("at least one sample"));
         }
-        // What is not a number is not within bounds either.
+        // NaN is not within bounds either.
         let is_ground = |sample: &f64| sample.abs() <= Self::STRONGEST;
         if let Some(index) = samples.iter().position(|sample| !is_ground(sample)) {
             let found = samples[index];
@@ -68,7 +68,7 @@ impl Record {
         &self.samples
     }
 
-    /// Returns where the record came from: the comments or title lines of its file.
+    /// Returns the origin of the record: the comments or title lines of its file.
     pub fn source(&self) -> &str {
         &self.source
     }
@@ -96,7 +96,7 @@ impl Record {
         }
         let index = whole(position);
         let left = self.samples[index];
-        // The last sample has no right neighbour, and needs none: its fraction is zero.
+        // The last sample needs no right neighbour: its fraction is zero.
         let right = self.samples.get(index + 1).copied().unwrap_or(left);
         left + (right - left) * (position - position.floor())
     }
@@ -131,20 +131,20 @@ impl Record {
         Self::new(self.time_step, samples, self.source.clone())
     }
 
-    /// Returns the record with the same samples `factor` times as far apart: slower above 1, faster below.
+    /// Returns the record with its samples `factor` times as far apart: slower above 1, faster below.
     ///
     /// # Errors
-    /// Refuses a factor that makes the time step zero or less, or no number.
+    /// Refuses a factor that makes the time step zero, negative or NaN.
     pub fn stretched(&self, factor: f64) -> Result<Self, Refused> {
         let time_step = factor * self.time_step;
         Self::new(time_step, self.samples.clone(), self.source.clone())
     }
 
-    /// Returns the record with every acceleration multiplied by one factor ≥ 0, such that the largest magnitude is
-    /// `target` \[m/s²\], ≥ 0, to rounding.
+    /// Returns the record with every acceleration multiplied by one factor ≥ 0, such that the largest magnitude is `target` \[m/s²\], ≥ 0,
+    /// up to rounding.
     ///
     /// # Errors
-    /// Refuses a target that is negative or not finite, and a record that is zero throughout.
+    /// Refuses a target that is negative or not finite, and a record of zeros.
     pub fn scaled_to_peak(&self, target: f64) -> Result<Self, Refused> {
         let allowed = "a finite number >= 0 m/s²";
         within("target", target, target >= 0.0, allowed)?;
@@ -155,16 +155,14 @@ impl Record {
         self.scaled(target / peak)
     }
 
-    /// Returns the record with the sign of every acceleration changed: the same shaking, right for
-    /// left.
+    /// Returns the record with the sign of every acceleration changed: the shaking in the opposite direction.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let samples = self.samples.iter().map(|sample| -sample).collect();
         Self { samples, ..self.clone() }
     }
 
-    /// Returns the time \[s\] and the value \[m/s²\], with its sign, of the largest absolute
-    /// acceleration.
+    /// Returns the time \[s\] and the signed value \[m/s²\] of the largest absolute acceleration.
     ///
     /// Of several equal ones it is the first.
     pub fn peak(&self) -> (f64, f64) {
@@ -202,7 +200,7 @@ pub(crate) fn within(setting: &'static str, found: f64, valid: bool, allowed: &'
     }
 }
 
-/// Refuses to scale a motion at rest.
+/// The refusal to scale a motion at rest.
 pub fn at_rest() -> Refused {
     let found = Refused::default().found("a motion without any acceleration");
     found.allowed_is("one that a factor can scale").help("take another")

@@ -1,52 +1,52 @@
 //! Refusals that several readers make.
 
-use pounding_text::{Kind, Knob, Refused, Spot, plain};
+use pounding_text::{Knob, RefusalKind, Refused, Spot, plain};
 
-use crate::Place;
+use crate::FilePlace;
 
-impl From<Place> for pounding_text::Place {
-    fn from(place: Place) -> Self {
+impl From<FilePlace> for pounding_text::FaultPlace {
+    fn from(place: FilePlace) -> Self {
         let spot = match place {
-            Place::Line(line) => Spot::Line(line),
-            Place::Byte(byte) => Spot::Byte(byte),
+            FilePlace::Line(line) => Spot::Line(line),
+            FilePlace::Byte(byte) => Spot::Byte(byte),
         };
         spot.into()
     }
 }
 
-/// The text holds nothing but blank lines and comments.
+/// The text contains only blank lines and comments.
 pub(crate) fn empty() -> Refused {
     let said = Refused::that("the text holds nothing but blank lines and comments");
-    said.help("give a header followed by numbers").kind(Kind::NoRecord)
+    said.help("give a header followed by numbers").kind(RefusalKind::NoRecord)
 }
 
-/// A part of a header is not what the format asks for.
-pub(crate) fn header(place: Place, found: String, allowed: &str) -> Refused {
+/// A part of a header does not follow the format.
+pub(crate) fn header(place: FilePlace, found: String, allowed: &str) -> Refused {
     let read = Refused::at(place).reads(found);
     read.but(", but ", format!("{allowed} should stand there"))
         .help("fetch the file again")
 }
 
-/// No line of a header begins with a key that is needed.
+/// No line of a header begins with a required key.
 pub(crate) fn no_key(key: &str) -> Refused {
     Refused::that(format!("no line of the header begins with {key:?}")).help("fetch the file again")
 }
 
-/// A file ends before what must follow.
-pub(crate) fn truncated(place: Place, allowed: &'static str) -> Refused {
+/// A file ends before its required contents.
+pub(crate) fn truncated(place: FilePlace, allowed: &'static str) -> Refused {
     let ends = Refused::that_at(place, format!("the file ends at {place}"));
     ends.but(", before ", allowed).help("fetch it again")
 }
 
-/// A file holds something else than a history of accelerations.
-pub(crate) fn not_acceleration(place: Place, found: String, instead: &str) -> Refused {
-    let read = Refused::at(place).reads(found).kind(Kind::OtherQuantity);
+/// A file does not contain a history of accelerations.
+pub(crate) fn not_acceleration(place: FilePlace, found: String, instead: &str) -> Refused {
+    let read = Refused::at(place).reads(found).kind(RefusalKind::OtherQuantity);
     read.but(", but ", "only histories of acceleration are read")
         .help(format!("take {instead}"))
 }
 
-/// A file names a unit that is none of an acceleration that is known.
-pub(crate) fn unknown_unit(place: Place, found: String) -> Refused {
+/// A file names a unit that is not a known unit of acceleration.
+pub(crate) fn unknown_unit(place: FilePlace, found: String) -> Refused {
     let read = Refused::at(place).reads(found);
     read.and(" and names no unit of an acceleration that is known")
         .but(", such as ", "g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s")
@@ -54,14 +54,18 @@ pub(crate) fn unknown_unit(place: Place, found: String) -> Refused {
 }
 
 /// The time step is not a finite number above zero.
-pub(crate) fn time_step(place: Place, found: f64) -> Refused {
+pub(crate) fn time_step(place: FilePlace, found: f64) -> Refused {
     let is = Refused::at(place).is(format!("the time step is {} s", plain(found)));
     is.but(", and must be ", "finite and above 0 s").help("correct it there")
 }
 
 /// A file holds more or fewer values than its header declares.
-pub(crate) fn sample_count(place: Place, found: usize, allowed: usize) -> Refused {
-    let kind = if found < allowed { Kind::CutShort } else { Kind::Wrong };
+pub(crate) fn sample_count(place: FilePlace, found: usize, allowed: usize) -> Refused {
+    let kind = if found < allowed {
+        RefusalKind::CutShort
+    } else {
+        RefusalKind::Wrong
+    };
     Refused::that_at(place, format!("the values end at {place} after {found} of them"))
         .kind(kind)
         .but(", but the header declares ", allowed.to_string())
@@ -81,7 +85,7 @@ pub(crate) fn not_a_number(line: usize, field: usize, found: String) -> Refused 
     at.quoted(found).and(" is not a number").help(how)
 }
 
-/// Numbers stand above the rows that are none of them: first and last line, what they read, and what they seem to be.
+/// Numbers above the rows do not belong to them: first and last line, their text, and their likely meaning.
 pub(crate) fn header_numbers([first, last]: [usize; 2], found: String, what: &'static str) -> Refused {
     let (reading, them) = if first == last { ("reads ", "it") } else { ("read ", "them") };
     Refused::at(Spot::Lines(first, last))
@@ -93,8 +97,8 @@ pub(crate) fn header_numbers([first, last]: [usize; 2], found: String, what: &'s
         .help(format!("delete {them}, or put # before each line"))
 }
 
-/// A file says several things of its values that differ: what it is, how a caller declares it, and what is said in which places.
-pub(crate) fn several(what: &str, knob: Knob, said: impl Iterator<Item = (Place, String)>) -> Refused {
+/// A file contradicts itself about its values: the property, the knob to declare it, and the statements with their places.
+pub(crate) fn several(what: &str, knob: Knob, said: impl Iterator<Item = (FilePlace, String)>) -> Refused {
     let said: Vec<_> = said.take(MOST_LISTED).map(|(place, text)| format!("{text} ({place})")).collect();
     let said = Refused::that(format!("the file gives more than one {what}: {}", said.join(", ")));
     said.help("declare the right one as ").and(knob).and(", or correct the file")
@@ -103,7 +107,7 @@ pub(crate) fn several(what: &str, knob: Knob, said: impl Iterator<Item = (Place,
 /// Most components that a message lists.
 const MOST_LISTED: usize = 50;
 
-/// Components with their numbers, which count from 0 here.
+/// Components with their numbers; `components` counts them from 0.
 pub(crate) fn listed(components: &[(usize, &str)]) -> String {
     let first = components.iter().take(MOST_LISTED);
     let mut listed: Vec<String> = first.map(|(index, name)| format!("{} = {name:?}", index + 1)).collect();

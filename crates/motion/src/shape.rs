@@ -1,14 +1,14 @@
-//! What the shape of values tells: whether they move to and fro, and whether numbers of a header stand among them.
+//! Signs in the shape of values: whether they change their sign, and whether header numbers are among them.
 
 use crate::Unusual;
 
-/// Fewest values that tell a shape.
+/// Fewest values that have a shape.
 const FEWEST: usize = 10;
 
-/// How many times the second largest magnitude a first value is that looks like a number of a header.
+/// Ratio of a first value to the second largest magnitude above which it looks like a header number.
 const SEVERAL: f64 = 3.0;
 
-/// That values never change their sign, or only rise: a spectrum, a time, counts with an offset.
+/// A warning about values that never change their sign, or only rise: a spectrum, a time, counts with an offset.
 pub(crate) fn one_signed(values: &[f64]) -> Option<Unusual> {
     let found = values.len();
     let below = values.iter().any(|value| *value < 0.0);
@@ -18,7 +18,7 @@ pub(crate) fn one_signed(values: &[f64]) -> Option<Unusual> {
     (found >= FEWEST && !is_shaking).then_some(Unusual::OneSigned { found, rises })
 }
 
-/// What else looks wrong of the shape of values in the unit of their file, with the step \[s\] of a bare list.
+/// Other warnings about the shape of values in the unit of their file; `of_list` is the step \[s\] of a bare list.
 pub(crate) fn unusual(values: &[f64], of_list: Option<f64>) -> impl Iterator<Item = Unusual> {
     let told = if values.len() < FEWEST { &[] } else { values };
     let is_zero = !told.is_empty() && told.iter().all(|value| value.abs() <= 0.0);
@@ -26,14 +26,14 @@ pub(crate) fn unusual(values: &[f64], of_list: Option<f64>) -> impl Iterator<Ite
     zero.into_iter().chain(first(told)).chain(step(told, of_list))
 }
 
-/// A first value that is the peak, several times the second largest magnitude.
+/// A warning about a first value that is the peak, several times the second largest magnitude.
 fn first(values: &[f64]) -> Option<Unusual> {
     let (found, others) = values.split_first()?;
     let second = others.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
     (second > 0.0 && found.abs() > SEVERAL * second).then_some(Unusual::FirstSample { found: *found, second })
 }
 
-/// One of the first two values that is the time step.
+/// A warning about one of the first two values that equals the time step.
 fn step(values: &[f64], time_step: Option<f64>) -> Option<Unusual> {
     let step = time_step?;
     let is_step = |value: &f64| (value - step).abs() <= 1e-9 * step;

@@ -1,22 +1,22 @@
-//! Where a sensor is: at the ground, in it, or on a structure.
+//! The place of a sensor: at the ground, in it, or on a structure.
 
 use crate::Unusual;
 
-/// A `Site` is where the sensor of a component is, as its file says.
+/// A `Site` is the place of a component's sensor, according to the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Site {
-    /// At the ground, or the file does not say.
+    /// At the ground, or unknown.
     Ground,
-    /// Below the ground, with what the file says.
+    /// Below the ground, with the text of the file.
     Borehole(String),
-    /// On or in a structure, with what the file says.
+    /// On or in a structure, with the text of the file.
     Structure(String),
 }
 
-/// Words of the ground, in capitals, which come first: `GROUND FLOOR`, `FREE FIELD`.
+/// Words of the ground, in capitals, which overrule others: `GROUND FLOOR`, `FREE FIELD`.
 const GROUND: &str = "GROUND GRND GRADE FREE FREEFIELD BASEMENT SUBBASEMENT BSMT SOTANO";
 
-/// Words of the ground beside those of a place on a structure, in capitals: `FOOTING OF CENTER COLUMN`, `Seismic pier in vault`.
+/// Words of the ground, in capitals, that overrule a place on a structure: `FOOTING OF CENTER COLUMN`, `Seismic pier in vault`.
 const FOOT: &str = "FOUNDATION FOOTING VAULT SHELTER";
 
 /// Words of a place below the ground, in capitals.
@@ -32,13 +32,13 @@ const STRUCTURE: &str = "ROOF AZOTEA DECK TOP MIDSPAN SPAN MIDHEIGHT CREST PIER 
 /// Words of structures whose base is above the ground, in capitals.
 const ABOVE: &str = "TOWER PYLON ARCH DECK SUPERSTRUCTURE ROOF";
 
-/// Words of an address behind such a word, in capitals: `Tower Rd` is no tower.
+/// Words of an address, in capitals, which may follow such a word: `Tower Rd` is not a tower.
 const STREET: &str = "ST STREET AVE AVENUE RD ROAD BLVD DR DRIVE HWY";
 
-/// Words of the land, in capitals, which has tops, crests and arches too.
+/// Words of the landscape, in capitals, which has tops, crests and arches too.
 const LAND: &str = "MOUNTAIN MT MTN HILL HILLS RIDGE PEAK MESA CLIFF BLUFF SLOPE CANYON ROCK";
 
-/// Words of a floor, in capitals, that need a number before or behind them: `10TH FLOOR`, `FLOOR 3`.
+/// Words of a floor, in capitals, that need a number before or after them: `10TH FLOOR`, `FLOOR 3`.
 const FLOOR: &str = "FLOOR FLR FL STORY STOREY LEVEL PISO NIVEL";
 
 /// Numbers of floors above the lowest, in capitals.
@@ -57,7 +57,7 @@ impl Site {
         }
     }
 
-    /// Returns where a sensor is by what a header says of its place: `Location: 10TH FLOOR`, `Dam crest`, `Depth 40 m`.
+    /// Returns the place of a sensor from the text of a header: `Location: 10TH FLOOR`, `Dam crest`, `Depth 40 m`.
     pub(crate) fn of_location(text: &str) -> Self {
         let capitals = text.to_ascii_uppercase();
         let separates = |letter: char| !(letter.is_alphanumeric() || letter == '.');
@@ -84,7 +84,7 @@ impl Site {
         let floors = |counts: fn(&str, bool) -> bool| {
             (0..words.len()).any(|index| {
                 let [before, behind] = [word(index.checked_sub(1)), word(Some(index + 1))];
-                // A building of 3 stories is no place in it.
+                // The number of a building's stories is not a place in it.
                 let is_size = words[index].starts_with("STOR") && before.parse::<u32>().is_ok();
                 let near = [before, behind].into_iter().any(|near| counts(near, false));
                 counts(words[index], true) || (is(FLOOR, words[index]) && near && !is_size)
@@ -103,7 +103,7 @@ impl Site {
     }
 }
 
-/// The number at the begin of a word, if the rest is an end of an ordinal, or a word for a floor if `glued`: `10TH`, `10F`.
+/// The number at the beginning of a word, if an ordinal suffix follows, or with `glued` a word for a floor: `10TH`, `10F`.
 fn number(word: &str, glued: bool) -> Option<u32> {
     let behind = word.trim_start_matches(|letter: char| letter.is_ascii_digit());
     let ends = if glued { "F FL FLR" } else { "ST ND RD TH" };

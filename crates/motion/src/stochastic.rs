@@ -5,24 +5,22 @@ use std::f64::consts::TAU;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use crate::at_rest::brought_to_rest;
 use crate::band_pass::below_nyquist;
 use crate::record::{steps, within};
 use crate::{Envelope, GroundFilter, Record, Refused};
 
-/// Random sequence that all seeds start in; nothing depends on its value.
+/// Random sequence of all seeds; nothing depends on its value.
 const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 
-/// Largest number of terms × samples: some half a minute of work.
+/// Largest number of terms × samples: about half a minute of work.
 const MOST_PRODUCTS: f64 = 1e10;
 
-/// A ground motion of random phases: noise that the ground has filtered, under an envelope.
+/// A ground motion with random phases: noise that the ground has filtered, under an envelope.
 ///
-/// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a
-/// turn (M. Shinozuka and G. Deodatis, *Appl. Mech. Rev.* 44 (1991) 191). The variance of a strong part is that of the
-/// density S up to the cutoff for every seed, its values are nearly normal. The same settings and seed
-/// give the same bits on every machine; a shorter time step that divides the duration samples the same motion, before it
-/// is brought to rest and scaled to a peak.
+/// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a turn (M. Shinozuka
+/// and G. Deodatis, *Appl. Mech. Rev.* 44 (1991) 191). For every seed the variance of a strong part is that of the density S up to the
+/// cutoff, and its values are nearly normal. Equal settings and seeds give equal bits on every machine. A shorter time step that divides
+/// the duration samples the same motion, except for the final correction and scaling.
 ///
 /// The high-pass filter alone does not bring the ground to rest at the end. An envelope that comes and goes within few periods of the
 /// filter leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore subtracted, such that velocity and
@@ -35,7 +33,7 @@ pub struct StochasticMotion {
     pub ground: GroundFilter,
     /// Largest magnitude \[m/s²\], ≥ 0, to which every motion is scaled.
     pub peak: f64,
-    /// How it comes and goes.
+    /// The strength of the motion over time.
     pub envelope: Envelope,
     /// Highest frequency \[Hz\], below half of one over the time step and at least one over the duration; 25 is usual.
     pub cutoff: f64,
@@ -51,7 +49,7 @@ impl StochasticMotion {
     /// Checks the settings.
     ///
     /// # Errors
-    /// [`Refused`] names the setting, what was found and what is allowed.
+    /// [`Refused`] with the setting, the value found and the values allowed.
     pub fn check(&self) -> Result<(), Refused> {
         self.ground.check()?;
         self.envelope.check()?;
@@ -74,12 +72,12 @@ impl StochasticMotion {
     /// Those of [`StochasticMotion::check`], and samples that are not finite.
     pub fn record(&self) -> Result<Record, Refused> {
         self.check()?;
-        // Any density will do: the peak is scaled.
+        // Any density will do, because the peak is scaled.
         self.shaped(1.0)?.scaled_to_peak(self.peak)
     }
 
-    /// The motion under its envelope, at rest at the end, of white noise of a two-sided spectral density S₀ over circular
-    /// frequency \[m²/s³\]; its peak differs from seed to seed.
+    /// The motion under its envelope, at rest at the end, from white noise of a two-sided spectral density S₀ over circular frequency
+    /// \[m²/s³\]. Its peak differs between seeds.
     fn shaped(&self, density: f64) -> Result<Record, Refused> {
         let mut samples = self.stationary(density)?;
         let factor = |step: usize| self.envelope.at(step as f64 * self.time_step);
@@ -91,12 +89,12 @@ impl StochasticMotion {
         brought_to_rest(&record, &factors)
     }
 
-    /// One period of the stationary motion \[m/s²\] and its first sample once more.
+    /// One period of the stationary motion \[m/s²\], with its first sample repeated at the end.
     fn stationary(&self, density: f64) -> Result<Vec<f64>, Refused> {
         let n_steps = steps(self.duration, self.time_step)?;
         let period = n_steps as f64 * self.time_step;
         let n_terms = steps(self.cutoff, 1.0 / period)?;
-        // Every cosine takes its values from these: all frequencies are multiples of the lowest.
+        // Every cosine takes its values from this table: all frequencies are multiples of the lowest.
         let turn = |step: usize| TAU * (step as f64 / n_steps as f64);
         let table: Vec<[f64; 2]> = (0..n_steps).map(|step| [libm::cos(turn(step)), libm::sin(turn(step))]).collect();
         let mut random = Pcg64::new(u128::from(self.seed), STREAM);
@@ -145,6 +143,41 @@ impl StochasticMotion {
 /// A uniform number in [0, 1), a multiple of 2⁻⁵³.
 fn uniform(random: &mut Pcg64) -> f64 {
     (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// The record minus (p + q·t) times weights, with p and q such that velocity and displacement end at zero, to rounding.
+///
+/// There is one weight ≥ 0 for every sample. If fewer than two are above zero, the record stays unchanged.
+fn brought_to_rest(record: &Record, weights: &[f64]) -> Result<Record, Refused> {
+    let middle = 0.5 * (weights.len() - 1) as f64;
+    let tilted = |(index, weight): (usize, &f64)| weight * (index as f64 - middle);
+    let tilted: Vec<f64> = weights.iter().enumerate().map(tilted).collect();
+    let end = end_of(record);
+    let of_level = end_of(&with(record, weights.to_vec())?);
+    let of_tilt = end_of(&with(record, tilted.clone())?);
+    let cross = |left: [f64; 2], right: [f64; 2]| left[0] * right[1] - left[1] * right[0];
+    let determinant = cross(of_level, of_tilt);
+    if determinant == 0.0 {
+        return Ok(record.clone());
+    }
+    let level = cross(end, of_tilt) / determinant;
+    let tilt = cross(of_level, end) / determinant;
+    let shapes = weights.iter().zip(&tilted);
+    let samples = record.samples().iter().zip(shapes);
+    let less = |(sample, (weight, tilted))| sample - level * weight - tilt * tilted;
+    with(record, samples.map(less).collect())
+}
+
+/// Replaces the samples of a record.
+fn with(record: &Record, samples: Vec<f64>) -> Result<Record, Refused> {
+    Record::new(record.time_step(), samples, record.source())
+}
+
+/// Velocity \[m/s\] and displacement \[m\] at the end of a record.
+fn end_of(record: &Record) -> [f64; 2] {
+    let integrated = record.integrated();
+    let last = |values: Vec<f64>| values.last().copied().unwrap_or(0.0);
+    [last(integrated.velocity), last(integrated.displacement)]
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The units in which files give accelerations.
+//! Units of accelerations in files.
 
 use strum::EnumCount;
 
@@ -15,12 +15,12 @@ pub enum AccelerationUnit {
     MillimetrePerSecondSquared,
     /// Thousandths of g.
     MilliG,
-    /// Tenths of g, as old uncorrected accelerograms have them.
+    /// Tenths of g, as in old uncorrected accelerograms.
     TenthG,
 }
 
 impl AccelerationUnit {
-    /// All units, in the order of their definition.
+    /// All units in the order of their definition.
     pub const ALL: [Self; Self::COUNT] = [
         Self::StandardGravity,
         Self::MetrePerSecondSquared,
@@ -30,7 +30,7 @@ impl AccelerationUnit {
         Self::TenthG,
     ];
 
-    /// Returns the name by which scene files and options call the unit.
+    /// Returns the name of the unit in scene files and options.
     pub fn name(self) -> &'static str {
         match self {
             Self::StandardGravity => "g",
@@ -42,7 +42,7 @@ impl AccelerationUnit {
         }
     }
 
-    /// Returns the symbol that is printed behind a number.
+    /// Returns the symbol after a number.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::StandardGravity => "g",
@@ -56,7 +56,7 @@ impl AccelerationUnit {
 
     /// Turns a value in this unit into m/s², with one g worth `gravity` \[m/s²\].
     ///
-    /// Powers of ten divide: 12.3 cm/s² become the f64 that is written 0.123.
+    /// Powers of ten divide: 12.3 cm/s² become exactly the f64 written 0.123.
     pub fn to_si(self, value: f64, gravity: f64) -> f64 {
         match self {
             Self::StandardGravity => value * gravity,
@@ -76,12 +76,12 @@ impl AccelerationUnit {
         self.to_si(1.0, 9.806_65) / other.to_si(1.0, 9.806_65)
     }
 
-    /// Whether the worth of the unit depends on that of g.
+    /// Whether the value of the unit depends on g.
     pub(crate) fn needs_gravity(self) -> bool {
         matches!(self, Self::StandardGravity | Self::MilliG | Self::TenthG)
     }
 
-    /// The names of all units, for a message.
+    /// The names of all units for a message.
     pub(crate) fn names() -> String {
         Self::ALL.map(Self::name).join(", ")
     }

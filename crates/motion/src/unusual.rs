@@ -1,4 +1,4 @@
-//! What looks wrong in a file and can yet be right.
+//! Properties of a file that look wrong but may be right.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -10,7 +10,7 @@ use crate::AccelerationUnit;
 /// Usual time steps of strong motion \[s\].
 const USUAL_STEPS: RangeInclusive<f64> = 1e-4..=0.1;
 
-/// Peaks of records that are chosen for buildings \[g\]. A weaker one in a unit that is declared is held against other units.
+/// Peaks of records that are chosen for buildings \[g\]. A weaker peak in a declared unit is compared with other units.
 const CHOSEN_PEAKS: RangeInclusive<f64> = 0.1..=1.5;
 
 /// Part of the peak that resampling may remove silently.
@@ -19,7 +19,7 @@ const USUAL_LOSS: f64 = 1e-3;
 /// Relative difference of a peak from that of the header that is accepted silently.
 const USUAL_DIFFERENCE: f64 = 0.05;
 
-/// An `Unusual` is something that looks wrong in a file and can yet be right.
+/// An `Unusual` is a property of a file that looks wrong but may be right.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unusual {
     /// A time step below 10⁻⁴ s or above 0.1 s.
@@ -32,7 +32,7 @@ pub enum Unusual {
         /// Largest magnitude, in multiples of 9.80665 m/s² \[g\].
         found: f64,
     },
-    /// A weak peak in a unit that is declared, which would be usual in another one.
+    /// A weak peak in a declared unit, which would be usual in another unit.
     DeclaredUnit {
         /// Largest magnitude as declared \[g\].
         found: f64,
@@ -40,7 +40,7 @@ pub enum Unusual {
         declared: AccelerationUnit,
         /// The other unit.
         other: AccelerationUnit,
-        /// Largest magnitude in that \[g\].
+        /// Largest magnitude in the other unit \[g\].
         instead: f64,
     },
     /// Values that are all zero.
@@ -52,7 +52,7 @@ pub enum Unusual {
     OneSigned {
         /// Number of values.
         found: usize,
-        /// Whether none is below the one before.
+        /// Whether no value is below the previous one.
         rises: bool,
     },
     /// A first value that is the peak, several times the second largest.
@@ -71,28 +71,28 @@ pub enum Unusual {
     },
     /// A peak that resampling has lowered by more than 0.1 %.
     Resampled {
-        /// What it took, as a part of the peak.
+        /// Reduction of the peak, as a part of it.
         lost: f64,
     },
-    /// A peak that differs by more than 5 % from that in the header.
+    /// A peak that differs by more than 5 % from the peak in the header.
     HeaderPeak {
         /// The difference, as a part of the peak in the header.
         found: f64,
     },
-    /// Values that are declared to be accelerations, where the file speaks for velocities.
+    /// Values that are declared to be accelerations although the file suggests velocities.
     Velocity {
         /// Text of the file.
         found: String,
     },
     /// A sensor in a borehole or on a structure.
     OffTheGround {
-        /// Text of the file about its place.
+        /// Text of the file about the place.
         found: String,
     },
 }
 
 impl Unusual {
-    /// Usual peaks \[g\]: weaker motions hurt nothing, and the largest on record are near 4 g. A wrong unit leads out of this range.
+    /// Usual peaks \[g\]: weaker motions do no harm, and the largest on record are near 4 g. A wrong unit leads out of this range.
     pub const USUAL_PEAKS: RangeInclusive<f64> = 0.02..=3.0;
 
     /// Unusual time step \[s\] and peak \[g\] of a record. A zero peak is reported elsewhere.
@@ -106,7 +106,7 @@ impl Unusual {
     /// Warning about a declared unit if the peak \[g\] is weak, but usual for strong motion in another unit.
     pub(crate) fn of_unit(declared: AccelerationUnit, peak: f64) -> Option<Self> {
         let is_weak = (*Self::USUAL_PEAKS.start()..*CHOSEN_PEAKS.start()).contains(&peak);
-        // The plain units: thousandths and tenths of g are no slip.
+        // Only plain units are tried: thousandths and tenths of g are not chosen by mistake.
         let others = AccelerationUnit::ALL[..3].iter();
         let in_units = others.map(|other| (*other, peak * other.worth_in(declared)));
         let mut chosen = in_units.filter(|(_, peak)| CHOSEN_PEAKS.contains(peak));
@@ -124,15 +124,15 @@ impl Unusual {
         (lost > USUAL_LOSS).then_some(Self::Resampled { lost })
     }
 
-    /// The difference from the peak of the header, if that is much.
+    /// Warning if the difference from the peak of the header is large.
     pub(crate) fn of_difference(found: f64) -> Option<Self> {
         (found > USUAL_DIFFERENCE).then_some(Self::HeaderPeak { found })
     }
 
-    /// Returns how far it is from what is usual, as a ratio: below 1 where something is too small, and 1 where there is no more or less.
+    /// Returns the ratio to the usual value: below 1 if a value is too small, and 1 for a property without a size.
     pub fn ratio(&self) -> f64 {
         match self {
-            // Over the middle of what is usual.
+            // The ratio is relative to the middle of the usual range.
             Self::TimeStep { found } => found / 3e-3,
             Self::Peak { found } | Self::DeclaredUnit { found, .. } => found / 0.25,
             Self::FirstSample { found, second } => (found / second).abs(),
@@ -144,11 +144,11 @@ impl Unusual {
         }
     }
 
-    /// Returns what was found, in words.
+    /// Returns the value found, in words.
     pub fn found(&self) -> String {
         match self {
             Self::TimeStep { found } => format!("a time step of {found} s in the file"),
-            // Two digits would round it to what is usual.
+            // Two digits would round the value into the usual range.
             Self::Peak { found } if (0.0195..0.02).contains(found) => {
                 format!("a peak of {found:.4} g in the file")
             }
@@ -194,7 +194,7 @@ impl Unusual {
         }
     }
 
-    /// Returns what is usual, in words.
+    /// Returns the usual values, in words.
     pub fn usual(&self) -> &'static str {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",

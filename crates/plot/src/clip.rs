@@ -1,13 +1,13 @@
 //! Cutting curves at the edges of a panel.
 
-use super::Point;
+use super::PaperPoint;
 
 /// A box is the lower left and the upper right corner of what is visible.
-pub(super) type Box2 = (Point, Point);
+pub(super) type Box2 = (PaperPoint, PaperPoint);
 
 /// Cuts a line at the edges of a box and returns the visible pieces.
-pub(super) fn pieces(points: &[Point], edges: Box2) -> Vec<Vec<Point>> {
-    let mut pieces: Vec<Vec<Point>> = Vec::new();
+pub(super) fn pieces(points: &[PaperPoint], edges: Box2) -> Vec<Vec<PaperPoint>> {
+    let mut pieces: Vec<Vec<PaperPoint>> = Vec::new();
     for pair in points.windows(2) {
         let Some((from, to)) = visible(pair[0], pair[1], edges) else {
             continue;
@@ -22,7 +22,7 @@ pub(super) fn pieces(points: &[Point], edges: Box2) -> Vec<Vec<Point>> {
 }
 
 /// Returns the visible part of a segment, after Liang and Barsky (1984).
-fn visible(a: Point, b: Point, (low, high): Box2) -> Option<(Point, Point)> {
+fn visible(a: PaperPoint, b: PaperPoint, (low, high): Box2) -> Option<(PaperPoint, PaperPoint)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for (step, room) in [(-dx, a.0 - low.0), (dx, high.0 - a.0), (-dy, a.1 - low.1), (dy, high.1 - a.1)] {
@@ -44,7 +44,7 @@ fn visible(a: Point, b: Point, (low, high): Box2) -> Option<(Point, Point)> {
 }
 
 /// Tells whether a point is inside a box or on its edge.
-pub(super) fn contains((low, high): Box2, (x, y): Point) -> bool {
+pub(super) fn contains((low, high): Box2, (x, y): PaperPoint) -> bool {
     low.0 <= x && x <= high.0 && low.1 <= y && y <= high.1
 }
 

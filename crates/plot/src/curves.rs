@@ -2,7 +2,7 @@
 
 use super::clip::{self, Box2};
 use super::scale::Frame;
-use super::{Curve, Fill, Kind, Mark, Pen, Point, Shade, Shape, marks};
+use super::{Curve, CurveKind, Fill, Mark, PaperPoint, Pen, Shade, Shape, marks};
 
 /// Width of a curve in points.
 const LINE: f64 = 1.05;
@@ -16,21 +16,21 @@ const OPACITY: f64 = 0.5;
 /// Draws a curve in its panel.
 pub(super) fn shapes(curve: &Curve, frame: &Frame) -> Vec<Shape> {
     match curve.kind {
-        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Points => {
+        CurveKind::Line | CurveKind::Thin | CurveKind::Dashed | CurveKind::Points => {
             let marks = visible(curve, frame).flat_map(|at| marked(curve, at));
             lines(curve, frame).into_iter().chain(marks).collect()
         }
-        Kind::Stems => curve.points.iter().flat_map(|&point| stem(curve, point, frame)).collect(),
-        Kind::Area => runs(&curve.points).iter().flat_map(|run| area(run, curve.shade, frame)).collect(),
-        Kind::Bars => bars(curve, frame).map(|ends| bar(ends, curve.shade)).collect(),
+        CurveKind::Stems => curve.points.iter().flat_map(|&point| stem(curve, point, frame)).collect(),
+        CurveKind::Area => runs(&curve.points).iter().flat_map(|run| area(run, curve.shade, frame)).collect(),
+        CurveKind::Bars => bars(curve, frame).map(|ends| bar(ends, curve.shade)).collect(),
     }
 }
 
 /// Draws the mark of a curve at a point, if it has any.
-fn marked(curve: &Curve, at: Point) -> Vec<Shape> {
+fn marked(curve: &Curve, at: PaperPoint) -> Vec<Shape> {
     let own = match curve.kind {
-        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area | Kind::Bars => None,
-        Kind::Stems | Kind::Points => Some(Mark::of(curve.shade)),
+        CurveKind::Line | CurveKind::Thin | CurveKind::Dashed | CurveKind::Area | CurveKind::Bars => None,
+        CurveKind::Stems | CurveKind::Points => Some(Mark::of(curve.shade)),
     };
     curve
         .mark
@@ -39,16 +39,16 @@ fn marked(curve: &Curve, at: Point) -> Vec<Shape> {
 }
 
 /// Returns points of the curve on the paper, dense enough to find what a box would hide.
-pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
-    let placed = |&point: &Point| frame.place(point);
-    let points: Vec<Point> = match curve.kind {
-        Kind::Points => return visible(curve, frame).collect(),
-        Kind::Bars => {
+pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<PaperPoint> {
+    let placed = |&point: &PaperPoint| frame.place(point);
+    let points: Vec<PaperPoint> = match curve.kind {
+        CurveKind::Points => return visible(curve, frame).collect(),
+        CurveKind::Bars => {
             return bars(curve, frame).flat_map(|(from, to)| between(from, to)).collect();
         }
-        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area => curve.points.iter().map(placed).collect(),
-        Kind::Stems => {
-            let foot = |&(x, _): &Point| (frame.across(x), frame.base());
+        CurveKind::Line | CurveKind::Thin | CurveKind::Dashed | CurveKind::Area => curve.points.iter().map(placed).collect(),
+        CurveKind::Stems => {
+            let foot = |&(x, _): &PaperPoint| (frame.across(x), frame.base());
             curve
                 .points
                 .iter()
@@ -64,32 +64,32 @@ pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
 }
 
 /// Returns the width that the sample of a curve should have in a legend \[mm\].
-pub(super) fn sample_width(kind: Kind) -> f64 {
+pub(super) fn sample_width(kind: CurveKind) -> f64 {
     match kind {
-        Kind::Line | Kind::Thin | Kind::Dashed => 7.0,
-        Kind::Area | Kind::Bars => 4.0,
-        Kind::Stems | Kind::Points => 2.0,
+        CurveKind::Line | CurveKind::Thin | CurveKind::Dashed => 7.0,
+        CurveKind::Area | CurveKind::Bars => 4.0,
+        CurveKind::Stems | CurveKind::Points => 2.0,
     }
 }
 
 /// Draws the sample of a curve in a legend, from a point at half height to the right.
-pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Shape> {
+pub(super) fn sample(curve: &Curve, (left, middle): PaperPoint, width: f64) -> Vec<Shape> {
     let centre = left + width / 2.0;
     let pen = pen(curve);
     match curve.kind {
-        Kind::Line | Kind::Thin | Kind::Dashed => {
+        CurveKind::Line | CurveKind::Thin | CurveKind::Dashed => {
             let line = Shape::line((left, middle), (left + width, middle), pen);
             let mut shapes = vec![line];
             shapes.extend(marked(curve, (centre, middle)));
             shapes
         }
-        Kind::Stems => {
+        CurveKind::Stems => {
             let (foot, head) = ((centre, middle - 1.3), (centre, middle + 0.6));
             let mut shapes = vec![Shape::line(foot, head, pen)];
             shapes.extend(marked(curve, head));
             shapes
         }
-        Kind::Area => {
+        CurveKind::Area => {
             let (corner, size) = ((left, middle - 0.9), (width, 1.8));
             let fill = Some(Fill {
                 shade: curve.shade,
@@ -102,25 +102,25 @@ pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Sh
                 outline: Some(pen),
             }]
         }
-        Kind::Bars => vec![bar(((left, middle), (left + width, middle)), curve.shade)],
-        Kind::Points => marked(curve, (centre, middle)),
+        CurveKind::Bars => vec![bar(((left, middle), (left + width, middle)), curve.shade)],
+        CurveKind::Points => marked(curve, (centre, middle)),
     }
 }
 
 /// Returns the pen of a curve.
 fn pen(curve: &Curve) -> Pen {
     match curve.kind {
-        Kind::Line | Kind::Stems | Kind::Points => Pen::solid(curve.shade, LINE),
-        Kind::Thin | Kind::Area | Kind::Bars => Pen::solid(curve.shade, THIN),
-        Kind::Dashed => Pen::dashed(curve.shade, LINE),
+        CurveKind::Line | CurveKind::Stems | CurveKind::Points => Pen::solid(curve.shade, LINE),
+        CurveKind::Thin | CurveKind::Area | CurveKind::Bars => Pen::solid(curve.shade, THIN),
+        CurveKind::Dashed => Pen::dashed(curve.shade, LINE),
     }
 }
 
 fn lines(curve: &Curve, frame: &Frame) -> Vec<Shape> {
-    if curve.kind == Kind::Points {
+    if curve.kind == CurveKind::Points {
         return Vec::new();
     }
-    let points: Vec<Point> = curve.points.iter().map(|&point| frame.place(point)).collect();
+    let points: Vec<PaperPoint> = curve.points.iter().map(|&point| frame.place(point)).collect();
     let pieces = clip::pieces(&points, frame.edges);
     pieces.into_iter().map(|points| Shape::Line { points, pen: pen(curve) }).collect()
 }
@@ -143,10 +143,10 @@ fn stem(curve: &Curve, (x, y): (f64, f64), frame: &Frame) -> Vec<Shape> {
 fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
     let ((left, bottom), (right, top)) = frame.edges;
     let tall: Box2 = ((left, f64::NEG_INFINITY), (right, f64::INFINITY));
-    let points: Vec<Point> = run.iter().map(|&point| frame.place(point)).collect();
+    let points: Vec<PaperPoint> = run.iter().map(|&point| frame.place(point)).collect();
     let mut shapes = Vec::new();
     for piece in clip::pieces(&points, tall) {
-        let edge: Vec<Point> = piece.into_iter().map(|(x, y)| (x, y.clamp(bottom, top))).collect();
+        let edge: Vec<PaperPoint> = piece.into_iter().map(|(x, y)| (x, y.clamp(bottom, top))).collect();
         let (first, last) = (edge[0].0, edge[edge.len() - 1].0);
         let mut corners = vec![(first, frame.base())];
         corners.extend(&edge);
@@ -165,7 +165,7 @@ fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
 }
 
 /// Returns the visible ends of bars.
-fn bars(curve: &Curve, frame: &Frame) -> impl Iterator<Item = (Point, Point)> {
+fn bars(curve: &Curve, frame: &Frame) -> impl Iterator<Item = (PaperPoint, PaperPoint)> {
     let frame = *frame;
     let pairs = curve.points.chunks_exact(2);
     pairs
@@ -175,7 +175,7 @@ fn bars(curve: &Curve, frame: &Frame) -> impl Iterator<Item = (Point, Point)> {
 }
 
 /// Draws a bar; a bar without length is a stroke.
-fn bar(((left, middle), (right, _)): (Point, Point), shade: Shade) -> Shape {
+fn bar(((left, middle), (right, _)): (PaperPoint, PaperPoint), shade: Shade) -> Shape {
     Shape::Rectangle {
         corner: (left, middle - marks::TALL / 2.0),
         size: (right - left, marks::TALL),
@@ -206,7 +206,7 @@ fn runs(points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
 }
 
 /// Returns the points of a curve that lie in the panel, on the paper.
-fn visible(curve: &Curve, frame: &Frame) -> impl Iterator<Item = Point> {
+fn visible(curve: &Curve, frame: &Frame) -> impl Iterator<Item = PaperPoint> {
     let frame = *frame;
     curve
         .points
@@ -216,7 +216,7 @@ fn visible(curve: &Curve, frame: &Frame) -> impl Iterator<Item = Point> {
 }
 
 /// Returns points on a segment, about a millimetre apart.
-fn between(from: Point, to: Point) -> Vec<Point> {
+fn between(from: PaperPoint, to: PaperPoint) -> Vec<PaperPoint> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     #[expect(
         clippy::cast_possible_truncation,

@@ -3,7 +3,7 @@
 use super::Shade;
 
 /// A point is x to the right and y upwards, from the lower left corner of the paper \[mm\].
-pub type Point = (f64, f64);
+pub type PaperPoint = (f64, f64);
 
 /// A drawing is a sheet of paper with shapes on it, the later ones over the earlier.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,9 +80,9 @@ pub enum Shape {
     /// A rectangle, filled or outlined or both.
     Rectangle {
         /// Lower left corner.
-        corner: Point,
+        corner: PaperPoint,
         /// Width and height.
-        size: Point,
+        size: PaperPoint,
         /// Inside, if any.
         fill: Option<Fill>,
         /// Outline, if any.
@@ -91,7 +91,7 @@ pub enum Shape {
     /// A disc, filled or outlined or both.
     Circle {
         /// Centre.
-        centre: Point,
+        centre: PaperPoint,
         /// Radius.
         radius: f64,
         /// Inside, if any.
@@ -102,7 +102,7 @@ pub enum Shape {
     /// A filled polygon.
     Polygon {
         /// Corners in order; the last is joined to the first.
-        corners: Vec<Point>,
+        corners: Vec<PaperPoint>,
         /// Inside.
         fill: Fill,
         /// Outline, if any.
@@ -111,23 +111,23 @@ pub enum Shape {
     /// A line through two or more points.
     Line {
         /// The points in order.
-        points: Vec<Point>,
+        points: Vec<PaperPoint>,
         /// Appearance of the line.
         pen: Pen,
     },
     /// A straight line with a head at both ends, as in a dimension.
     Arrow {
         /// One end.
-        from: Point,
+        from: PaperPoint,
         /// The other end.
-        to: Point,
+        to: PaperPoint,
         /// Appearance of the shaft; the heads have the same colour.
         pen: Pen,
     },
     /// A line of text; the middle of its capital letters is at the height of `at`.
     Text {
         /// Position.
-        at: Point,
+        at: PaperPoint,
         /// The text.
         text: String,
         /// Size in points.
@@ -143,7 +143,7 @@ pub enum Shape {
 
 impl Shape {
     /// Returns a straight line.
-    pub fn line(from: Point, to: Point, pen: Pen) -> Self {
+    pub fn line(from: PaperPoint, to: PaperPoint, pen: Pen) -> Self {
         Self::Line {
             points: vec![from, to],
             pen,
@@ -151,7 +151,7 @@ impl Shape {
     }
 
     /// Returns a filled rectangle without outline.
-    pub fn filled(corner: Point, size: Point, fill: Fill) -> Self {
+    pub fn filled(corner: PaperPoint, size: PaperPoint, fill: Fill) -> Self {
         Self::Rectangle {
             corner,
             size,
@@ -161,7 +161,7 @@ impl Shape {
     }
 
     /// Returns the outline of a rectangle.
-    pub fn outlined(corner: Point, size: Point, pen: Pen) -> Self {
+    pub fn outlined(corner: PaperPoint, size: PaperPoint, pen: Pen) -> Self {
         Self::Rectangle {
             corner,
             size,
@@ -171,7 +171,7 @@ impl Shape {
     }
 
     /// Returns a filled rectangle with an outline.
-    pub fn boxed(corner: Point, size: Point, fill: Fill, pen: Pen) -> Self {
+    pub fn boxed(corner: PaperPoint, size: PaperPoint, fill: Fill, pen: Pen) -> Self {
         Self::Rectangle {
             corner,
             size,
@@ -181,7 +181,7 @@ impl Shape {
     }
 
     /// Returns a text in ink, written upwards.
-    pub fn upright(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
+    pub fn upright(at: PaperPoint, text: impl Into<String>, points: f64, align: Align) -> Self {
         Self::Text {
             at,
             text: text.into(),
@@ -193,7 +193,7 @@ impl Shape {
     }
 
     /// Returns a text in ink, written to the right.
-    pub fn text(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
+    pub fn text(at: PaperPoint, text: impl Into<String>, points: f64, align: Align) -> Self {
         Self::Text {
             at,
             text: text.into(),

@@ -188,16 +188,16 @@ pub struct Curve {
     /// The points, in the units of the axes; all must be finite, and positive on a logarithmic axis.
     pub points: Vec<(f64, f64)>,
     /// Appearance of the points.
-    pub kind: Kind,
+    pub kind: CurveKind,
     /// Colour.
     pub shade: Shade,
-    /// Mark at every point. `None` is no mark for lines; for [`Kind::Points`] and [`Kind::Stems`] it is the mark of the shade.
+    /// Mark at every point. `None` is no mark for lines; for [`CurveKind::Points`] and [`CurveKind::Stems`] it is the mark of the shade.
     pub mark: Option<Mark>,
 }
 
 impl Curve {
     /// Returns a curve without a name.
-    pub fn new(kind: Kind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
+    pub fn new(kind: CurveKind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
         Self {
             label: None,
             points,
@@ -210,7 +210,7 @@ impl Curve {
     /// Returns horizontal bars, each from one value of x to another at a value of y: `(from, to, y)`.
     pub fn bars(shade: Shade, bars: &[(f64, f64, f64)]) -> Self {
         let ends = |&(from, to, y): &(f64, f64, f64)| [(from, y), (to, y)];
-        Self::new(Kind::Bars, shade, bars.iter().flat_map(ends).collect())
+        Self::new(CurveKind::Bars, shade, bars.iter().flat_map(ends).collect())
     }
 
     /// Returns the curve with a name for the legend.
@@ -231,7 +231,7 @@ impl Curve {
 
 /// Appearance of the points of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum CurveKind {
     /// Joined by a line.
     Line,
     /// Joined by a thin line, for dense records.

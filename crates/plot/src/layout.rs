@@ -27,7 +27,7 @@ const USUAL_GUTTER: f64 = 14.0;
 const LEAST: (f64, f64) = (12.0, 6.0);
 
 /// A cell is a panel with its place in the grid and its ranges.
-struct Cell<'a> {
+struct PanelCell<'a> {
     panel: &'a Panel,
     axis: &'a Axis,
     ranges: (Range, Range),
@@ -44,7 +44,7 @@ struct Band {
 }
 
 /// A column is the left end of the paper of its panels, and the left and right end of the panels \[mm\].
-struct Column {
+struct PanelColumn {
     margin: f64,
     left: f64,
     right: f64,
@@ -60,7 +60,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
     let legend_width = share - named.fold(USUAL_GUTTER, f64::max) - RIGHT;
     let shared = legend::Shared::of(figure, WIDTH - 2.0 * MARGIN);
     let bands = bands(&cells, height - shared.height(), legend_width);
-    let ruler = |cell: &Cell<'_>| Ruler::up(&cell.panel.y, cell.ranges.1, bands[cell.row].height);
+    let ruler = |cell: &PanelCell<'_>| Ruler::up(&cell.panel.y, cell.ranges.1, bands[cell.row].height);
     let rulers: Vec<Ruler> = cells.iter().map(ruler).collect();
     let columns = columns(&cells, &rulers, &bands, figure.columns);
     // A legend that is too wide starts further left than the axis.
@@ -144,7 +144,7 @@ fn fits(axis: &Axis, value: f64) -> bool {
 }
 
 /// Refuses texts that would overlap a neighbour of a panel with this width.
-fn check_texts(cell: &Cell<'_>, width: f64) -> Result<(), PlotError> {
+fn check_texts(cell: &PanelCell<'_>, width: f64) -> Result<(), PlotError> {
     let room = width + RIGHT + COLUMN_SPACE;
     let written = |text| (text, text::width(text, LABEL_POINTS));
     let (title, long) = written(&cell.panel.title);
@@ -159,10 +159,10 @@ fn check_texts(cell: &Cell<'_>, width: f64) -> Result<(), PlotError> {
 }
 
 /// Puts the panels into rows and columns and finds their ranges.
-fn cells(figure: &Figure) -> Result<Vec<Cell<'_>>, PlotError> {
+fn cells(figure: &Figure) -> Result<Vec<PanelCell<'_>>, PlotError> {
     let panels = &figure.panels;
     let sharing: Vec<&Panel> = panels.iter().filter(|panel| panel.x.is_none()).collect();
-    let mut cells: Vec<Cell<'_>> = Vec::new();
+    let mut cells: Vec<PanelCell<'_>> = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
         let (row, column) = (index / figure.columns, index % figure.columns);
         let axis = panel.x.as_ref().unwrap_or(&figure.x);
@@ -175,8 +175,8 @@ fn cells(figure: &Figure) -> Result<Vec<Cell<'_>>, PlotError> {
         let below = panels.get(index + figure.columns);
         let footed = panel.x.is_some() || below.is_none_or(|below| below.x.is_some());
         let beside = cells.last().filter(|_| column > 0 && panel.y.label.is_empty());
-        let same = |left: &Cell<'_>| left.ranges.1 == y && left.panel.y.scale == panel.y.scale;
-        cells.push(Cell {
+        let same = |left: &PanelCell<'_>| left.ranges.1 == y && left.panel.y.scale == panel.y.scale;
+        cells.push(PanelCell {
             panel,
             axis,
             ranges: (x, y),
@@ -197,10 +197,10 @@ fn names_width(axis: &Axis) -> f64 {
 }
 
 /// Divides the height among the rows by their weights, after subtracting the text above and below them.
-fn bands(cells: &[Cell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
+fn bands(cells: &[PanelCell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
     let rows = cells.last().map_or(0, |cell| cell.row + 1);
     let most =
-        |row: usize, measure: &dyn Fn(&Cell<'_>) -> f64| cells.iter().filter(|cell| cell.row == row).map(measure).fold(0.0, f64::max);
+        |row: usize, measure: &dyn Fn(&PanelCell<'_>) -> f64| cells.iter().filter(|cell| cell.row == row).map(measure).fold(0.0, f64::max);
     let heads: Vec<f64> = (0..rows).map(|row| most(row, &|cell| head(cell.panel, legend_width))).collect();
     let feet: Vec<f64> = (0..rows).map(|row| most(row, &foot)).collect();
     let weights: Vec<f64> = (0..rows).map(|row| most(row, &|cell| cell.panel.weight)).collect();
@@ -220,7 +220,7 @@ fn bands(cells: &[Cell<'_>], height: f64, legend_width: f64) -> Vec<Band> {
 }
 
 /// Divides the width among the columns, after subtracting the text to the left of them. All panels are equally wide.
-fn columns(cells: &[Cell<'_>], rulers: &[Ruler], bands: &[Band], n: usize) -> Vec<Column> {
+fn columns(cells: &[PanelCell<'_>], rulers: &[Ruler], bands: &[Band], n: usize) -> Vec<PanelColumn> {
     let gutters: Vec<f64> = (0..n)
         .map(|column| {
             let inside = cells.iter().zip(rulers);
@@ -237,7 +237,7 @@ fn columns(cells: &[Cell<'_>], rulers: &[Ruler], bands: &[Band], n: usize) -> Ve
     for gutter in gutters {
         let left = margin + gutter;
         let right = left + width;
-        columns.push(Column { margin, left, right });
+        columns.push(PanelColumn { margin, left, right });
         margin = right + RIGHT + COLUMN_SPACE;
     }
     columns
@@ -250,7 +250,7 @@ fn head(panel: &Panel, legend_width: f64) -> f64 {
 }
 
 /// Returns the room below a panel \[mm\].
-fn foot(cell: &Cell<'_>) -> f64 {
+fn foot(cell: &PanelCell<'_>) -> f64 {
     match (cell.numbered.0, cell.axis.label.is_empty()) {
         (false, _) => TICK.0,
         (true, true) => FOOT.0,
@@ -259,7 +259,7 @@ fn foot(cell: &Cell<'_>) -> f64 {
 }
 
 /// Returns the room left of a panel for the label and the numbers of its y axis \[mm\].
-fn gutter(cell: &Cell<'_>, ruler: &Ruler, height: f64) -> f64 {
+fn gutter(cell: &PanelCell<'_>, ruler: &Ruler, height: f64) -> f64 {
     if !cell.numbered.1 {
         return TICK.0;
     }

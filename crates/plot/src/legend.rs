@@ -2,7 +2,7 @@
 
 use super::scale::Frame;
 use super::text::{self, MM_PER_POINT};
-use super::{Align, Curve, Figure, Fill, Legend, Panel, Point, Shade, Shape, clip, curves};
+use super::{Align, Curve, Figure, Fill, Legend, Panel, PaperPoint, Shade, Shape, clip, curves};
 
 /// Size of the text in points.
 const POINTS: f64 = 8.5;
@@ -85,7 +85,7 @@ impl<'a> Shared<'a> {
     }
 
     /// Draws the legend from its upper left corner.
-    pub(super) fn shapes(&self, (mut left, top): Point) -> Vec<Shape> {
+    pub(super) fn shapes(&self, (mut left, top): PaperPoint) -> Vec<Shape> {
         let mut shapes = Vec::new();
         for column in &self.columns {
             let sample = widest_sample(column);
@@ -169,14 +169,14 @@ fn inside(panel: &Panel, frame: &Frame) -> Vec<Shape> {
 }
 
 /// Returns the lower left corner of the box that hides the fewest points; of equal boxes, the upper right one.
-fn emptiest(panel: &Panel, frame: &Frame, (width, height): Point) -> Point {
+fn emptiest(panel: &Panel, frame: &Frame, (width, height): PaperPoint) -> PaperPoint {
     let ((left, bottom), (right, top)) = frame.edges;
     let (near, far) = (left + MARGIN, right - MARGIN - width);
     let (low, high) = (bottom + MARGIN, top - MARGIN - height);
-    let mut points: Vec<Point> = panel.curves.iter().flat_map(|curve| curves::traces(curve, frame)).collect();
+    let mut points: Vec<PaperPoint> = panel.curves.iter().flat_map(|curve| curves::traces(curve, frame)).collect();
     // A note has a large weight: a hidden word is worse than a hidden piece of a curve.
     points.extend(panel.notes.iter().flat_map(|note| [frame.place(note.at); 20]));
-    let hidden = |&(x, y): &Point| {
+    let hidden = |&(x, y): &PaperPoint| {
         let near = ((x - MARGIN, y - MARGIN), (x + width + MARGIN, y + height + MARGIN));
         points.iter().filter(|&&point| clip::contains(near, point)).count()
     };
@@ -215,7 +215,7 @@ fn length(label: &str) -> f64 {
 }
 
 /// Draws the sample of a curve and its label.
-fn explain(curve: &Curve, label: &str, (left, middle): Point, sample: f64) -> Vec<Shape> {
+fn explain(curve: &Curve, label: &str, (left, middle): PaperPoint, sample: f64) -> Vec<Shape> {
     let mut shapes = curves::sample(curve, (left, middle), sample);
     // The middle of small letters looks like the middle of the text.
     let at = (left + sample + GAP, middle + 0.06 * POINTS * MM_PER_POINT);

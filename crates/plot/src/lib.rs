@@ -5,11 +5,11 @@
 //! [`render_png`] or [`render_both`]. A figure is laid out into a drawing, so that there is only one way to paper.
 //!
 //! ```
-//! use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade, render_png};
+//! use pounding_plot::{Axis, Curve, Figure, CurveKind, Panel, Shade, render_png};
 //!
 //! // A structure of T = 1.2 s swings freely from 30 mm: u = 30 cos(2πt/T).
 //! let swing = |t: f64| (t, 30.0 * (std::f64::consts::TAU * t / 1.2).cos());
-//! let curve = Curve::new(Kind::Line, Shade::Blue, (0..=240).map(|i| swing(f64::from(i) * 0.01)).collect());
+//! let curve = Curve::new(CurveKind::Line, Shade::Blue, (0..=240).map(|i| swing(f64::from(i) * 0.01)).collect());
 //! let y = Axis::auto("Displacement (mm)");
 //! let panels = vec![Panel { y, curves: vec![curve], ..Panel::default() }];
 //! let figure = Figure { height_in: 3.0, x: Axis::over("Time (s)", 0.0, 2.4), panels, ..Figure::default() };
@@ -31,7 +31,6 @@
 
 mod clip;
 mod curves;
-mod dash;
 mod decades;
 mod drawing;
 mod error;
@@ -53,9 +52,9 @@ mod tests;
 
 use std::borrow::Cow;
 
-pub use drawing::{Align, Drawing, Fill, Pen, Point, Shape};
+pub use drawing::{Align, Drawing, Fill, PaperPoint, Pen, Shape};
 pub use error::PlotError;
-pub use figure::{Axis, Curve, Figure, Kind, Legend, Mark, Note, Panel, Scale, sparse_markers};
+pub use figure::{Axis, Curve, CurveKind, Figure, Legend, Mark, Note, Panel, Scale, sparse_markers};
 pub use shade::Shade;
 
 /// A picture gives the position of each of its lines and letters.

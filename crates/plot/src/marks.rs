@@ -1,6 +1,6 @@
 //! Marks at points.
 
-use super::{Fill, Mark, Pen, Point, Shade, Shape};
+use super::{Fill, Mark, PaperPoint, Pen, Shade, Shape};
 
 /// Half the size of a mark \[mm\].
 pub(super) const SIZE: f64 = 0.75;
@@ -33,7 +33,7 @@ impl Mark {
 }
 
 /// Draws a mark; a hollow one hides the line that runs through it.
-pub(super) fn shapes(mark: Mark, centre: Point, shade: Shade) -> Vec<Shape> {
+pub(super) fn shapes(mark: Mark, centre: PaperPoint, shade: Shade) -> Vec<Shape> {
     let pen = Pen::solid(shade, STROKE);
     let (fill, outline) = if mark.is_hollow() {
         (Shade::White, Some(pen))
@@ -41,8 +41,8 @@ pub(super) fn shapes(mark: Mark, centre: Point, shade: Shade) -> Vec<Shape> {
         (shade, None)
     };
     let fill = Fill::solid(fill);
-    let place = |&(x, y): &Point| (centre.0 + SIZE * x, centre.1 + SIZE * y);
-    let polygon = |corners: &[Point]| {
+    let place = |&(x, y): &PaperPoint| (centre.0 + SIZE * x, centre.1 + SIZE * y);
+    let polygon = |corners: &[PaperPoint]| {
         vec![Shape::Polygon {
             corners: corners.iter().map(place).collect(),
             fill,

@@ -10,7 +10,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBAColor, RGBColor, ShapeStyle, TextStyle};
 
 use super::text::{CAPITAL, FAMILY, MM_PER_POINT};
-use super::{Align, Drawing, Fill, Pen, PlotError, Point, Shade, Shape, dash, text};
+use super::{Align, Drawing, Fill, PaperPoint, Pen, PlotError, Shade, Shape, text};
 
 /// Units of the canvas in a millimetre.
 const UNITS: f64 = 100.0;
@@ -23,6 +23,9 @@ const MIDDLE: f64 = 0.25;
 
 /// Length and half width of the head of an arrow, in widths of the line.
 const HEAD: (f64, f64) = (7.0, 2.6);
+
+/// Length of a dash and of the space after it, in widths of the line. Plotters does not split lines of an SVG into dashes.
+const DASH: (f64, f64) = (4.0, 2.4);
 
 /// Draws a picture as an SVG whose letters need the bundled font.
 pub(super) fn svg(drawing: &Drawing) -> Result<String, PlotError> {
@@ -69,7 +72,7 @@ fn with_header(written: &str, drawing: &Drawing) -> String {
 /// Whether all of a shape is at finite positions on the paper or close to it.
 fn on_paper(drawing: &Drawing, shape: &Shape) -> bool {
     let reach = 10.0 * drawing.width.max(drawing.height);
-    let near = |&(x, y): &Point| x.abs() <= reach && y.abs() <= reach;
+    let near = |&(x, y): &PaperPoint| x.abs() <= reach && y.abs() <= reach;
     match shape {
         Shape::Rectangle { corner, size, .. } => near(corner) && near(size),
         Shape::Circle { centre, radius, .. } => near(centre) && near(&(*radius, 0.0)),
@@ -137,62 +140,62 @@ impl Page<'_> {
                 radius,
                 fill,
                 outline,
-            } => self.circle(*centre, *radius, (*fill, *outline)),
+            } => self.circle(*centre, *radius, *fill, *outline),
             Shape::Polygon { corners, fill, outline } => {
                 self.polygon(corners, *fill)?;
                 outline.map_or(Ok(()), |pen| self.outline(corners, pen))
             }
             Shape::Line { points, pen } => self.line(points, *pen),
-            Shape::Arrow { from, to, pen } => self.arrow((*from, *to), *pen),
+            Shape::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
             Shape::Text { .. } => self.text(shape),
         }
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "`on_paper` bounds coordinates to 2e6 units")]
-    fn unit(&self, (x, y): Point) -> (i32, i32) {
+    fn unit(&self, (x, y): PaperPoint) -> (i32, i32) {
         ((x * UNITS).round() as i32, ((self.height - y) * UNITS).round() as i32)
     }
 
-    fn units(&self, points: &[Point]) -> Vec<(i32, i32)> {
+    fn units(&self, points: &[PaperPoint]) -> Vec<(i32, i32)> {
         let mut units: Vec<_> = points.iter().map(|&point| self.unit(point)).collect();
         units.dedup();
         units
     }
 
-    fn rectangle(&mut self, (x, y): Point, (width, height): Point, fill: Fill) -> Result<(), PlotError> {
+    fn rectangle(&mut self, (x, y): PaperPoint, (width, height): PaperPoint, fill: Fill) -> Result<(), PlotError> {
         let (upper_left, lower_right) = (self.unit((x, y + height)), self.unit((x + width, y)));
         self.canvas
             .draw_rect(upper_left, lower_right, &inside(fill), true)
             .map_err(|_| REFUSED)
     }
 
-    fn circle(&mut self, centre: Point, radius: f64, look: (Option<Fill>, Option<Pen>)) -> Result<(), PlotError> {
+    fn circle(&mut self, centre: PaperPoint, radius: f64, fill: Option<Fill>, outline: Option<Pen>) -> Result<(), PlotError> {
         let centre = self.unit(centre);
-        if let Some(fill) = look.0 {
+        if let Some(fill) = fill {
             self.canvas
                 .draw_circle(centre, size(radius), &inside(fill), true)
                 .map_err(|_| REFUSED)?;
         }
-        let Some(pen) = look.1 else { return Ok(()) };
+        let Some(pen) = outline else { return Ok(()) };
         self.canvas
             .draw_circle(centre, size(radius), &stroke(pen), false)
             .map_err(|_| REFUSED)
     }
 
-    fn polygon(&mut self, corners: &[Point], fill: Fill) -> Result<(), PlotError> {
+    fn polygon(&mut self, corners: &[PaperPoint], fill: Fill) -> Result<(), PlotError> {
         let corners = self.units(corners);
         self.canvas.fill_polygon(corners, &inside(fill)).map_err(|_| REFUSED)
     }
 
     /// Draws a line around corners, and on to the second corner, so that it closes with a corner.
-    fn outline(&mut self, corners: &[Point], pen: Pen) -> Result<(), PlotError> {
+    fn outline(&mut self, corners: &[PaperPoint], pen: Pen) -> Result<(), PlotError> {
         let points = corners.iter().chain(corners.iter().take(2));
         self.line(&points.copied().collect::<Vec<_>>(), pen)
     }
 
-    fn line(&mut self, points: &[Point], pen: Pen) -> Result<(), PlotError> {
+    fn line(&mut self, points: &[PaperPoint], pen: Pen) -> Result<(), PlotError> {
         let pieces = if pen.dashed {
-            dash::dashes(points, pen.points * MM_PER_POINT)
+            dashes(points, pen.points * MM_PER_POINT)
         } else {
             vec![points.to_vec()]
         };
@@ -205,8 +208,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn arrow(&mut self, ends: (Point, Point), pen: Pen) -> Result<(), PlotError> {
-        let (from, to) = ends;
+    fn arrow(&mut self, from: PaperPoint, to: PaperPoint, pen: Pen) -> Result<(), PlotError> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = (dx * dx + dy * dy).sqrt();
         if length == 0.0 {
@@ -218,7 +220,7 @@ impl Page<'_> {
     }
 
     /// Draws a head in a direction of length 1; returns the end of its shaft.
-    fn head(&mut self, tip: Point, (dx, dy): Point, pen: Pen) -> Result<Point, PlotError> {
+    fn head(&mut self, tip: PaperPoint, (dx, dy): PaperPoint, pen: Pen) -> Result<PaperPoint, PlotError> {
         let width = pen.points * MM_PER_POINT;
         let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
         let neck = (tip.0 - long * dx, tip.1 - long * dy);
@@ -258,6 +260,39 @@ impl Page<'_> {
         let style = TextStyle::from(font).color(&ink).pos(Pos::new(across, VPos::Center));
         self.canvas.draw_text(text, &style, self.unit(at)).map_err(|_| REFUSED)
     }
+}
+
+/// Cuts a line into dashes; `width` is that of the line \[mm\].
+fn dashes(points: &[PaperPoint], width: f64) -> Vec<Vec<PaperPoint>> {
+    let lengths = [DASH.0 * width, DASH.1 * width];
+    let mut dashes: Vec<Vec<PaperPoint>> = Vec::new();
+    let (mut phase, mut left) = (0, lengths[0]);
+    let mut dash: Vec<PaperPoint> = points.first().copied().into_iter().collect();
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        loop {
+            let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+            let length = (dx * dx + dy * dy).sqrt();
+            if length <= left {
+                left -= length;
+                break;
+            }
+            from = (from.0 + dx * left / length, from.1 + dy * left / length);
+            if phase == 0 {
+                dash.push(from);
+                dashes.push(std::mem::take(&mut dash));
+            } else {
+                dash = vec![from];
+            }
+            phase = 1 - phase;
+            left = lengths[phase];
+        }
+        if phase == 0 {
+            dash.push(to);
+        }
+    }
+    dashes.push(dash);
+    dashes
 }
 
 #[cfg(test)]
@@ -301,5 +336,12 @@ mod tests {
             }),
             svg(&blank)
         );
+    }
+
+    #[test]
+    fn reference_dashes_follow_the_line() {
+        let dashes = dashes(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], 1.0);
+        let expected = [vec![(0.0, 0.0), (3.0, 0.0), (3.0, 1.0)], vec![(3.0, 3.4), (3.0, 7.0)]];
+        assert_eq!(dashes, expected);
     }
 }

@@ -4,7 +4,7 @@ use super::clip::{self, Box2};
 use super::marks::SIZE;
 use super::ruler::{Ruler, TICK_POINTS};
 use super::scale::Frame;
-use super::{Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, curves, legend, scale, text};
+use super::{Align, Axis, Fill, Note, Panel, PaperPoint, Pen, Shade, Shape, curves, legend, scale, text};
 
 pub(super) const LABEL_POINTS: f64 = 9.0;
 const NOTE_POINTS: f64 = 8.0;
@@ -40,7 +40,7 @@ const LEVEL: Pen = Pen::solid(Shade::Ink, 0.5);
 const NOTE_SPACE: f64 = 1.1;
 
 /// Margin of the paper of a note beside and above its text \[mm\].
-const NOTE_EDGE: Point = (0.5, 0.6);
+const NOTE_EDGE: PaperPoint = (0.5, 0.6);
 
 /// A plot is a panel with its place on the paper and the numbers of its axes.
 pub(super) struct Plot<'a> {
@@ -170,7 +170,7 @@ impl Plot<'_> {
     /// Writes a note next to its point on nearly white paper, to its right or on the next side that hides less.
     fn note(&self, note: &Note) -> [Shape; 2] {
         let size = (text::width(&note.text, NOTE_POINTS), text::height(NOTE_POINTS));
-        let traces: Vec<Point> = self
+        let traces: Vec<PaperPoint> = self
             .panel
             .curves
             .iter()
@@ -193,7 +193,7 @@ impl Plot<'_> {
     }
 
     /// Returns the boxes of a note with this size to the right, left, above and below a point, moved into the panel.
-    fn beside(&self, (x, y): Point, size: Point) -> [Box2; 4] {
+    fn beside(&self, (x, y): PaperPoint, size: PaperPoint) -> [Box2; 4] {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let (wide, high) = (size.0 / 2.0 + NOTE_EDGE.0, size.1 / 2.0 + NOTE_EDGE.1);
         let middles = [

@@ -28,8 +28,8 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     let pixels = pixels.data().chunks_exact(4);
     let colours: Vec<u8> = pixels.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]].map(level)).collect();
     // The picture decides which filter packs better.
-    let plain = encode((width, height), &colours, Filter::NoFilter)?;
-    let differences = encode((width, height), &colours, Filter::Up)?;
+    let plain = encode(width, height, &colours, Filter::NoFilter)?;
+    let differences = encode(width, height, &colours, Filter::Up)?;
     Ok(if plain.len() <= differences.len() { plain } else { differences })
 }
 
@@ -68,7 +68,7 @@ fn dots(length: f32) -> u32 {
 }
 
 /// Writes eight bits per colour, as small as the encoder can.
-fn encode((width, height): (u32, u32), colours: &[u8], filter: Filter) -> Result<Vec<u8>, PlotError> {
+fn encode(width: u32, height: u32, colours: &[u8], filter: Filter) -> Result<Vec<u8>, PlotError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width, height);
     encoder.set_color(ColorType::Rgb);

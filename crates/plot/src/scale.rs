@@ -1,7 +1,7 @@
 //! Ranges of axes, and the step from values to millimetres.
 
 use super::clip::Box2;
-use super::{Axis, Curve, Kind, Panel, PlotError, Point, Scale};
+use super::{Axis, Curve, CurveKind, Panel, PaperPoint, PlotError, Scale};
 
 /// Part of the range left free above and below the data.
 const HEADROOM: f64 = 0.07;
@@ -72,7 +72,7 @@ impl Frame {
     }
 
     /// Returns the position of a point on the paper.
-    pub(super) fn place(&self, (x, y): (f64, f64)) -> Point {
+    pub(super) fn place(&self, (x, y): (f64, f64)) -> PaperPoint {
         (self.across(x), self.up(y))
     }
 
@@ -101,13 +101,13 @@ pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
 /// Whether a curve needs room at its sides: its marks extend beyond its ends, and a loop should not be cut.
 fn is_airy(curve: &Curve) -> bool {
     let turns_back = curve.points.windows(2).any(|pair| pair[1].0 < pair[0].0);
-    let by_kind = matches!(curve.kind, Kind::Points | Kind::Stems | Kind::Bars);
+    let by_kind = matches!(curve.kind, CurveKind::Points | CurveKind::Stems | CurveKind::Bars);
     by_kind || curve.mark.is_some() || turns_back
 }
 
 /// Whether a curve starts from zero.
 pub(super) fn starts_from_zero(curve: &Curve) -> bool {
-    matches!(curve.kind, Kind::Stems | Kind::Area)
+    matches!(curve.kind, CurveKind::Stems | CurveKind::Area)
 }
 
 /// Returns the requested range, or a range around the values; refuses ranges that cannot be divided into ticks.

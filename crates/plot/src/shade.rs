@@ -4,7 +4,7 @@
 ///
 /// The first seven are for curves, preferably in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white) is about 13,
 /// 42, 63, 50, 79, 70 and 54. Ink, blue and vermilion are clearly different. Grey next to vermilion, and rose next to green, also need
-/// another [`Kind`](super::Kind) or [`Mark`](super::Mark).
+/// another [`CurveKind`](super::CurveKind) or [`Mark`](super::Mark).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shade {
     /// Nearly black, also for text and axes.

@@ -22,7 +22,7 @@ fn figure(curves: Vec<Curve>) -> Figure {
 }
 
 fn of(points: Vec<(f64, f64)>) -> Figure {
-    figure(vec![Curve::new(Kind::Line, Shade::Blue, points).named("left")])
+    figure(vec![Curve::new(CurveKind::Line, Shade::Blue, points).named("left")])
 }
 
 /// Draws a figure as text.
@@ -69,9 +69,16 @@ fn limit_an_unseen_curve_changes_nothing() {
         curves,
         ..Panel::default()
     };
-    let outside = [Kind::Line, Kind::Thin, Kind::Dashed, Kind::Stems, Kind::Points, Kind::Bars]
-        .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]).marked(Mark::Ring));
-    let base = vec![Curve::new(Kind::Stems, Shade::Ink, vec![])];
+    let outside = [
+        CurveKind::Line,
+        CurveKind::Thin,
+        CurveKind::Dashed,
+        CurveKind::Stems,
+        CurveKind::Points,
+        CurveKind::Bars,
+    ]
+    .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]).marked(Mark::Ring));
+    let base = vec![Curve::new(CurveKind::Stems, Shade::Ink, vec![])];
     let one = Figure {
         panels: vec![panel(base.clone())],
         ..Figure::default()
@@ -86,13 +93,13 @@ fn limit_an_unseen_curve_changes_nothing() {
 #[test]
 fn limit_curves_without_extent_are_drawn() {
     for kind in [
-        Kind::Line,
-        Kind::Thin,
-        Kind::Dashed,
-        Kind::Stems,
-        Kind::Area,
-        Kind::Points,
-        Kind::Bars,
+        CurveKind::Line,
+        CurveKind::Thin,
+        CurveKind::Dashed,
+        CurveKind::Stems,
+        CurveKind::Area,
+        CurveKind::Points,
+        CurveKind::Bars,
     ] {
         for points in [vec![], vec![(1.0, 2.0)], vec![(0.0, 3.0), (1.0, 3.0)], vec![(0.0, 0.0), (1.0, 0.0)]] {
             let figure = figure(vec![Curve::new(kind, Shade::Green, points.clone()).named("left")]);

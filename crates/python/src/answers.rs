@@ -17,7 +17,7 @@ use crate::refused::OrRefused;
 use crate::run::Given;
 use crate::waiting::wait;
 
-/// Text for people: letters that steer a terminal, or the direction of writing, are spelt.
+/// Text for people, in which letters that steer a terminal or the direction of writing are spelt.
 #[pyfunction]
 pub(crate) fn visible(text: &str) -> String {
     pounding_text::visible(text).into_owned()
@@ -36,14 +36,14 @@ pub(crate) fn read_words(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     text.or_refused(py)
 }
 
-/// The words of a JSON or TOML file as JSON, whatever they say.
+/// Converts a JSON or TOML text to JSON without checking its contents.
 #[pyfunction]
 pub(crate) fn words_of(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
     let words = pounding_scene::file::parse::<Value>(text.as_bytes(), &path);
     Ok(words.or_refused(py)?.to_string())
 }
 
-/// Reads and checks a scene, whatever shakes it; returns its words with all defaults, as JSON.
+/// Reads and checks a scene under any record. Returns its words with all defaults, as JSON.
 #[pyfunction]
 pub(crate) fn check_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
     let given = Given::of(text, path, None);
@@ -60,7 +60,7 @@ pub(crate) fn check_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult
     check().or_refused(py)
 }
 
-/// A ground at rest, under which a scene can be checked.
+/// A ground at rest, for checks of scenes.
 fn at_rest() -> SharedMotion {
     let record = pounding_motion::Record::new(1.0, vec![0.0; 2], "at rest");
     pounding_scene::GroundMotion {
@@ -84,7 +84,7 @@ pub(crate) fn sketch_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResul
     sketch.svg().map_err(|error| error.to_string()).or_refused(py)
 }
 
-/// What pounding does to every storey, in both directions of shaking, as JSON.
+/// Effects of pounding on every storey, in both directions of shaking, as JSON.
 #[pyfunction]
 #[pyo3(signature = (text, path, record=None))]
 pub(crate) fn effects(py: Python<'_>, text: &str, path: PathBuf, record: Option<&Record>) -> PyResult<String> {
@@ -96,7 +96,7 @@ pub(crate) fn effects(py: Python<'_>, text: &str, path: PathBuf, record: Option<
     found.or_refused(py)
 }
 
-/// Periods from one to another [s], in equal ratios.
+/// Periods from `first` to `last` [s], rising by a constant ratio.
 #[pyfunction]
 pub(crate) fn periods_between(first: f64, last: f64, count: u32) -> Vec<f64> {
     pounding_scene::periods_between(first, last, count)
@@ -138,7 +138,7 @@ pub(crate) fn advise(
     found.or_refused(py)
 }
 
-/// What a contact law and methods deliver to a free impact, as the JSON of `pounding certify --json`.
+/// Restitution that a contact law and the methods deliver in a free impact, as the JSON of `pounding certify --json`.
 #[pyfunction]
 #[pyo3(signature = (law, restitution, masses, speed, stiffness=None, literature=false, time_step=None, method=None))]
 pub(crate) fn certify(
@@ -184,7 +184,7 @@ pub(crate) fn certify(
     found.or_refused(py)
 }
 
-/// The contact laws: name, force, and unit of the stiffness, of each.
+/// The contact laws, each with its name, its force and the unit of its stiffness.
 #[pyfunction]
 pub(crate) fn laws() -> Vec<(&'static str, &'static str, &'static str)> {
     let law = |law: &LawName| {
@@ -221,7 +221,7 @@ pub(crate) fn opensees(
     found.or_refused(py)
 }
 
-/// A word that is none of those allowed.
+/// The refusal of a word that is not among the allowed ones.
 fn unknown(place: &'static str, found: &str, names: &str) -> Refused {
     Refused::at(place).found(format!("`{found}`")).allowed_are(format!("`{names}`"))
 }

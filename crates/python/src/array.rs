@@ -1,4 +1,4 @@
-//! Numbers as memory that NumPy looks at without a copy.
+//! Numbers in memory that NumPy reads without a copy.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use pounding_scene::SharedMotion;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Where the numbers are.
+/// The memory of the numbers.
 #[derive(Debug, Clone)]
 enum Memory {
     Floats(Arc<[f64]>),
@@ -15,7 +15,7 @@ enum Memory {
     Motion(SharedMotion),
 }
 
-/// Numbers that do not change: `numpy.asarray` gives a view of them, which may only be read.
+/// Numbers that do not change: `numpy.asarray` gives a read-only view of them.
 #[pyclass(frozen, module = "pounding._pounding")]
 #[derive(Debug)]
 pub(crate) struct Array {
@@ -38,7 +38,7 @@ impl Array {
         }
     }
 
-    /// A row for each list, all as long as the first.
+    /// A matrix with one row per list; all lists are as long as the first.
     pub(crate) fn rows(lists: &[Vec<f64>]) -> Self {
         Self {
             shape: vec![lists.len(), lists.first().map_or(0, Vec::len)],
@@ -56,7 +56,7 @@ impl Array {
 
 #[pymethods]
 impl Array {
-    /// Address, type and shape, as NumPy asks for them; the memory lives as long as this object.
+    /// Address, type and shape in NumPy's form. The memory lives as long as this object.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let (address, kind) = match &self.memory {

@@ -10,8 +10,8 @@ use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
 
-/// Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay; results of an
-/// earlier run are replaced, but for files that were read.
+/// Writes a report into a folder; the report is whole and on disk when the function returns. Results of an earlier run are replaced, except
+/// files that were read. Other files are refused or kept.
 #[pyfunction]
 pub(crate) fn write_files(
     py: Python<'_>,

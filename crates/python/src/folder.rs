@@ -1,4 +1,4 @@
-//! A row under a folder of records.
+//! A row under all records of a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -21,11 +21,11 @@ pub(crate) struct Assessment {
     report: AssessmentReport,
 }
 
-/// Both directions of shaking: whether it is reversed.
+/// Both directions of shaking: the values of `reversed`.
 const BOTH: [bool; 2] = [false, true];
 
-/// Assesses a row under a folder of records, in both directions, by the exact method; `scale` is `scene`, `none` or the table `scale_to` of a
-/// record as JSON, `target` a spectrum by its name or file.
+/// Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
+/// JSON. `target` is the name or the file of a spectrum.
 #[pyfunction]
 #[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 10.0], progress=None))]
 pub(crate) fn assess(
@@ -69,7 +69,7 @@ pub(crate) fn assess(
     found.or_refused(py)
 }
 
-/// The records of a folder, of which a scene declares what they do not say.
+/// Reads the records of a folder; the scene declares what their files do not say.
 fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
     Ok(Suite::in_folder(folder, &scene.record.declared())?)
 }
@@ -78,7 +78,7 @@ fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
     Watched { stop: watch.stop, step }
 }
 
-/// What records are scaled to.
+/// The scaling of the records.
 fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
     match (target, scale) {
         (Some(target), _) => Ok(Scaling::Target(DesignSpectrum::named(target)?)),
@@ -93,17 +93,17 @@ fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
 
 #[pymethods]
 impl Assessment {
-    /// Everything, as the JSON of `pounding assess --json`.
+    /// All results, as the JSON of `pounding assess --json`.
     fn facts(&self) -> String {
         json_text(&self.report.to_json())
     }
 
-    /// The table of `pounding assess --csv`, a row for each number.
+    /// The table of `pounding assess --csv`, one row per number.
     fn csv(&self) -> String {
         self.report.to_csv()
     }
 
-    /// What looks wrong in the scene and in its records.
+    /// Implausible values of the scene and of its records.
     fn unusual(&self) -> Vec<String> {
         let unusual = self.report.unusual();
         unusual.iter().map(ToString::to_string).collect()
@@ -114,7 +114,7 @@ impl Assessment {
         self.report.answers()
     }
 
-    /// The answer in full: the gaps, what is proposed, what touching does.
+    /// The whole answer: the gaps, the proposals and the effects of touching.
     fn sentences(&self) -> Vec<String> {
         self.report.sentences()
     }
@@ -124,12 +124,12 @@ impl Assessment {
         self.report.shaking()
     }
 
-    /// What is said of records that are left out, or whose direction nothing tells.
+    /// Remarks on records that are left out, or whose direction is unknown.
     fn remarks(&self) -> Vec<String> {
         self.report.remarks().to_vec()
     }
 
-    /// What to know before believing them.
+    /// Warnings about the results.
     fn warnings(&self) -> Vec<String> {
         self.report.warnings()
     }
@@ -140,8 +140,8 @@ impl Assessment {
     }
 }
 
-/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
-/// and what is said of records that are left out, or whose direction nothing tells.
+/// The gaps that a row needs under a folder of records, in both directions, one row per motion, direction and gap. Returns also the
+/// implausible values, and the remarks on records that are left out or whose direction is unknown.
 #[pyfunction]
 #[pyo3(signature = (text, path, folder, progress=None))]
 pub(crate) fn required_gap(
@@ -174,10 +174,10 @@ pub(crate) fn required_gap(
     Ok((gaps(&scene, &lines), said))
 }
 
-/// The widths under a motion in one direction, what the motion is beyond its model, and what looks wrong.
+/// The widths under a motion in one direction, the excesses of the motion over its model, and the implausible values.
 type Widths = MotionLine<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
 
-/// What the widths rest on and should not, a sentence for each kind.
+/// Warnings about the model behind the widths, one sentence per kind.
 fn warnings(lines: &[Widths]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
@@ -185,7 +185,7 @@ fn warnings(lines: &[Widths]) -> Vec<String> {
     beyond.map(|one| one.to_string()).collect()
 }
 
-/// What looks wrong, a sentence for each kind.
+/// Implausible values, one sentence per kind.
 fn unusual(lines: &[Widths]) -> Vec<String> {
     let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
     Implausible::lines(found.flat_map(|(line, (.., doubts))| {

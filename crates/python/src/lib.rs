@@ -1,9 +1,9 @@
-//! What Python calls: scenes, records, runs and answers of the other crates, as objects that do not change.
+//! The functions and classes that Python calls: scenes, records, runs and answers of the other crates as objects that do not change.
 //!
-//! The package `pounding` in `python/` is what users see, with words, units and defaults. This library below it takes scenes as JSON,
-//! the words of their files, and gives numbers as memory that NumPy and Arrow look at. It decides nothing.
+//! Users see the package `pounding` in `python/`, which has the words, units and defaults. This library below it takes scenes as JSON, in
+//! the words of their files. It gives numbers as memory that NumPy and Arrow read. It makes no decisions.
 //!
-//! Work runs on a thread of its own, while the caller waits without the lock of the interpreter and looks for Ctrl-C (`waiting.rs`).
+//! Work runs on a separate thread. The caller waits without the lock of the interpreter and watches for Ctrl-C (`waiting.rs`).
 
 mod answers;
 mod array;
@@ -18,7 +18,7 @@ mod waiting;
 
 use pyo3::prelude::*;
 
-/// Functions and classes below the package `pounding`.
+/// Functions and classes for the package `pounding`.
 #[pymodule]
 mod _pounding {
     #[pymodule_export]

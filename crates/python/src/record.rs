@@ -15,7 +15,7 @@ use crate::refused::OrRefused;
 use crate::table::{Column, Table};
 use crate::waiting::wait;
 
-/// What a ground motion is made from, each time that it is used otherwise.
+/// The raw form of a ground motion, which is read again for each other use.
 #[derive(Debug, Clone, PartialEq)]
 enum Raw {
     File { path: PathBuf, bytes: Vec<u8> },
@@ -23,7 +23,7 @@ enum Raw {
     Formula,
 }
 
-/// A ground motion: where it comes from, and how it is used, in the words of the table `record` of a scene.
+/// A ground motion with its source, used as the table `record` of a scene says.
 #[pyclass(frozen, module = "pounding._pounding")]
 #[derive(Debug)]
 pub(crate) struct Record {
@@ -32,7 +32,7 @@ pub(crate) struct Record {
     pub(crate) motion: SharedMotion,
 }
 
-/// Name of the text that holds the words, which no message shows.
+/// Name of the text that holds the words; no message shows it.
 const WORDS: &str = "record.json";
 
 impl Record {
@@ -61,7 +61,7 @@ impl Record {
 
 #[pymethods]
 impl Record {
-    /// Reads a file; `raw` is what it holds, where it need not be opened. `words` is the table `record` as JSON.
+    /// Reads a file. `raw` is its content if the file need not be opened. `words` is the table `record` as JSON.
     #[staticmethod]
     #[pyo3(signature = (path, words, raw=None))]
     fn of_file(py: Python<'_>, path: PathBuf, words: String, raw: Option<&[u8]>) -> PyResult<Self> {
@@ -76,7 +76,7 @@ impl Record {
         .or_refused(py)
     }
 
-    /// Takes samples in m/s², as the bytes of numbers of 64 bits, `time_step` s apart.
+    /// Takes samples in m/s² as the bytes of 64-bit numbers, `time_step` s apart.
     #[staticmethod]
     fn of_samples(py: Python<'_>, samples: &Bound<'_, PyBytes>, time_step: f64, words: String) -> PyResult<Self> {
         let numbers = samples.as_bytes().chunks_exact(8);
@@ -92,7 +92,7 @@ impl Record {
         Self::new(Raw::Formula, words).or_refused(py)
     }
 
-    /// The same motion, used in another way.
+    /// The motion used in another way.
     fn used(&self, py: Python<'_>, words: String) -> PyResult<Self> {
         let raw = self.raw.clone();
         wait(py, None, move |_| Self::new(raw, words))?.or_refused(py)
@@ -104,7 +104,7 @@ impl Record {
         &self.words
     }
 
-    /// `file`, `samples` or `formula`.
+    /// Kind of the source: `file`, `samples` or `formula`.
     #[getter]
     fn kind(&self) -> &'static str {
         match self.raw {
@@ -114,7 +114,7 @@ impl Record {
         }
     }
 
-    /// The file; `None` of another kind.
+    /// The file; `None` for another kind of source.
     #[getter]
     fn path(&self) -> Option<PathBuf> {
         match &self.raw {
@@ -123,7 +123,7 @@ impl Record {
         }
     }
 
-    /// The bytes of the file, or of the samples as they were given; empty of a formula.
+    /// The bytes of the file, or of the given samples; empty for a formula.
     #[getter]
     fn raw<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         match &self.raw {
@@ -137,7 +137,7 @@ impl Record {
         }
     }
 
-    /// Time between the samples that were given [s]; `None` of another kind than `samples`.
+    /// Time between the given samples [s]; `None` for a source other than `samples`.
     #[getter]
     fn raw_time_step(&self) -> Option<f64> {
         match &self.raw {
@@ -164,13 +164,13 @@ impl Record {
         self.samples().duration()
     }
 
-    /// What its source was multiplied by [–].
+    /// Factor on the values of the source [–].
     #[getter]
     fn scale_factor(&self) -> f64 {
         self.motion.scale()
     }
 
-    /// What was read and where, measures, unit and format, as JSON.
+    /// Location and contents of the record, measures, unit and format, as JSON.
     fn facts(&self) -> String {
         let samples = self.samples();
         let (time, peak) = samples.peak();
@@ -207,7 +207,7 @@ impl Record {
         }))
     }
 
-    /// Response spectra at some periods [s], for some damping ratios [–]: a row for each of both.
+    /// Response spectra at some periods [s] for some damping ratios [–], one row per combination.
     fn spectrum(&self, py: Python<'_>, periods: Vec<f64>, damping_ratios: Vec<f64>) -> PyResult<Table> {
         let of = (periods.len() * damping_ratios.len()) as u64;
         let spectra = wait(py, None, |watch| {

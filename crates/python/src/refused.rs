@@ -2,14 +2,14 @@
 
 use std::io::ErrorKind;
 
-use pounding_text::{Kind, Refusal, Refused};
+use pounding_text::{RefusalKind, Refusal, Refused};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// `pounding.Refused`, or `pounding.NotFound` of a file that is not there, with a message and its parts.
+/// `pounding.Refused` with a message and its parts; `pounding.NotFound` if a file does not exist.
 pub(crate) fn refused(py: Python<'_>, refused: Refused) -> PyErr {
     let refused = said(refused);
-    let is_missing = refused.is_kind(Kind::System(ErrorKind::NotFound));
+    let is_missing = refused.is_kind(RefusalKind::System(ErrorKind::NotFound));
     let class = if is_missing { "NotFound" } else { "Refused" };
     let made = || -> PyResult<PyErr> {
         let Refusal {
@@ -30,10 +30,10 @@ pub(crate) fn refused(py: Python<'_>, refused: Refused) -> PyErr {
     made().unwrap_or_else(|error| error)
 }
 
-/// What is said of an error: of words that Python made there is no file, no line and no column, and a field needs no name of its scene.
+/// The refusal of an error. Words that Python made have no file, line or column, and a field needs no scene name.
 pub(crate) fn said(error: impl Into<Refused>) -> Refused {
     let mut refused: Refused = error.into();
-    let is_of_system = matches!(refused.own_kind(), Kind::System(_));
+    let is_of_system = matches!(refused.own_kind(), RefusalKind::System(_));
     let place = refused.place_mut();
     if place.field.is_some() && place.file.is_none() {
         place.scene = None;
@@ -45,7 +45,7 @@ pub(crate) fn said(error: impl Into<Refused>) -> Refused {
     refused
 }
 
-/// An error as an exception.
+/// Conversion of errors to exceptions.
 pub(crate) trait OrRefused<T> {
     fn or_refused(self, py: Python<'_>) -> PyResult<T>;
 }

@@ -1,4 +1,4 @@
-//! A scene that ran.
+//! A scene with its run.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,20 +17,20 @@ use crate::refused::OrRefused;
 use crate::table::{Column, Table};
 use crate::waiting::{Watch, wait};
 
-/// A scene in the words of a file, and what they are read with.
+/// A scene in the words of a file, with the settings for reading it.
 pub(crate) struct Given<'a> {
     /// The scene as JSON or TOML.
     pub(crate) text: &'a str,
-    /// The file that holds it, or whose folder names its record.
+    /// The file of the scene; if there is none, a path in the folder that names its record.
     pub(crate) path: PathBuf,
-    /// The record in place of the one that the text names.
+    /// The record that replaces the scene's own.
     pub(crate) record: Option<&'a Record>,
-    /// Whether what is refused runs with a warning.
+    /// Whether a run that would be refused runs with a warning.
     pub(crate) force: bool,
 }
 
 impl<'a> Given<'a> {
-    /// A scene that is refused where the program refuses it.
+    /// A scene that is refused if the program refuses it.
     pub(crate) fn of(text: &'a str, path: PathBuf, record: Option<&'a Record>) -> Self {
         Self {
             text,
@@ -40,22 +40,22 @@ impl<'a> Given<'a> {
         }
     }
 
-    /// The scene; of one in a file, a fault has its line.
+    /// The scene. If it is in a file, a fault has its line.
     pub(crate) fn scene(&self) -> Result<Scene, Error> {
         Scene::parse(self.text.as_bytes(), &self.path)
     }
 
-    /// An error with the file of the scene, where it has one.
+    /// The error with the file of the scene, if there is one.
     pub(crate) fn in_file(&self, error: Error) -> Error {
         if self.path.is_file() { error.in_file(&self.path) } else { error }
     }
 
-    /// The scene, ready to run.
+    /// The scene, prepared.
     pub(crate) fn simulation(&self, watch: &Watch) -> Result<Simulation, Error> {
         self.simulation_of(&self.scene()?, watch)
     }
 
-    /// Another scene under the same record, ready to run.
+    /// Another scene under the record of this one, prepared.
     pub(crate) fn simulation_of(&self, scene: &Scene, watch: &Watch) -> Result<Simulation, Error> {
         let step = |of: usize| watch.step(1, of as u64);
         let options = Options {
@@ -69,16 +69,16 @@ impl<'a> Given<'a> {
     }
 }
 
-/// What a run of a scene leaves behind.
+/// A run of a scene with its results.
 #[pyclass(frozen, module = "pounding._pounding")]
 pub(crate) struct Run {
     simulation: Simulation,
     review: Arc<Review>,
 }
 
-/// Runs a scene, with its histories; `measure` also runs the exact method and compares.
+/// Runs a scene with its histories. `measure` also runs the exact method, for the errors.
 ///
-/// `text` is the scene as JSON or TOML, `path` its file, `record` shakes it in place of the record that it names.
+/// `text` is the scene as JSON or TOML, `path` its file, and `record` replaces the record that it names.
 #[pyfunction]
 #[pyo3(signature = (text, path, record=None, measure=true, full=false, force=false))]
 pub(crate) fn run(
@@ -100,7 +100,7 @@ pub(crate) fn run(
         let interval = Report::interval(&simulation);
         let review = simulation.review_recorded(measure, Some(interval));
         let review = review.map_err(|error| given.in_file(error))?;
-        // Whoever takes the flag next ends work of its own.
+        // The next user of the flag stops other work, so this run must not keep it.
         simulation.set_stop(None);
         Ok(Run {
             simulation,
@@ -110,14 +110,14 @@ pub(crate) fn run(
     ran.or_refused(py)
 }
 
-/// Numbers whose errors stand in the table of peaks.
+/// Numbers whose errors are in the table of peaks.
 const ERRORS: [FloorQuantity; 3] = [
     FloorQuantity::PeakDisplacementM,
     FloorQuantity::PeakAccelerationMPerS2,
     FloorQuantity::TransferredMomentumNS,
 ];
 
-/// A column of a name, if any row has such a number.
+/// A column with a name, if any row has such a number.
 fn column(name: String, numbers: impl Iterator<Item = Option<f64>>) -> Option<(String, Column)> {
     let numbers: Vec<_> = numbers.collect();
     let is_known = numbers.iter().any(Option::is_some);
@@ -129,7 +129,7 @@ impl Run {
         Report::of_review(&self.simulation, Arc::clone(&self.review))
     }
 
-    /// A row for each floor and wall.
+    /// Table with one row per floor and wall.
     fn peaks(&self) -> Table {
         let floors = self.simulation.floors();
         let all = 0..floors.all().len();
@@ -155,7 +155,7 @@ impl Run {
         Table::new(first.into_iter().chain(numbers).chain(errors))
     }
 
-    /// At which storey a pair of floors faces each other.
+    /// Storey at which a pair of floors faces each other.
     fn level(&self, pair: usize) -> u64 {
         let floors = self.simulation.floors();
         let one = &floors.facing()[pair];
@@ -163,7 +163,7 @@ impl Run {
         floors.storey_of(if is_wall { one.right } else { one.left }) as u64
     }
 
-    /// A row for each pair of floors that face each other.
+    /// Table with one row per pair of floors that face each other.
     fn pairs(&self) -> Table {
         let floors = self.simulation.floors();
         let facing = floors.facing();
@@ -190,7 +190,7 @@ impl Run {
         Table::new(first.into_iter().chain(numbers))
     }
 
-    /// A row for each collision, in the order in which they begin.
+    /// Table with one row per collision, in the order of their starts.
     fn impacts(&self) -> Table {
         let all = self.review.outcome.collisions.all();
         let names = |side: usize| {
@@ -223,12 +223,12 @@ impl Run {
 
 #[pymethods]
 impl Run {
-    /// Everything that came out, as the JSON that `pounding run --json` prints.
+    /// All results, as the JSON of `pounding run --json`.
     fn summary(&self) -> String {
         Summary::of(&self.simulation, &self.review).to_json()
     }
 
-    /// What to know before believing the numbers, the most harmful first.
+    /// Warnings about the numbers, the most harmful first.
     fn notices(&self) -> Vec<String> {
         self.review.notices()
     }
@@ -245,7 +245,7 @@ impl Run {
         }
     }
 
-    /// A history by its name: a row for each floor or pair, a column for each instant.
+    /// A history by its name, with one row per floor or pair and one column per instant.
     fn history(&self, py: Python<'_>, name: &str) -> PyResult<Array> {
         let quantity = match name {
             "displacement" => HistoryQuantity::Displacement,
@@ -261,7 +261,7 @@ impl Run {
         Ok(Array::rows(&rows))
     }
 
-    /// Time between two instants of the histories [s].
+    /// Time between two instants of a history [s].
     #[getter]
     fn interval(&self) -> f64 {
         Report::interval(&self.simulation)
@@ -273,17 +273,17 @@ impl Run {
         self.simulation.duration()
     }
 
-    /// How often floors touch and how hard, in a sentence.
+    /// A sentence on how often and how hard floors touch.
     fn sentence(&self) -> String {
         run_sentence(&self.simulation, &self.review.outcome)
     }
 
-    /// What looks wrong in the scene and in its record, a sentence for each kind.
+    /// Implausible values of the scene and of its record, one sentence per kind.
     fn unusual(&self) -> Vec<String> {
         Implausible::lines(self.simulation.doubts().iter().map(|one| ("", one)))
     }
 
-    /// The same of both directions of shaking, the worse one first, and what to know of both; the other direction runs now.
+    /// Sentences for both directions of shaking, the worse one first, and warnings about both. The other direction runs in this call.
     fn directions(&self, py: Python<'_>) -> PyResult<([String; 2], Vec<String>)> {
         wait(py, None, |watch| {
             let mut simulation = self.simulation.clone();
@@ -294,7 +294,7 @@ impl Run {
         })
     }
 
-    /// The row as SVG, floors that touch in orange.
+    /// The row as SVG, with floors that touch in orange.
     fn sketch(&self, py: Python<'_>) -> PyResult<String> {
         let floors = self.simulation.floors();
         let pairs = self.review.outcome.collisions.all().iter();
@@ -308,7 +308,7 @@ impl Run {
         sketch.svg().map_err(|error| error.to_string()).or_refused(py)
     }
 
-    /// The files of a report, by name; with both directions of shaking on its first page where `both` is set.
+    /// The files of a report by name. `both` puts both directions of shaking on its first page.
     fn files(&self, py: Python<'_>, both: bool) -> PyResult<std::collections::BTreeMap<String, Vec<u8>>> {
         wait(py, None, |watch| {
             let report = self.report();

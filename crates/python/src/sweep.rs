@@ -1,4 +1,4 @@
-//! A scene again and again.
+//! Sweeps: many runs of one scene.
 
 use std::path::PathBuf;
 
@@ -10,10 +10,10 @@ use crate::refused::OrRefused;
 use crate::table::{Column, Table};
 use crate::waiting::wait;
 
-/// Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
+/// Runs a sweep with all cores. `text` is the sweep as JSON or TOML; `path` is its file, whose folder other files are named from.
 ///
-/// `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-/// reasons, what is said of those whose direction nothing tells, and what looks wrong.
+/// Calls `progress` with the number of finished runs and the number of all runs. Returns the table, the records that were left out with
+/// their reasons, the remarks on records whose direction is unknown, and the implausible values.
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
 pub(crate) fn sweep(py: Python<'_>, text: &str, path: PathBuf, progress: Option<&Bound<'_, PyAny>>) -> PyResult<(Table, Vec<String>)> {

@@ -15,7 +15,7 @@ use crate::array::Array;
 /// A column of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Column {
-    /// Numbers; NaN where there is none.
+    /// Numbers; NaN for a missing one.
     Numbers(Arc<[f64]>),
     /// Whole numbers.
     Counts(Arc<[u64]>),
@@ -42,7 +42,7 @@ impl Column {
         }
     }
 
-    /// The same for Arrow, where a number that is none is null.
+    /// The column for Arrow; a missing number is null.
     fn to_arrow(&self) -> ArrayRef {
         match self {
             Self::Numbers(numbers) if numbers.iter().any(|number| number.is_nan()) => {
@@ -57,7 +57,7 @@ impl Column {
     }
 }
 
-/// A table that does not change; every reader of the Arrow PyCapsule interface takes it, such as `polars.DataFrame(table)`.
+/// A table that does not change. Every reader of the Arrow PyCapsule interface takes it, for example `polars.DataFrame(table)`.
 #[pyclass(frozen, module = "pounding._pounding")]
 #[derive(Debug)]
 pub(crate) struct Table {
@@ -109,10 +109,10 @@ impl Table {
         }
     }
 
-    /// The table as a stream of Arrow with one batch, whatever schema is asked for.
+    /// The table as an Arrow stream with one batch; the requested schema is ignored.
     #[pyo3(signature = (requested_schema=None))]
     fn __arrow_c_stream__<'py>(&self, py: Python<'py>, requested_schema: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
-        // The protocol lets a producer give what it has.
+        // The protocol allows a producer to ignore the request.
         drop(requested_schema);
         let message = |error: ArrowError| PyValueError::new_err(error.to_string());
         let batch = self.to_arrow().map_err(message)?;
@@ -128,7 +128,7 @@ impl Table {
     }
 }
 
-/// Whether two columns hold the same bits.
+/// Whether two columns have equal bits.
 fn same(one: &Column, other: &Column) -> bool {
     match (one, other) {
         (Column::Numbers(one), Column::Numbers(other)) => {

@@ -1,4 +1,4 @@
-//! Work on a thread of its own, while the caller looks for Ctrl-C and tells of progress.
+//! Work on a separate thread while the caller watches for Ctrl-C and reports progress.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -7,19 +7,19 @@ use std::time::Duration;
 
 use pyo3::prelude::*;
 
-/// How often the caller looks for Ctrl-C.
+/// Time between two looks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// What work knows of whoever waits for it.
+/// The link between work and its waiting caller.
 pub(crate) struct Watch {
-    /// Whoever sets it ends the work.
+    /// The flag that ends the work.
     pub(crate) stop: &'static AtomicBool,
     done: AtomicU64,
     of: AtomicU64,
 }
 
 impl Watch {
-    /// So many more are done, of so many.
+    /// Reports `more` finished items of `of`.
     pub(crate) fn step(&self, more: u64, of: u64) {
         self.of.store(of, Ordering::Relaxed);
         self.done.fetch_add(more, Ordering::Relaxed);
@@ -31,10 +31,10 @@ impl Watch {
     }
 }
 
-/// Flags that nobody uses now: runs take one that lives as long as the process.
+/// Unused flags: a run needs a flag that lives as long as the process.
 static FLAGS: Mutex<Vec<&'static AtomicBool>> = Mutex::new(Vec::new());
 
-/// A flag of its own, given back when dropped.
+/// A flag on loan, returned when dropped.
 struct Flag(&'static AtomicBool);
 
 impl Flag {
@@ -54,10 +54,10 @@ impl Drop for Flag {
     }
 }
 
-/// Works without the lock of the interpreter; `progress` is called with the numbers of what is done and of all.
+/// Works without the lock of the interpreter. Calls `progress` with the number of finished items and the number of all.
 ///
 /// # Errors
-/// `KeyboardInterrupt` where Ctrl-C was pressed, and what `progress` raises; both end the work first.
+/// `KeyboardInterrupt` after Ctrl-C, or the exception of `progress`; both end the work first.
 pub(crate) fn wait<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, work: impl FnOnce(&Watch) -> T + Send) -> PyResult<T> {
     let flag = Flag::take();
     let watch = Watch {
@@ -100,7 +100,7 @@ pub(crate) fn wait<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>,
     }
 }
 
-/// Tells the caller that the work is over, also where it panics.
+/// Tells the caller when dropped that the work is over, even after a panic.
 struct End<'a>(&'a AtomicBool, &'a thread::Thread);
 
 impl Drop for End<'_> {

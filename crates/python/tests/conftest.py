@@ -1,4 +1,4 @@
-"""Where the repository is, and the program beside which the package is tested."""
+"""Paths of the repository and of the program that the package is compared with."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 @pytest.fixture(scope="session")
 def program() -> str:
-    """The program; `cargo xtask check --python` says where it has built it."""
+    """Path of the program, from `cargo xtask check --python`."""
     named = os.environ.get("POUNDING_PROGRAM")
     built = [ROOT / "target" / profile / "pounding" for profile in ("debug", "release")]
     found = named or next((str(path) for path in built if path.exists()), None) or shutil.which("pounding")

@@ -1,4 +1,4 @@
-"""The Python of the documents runs, block after block."""
+"""The Python blocks of the documents run in their order."""
 
 import pathlib
 import re
@@ -18,7 +18,7 @@ def test_limit_blocks_of_a_page_run(
     page: pathlib.Path, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     matplotlib.use("Agg")
-    # What a file is shows in its content, not in its name.
+    # The format of a file follows from its content, not from its name.
     shutil.copy(ROOT / "crates/motion/tests/files/usgs.smc", tmp_path / "quake.AT2")
     shutil.copytree(ROOT / "studies/records", tmp_path / "folder")
     monkeypatch.chdir(tmp_path)

@@ -12,7 +12,7 @@ NOTEBOOKS = sorted((pathlib.Path(__file__).resolve().parents[1] / "notebooks").g
 
 
 def opensees_works() -> bool:
-    """Asked in a process of its own, since it ends the one that it is imported in with a message."""
+    """The import runs in a separate process, because a failed one ends its process with a message."""
     asked = [sys.executable, "-c", "import openseespy.opensees"]
     return subprocess.run(asked, capture_output=True, check=False).returncode == 0
 

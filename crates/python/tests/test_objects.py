@@ -1,4 +1,4 @@
-"""Objects as Python expects them: they compare, pickle, do not change, and hold no second copy."""
+"""Objects work as in Python: they compare, can be pickled, do not change, and hold no second copy."""
 
 import pickle
 import signal
@@ -27,7 +27,7 @@ def test_reference_the_four_lines() -> None:
     )
     run = pounding.row(weak, stiff, gap=0.03, restitution=0.65).run(record)
     assert len(run.impacts) == run.pairs["collisions"].sum() > 0
-    # Momentum: an impact passes on (1+e) m v₀, m the reduced mass.
+    # An impact transfers the momentum (1+e) m v₀ with the reduced mass m.
     reduced = 1.0 / (1.0 / 75e3 + 1.0 / 3e6)
     first = run.impacts.iloc[0]
     impulse = 1.65 * reduced * first["approach_speed_m_per_s"]

@@ -1,4 +1,4 @@
-"""ObsPy as the second route to miniSEED and SAC: it writes, this package reads."""
+"""ObsPy is the second route for miniSEED and SAC: it writes files that this package reads."""
 
 import numpy as np
 import pounding
@@ -11,7 +11,7 @@ G = 9.80665
 
 
 def counts(kind: str) -> np.ndarray:
-    """Whole numbers with small and large differences, so that each packing of Steim is used."""
+    """Whole numbers with small and large differences, which need every packing of Steim."""
     random = np.random.default_rng(7)
     steps = random.normal(size=4000) * np.repeat(10.0 ** random.uniform(0, 5, 40), 100)
     largest = 3e4 if kind == "INT16" else 1e6

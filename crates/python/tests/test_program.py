@@ -21,7 +21,7 @@ EXAMPLES = sorted(
 
 
 def table_of(text: str) -> pandas.DataFrame:
-    """A table of CSV with its numbers to the last bit."""
+    """A CSV table whose numbers keep every bit."""
     rows = list(csv.DictReader(io.StringIO(text)))
 
     def read(cell: str) -> object:

@@ -94,7 +94,7 @@ TWO = [[0.0, 0.0], [0.02, 1.0], [0.04, 0.0]]
     ids=lambda one: one if isinstance(one, str) else "",
 )
 def test_issue_what_is_no_row_of_numbers_is_no_record(samples, found) -> None:
-    """Two columns became one of twice the length, a mask was lost, and so was an imaginary part."""
+    """Two columns became one of twice the length, and masks and imaginary parts were lost."""
     with pytest.raises(pounding.Refused, match="acceleration: found") as caught:
         pounding.record(samples, 0.02)
     assert found in str(caught.value.found)
@@ -110,7 +110,7 @@ def test_issue_what_is_no_row_of_numbers_is_no_list_of_periods(pulse) -> None:
 
 
 def test_issue_no_name_steers_a_terminal(pulse, tmp_path) -> None:
-    """What is printed of a scene, and warned of, held the letters of its names."""
+    """Output and warnings about a scene contained the control characters of its names."""
     escape = "\x1b[31m\u202e"
     towers = [pounding.sdof(mass=1e5, period=one, name=f"{escape}{one}") for one in (0.5, 1.0)]
     row = pounding.row(*towers, gap=0.01, restitution=0.6, name=escape, duration=3.0)
@@ -134,7 +134,7 @@ def test_limit_a_mask_that_hides_nothing_is_none() -> None:
 
 @pytest.mark.skipif(not pathlib.Path("/dev/zero").exists(), reason="devices of Unix")
 def test_issue_what_is_no_regular_file_is_not_read(tmp_path) -> None:
-    """A device was read until memory ended, and a pipe was waited for."""
+    """A device was read until the memory was full, and the program waited for a pipe."""
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     long = tmp_path / "long.toml"

@@ -1,4 +1,4 @@
-"""Types hold in the package and in the code of the notebooks."""
+"""Types are correct in the package and in the code of the notebooks."""
 
 import json
 import pathlib
@@ -19,7 +19,7 @@ def mypy(*arguments: object) -> None:
 
 
 def code(notebook: pathlib.Path) -> str:
-    """The code of a notebook; a last expression is printed there, and a statement here."""
+    """The code of a notebook. A notebook prints a last expression; here it is a statement."""
     cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
     return "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
 

@@ -1,6 +1,6 @@
 //! Response spectra as a picture.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, PlotError, Shade, render_both, writable};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, PlotError, Shade, render_both, writable};
 use pounding_scene::{SpectralValues, Spectrum};
 use pounding_text::digits;
 
@@ -40,7 +40,7 @@ fn figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Figure {
             let points = spectrum.values.iter().filter(|values| values.period > 0.0);
             let points = points.map(|values| (values.period, quantity(values, shown.gravity)));
             let damping = format!("{} % damping", digits(100.0 * spectrum.damping_ratio));
-            Curve::new(Kind::Line, *shade, points.collect()).named(damping)
+            Curve::new(CurveKind::Line, *shade, points.collect()).named(damping)
         };
         Panel {
             y: Axis::auto(label),

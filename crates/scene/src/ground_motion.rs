@@ -11,7 +11,7 @@ use crate::settings::in_setting;
 use crate::{Error, RecordUse, Source};
 use pounding_files::shown_name;
 use pounding_motion::{Accelerogram, Declared, NamedFile, Quantity, Record, read_declared};
-use pounding_text::{Kind, Knob, Refused};
+use pounding_text::{Knob, RefusalKind, Refused};
 use sha2::{Digest, Sha256};
 
 /// A ground motion as a scene uses it, and its file.
@@ -168,7 +168,7 @@ impl Origin {
                 "{} cannot be read (it is looked for from the folder of the scene's file): {error}",
                 path.display()
             );
-            let refused = Refused::at("record.file").is(said).kind(Kind::System(error.kind()));
+            let refused = Refused::at("record.file").is(said).kind(RefusalKind::System(error.kind()));
             // Nobody types a control character: the path `"records\\new.csv"` in double quotes has a line break.
             let is_escape = path.to_string_lossy().chars().any(char::is_control);
             let escape = format!("in double quotes a backslash begins an escape: write {}", FOR_A_BACKSLASH[0]);
@@ -250,9 +250,9 @@ fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
 fn name_says_otherwise(path: &Path, declared: &FileUse) -> Option<Refused> {
     let (what, kind) = match NamedFile::of(shown_name(path)).quantity? {
         Quantity::Acceleration => return None,
-        Quantity::Velocity => ("velocity", Kind::Velocity),
-        Quantity::Displacement => ("displacement", Kind::Displacement),
-        Quantity::Spectrum => ("spectrum", Kind::OtherQuantity),
+        Quantity::Velocity => ("velocity", RefusalKind::Velocity),
+        Quantity::Displacement => ("displacement", RefusalKind::Displacement),
+        Quantity::Spectrum => ("spectrum", RefusalKind::OtherQuantity),
     };
     let says = format!("the name says {what}, and the file does not say that its values are accelerations");
     let says = Refused::at(path).is(says).kind(kind).wants(Knob::Acceleration);

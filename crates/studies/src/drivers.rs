@@ -1,8 +1,8 @@
-//! Work on many items by all threads, with a call after each.
+//! Drivers that run work on many items in parallel and report each finished item.
 
 use pounding_scene::parallel;
 
-/// Results of `work` for every item, in their order; `done` is called after each.
+/// Runs `work` on every item in parallel; returns the results in the order of the items. Calls `done` after each item.
 pub(crate) fn each<T: Sync, R: Send>(items: &[T], done: &(dyn Fn() + Sync), work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     parallel::each(items, |item| {
         let made = work(item);
@@ -11,7 +11,7 @@ pub(crate) fn each<T: Sync, R: Send>(items: &[T], done: &(dyn Fn() + Sync), work
     })
 }
 
-/// Every item of one list with every item of another, the first list's in its order.
+/// Pairs every item of `ones` with every item of `others`; the first item changes slowest.
 pub(crate) fn pairs<'a, A, B>(ones: &'a [A], others: &'a [B]) -> Vec<(&'a A, &'a B)> {
     let with = |one| others.iter().map(move |other| (one, other));
     ones.iter().flat_map(with).collect()

@@ -1,37 +1,37 @@
-//! What can go wrong with a study.
+//! Errors of studies.
 
 use std::path::{Path, PathBuf};
 
 use pounding_plot::PlotError;
 
-/// What can go wrong between the file of a study and its results; each names place, found and allowed.
+/// An error between a study file and its results. Each message names the place, the value found and the values allowed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// A file that cannot be read, or a scene that cannot be modelled or run.
+    /// A file cannot be read, or a scene cannot be modelled or run.
     #[error(transparent)]
     Scene(#[from] pounding_scene::Error),
-    /// A CSV file of the project that is not of the expected form.
+    /// A CSV file of the project does not have the expected form.
     #[error("{}: {}", path.display(), counted_from_one(source))]
     Csv {
         /// The file.
         path: PathBuf,
-        /// What was found and expected.
+        /// The value found and the value expected.
         source: csv::Error,
     },
-    /// A study that asks for what its scenes do not give.
+    /// A study asks for something that its scenes do not give.
     #[error("{}: {place}: found {found}, allowed {allowed}", path.display())]
     Study {
-        /// The file.
+        /// The study file.
         path: PathBuf,
         /// The field.
         place: &'static str,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What is allowed.
+        /// The values allowed.
         allowed: &'static str,
     },
-    /// A scene that a claim of the paper is tested on and that no study has.
+    /// No study has a scene that a claim of the paper is tested on.
     #[error("studies/{study}.json: found no scene \"{scene}\"; the claims of the paper are tested on it")]
     MissingScene {
         /// Name of the study.
@@ -39,18 +39,18 @@ pub enum StudyError {
         /// Name of the scene.
         scene: String,
     },
-    /// A figure that cannot be drawn.
+    /// A figure cannot be drawn.
     #[error("{}: {source}", path.display())]
     Plot {
-        /// The study.
+        /// The study file.
         path: PathBuf,
-        /// What is wrong with the figure.
+        /// The fault of the figure.
         source: PlotError,
     },
 }
 
 impl StudyError {
-    /// Something in a study's file that is not allowed.
+    /// An error about a field of a study file.
     pub(crate) fn refused(path: &Path, place: &'static str, found: String, allowed: &'static str) -> Self {
         Self::Study {
             path: path.to_path_buf(),
@@ -60,7 +60,7 @@ impl StudyError {
         }
     }
 
-    /// A study that is missing with all of its scenes.
+    /// An error for a study that is missing together with all its scenes.
     pub(crate) fn no_scene_of(study: &str) -> Self {
         Self::MissingScene {
             study: study.into(),
@@ -68,7 +68,7 @@ impl StudyError {
         }
     }
 
-    /// Names the file that holds a scene, and the line of the field, where the message does not yet.
+    /// Adds the scene's file and the line of the field to the message, unless the message already names them.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {
         if let Self::Scene(error) = self {
@@ -79,7 +79,7 @@ impl StudyError {
     }
 }
 
-/// The fault in a CSV file with its line and field, both counted from 1 as in messages about records.
+/// Describes a fault of a CSV file. Line and field are counted from 1, as in messages about records.
 fn counted_from_one(error: &csv::Error) -> String {
     if let csv::ErrorKind::Deserialize { pos: Some(pos), err } = error.kind() {
         let field = err.field().map_or_else(String::new, |field| format!(", field {}", field + 1));

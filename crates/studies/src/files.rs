@@ -1,4 +1,4 @@
-//! Files that studies make, and the words that several of their tables share.
+//! Files that studies write, and the words that several of their tables share.
 
 use crate::StudyError;
 use pounding_plot::{Picture, render_png};
@@ -6,19 +6,19 @@ use pounding_scene::sha256;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Contents of files by their paths.
+/// Contents of files by path.
 pub(crate) type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Files in a folder.
+/// Puts files into a folder.
 pub(crate) fn in_folder<Name: AsRef<Path>>(folder: impl AsRef<Path>, files: impl IntoIterator<Item = (Name, Vec<u8>)>) -> Files {
     let files = files.into_iter();
     files.map(|(name, bytes)| (folder.as_ref().join(name), bytes)).collect()
 }
 
-/// A picture as PNG; `path` is the file of its study.
+/// Draws a picture as PNG; `path` is the study file.
 ///
 /// # Errors
-/// [`StudyError::Plot`] if it cannot be drawn.
+/// [`StudyError::Plot`] if the picture cannot be drawn.
 pub(crate) fn drawn(picture: &impl Picture, path: &Path) -> Result<Vec<u8>, StudyError> {
     render_png(picture).map_err(|source| StudyError::Plot {
         path: path.to_path_buf(),
@@ -26,7 +26,8 @@ pub(crate) fn drawn(picture: &impl Picture, path: &Path) -> Result<Vec<u8>, Stud
     })
 }
 
-/// The command that makes files which `reproduce` does not, and the hashes by which committed tables are known to be its.
+/// A text that records the command behind files that `reproduce` does not make. It lists the hash of each table, which a test compares with
+/// the committed tables.
 pub(crate) fn made_by<Name: AsRef<Path>>(command: &str, files: &BTreeMap<Name, Vec<u8>>) -> Vec<u8> {
     let tables = files.iter().map(|(name, bytes)| (name.as_ref(), bytes));
     let tables = tables.filter(|(name, _)| name.extension().is_some_and(|end| end == "csv"));
@@ -34,17 +35,17 @@ pub(crate) fn made_by<Name: AsRef<Path>>(command: &str, files: &BTreeMap<Name, V
     format!("{command}\n{}", lines.collect::<String>()).into_bytes()
 }
 
-/// A truth in a table.
+/// The word for a truth value in tables.
 pub(crate) fn yes_or_no(truth: bool) -> &'static str {
     if truth { "yes" } else { "no" }
 }
 
-/// Direction of a ground motion in words.
+/// The word for the direction of a ground motion in tables.
 pub(crate) fn direction(reversed: bool) -> &'static str {
     if reversed { "reversed" } else { "as recorded" }
 }
 
-/// A name with its first letter large.
+/// The name with its first letter in upper case.
 pub(crate) fn capital(name: &str) -> String {
     let mut letters = name.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);

@@ -1,19 +1,19 @@
-//! The lines of methods in figures.
+//! Line styles of methods in figures.
 
-use pounding_plot::{Kind, Mark, Shade};
+use pounding_plot::{CurveKind, Mark, Shade};
 use pounding_scene::ComparedMethod;
 
-/// The line of a method, by its name in tables; nothing where it would lie on that of another one.
-pub(crate) fn line_of(key: &str) -> Option<(Shade, Kind, Mark)> {
+/// The line style of a method, by its name in tables. `None` if the method's curve would hide behind another method's.
+pub(crate) fn line_of(key: &str) -> Option<(Shade, CurveKind, Mark)> {
     Some(match key {
-        ComparedMethod::RIVAL => (Shade::Blue, Kind::Line, Mark::Disc),
-        "central_difference_10_contact_substeps" => (Shade::Amber, Kind::Line, Mark::Diamond),
-        "velocity_verlet" => (Shade::Green, Kind::Line, Mark::Diamond),
-        "velocity_verlet_located" => (Shade::Green, Kind::Dashed, Mark::HollowDiamond),
-        "newmark_average_acceleration" => (Shade::Vermilion, Kind::Line, Mark::Square),
-        "moreau_jean" => (Shade::Grey, Kind::Line, Mark::Cross),
-        "rk4" => (Shade::Rose, Kind::Line, Mark::Inverted),
-        ComparedMethod::REFERENCE => (Shade::Ink, Kind::Line, Mark::Triangle),
+        ComparedMethod::RIVAL => (Shade::Blue, CurveKind::Line, Mark::Disc),
+        "central_difference_10_contact_substeps" => (Shade::Amber, CurveKind::Line, Mark::Diamond),
+        "velocity_verlet" => (Shade::Green, CurveKind::Line, Mark::Diamond),
+        "velocity_verlet_located" => (Shade::Green, CurveKind::Dashed, Mark::HollowDiamond),
+        "newmark_average_acceleration" => (Shade::Vermilion, CurveKind::Line, Mark::Square),
+        "moreau_jean" => (Shade::Grey, CurveKind::Line, Mark::Cross),
+        "rk4" => (Shade::Rose, CurveKind::Line, Mark::Inverted),
+        ComparedMethod::REFERENCE => (Shade::Ink, CurveKind::Line, Mark::Triangle),
         _ => return None,
     })
 }

@@ -1,11 +1,12 @@
 //! Enums that are tables.
 
-/// An enum whose values stand in a table: `ALL` lists them in its order, and a method gives the entry of each.
+/// Defines an enum together with a table of its values: `ALL` lists the values in the order of the table, and a method gives the entry of
+/// each.
 ///
 /// ```text
 /// listed! {
 ///     /// What it is.
-///     pub enum Name { words: &'static str;
+/// /// Meaning of the enum.
 ///         /// Meaning of a value.
 ///         Value = "its words",
 ///     }
@@ -18,10 +19,10 @@ macro_rules! listed {
         $vis enum $name { $($(#[$meaning])* $value,)+ }
 
         impl $name {
-            /// All of them, in the order of tables.
+            /// All values, in the order of tables.
             $vis const ALL: [Self; [$(stringify!($value)),+].len()] = [$(Self::$value),+];
 
-            /// Its entry in the table.
+            /// The entry of this value in the table.
             $vis const fn $entry(self) -> $type {
                 match self { $(Self::$value => $of_value,)+ }
             }

@@ -11,18 +11,18 @@ const SEED: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 
 /// Relative noise for the samples of a record: normally distributed, independent from sample to sample.
 ///
-/// It is counted out by level and run alone, so that all scenes of one run are shaken by the same record: a finding that
-/// compares two scenes compares them under one earthquake.
+/// Level and run alone choose the random sequence, so all scenes of a run have the same record. A finding that compares two scenes
+/// therefore compares them under one earthquake.
 #[derive(Debug, Clone)]
 pub(crate) struct Noise {
     /// Standard deviation \[–\].
     sigma: f64,
-    /// Which of the random sequences.
+    /// Number of the random sequence.
     stream: u128,
 }
 
 impl Noise {
-    /// Noise of run number `run` with this standard deviation \[–\], number `level` of the deviations.
+    /// The noise of run number `run` with standard deviation `sigma` \[–\]; `level` is the index of this deviation in its list.
     pub(crate) fn new(sigma: f64, level: usize, run: usize) -> Self {
         let stream = ((level as u128) << 64) | run as u128;
         Self { sigma, stream }
@@ -31,7 +31,7 @@ impl Noise {
     /// The record with every sample `a` replaced by `a·(1 + σξ)`, ξ standard normal.
     ///
     /// # Errors
-    /// Says where the noise is not finite.
+    /// [`Refused`] if a noisy sample is not finite. The error names the sample.
     pub(crate) fn on(&self, record: &Record) -> Result<Record, Refused> {
         let mut random = Pcg64::new(SEED, self.stream);
         let mut samples = Vec::with_capacity(record.samples().len() + 1);

@@ -1,4 +1,4 @@
-//! All studies at once: tables, figures, agreement and claims.
+//! All studies together: tables, figures, agreement and claims.
 
 use crate::files::Files;
 use crate::paper::converged::{Converged, N_NOISY_RUNS};
@@ -6,13 +6,13 @@ use crate::paper::tables::Value;
 use crate::program::Program;
 use crate::{
     Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes, Output, PublishedValues,
-    StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv, figure_png, paper,
+    StudyError, StudyFile, StudyTable, Trade, agreement_csv, claims, claims_csv, figure_png, paper,
 };
 use pounding_scene::parallel;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The studies of a folder and the published numbers they are compared with.
+/// The studies of a folder, and the published numbers for the comparison.
 #[derive(Debug)]
 pub struct Studies {
     files: Vec<StudyFile>,
@@ -21,14 +21,14 @@ pub struct Studies {
     extent: Extent,
 }
 
-/// Everything that the studies give.
+/// The results of all studies.
 #[derive(Debug)]
 pub struct Reproduction {
     /// Contents of the results folder by relative path.
     pub files: Files,
-    /// Every published number with its computed one.
+    /// Comparison of every published number with its computed one.
     pub comparisons: Vec<Comparison>,
-    /// The paper's claims, tested.
+    /// The paper's claims with their verdicts.
     pub claims: Vec<Claim>,
     /// Disagreements that are not listed, and listed ones that have vanished.
     pub surprises: Vec<String>,
@@ -38,7 +38,7 @@ impl Studies {
     /// Reads `*.json` and `published/*.csv` of a folder.
     ///
     /// # Errors
-    /// [`StudyError`] naming the file and place that cannot be read.
+    /// [`StudyError`] with the file and the place that cannot be read.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         Ok(Self {
             files: StudyFile::read_all(folder)?,
@@ -48,26 +48,26 @@ impl Studies {
         })
     }
 
-    /// The same without the studies that the test refuses.
+    /// Keeps only the studies that pass a test.
     #[must_use]
     pub fn only(mut self, test: impl Fn(&StudyFile) -> bool) -> Self {
         self.files.retain(test);
         self
     }
 
-    /// The same with another number of noisy records for each standard deviation of the noise.
+    /// Sets the number of noisy records per standard deviation of the noise.
     #[must_use]
     pub fn with_noisy_runs(self, n_noisy_runs: usize) -> Self {
         Self { n_noisy_runs, ..self }
     }
 
-    /// The same with the whole of the extremes, or the part that is usually run.
+    /// Sets whether all extremes run, or only the usual part.
     #[must_use]
     pub fn with_extremes(self, extent: Extent) -> Self {
         Self { extent, ..self }
     }
 
-    /// Number of times that [`Self::reproduce`] calls `done`.
+    /// Number of calls of `done` by [`Self::reproduce`].
     pub fn n_units(&self) -> usize {
         let units = |file: &StudyFile| {
             let scenes = &file.study.scenes;
@@ -86,7 +86,7 @@ impl Studies {
         self.files.iter().map(units).sum()
     }
 
-    /// Runs every scene and makes every table and figure; `done` is called after each scene and each study.
+    /// Runs every scene and makes every table and figure. Calls `done` after each scene and after each study.
     ///
     /// The result does not depend on the number of threads.
     ///
@@ -124,7 +124,7 @@ impl Studies {
     }
 }
 
-/// The claims by the method as the paper describes it.
+/// The claims tested on the method as the paper describes it.
 fn without_slips(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     let all = completed.iter();
     let by_program: Vec<_> = all.filter(|study| study.file.study.program.is_some()).collect();
@@ -132,17 +132,17 @@ fn without_slips(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     claims(&again?)
 }
 
-/// The scenes under other ground motions, where a study lists some.
+/// The scenes under other ground motions; `None` if no study lists any.
 fn beyond(completed: &[Completed], done: &(dyn Fn() + Sync)) -> Result<Option<Beyond>, StudyError> {
     let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
     let study = BeyondStudy::listed(&read)?;
     study.map(|study| study.usual().run(done)).transpose()
 }
 
-/// What one study makes: the numbers of its table, and its files by their paths.
+/// The results of one study: the numbers of its table, and its files by path.
 fn rendered(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<(Vec<Value>, Files), StudyError> {
     let output = &study.file.study.output;
-    // Other motions come after the studies whose claims they test; surveys run by themselves.
+    // Other motions follow after the studies whose claims they test; `SurveyStudy` makes surveys separately.
     let mut files = if let Output::Trade(ladder) = output {
         Trade::measure(study, ladder, done)?.files()?
     } else if let Output::Laws(settings) = output {
@@ -152,7 +152,7 @@ fn rendered(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Resu
     } else {
         Files::new()
     };
-    let (id, table) = (&study.file.id, Table::of(study)?);
+    let (id, table) = (&study.file.id, StudyTable::of(study)?);
     if let Some(table) = &table {
         files.insert(Path::new("tables").join(id).with_extension("csv"), table.to_csv().into_bytes());
     }

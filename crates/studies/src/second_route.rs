@@ -8,7 +8,7 @@ use pounding_solver::{Excitation, Hysteretic, Row};
 /// A run of a row by the second route.
 struct SecondRoute<'a> {
     excitation: Excitation<'a>,
-    /// \[s\].
+    /// Length of the run \[s\].
     duration: f64,
     fineness: Fineness,
 }
@@ -21,10 +21,10 @@ impl OnRow for SecondRoute<'_> {
     }
 }
 
-/// Runs a scene, whatever its method, by the second route.
+/// Runs a scene by the second route; the method of the scene is ignored.
 ///
 /// # Errors
-/// [`SecondRouteError`] when the run ends early.
+/// [`SecondRouteError`] if the run ends early.
 pub fn second_route(prepared: &Simulation, fineness: Fineness) -> Result<Response, SecondRouteError> {
     let clock = prepared.clock();
     prepared.on_row(SecondRoute {

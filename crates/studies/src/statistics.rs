@@ -1,6 +1,6 @@
-//! Ranks of samples.
+//! Quantiles of samples.
 
-/// Quantile of numbers in rising order, linear between them; `part` is 0 to 1. Nothing of none.
+/// Quantile of sorted numbers, linear between them; `part` is 0 to 1. `None` if there are no numbers.
 pub(crate) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
     let place = part * last as f64;
@@ -11,7 +11,7 @@ pub(crate) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
     Some(sorted[below] + rest * (sorted[above] - sorted[below]))
 }
 
-/// Numbers in rising order.
+/// The numbers in rising order.
 pub(crate) fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut numbers: Vec<f64> = numbers.collect();
     numbers.sort_by(f64::total_cmp);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pounding_files::LockError;
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// Name of the file that describes the parts in a folder.
 pub(super) const MANIFEST: &str = "manifest.json";
@@ -37,7 +37,7 @@ pub(super) fn damaged(path: &Path, found: &'static str) -> Refused {
     let found = Refused::at(path)
         .found(found)
         .allowed_is("the file as it was written")
-        .kind(Kind::Damaged);
+        .kind(RefusalKind::Damaged);
     found.help("start the sweep again, or the shard that made it, which runs this part anew")
 }
 

@@ -87,7 +87,7 @@ pub use table::SweepColumn;
 use pounding_assess::Suite;
 use pounding_scene::file::in_file;
 use pounding_scene::{Implausible, Method, PairQuantity, Quantity, Scene, Simulation};
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// A sweep with its scene and records, after a trial of its values.
 #[derive(Debug)]
@@ -127,12 +127,12 @@ impl Sweep {
     /// chooses the method if an accuracy is requested. Setting `stop` ends this and all runs.
     ///
     /// # Errors
-    /// Names the line of the field. Of [`Kind::Stopped`] where somebody says stop while a method is chosen.
+    /// Names the line of the field. Of [`RefusalKind::Stopped`] where somebody says stop while a method is chosen.
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
         Self::of(file, &bytes, path, stop).map_err(|refused| {
-            let is_stopped = refused.is_kind(Kind::Stopped);
+            let is_stopped = refused.is_kind(RefusalKind::Stopped);
             if is_stopped { refused } else { in_file(refused, path) }
         })
     }
@@ -198,7 +198,7 @@ impl Sweep {
         if let Some(asked) = asked {
             sweep.choose(asked);
             if sweep.is_stopped() {
-                let stopped = Refused::that("stopped while a method was chosen").kind(Kind::Stopped);
+                let stopped = Refused::that("stopped while a method was chosen").kind(RefusalKind::Stopped);
                 return Err(stopped.help("the same command begins with that again"));
             }
         }

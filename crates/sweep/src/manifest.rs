@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 use super::Sweep;
 use super::error::{self, MANIFEST};
 use super::summary::Form;
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// Path of a second manifest while the parts of a finished table are deleted. It is deleted last: while it exists, the next process
 /// completes the clean-up.
@@ -211,7 +211,7 @@ impl Manifest {
             let version = version.map_or_else(|| "no version".into(), |found| format!("version {found}"));
             let other = Refused::at(path)
                 .found(format!("{version} of the form of parts"))
-                .kind(Kind::Damaged);
+                .kind(RefusalKind::Damaged);
             let other = other.allowed_is(format!("version {SCHEMA_VERSION}"));
             return Err(other.so(
                 ": ",
@@ -275,7 +275,7 @@ pub(super) fn is_own(name: &str) -> bool {
 
 /// A manifest that is not as it was written.
 fn damaged(path: &Path) -> Refused {
-    let other = Refused::at(path).found("other bytes than a sweep wrote").kind(Kind::Damaged);
+    let other = Refused::at(path).found("other bytes than a sweep wrote").kind(RefusalKind::Damaged);
     let other = other.allowed_is("the file as it was");
     other.help("delete it, then the sweep goes on with the parts that are whole")
 }

@@ -13,7 +13,7 @@ use super::join::{self, Joined, Sources};
 use super::manifest::{Manifest, is_own, joined_beside, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, error};
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// Most parts of a table: each needs a look into the folder.
 const MOST: u64 = 1_000_000;
@@ -96,7 +96,7 @@ impl Parts {
         let joined = match Manifest::read(beside.clone()) {
             Ok(joined) => joined,
             // Whatever it is, it is not of this sweep.
-            Err(refused) if refused.is_kind(Kind::Damaged) => None,
+            Err(refused) if refused.is_kind(RefusalKind::Damaged) => None,
             Err(error) => return Err(error),
         };
         if joined.as_ref() != Some(&self.manifest) {
@@ -120,7 +120,7 @@ impl Parts {
         // The names come first: a shard that begins at this moment writes its manifest before its first part.
         let names = self.names()?;
         let found = match Manifest::of_folder(&self.folder) {
-            Err(refused) if overwritten && refused.is_kind(Kind::Damaged) => None,
+            Err(refused) if overwritten && refused.is_kind(RefusalKind::Damaged) => None,
             found => found?,
         };
         match found {
@@ -190,7 +190,7 @@ impl Parts {
             }
             match part::read(&self.manifest, *part, &path) {
                 Ok(_) => Ok((false, None)),
-                Err(damaged) if damaged.is_kind(Kind::Damaged) => Ok((true, Some(damaged))),
+                Err(damaged) if damaged.is_kind(RefusalKind::Damaged) => Ok((true, Some(damaged))),
                 Err(error) => Err(error),
             }
         };

@@ -11,7 +11,7 @@ use super::plan::{Axis, Plan, Setting};
 use super::spread::{Between, Spread};
 use pounding_scene::file::in_file;
 use pounding_scene::{Error, Floors, Scene, SharedMotion, Simulation};
-use pounding_text::{Kind, Refused, plain};
+use pounding_text::{RefusalKind, Refused, plain};
 
 /// Number of first values of a grid or list that are tried.
 const MOST_TRIED: u64 = 1000;
@@ -116,7 +116,7 @@ impl Sweep {
         let tried = self.prepared(0, settings, &mut scene);
         let found = match tried {
             Ok(prepared) => prepared,
-            Err(error) if matches!(error.own_kind(), Kind::Together | Kind::Unstable) => return Ok(()),
+            Err(error) if matches!(error.own_kind(), RefusalKind::Together | RefusalKind::Unstable) => return Ok(()),
             Err(reason) => return Err(refused(axis, setting, &reason)),
         };
         let floors = found.floors();

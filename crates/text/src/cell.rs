@@ -1,7 +1,7 @@
-//! The one way in which tables and JSON are written: no number in them is NaN or infinite.
+//! Tables and JSON as all crates write them: no number in them is NaN or infinite.
 //!
-//! A number that does not exist is an empty cell and `null`. The rows of a sweep, which are written by the million, go past
-//! these cells and keep the same rule.
+//! A number that does not exist is an empty cell or `null`. A sweep writes millions of rows without these cells, by its own code with this
+//! rule.
 
 use std::borrow::Cow;
 
@@ -14,13 +14,13 @@ use crate::{digits, visible};
 pub struct Cell(String);
 
 impl Cell {
-    /// A number in a format of the caller's; empty where there is none, and of one that is not finite.
+    /// A number in the caller's format; empty if there is no number or if it is not finite.
     pub fn number(value: impl Into<Option<f64>>, format: impl FnOnce(f64) -> String) -> Self {
         let value = value.into().filter(|value| value.is_finite());
         Self(value.map_or_else(String::new, format))
     }
 
-    /// The same in the shortest digits that give the number back.
+    /// A number in the shortest digits that give it back; empty if there is no number or if it is not finite.
     pub fn exact(value: impl Into<Option<f64>>) -> Self {
         Self::number(value, |value| {
             let plain = value.to_string();
@@ -28,18 +28,18 @@ impl Cell {
         })
     }
 
-    /// A number that was written before it came here, in a table of texts alone: empty where it is none.
+    /// A number that is already text, in a table of texts; empty if it is not finite.
     fn written(text: &str) -> Self {
         let is_none = ["NaN", "inf", "-inf"].contains(&text);
         if is_none { Self::default() } else { text.into() }
     }
 }
 
-/// Letters of a number that stands without an exponent.
+/// Longest number that is written without an exponent \[letters\].
 const LONGEST: usize = 24;
 
-/// A text as tables hold it. No spreadsheet takes it for a formula: it stands behind an apostrophe where it begins as one and is no
-/// number. What steers a terminal is spelt, as by [`visible`].
+/// A text for tables. A text that a spreadsheet would take for a formula gets an apostrophe in front, unless it is a number. Letters that
+/// steer a terminal are spelt as by [`visible`].
 pub fn harmless(text: &str) -> Cow<'_, str> {
     let shown = visible(text);
     let begins = shown.starts_with(['=', '+', '-', '@', '\t']);
@@ -94,13 +94,13 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
     }
 }
 
-/// A column of a table: its name, and how to take its cell from a row, so that header and cells cannot part.
-struct Column<'a, Row> {
+/// A column of a table: its name, and a function that takes its cell from a row. Header and cells therefore always match.
+struct TableColumn<'a, Row> {
     name: Cow<'static, str>,
     cell: Box<dyn Fn(&Row) -> Cell + 'a>,
 }
 
-/// A table is rows, and the columns that take their cells from them.
+/// A table: rows, and columns that take their cells from them.
 ///
 /// ```
 /// use pounding_text::{Cell, Table, short};
@@ -115,7 +115,7 @@ struct Column<'a, Row> {
 /// ```
 pub struct Table<'a, Row> {
     rows: Vec<Row>,
-    columns: Vec<Column<'a, Row>>,
+    columns: Vec<TableColumn<'a, Row>>,
 }
 
 impl<Row> std::fmt::Debug for Table<'_, Row> {
@@ -134,18 +134,17 @@ impl<'a, Row> Table<'a, Row> {
         }
     }
 
-    /// Returns the table with one column more, whose cells `cell` takes from the rows. Numbers get seven significant digits;
-    /// [`Cell::number`] takes another format.
+    /// Adds a column whose cells `cell` takes from the rows. Numbers get seven significant digits, unless `cell` returns [`Cell::number`].
     #[must_use]
     pub fn column<C: Into<Cell>>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
-        self.columns.push(Column {
+        self.columns.push(TableColumn {
             name: name.into(),
             cell: Box::new(move |row| cell(row).into()),
         });
         self
     }
 
-    /// Returns the table with one column more for each of some keys; `name` and `cell` get the key.
+    /// Adds one column per key; `name` and `cell` get the key.
     #[must_use]
     pub fn columns<Key: Copy + 'a, C: Into<Cell>>(
         self,
@@ -157,7 +156,7 @@ impl<'a, Row> Table<'a, Row> {
         keys.fold(self, |table, key| table.column(name(key), move |row| cell(row, key)))
     }
 
-    /// The table as CSV: the names of its columns, and a line for each row.
+    /// The table as CSV: a line with the names of the columns, and a line per row.
     pub fn csv(&self) -> String {
         let header: Vec<&str> = self.columns.iter().map(|column| &*column.name).collect();
         let cells = |row| self.columns.iter().map(move |column| (column.cell)(row));
@@ -165,10 +164,10 @@ impl<'a, Row> Table<'a, Row> {
     }
 }
 
-/// A table as CSV: the names of its columns, and rows as long as they are.
+/// A table as CSV, from the names of its columns and its rows.
 ///
 /// # Panics
-/// If a row is not as long as the header.
+/// Panics if a row is not as long as the header.
 pub fn csv_text<Name: AsRef<str>>(header: &[Name], rows: impl IntoIterator<Item: IntoIterator<Item = Cell>>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = header.iter().map(|name| harmless(name.as_ref()).into_owned());
@@ -183,20 +182,20 @@ pub fn csv_text<Name: AsRef<str>>(header: &[Name], rows: impl IntoIterator<Item:
     String::from_utf8(bytes).expect("cells are text")
 }
 
-/// The same of texts, some of which are numbers; no other may read `inf` or `NaN`.
+/// A table of texts as CSV. Texts that read as `inf` or `NaN` become empty cells.
 ///
 /// # Panics
-/// If a row is not as long as the header.
+/// Panics if a row is not as long as the header.
 pub fn to_csv(header: &[String], rows: &[Vec<String>]) -> String {
     let cells = |row: &Vec<String>| row.iter().map(|text| Cell::written(text)).collect();
     csv_text(header, rows.iter().map(cells).collect::<Vec<Vec<_>>>())
 }
 
-/// JSON as files and answers hold it, with a line break at its end; `null` of a number that is not finite. Letters that JSON takes and a
-/// terminal obeys are escaped, too.
+/// JSON for files and answers, with a line break at its end. A number that is not finite is `null`. Letters that JSON allows but that steer
+/// a terminal are escaped.
 ///
 /// # Panics
-/// If a value has no JSON, such as a map whose keys are no texts.
+/// Panics if a value has no JSON form, for example a map whose keys are not texts.
 pub fn json_text<T: Serialize + ?Sized>(value: &T) -> String {
     let mut text = serde_json::to_string_pretty(value).expect("plain data is JSON");
     text.push('\n');
@@ -212,7 +211,7 @@ mod tests {
 
     use super::*;
 
-    /// Texts that readers of tables take for numbers.
+    /// Texts that table readers take for numbers.
     fn numbers(table: &str) -> Vec<f64> {
         let cells = table.lines().skip(1).flat_map(|line| line.split(','));
         cells.filter_map(|cell| cell.parse().ok()).collect()
@@ -238,7 +237,7 @@ mod tests {
         }
     }
 
-    /// A spreadsheet ran what a name said.
+    /// A spreadsheet ran the text of a name as a formula.
     #[test]
     fn issue_a_name_is_no_formula() {
         let names = ["=1+1", "+a", "-a", "@a", "a=b", "-0.5", "+2e3", "–"];

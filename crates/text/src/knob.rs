@@ -1,30 +1,30 @@
-//! What a message tells its reader to turn, by the names that scenes, the program and callers give it.
+//! Settings that a message tells its reader to change, by their names in scenes, in the program and for callers.
 
 use std::borrow::Cow;
 
-/// A setting that a message names: a field of a scene, which the program may have as an option and callers as an argument.
+/// A setting that a message names: a field of a scene. The program may have an option for it, and callers an argument.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Knob {
     /// Unit of the values of a record.
     Unit,
-    /// Time between its samples.
+    /// Time between the samples of a record.
     TimeStep,
-    /// Which of its components is taken.
+    /// The component of a record.
     Component,
-    /// What a count of its digitiser is worth.
+    /// Value of one count of the record's digitiser.
     PerCount,
-    /// That its values are accelerations.
+    /// Declares that the values of a record are accelerations.
     Acceleration,
-    /// That its values follow one another in rows.
+    /// Declares that the values of a record follow each other in rows.
     InRows,
     /// Any field of a scene.
     Field(Cow<'static, str>),
 }
 
-/// Whose names a message uses.
+/// A set of names for settings in a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Naming {
-    /// Those of a scene, such as `record.time_step_s`.
+    /// Fields of a scene, such as `record.time_step_s`.
     #[default]
     Scene,
     /// Options of the program, such as `--time-step`.
@@ -33,13 +33,13 @@ pub enum Naming {
     Argument,
 }
 
-/// A setting by all its names.
+/// A setting with all its names.
 struct Entry {
     field: &'static str,
     option: &'static str,
-    /// Empty where it is the field.
+    /// Empty if the argument has the name of the field.
     argument: &'static str,
-    /// What a field says that is on or off.
+    /// Words that follow the field in a message about a scene: the value of a flag, else empty.
     value: &'static str,
 }
 
@@ -81,7 +81,7 @@ impl Knob {
         Self::Field(path.into())
     }
 
-    /// The field itself.
+    /// Path of the field.
     pub fn path(&self) -> &str {
         match self {
             Self::Unit => "record.unit",
@@ -105,7 +105,7 @@ impl Knob {
         }
     }
 
-    /// The setting as the place that is to blame.
+    /// The setting as the place of a fault.
     pub(crate) fn named(&self, naming: Naming) -> &str {
         let entry = self.entry();
         let own = entry.map_or("", |entry| match naming {

@@ -1,6 +1,6 @@
-//! Numbers as people read them, with as many digits as help, and tables as CSV and JSON.
+//! Numbers in a form that people read, and tables as CSV and JSON.
 //!
-//! Every message, table and figure of the other crates writes its numbers with these.
+//! All other crates write the numbers in messages, tables and figures with this crate.
 //!
 //! ```
 //! use pounding_text::{Cell, csv_text, rounded_up, short};
@@ -18,16 +18,16 @@
 //! assert_eq!(table, "period_s,gap_mm\n1.200,\n");
 //! ```
 //!
-//! Left out: units, which the caller writes, and reading. Texts inside figures belong to `pounding-plot`. Rows of a sweep, which number
-//! millions, go past [`Cell`] in `pounding-sweep` and keep the same rule.
+//! This crate leaves out units, which the caller writes, and reading. Texts inside figures belong to `pounding-plot`. `pounding-sweep`
+//! writes its millions of rows without [`Cell`] but with the same rule.
 //!
 //! Where to start:
 //!
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
-//! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
+//! - [`rounded_up`] and [`rounded_down`]: numbers that are safe on one side.
 //! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
-//! - [`Refused`]: why something is refused, in parts that are put into words last.
-//! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
+//! - [`Refused`]: the reason for a refusal, in parts that become a sentence at the end.
+//! - [`visible`] and [`message`]: text for people, without letters that steer their terminal.
 
 mod cell;
 mod knob;
@@ -38,13 +38,13 @@ mod words;
 
 pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
 pub use knob::{Knob, Naming};
-pub use place::{Place, Spot};
+pub use place::{FaultPlace, Spot};
 pub use refused::{Refusal, Refused, refusal_json};
 pub use visible::{message, steers, visible};
-pub use words::{Kind, Words};
+pub use words::{RefusalKind, Words};
 
-/// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
-/// 309 digits of 1.7e308.
+/// A number as a message repeats it: as written if that is short, else with seven significant digits. It never prints the 309 digits of
+/// 1.7e308.
 pub fn plain(value: f64) -> String {
     // A negative zero loses its sign.
     let whole = (value + 0.0).to_string();
@@ -61,7 +61,7 @@ pub fn plain(value: f64) -> String {
     }
 }
 
-/// Letters of a number that a message repeats whole.
+/// Longest number that a message repeats in full \[letters\].
 const LONGEST: usize = 12;
 
 /// A number with two decimals, such as a ratio.
@@ -69,7 +69,7 @@ pub fn two_decimals(value: f64) -> String {
     format!("{value:.2}")
 }
 
-/// A number with two significant digits: what is known to an order of magnitude has no more.
+/// A number with two significant digits, for values known to an order of magnitude.
 pub fn two_digits(value: f64) -> String {
     digits(format!("{value:.1e}").parse().unwrap_or(value))
 }
@@ -79,7 +79,7 @@ pub fn millimetres(length: f64) -> String {
     digits((length * 1e4).round() / 10.0)
 }
 
-/// The same of a width that is needed: rounded up, so that as much is enough.
+/// A needed width \[m\] in millimetres, rounded up to a tenth so that it suffices, without zeros at its end.
 pub fn millimetres_up(length: f64) -> String {
     let up = rounded_up(length * 1e3, 1);
     up.parse().map_or(up, digits)
@@ -135,7 +135,7 @@ pub fn percent(error: f64) -> String {
         return "0 %".into();
     }
     if value < 1e-9 {
-        // The exact run is no better than about this.
+        // The exact run has about this accuracy.
         return "<1e-9 %".into();
     }
     if !value.is_finite() {
@@ -157,21 +157,20 @@ pub fn milliseconds(seconds: f64) -> String {
     percent(10.0 * seconds).replace('%', "ms")
 }
 
-/// What rounding leaves of a number that was meant to have few digits, relative to it.
+/// Relative rounding error of a number that was written with few digits \[–\].
 const SLACK: f64 = 1e-12;
 
-/// A number ≥ 0 with so many decimals, not above it: for what is said to be at least so much.
+/// A number ≥ 0 with this many decimals, rounded down, for lower bounds.
 pub fn rounded_down(value: f64, decimals: usize) -> String {
     rounded(value, decimals, |text| text > value * (1.0 + SLACK), -0.5)
 }
 
-/// A number ≥ 0 with so many decimals, not below it: for what is said to be enough.
+/// A number ≥ 0 with this many decimals, rounded up, for widths that suffice.
 pub fn rounded_up(value: f64, decimals: usize) -> String {
     rounded(value, decimals, |text| text < value * (1.0 - SLACK), 0.5)
 }
 
-/// The nearest text, or where its number is `wrong` that on the other side: that of the number shifted by a part of the last
-/// digit.
+/// The nearest text. If its number is `wrong`, the text on the other side: that of the number shifted by a part of the last digit.
 fn rounded(value: f64, decimals: usize, wrong: impl Fn(f64) -> bool, shift: f64) -> String {
     let nearest = format!("{value:.decimals$}");
     if !nearest.parse().is_ok_and(wrong) {
@@ -231,7 +230,7 @@ mod tests {
             (99.96, "99.9", "100.0"),
             (0.04, "0.0", "0.1"),
             (0.0, "0.0", "0.0"),
-            // Written with these digits, whatever rounding made of it.
+            // The value is meant as written here, whatever rounding made of it.
             (1e3 * 0.0413, "41.3", "41.3"),
             (0.1 + 0.2, "0.3", "0.3"),
         ] {

@@ -1,15 +1,15 @@
-//! Where something is that is refused.
+//! Places of faults.
 
 use std::path::{Path, PathBuf};
 
 use crate::{Knob, Naming};
 
-/// Where something is refused: in which file, where in it, in which scene, and in which field. Each may be absent.
+/// The place of a fault: file, spot in the file, scene and field. Each may be absent.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct FaultPlace {
     /// The file.
     pub file: Option<PathBuf>,
-    /// Where in the file.
+    /// The spot in the file.
     pub spot: Option<Spot>,
     /// Name of the scene.
     pub scene: Option<String>,
@@ -17,14 +17,14 @@ pub struct Place {
     pub field: Option<Knob>,
 }
 
-/// Where in a file, counted from 1.
+/// A spot in a file, counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spot {
     /// A letter of a line: line and column.
     Letter(usize, usize),
     /// A line.
     Line(usize),
-    /// Lines, the first and the last.
+    /// Lines: the first and the last.
     Lines(usize, usize),
     /// A field of a line of numbers: line and field.
     Field(usize, usize),
@@ -32,8 +32,8 @@ pub enum Spot {
     Byte(usize),
 }
 
-impl Place {
-    /// The place in words, one part after the other; nothing where nothing is known.
+impl FaultPlace {
+    /// The place in words, one part after the other; empty if nothing is known.
     pub(crate) fn words(&self, naming: Naming) -> String {
         let file = self.file.as_ref().map(|file| file.display().to_string());
         let spot = self.spot.map(|spot| spot.to_string());
@@ -62,7 +62,7 @@ impl std::fmt::Display for Spot {
 
 macro_rules! from {
     ($($part:ty, $name:ident, $place:expr;)+) => {$(
-        impl From<$part> for Place {
+        impl From<$part> for FaultPlace {
             fn from($name: $part) -> Self {
                 $place
             }

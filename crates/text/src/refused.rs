@@ -1,4 +1,4 @@
-//! A refusal: place, what was found, what is allowed, what to do. It is made where the fault is found, and put into words last.
+//! Refusals: place, value found, values allowed and remedy. The finder of a fault makes the parts; they become a sentence at the end.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -8,38 +8,38 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::words::{Piece, Words};
-use crate::{Kind, Knob, Naming, Place, message};
+use crate::{FaultPlace, Knob, Naming, RefusalKind, message};
 
-/// Why something is refused, in parts: `place: found this, allowed is that; help`.
+/// The reason for a refusal in parts: `place: found this, allowed is that; help`.
 ///
-/// Its sentence is that of [`Display`](fmt::Display). Leading words of a part, such as `, allowed is `, belong to the sentence alone.
+/// [`Display`](fmt::Display) gives the sentence. Leading words of a part, such as `, allowed is `, belong only to the sentence.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Refused(Box<Parts>);
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct Parts {
-    place: Place,
-    /// Whether the sentence names line or byte itself.
+    place: FaultPlace,
+    /// Whether the sentence itself names the line or byte.
     names_spot: bool,
-    /// What was found, what is allowed, and what to do.
-    said: [Part; 3],
-    /// The part that was said last.
+    /// The value found, the values allowed and the remedy.
+    said: [RefusalPart; 3],
+    /// Index of the part that was added last.
     last: usize,
-    kind: Kind,
+    kind: RefusalKind,
     wants: Option<Knob>,
     naming: Naming,
 }
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-struct Part {
+struct RefusalPart {
     lead: Cow<'static, str>,
     words: Words,
 }
 
-/// What goes through a text that knows no values: the field, and lead and words of every part.
+/// The parts in a form that passes through a text without values: the field, and lead and words of every part.
 type Packed = (String, [(String, String); 3]);
 
-/// The sentence of another refusal, within one.
+/// The sentence of a refusal as words of another one.
 impl From<&Refused> for Words {
     fn from(refused: &Refused) -> Self {
         let parts = &refused.0;
@@ -58,42 +58,42 @@ impl From<&Refused> for Words {
 }
 
 impl Parts {
-    /// The place as the sentence names it.
+    /// The place as in the sentence.
     fn written_place(&self) -> String {
         let mut place = self.place.clone();
         place.spot = place.spot.filter(|_| !self.names_spot);
         place.words(self.naming)
     }
 
-    /// Whether the sentence goes on from its place without a colon.
+    /// Whether the sentence continues after its place without a colon.
     fn goes_on(&self) -> bool {
         self.said[0].lead.starts_with(' ')
     }
 }
 
 impl Refused {
-    /// A refusal of something in one place.
-    pub fn at(place: impl Into<Place>) -> Self {
+    /// A refusal with a place.
+    pub fn at(place: impl Into<FaultPlace>) -> Self {
         let mut new = Self::default();
         new.0.place = place.into();
         new
     }
 
-    /// A refusal in own words, without a place.
+    /// A refusal with a sentence of the caller and no place.
     pub fn that(sentence: impl Into<Words>) -> Self {
         Self::default().is(sentence)
     }
 
-    /// A refusal in own words that name line or byte themselves.
-    pub fn that_at(place: impl Into<Place>, sentence: impl Into<Words>) -> Self {
+    /// A refusal with a sentence of the caller that itself names the line or byte.
+    pub fn that_at(place: impl Into<FaultPlace>, sentence: impl Into<Words>) -> Self {
         let mut new = Self::at(place).is(sentence);
         new.0.names_spot = true;
         new
     }
 
-    /// The refusal that a deserialiser is handed as something to be displayed, or a sentence.
+    /// The refusal that a deserialiser received as a displayed value; a plain sentence if it received one.
     ///
-    /// In its alternate form a refusal displays its parts, which a sentence does not tell.
+    /// In the alternate form a refusal displays its parts, which the sentence does not show.
     pub fn handed(said: &impl fmt::Display) -> Self {
         let text = format!("{said:#}");
         let Ok((field, said)) = serde_json::from_str::<Packed>(&text) else {
@@ -101,37 +101,37 @@ impl Refused {
         };
         let mut new = Self::default();
         new.0.place.field = Some(field).filter(|field| !field.is_empty()).map(Knob::field);
-        new.0.said = said.map(|(lead, words)| Part {
+        new.0.said = said.map(|(lead, words)| RefusalPart {
             lead: lead.into(),
             words: words.into(),
         });
         new
     }
 
-    /// A file that the system refuses.
+    /// A refusal by the operating system when a file is used.
     pub fn by_system(file: &Path, error: &io::Error) -> Self {
-        Self::at(file).is(error.to_string()).kind(Kind::System(error.kind()))
+        Self::at(file).is(error.to_string()).kind(RefusalKind::System(error.kind()))
     }
 
-    /// A file that the system does not let be read.
+    /// A refusal by the operating system when a file is read.
     pub fn unreadable(file: &Path, error: &io::Error) -> Self {
-        let kind = Kind::System(error.kind());
+        let kind = RefusalKind::System(error.kind());
         Self::at(file).is("cannot be read: ").and(error.to_string()).kind(kind)
     }
 
-    /// Says the thing that was found.
+    /// Adds the value that was found.
     #[must_use]
     pub fn found(self, words: impl Into<Words>) -> Self {
         self.say(0, "found ", words.into())
     }
 
-    /// Says the fault in words that do not begin with "found".
+    /// Adds the fault in words that do not begin with "found".
     #[must_use]
     pub fn is(self, words: impl Into<Words>) -> Self {
         self.say(0, "", words.into())
     }
 
-    /// Says the fault in words that go on from the place: `line 3 gives a peak of …`.
+    /// Adds the fault in words that continue after the place: `line 3 gives a peak of …`.
     #[must_use]
     pub fn goes_on(self, words: impl Into<Words>) -> Self {
         self.say(0, " ", words.into())
@@ -143,43 +143,43 @@ impl Refused {
         self.say(0, " reads ", Words(vec![Piece::Quoted(text.into())]))
     }
 
-    /// Says the values allowed.
+    /// Adds the values allowed.
     #[must_use]
     pub fn allowed(self, words: impl Into<Words>) -> Self {
         self.but(", allowed ", words)
     }
 
-    /// The one thing that is allowed.
+    /// Adds the only value allowed.
     #[must_use]
     pub fn allowed_is(self, words: impl Into<Words>) -> Self {
         self.but(", allowed is ", words)
     }
 
-    /// The things that are allowed.
+    /// Adds a list of the values allowed.
     #[must_use]
     pub fn allowed_are(self, words: impl Into<Words>) -> Self {
         self.but(", allowed are ", words)
     }
 
-    /// Says the values allowed, after the caller's words.
+    /// Adds the values allowed, after a lead of the caller.
     #[must_use]
     pub fn but(self, lead: &'static str, words: impl Into<Words>) -> Self {
         self.say(1, lead, words.into())
     }
 
-    /// Says the remedy.
+    /// Adds the remedy.
     #[must_use]
     pub fn help(self, words: impl Into<Words>) -> Self {
         self.so("; ", words)
     }
 
-    /// Says the remedy, after the caller's words.
+    /// Adds the remedy, after a lead of the caller.
     #[must_use]
     pub fn so(self, lead: &'static str, words: impl Into<Words>) -> Self {
         self.say(2, lead, words.into())
     }
 
-    /// Goes on with what was said last: with words, or with a knob.
+    /// Continues the part that was added last with words or a knob.
     #[must_use]
     pub fn and(mut self, words: impl Into<Words>) -> Self {
         let parts = &mut *self.0;
@@ -187,20 +187,20 @@ impl Refused {
         self
     }
 
-    /// Goes on with a text as its writer wrote it, in quotes.
+    /// Continues with a text in quotes, as its writer wrote it.
     #[must_use]
     pub fn quoted(self, text: impl Into<String>) -> Self {
         self.and(Words(vec![Piece::Quoted(text.into())]))
     }
 
-    /// Says more of what was found.
+    /// Adds more to the value found.
     #[must_use]
     pub fn found_also(mut self, words: impl Into<Words>) -> Self {
         self.0.said[0].words.0.extend(words.into().0);
         self
     }
 
-    /// Says more of what to do, behind all else that is said.
+    /// Adds more to the remedy, at the end of the sentence.
     #[must_use]
     pub fn help_also(mut self, words: impl Into<Words>) -> Self {
         self.0.said[2].words.0.extend(words.into().0);
@@ -210,62 +210,62 @@ impl Refused {
     fn say(mut self, part: usize, lead: &'static str, words: Words) -> Self {
         self.0.last = part;
         let lead = lead.into();
-        self.0.said[part] = Part { lead, words };
+        self.0.said[part] = RefusalPart { lead, words };
         self
     }
 
-    /// What tells it apart from others.
+    /// Sets the kind of the refusal.
     #[must_use]
-    pub fn kind(mut self, kind: Kind) -> Self {
+    pub fn kind(mut self, kind: RefusalKind) -> Self {
         self.0.kind = kind;
         self
     }
 
-    /// The knob that is missing, and that alone would put it right.
+    /// Sets the missing knob that alone would remove the fault.
     #[must_use]
     pub fn wants(mut self, knob: Knob) -> Self {
         self.0.wants = Some(knob);
         self
     }
 
-    /// Whose names it uses.
+    /// Sets which names the sentence uses for knobs.
     #[must_use]
     pub fn by(mut self, naming: Naming) -> Self {
         self.0.naming = naming;
         self
     }
 
-    /// The same in a field, or in one within that field, as the caller names it.
+    /// Puts the fault into a field, or its field into an outer field, as the caller names it.
     #[must_use]
     pub fn in_field(mut self, field: impl Into<Cow<'static, str>>) -> Self {
         self.0.place.field = Some(Knob::field(field));
         self
     }
 
-    /// The same in a file, unless one is known.
+    /// Puts the fault into a file, unless a file is known.
     #[must_use]
     pub fn in_file(mut self, file: &Path) -> Self {
         self.0.place.file.get_or_insert_with(|| file.to_path_buf());
         self
     }
 
-    /// Where it is.
-    pub fn place(&self) -> &Place {
+    /// The place of the fault.
+    pub fn place(&self) -> &FaultPlace {
         &self.0.place
     }
 
-    /// Where it is, to say more of that.
-    pub fn place_mut(&mut self) -> &mut Place {
+    /// The place of the fault, for additions.
+    pub fn place_mut(&mut self) -> &mut FaultPlace {
         &mut self.0.place
     }
 
-    /// What tells it apart from others.
-    pub fn is_kind(&self, kind: Kind) -> bool {
+    /// Whether the refusal is of a kind.
+    pub fn is_kind(&self, kind: RefusalKind) -> bool {
         self.0.kind == kind
     }
 
-    /// The same, to hand it on.
-    pub fn own_kind(&self) -> Kind {
+    /// The kind of the refusal, to hand it on.
+    pub fn own_kind(&self) -> RefusalKind {
         self.0.kind
     }
 
@@ -274,7 +274,7 @@ impl Refused {
         self.0.wants.as_ref()
     }
 
-    /// The word that was found, as its writer wrote it.
+    /// The word found, as its writer wrote it.
     pub fn word(&self) -> Option<&str> {
         let pieces = self.0.said[0].words.0.iter();
         let mut words = pieces.filter_map(|piece| match piece {
@@ -284,14 +284,14 @@ impl Refused {
         words.next()
     }
 
-    /// The sentence without the name of the file, beside which it stands.
+    /// The sentence without the name of the file, for places that show the name already.
     pub fn reason(&self) -> String {
         let mut inner = self.clone();
         inner.0.place.file = None;
         inner.to_string()
     }
 
-    /// The parts, for a program; none of them steers a terminal.
+    /// The parts for programs; no letter in them steers a terminal.
     pub fn parts(&self) -> Refusal {
         let shown = |text: String| message(&text).into_owned();
         let naming = self.0.naming;
@@ -336,7 +336,7 @@ impl From<&'static str> for Refused {
     }
 }
 
-/// The parts of a refusal in words. One that it does not have is `null`.
+/// The parts of a refusal in words; a missing part is `null`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Refusal {
     /// The whole sentence.
@@ -354,112 +354,15 @@ pub struct Refusal {
 /// The refusal as a line of JSON, `{"error": {…}}`.
 ///
 /// # Panics
-/// Never: texts are JSON.
+/// Never panics: texts have a JSON form.
 pub fn refusal_json(refused: &Refused) -> String {
     #[derive(Serialize)]
-    struct Line {
+    struct JsonLine {
         error: Refusal,
     }
     let error = refused.parts();
-    serde_json::to_string(&Line { error }).expect("texts are JSON")
+    serde_json::to_string(&JsonLine { error }).expect("texts are JSON")
 }
 
 #[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use super::Refused;
-    use crate::{Kind, Knob, Naming, Spot};
-
-    fn parts(refused: &Refused) -> [String; 5] {
-        let of = refused.parts();
-        let rest = [of.place, of.found, of.allowed, of.help].map(Option::unwrap_or_default);
-        let [place, found, allowed, help] = rest;
-        [of.message, place, found, allowed, help]
-    }
-
-    #[test]
-    fn reference_parts_and_sentence() {
-        let mut gap = Refused::at("contacts[0].gap_m")
-            .found("-0.01")
-            .allowed_is("a number >= 0")
-            .help("widen it");
-        gap.place_mut().spot = Some(Spot::Letter(3, 1));
-        assert_eq!(
-            parts(&gap.in_file(Path::new("a.toml"))),
-            [
-                "a.toml, line 3, column 1: contacts[0].gap_m: found -0.01, allowed is a number >= 0; widen it",
-                "a.toml, line 3, column 1: contacts[0].gap_m",
-                "-0.01",
-                "a number >= 0",
-                "widen it"
-            ]
-        );
-        let line = Refused::at(Spot::Line(7))
-            .reads("DT=")
-            .but(", but ", "a time step should stand there");
-        assert_eq!(line.word(), Some("DT="));
-        assert_eq!(
-            parts(&line.in_file(Path::new("q.AT2"))),
-            [
-                "q.AT2: line 7 reads \"DT=\", but a time step should stand there",
-                "q.AT2: line 7",
-                "\"DT=\"",
-                "a time step should stand there",
-                ""
-            ]
-        );
-        let end = Refused::that_at(Spot::Line(9), "the values end at line 9").help("fetch it again");
-        assert_eq!(
-            parts(&end),
-            [
-                "the values end at line 9; fetch it again",
-                "line 9",
-                "the values end at line 9",
-                "",
-                "fetch it again"
-            ]
-        );
-        assert_eq!(parts(&"stopped".into()), ["stopped", "", "stopped", "", ""]);
-    }
-
-    /// Parts were found again in sentences: a name with ": found " in it took the place of the place.
-    #[test]
-    fn issue_a_deserialiser_hands_on_parts_and_no_sentence() {
-        let own = Refused::at("count").found("x: found y, allowed z; q").allowed_is("1").help("w");
-        let handed = Refused::handed(&own);
-        assert_eq!(parts(&handed), parts(&own));
-        assert_eq!(
-            Refused::handed(&"found 1, allowed 2"),
-            Refused::that("found 1, allowed 2".to_owned())
-        );
-    }
-
-    /// The program and Python spoke of fields of a scene where none was written, or replaced words in finished sentences.
-    #[test]
-    fn issue_a_knob_is_named_by_whom_it_is_turned() {
-        let unit = Refused::that("no unit").help("declare it as ").and(Knob::Unit).wants(Knob::Unit);
-        let switch = Refused::that("rows").help("declare ").and(Knob::InRows);
-        let corner = Refused::at("record.band_pass.low_hz").found("0").so(", see ", Knob::field("x.y"));
-        for (naming, wanted) in [
-            (
-                Naming::Scene,
-                [
-                    "`record.unit`",
-                    "`record.in_rows` as true",
-                    "record.band_pass.low_hz: found 0, see `x.y`",
-                ],
-            ),
-            (Naming::Option, ["--unit", "--in-rows", "--band-pass LOW: found 0, see `x.y`"]),
-            (
-                Naming::Argument,
-                ["`unit`", "`in_rows`", "record.band_pass.low_hz: found 0, see `x.y`"],
-            ),
-        ] {
-            let said = [&unit, &switch, &corner].map(|one| one.clone().by(naming).to_string());
-            assert!(said.iter().zip(wanted).all(|(said, wanted)| said.ends_with(wanted)), "{said:?}");
-        }
-        assert_eq!(unit.wanted(), Some(&Knob::Unit));
-        assert!(unit.is_kind(Kind::Wrong));
-    }
-}
+mod tests;

@@ -1,9 +1,9 @@
-//! Text that steers nothing: neither the terminal that shows it nor the direction in which it is read.
+//! Text without letters that steer a terminal or the direction of reading.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// The text with every letter that steers a terminal, or the direction of writing, spelt as `\u001b`: in JSON it means the same.
+/// The text with every letter that steers a terminal, or the direction of writing, spelt as in `\u001b`, which means that letter in JSON.
 /// Line ends and tabulators stay.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(steers) {
@@ -20,7 +20,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     shown.into()
 }
 
-/// Whether [`visible`] spells a letter: control characters, marks of direction, and line ends that are none to most programs.
+/// Whether [`visible`] spells a letter: control characters, marks of direction, and line ends that most programs do not know.
 pub fn steers(letter: char) -> bool {
     let turns = matches!(
         letter,
@@ -29,12 +29,12 @@ pub fn steers(letter: char) -> bool {
     turns || letter.is_control() && letter != '\n' && letter != '\t'
 }
 
-/// Letters of a line of a message that is shown whole: some paths, each as long as systems take.
+/// Longest line of a message that is shown in full \[letters\]: room for some paths, each as long as systems allow.
 const LONGEST: usize = 10_000;
-/// What is shown of the beginning and of the end of a longer one.
+/// Numbers of letters shown from the beginning and from the end of a longer line.
 const SHOWN: [usize; 2] = [1500, 500];
 
-/// A message as it is said: [`visible`], and of a line that nobody reads to its end, beginning and end. A file can name a path of a megabyte.
+/// A message for people: [`visible`], with the middle of overlong lines left out. A file can name a path of a megabyte.
 pub fn message(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST {
         return visible(text);
@@ -68,7 +68,7 @@ mod tests {
         assert_eq!(read, text);
     }
 
-    /// Marks of direction that open nothing, and line ends of Unicode, were printed.
+    /// Marks of direction that open nothing, and line ends of Unicode, were printed unchanged.
     #[test]
     fn issue_marks_of_direction_are_spelt() {
         let marks = "\u{61c}\u{200e}\u{200f}\u{2028}\u{2029}\u{2067}\u{0}";

@@ -1,42 +1,42 @@
-//! Words of messages, with knobs that are named last, and kinds of refusals.
+//! Words of messages whose knobs get their names at the end, and kinds of refusals.
 
 use std::borrow::Cow;
 use std::io;
 
 use crate::{Knob, Naming};
 
-/// The kind of a refusal, for callers that do not only repeat it.
+/// The kind of a refusal, for callers that do more than repeat it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Kind {
-    /// Something that its user can put right.
+pub enum RefusalKind {
+    /// A fault that the user can remove.
     #[default]
     Wrong,
-    /// Something that the system refuses.
+    /// A refusal by the operating system.
     System(io::ErrorKind),
-    /// A text that is no record at all.
+    /// A text that is not a record.
     NoRecord,
-    /// Values that do not suit each other or the budget, though each is allowed.
+    /// Values that are allowed each, but not together or not within the budget.
     Together,
-    /// A time step at the limit of stability or above it.
+    /// A time step at or above the limit of stability.
     Unstable,
-    /// A file of the program's own that is not as it was written.
+    /// A file of the program that was changed after it was written.
     Damaged,
-    /// Times in uneven steps.
+    /// Times that are not evenly spaced.
     Uneven,
-    /// Fewer values than were announced.
+    /// Fewer values than the file announces.
     CutShort,
-    /// A record of another quantity than accelerations.
+    /// A record of another quantity than acceleration.
     OtherQuantity,
-    /// A record of velocities, unless its user says otherwise.
+    /// A record of velocities, unless the user declares another quantity.
     Velocity,
-    /// A record of displacements, by the name of its file.
+    /// A record of displacements, judged by the name of its file.
     Displacement,
-    /// Somebody ended it.
+    /// A user stopped the work.
     Stopped,
 }
 
-/// Words of a message, with knobs among them that are named last.
+/// Words of a message; knobs among them get their names at the end.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Words(pub(crate) Vec<Piece>);
 

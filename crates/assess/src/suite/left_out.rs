@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use pounding_scene::Error;
-use pounding_text::{Kind, short};
+use pounding_text::{RefusalKind, short};
 use serde_json::{Value, json};
 
 use super::{Suite, SuiteMotion};
@@ -115,12 +115,12 @@ impl LeftOutReason {
         let refused = error.refused();
         let word = refused.word().unwrap_or("by its name");
         match refused.own_kind() {
-            Kind::System(_) => LeftOutKind::Unreadable.saying(error.reason()),
-            Kind::NoRecord => LeftOutKind::NoRecord.saying(""),
-            Kind::Velocity => LeftOutKind::Velocity.saying(word),
-            Kind::Displacement => LeftOutKind::Displacement.saying(word),
-            Kind::OtherQuantity => LeftOutKind::NoAcceleration.saying(word),
-            Kind::Wrong | Kind::CutShort | Kind::Stopped | _ => LeftOutKind::Refused.saying(error.reason()),
+            RefusalKind::System(_) => LeftOutKind::Unreadable.saying(error.reason()),
+            RefusalKind::NoRecord => LeftOutKind::NoRecord.saying(""),
+            RefusalKind::Velocity => LeftOutKind::Velocity.saying(word),
+            RefusalKind::Displacement => LeftOutKind::Displacement.saying(word),
+            RefusalKind::OtherQuantity => LeftOutKind::NoAcceleration.saying(word),
+            RefusalKind::Wrong | RefusalKind::CutShort | RefusalKind::Stopped | _ => LeftOutKind::Refused.saying(error.reason()),
         }
     }
 

@@ -9,7 +9,7 @@ mod marhefka_orin;
 
 // The law of CONTRIBUTING.md imports these names from the crate root.
 use pounding_contact::{
-    About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name, Power, approach_damper, parameter,
+    About, Action, Calibration, ContactLaw, Exact, Form, FreeImpact, FreePair, Law, LawName, Name, Power, Term, approach_damper, parameter,
 };
 
 /// The reduced mass of the paper's left and middle structures, approximately, at a usual speed.

@@ -1,5 +1,5 @@
 use crate::parameter::{HERTZ, Parameter, Range};
-use crate::{About, Action, Exact, Form, Law, Name, Power, approach_damper};
+use crate::{About, Action, Exact, Form, Law, Name, Power, Term, approach_damper};
 
 /// Hertz spring with a damper of the material, F = max(0, β̄ δ^1.5 (1 + 1.5 α δ̇)).
 ///
@@ -44,7 +44,7 @@ impl Law for MarhefkaOrin {
 
     fn form(&self, _reduced_mass: f64, _approach_speed: f64) -> Option<Form> {
         let damper = 1.5 * self.impact_damping * self.impact_stiffness;
-        let spring = (self.impact_stiffness, Power::ThreeHalves);
-        Some(Form::new(spring, (damper, Power::ThreeHalves), Action::Both))
+        let spring = Term::new(self.impact_stiffness, Power::ThreeHalves);
+        Some(Form::new(spring, Term::new(damper, Power::ThreeHalves), Action::Both))
     }
 }

@@ -4,11 +4,11 @@
 //! No file was available: this follows programs that read the format. The peaks of the header are those of the raw record and are not
 //! compared with the values.
 
-use super::table::Table;
+use super::table::ComponentTable;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Identity, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused};
 
 /// Lines of titles; the 13th has the number of values, the 14th their step.
 const TITLES: usize = 18;
@@ -41,7 +41,7 @@ pub(super) const READER: Reader = Reader {
 
 fn components(file: &File<'_>) -> Vec<Component> {
     let last = file.lines.get(TITLES - 1).or(file.lines.last());
-    let place = Place::Line(last.map_or(1, |line| line.number));
+    let place = FilePlace::Line(last.map_or(1, |line| line.number));
     let components = NAMES.map(|name| Component::new(name, place));
     components.into()
 }
@@ -49,7 +49,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
 fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let split = file.lines.split_at_checked(TITLES);
     let (titles, lines) = needed(split, file.lines.last().copied(), "the values")?;
-    let table = Table::new(titles[TITLES - 1], lines, NAMES.len(), Line::pieces)?;
+    let table = ComponentTable::new(titles[TITLES - 1], lines, NAMES.len(), Line::pieces)?;
     let numbers = table.column(index)?;
     let step = number(behind_colon(titles[STEP]).as_bytes());
     Ok(Draft {
@@ -60,7 +60,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         time_step: Some(Spacing::Even(title::time_step(titles[STEP], step)?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(titles[0].number),
+            place: FilePlace::Line(titles[0].number),
             text: "as the format has it".to_owned(),
         }),
         peak: None,

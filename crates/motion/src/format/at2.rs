@@ -1,9 +1,9 @@
-//! PEER AT2 and what goes by that name: titles, a line with NPTS and DT, then values in columns.
+//! PEER AT2 and similar files: titles, a line with NPTS and DT, then values in columns.
 
 mod header;
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, values};
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 
 pub(super) const READER: Reader = Reader {
     format: Format::PeerAt2,
@@ -15,9 +15,10 @@ pub(super) const READER: Reader = Reader {
 
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.
 ///
-/// The line with NPTS and DT is the last of the first ten lines that names both, in any order and case, such as `NPTS=  4000, DT= .01000
-/// SEC` or `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without such a line it is line 4, if this is a whole number and a time
-/// step. A title line must state that the values are acceleration in g; if no line names a unit, the unit must be declared.
+/// The line with NPTS and DT is the last of the first ten lines that names both, in any order and case. Examples are `NPTS=  4000, DT=
+/// .01000 SEC` and `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without such a line it is line 4, if this contains a whole
+/// number and a time step. A title line must state that the values are acceleration in g; if no line names a unit, the unit must be
+/// declared.
 ///
 /// Values are in any number of columns of any width, as written by C or Fortran, and may touch. They end at the end of the file or at a
 /// line that does not begin with a number; blank lines are skipped. The first value is at t = 0, because the format has no times: a file
@@ -25,24 +26,24 @@ pub(super) const READER: Reader = Reader {
 /// station, if there is one. The title lines become the provenance.
 ///
 /// # Errors
-/// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
-/// than g, a field that is not a finite number, and more or fewer values than NPTS.
+/// Refuses a file without a readable line of NPTS and DT, and a file of velocities, displacements or other units than g. It also refuses a
+/// field that is not a finite number, and more or fewer values than NPTS.
 fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let header::Header { titles, line, data } = header::split(&file.lines)?;
     let unit = header::unit(titles)?.or(header::unit(&[line])?);
     let numbers = values::read(line, data)?;
     let mut stated = header::count_and_step(line)?;
     let mut remarks = Vec::new();
-    // The NPTS of a longer record may have stayed where a title tells how many points there are.
+    // The NPTS of another record may have stayed in the file. A title with the number of points then decides.
     if stated.count != numbers.values.len()
         && let Some(points) = header::points(titles)
         && points.count == numbers.values.len()
     {
         let found = format!("{:?}, which the values have, and not {:?}", points.line.excerpt(), line.excerpt());
-        remarks.push(reading("count", Some(Place::Line(points.line.number)), &found));
+        remarks.push(reading("count", Some(FilePlace::Line(points.line.number)), &found));
         stated = points;
     }
-    let of_line = Place::Line(stated.line.number);
+    let of_line = FilePlace::Line(stated.line.number);
     let text = stated.line.excerpt();
     Ok(Draft {
         values: numbers.values,
@@ -61,7 +62,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         scale: unit.map_or(Scale::Unknown, |unit| {
             Scale::Unit(Stated {
                 value: AccelerationUnit::StandardGravity,
-                place: Place::Line(unit.number),
+                place: FilePlace::Line(unit.number),
                 text: unit.excerpt(),
             })
         }),

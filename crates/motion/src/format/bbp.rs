@@ -1,15 +1,15 @@
-//! SCEC Broadband Platform: comments behind `#` that name four columns, time and three components, on one line or a line each.
+//! SCEC Broadband Platform: comments after `#` name four columns, time and three components, on one line or one line each.
 //!
 //! The comments give the unit `cm/s` for velocities and, in some files, also for accelerations. Such files count as velocities unless the
 //! caller states otherwise, and need a declared unit.
 
 use super::said::Said;
-use super::table::Table;
+use super::table::ComponentTable;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Stated};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Time and three components.
 const COLUMNS: usize = 4;
@@ -36,7 +36,7 @@ pub(super) const READER: Reader = Reader {
 };
 
 /// One of the three components.
-struct Column<'t> {
+struct ComponentColumn<'t> {
     name: &'static str,
     line: Line<'t>,
     /// Text of the line about it.
@@ -48,8 +48,8 @@ fn comments<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &file.lines[..comments.count()]
 }
 
-/// The three components as the comments name them.
-fn columns<'t>(file: &File<'t>) -> Option<Vec<Column<'t>>> {
+/// The three components named by the comments.
+fn columns<'t>(file: &File<'t>) -> Option<Vec<ComponentColumn<'t>>> {
     let comments = comments(file);
     let together = comments
         .iter()
@@ -71,8 +71,8 @@ fn columns<'t>(file: &File<'t>) -> Option<Vec<Column<'t>>> {
     })
 }
 
-/// The components that a line names, in its order.
-fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
+/// The components that a line names, in the order of the line.
+fn named_in(line: Line<'_>) -> Vec<ComponentColumn<'_>> {
     let text = line.text().to_ascii_uppercase();
     let mut found: Vec<(usize, &'static str)> = Vec::new();
     for (word, name) in WORDS {
@@ -82,7 +82,7 @@ fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
     found.sort_unstable();
     let ends = found.iter().skip(1).map(|(at, _)| *at);
     let ends: Vec<usize> = ends.chain([text.len()]).collect();
-    let column = |(&(at, name), end): (&(usize, &'static str), usize)| Column {
+    let column = |(&(at, name), end): (&(usize, &'static str), usize)| ComponentColumn {
         name,
         line,
         text: text[at..end].to_owned(),
@@ -91,7 +91,7 @@ fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
 }
 
 fn components(file: &File<'_>) -> Vec<Component> {
-    let component = |column: Column<'_>| Component::new(column.name.to_owned(), Place::Line(column.line.number));
+    let component = |column: ComponentColumn<'_>| Component::new(column.name.to_owned(), FilePlace::Line(column.line.number));
     let columns = columns(file).unwrap_or_default();
     columns.into_iter().map(component).collect()
 }
@@ -100,7 +100,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let comments = comments(file);
     let columns = columns(file).unwrap_or_default();
     let column = needed(columns.get(index), None, "names of its columns")?;
-    let table = Table::new(column.line, &file.lines[comments.len()..], COLUMNS, Line::fields)?;
+    let table = ComponentTable::new(column.line, &file.lines[comments.len()..], COLUMNS, Line::fields)?;
     let numbers = table.column(index + 1)?;
     let mut values = numbers.values;
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
@@ -117,9 +117,9 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-fn scale(column: &Column<'_>) -> Result<Scale, Refused> {
-    let Column { line, text, .. } = column;
-    let place = Place::Line(line.number);
+fn scale(column: &ComponentColumn<'_>) -> Result<Scale, Refused> {
+    let ComponentColumn { line, text, .. } = column;
+    let place = FilePlace::Line(line.number);
     if title::unit_in(text).is_some() {
         return Ok(Scale::Unit(title::stated_unit(*line, text)?));
     }

@@ -1,4 +1,4 @@
-//! Volume 1 of BHRC, Iran: per channel 13 titles, seven lines of whole numbers and seven of others, then values alone.
+//! Volume 1 of BHRC, Iran: each channel has 13 titles, seven lines of whole numbers and seven of others, then the values.
 //!
 //! The ninth number with a point is the rate; the lines show only the first six of its eight digits.
 
@@ -8,9 +8,9 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
-/// Lines of titles of a channel, of all of its header, and up to the one that begins with the rate.
+/// Number of title lines of a channel, of lines of its header, and of lines up to the one that begins with the rate.
 const TITLES: usize = 13;
 const HEADER: usize = 27;
 const RATE: usize = 21;
@@ -31,7 +31,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
     super::blocks(&file.lines, |index| starts(file.lines[index]))
 }
 
-/// The time stands behind a key, the station on a line with its coordinates.
+/// The time follows a key; the station is on a line with its coordinates.
 fn identity_of(lines: &[Line<'_>]) -> Identity {
     let titles = &lines[..lines.len().min(TITLES)];
     let station = title::line_with(titles, "STATION").map(Line::text);
@@ -61,11 +61,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let duration = behind("DURATION").and_then(|duration| number(duration.as_bytes()));
     let rate = header[RATE].pieces().next().and_then(number);
     let step = title::time_step(header[RATE], rate.map(|rate| 1.0 / rate))?;
-    // The last step may be counted or not.
+    // Files may count the last step or not.
     let is_near = |duration: f64| (duration - count.value as f64 * step.value).abs() < 1.5 * step.value;
     if !duration.is_none_or(is_near) {
         return Err(refusals::header(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the duration that the number of points and the rate of the header give",
         ));

@@ -10,27 +10,27 @@ use super::numbers::{Numbers, Values, is_mark};
 use crate::Refused;
 use crate::line::{Line, excerpt, number};
 
-/// Most fields of a line and bytes of a field that a format may ask for.
+/// Largest number of fields in a line, and of bytes in a field, in a format.
 const WIDEST: usize = 1000;
 
 /// A Fortran format of equal fields, such as 8F10.5: eight to a line, each ten bytes wide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Columns {
+pub(super) struct FixedColumns {
     pub(super) per_line: usize,
-    /// Blanks before the first number.
+    /// Number of blanks before the first number.
     lead: usize,
     width: usize,
-    /// Whether the numbers are whole and have no point.
+    /// Whether the numbers are whole, without a point.
     whole: bool,
 }
 
-impl fmt::Display for Columns {
+impl fmt::Display for FixedColumns {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{} to a line, {} bytes each", self.per_line, self.width)
     }
 }
 
-impl Columns {
+impl FixedColumns {
     pub(super) const fn new(per_line: usize, width: usize) -> Self {
         Self {
             per_line,
@@ -40,7 +40,7 @@ impl Columns {
         }
     }
 
-    /// The same behind as many blanks as this line has: its last number ends where the line does.
+    /// The format after the leading blanks of this line, whose last number ends at the end of the line.
     pub(super) fn led_in_by(self, line: Line<'_>) -> Self {
         let length = line.bytes.trim_ascii_end().len();
         let lead = length % self.width;
@@ -51,7 +51,7 @@ impl Columns {
         }
     }
 
-    /// The last format in brackets that a line names, such as `(8F10.5)` or `(1P6E13.6)`.
+    /// The last format in brackets in a line, such as `(8F10.5)` or `(1P6E13.6)`.
     pub(super) fn named_in(line: Line<'_>) -> Option<Self> {
         let text = line.text().to_ascii_uppercase();
         let mut brackets = text.rsplit('(').filter_map(|part| part.split_once(')'));
@@ -79,7 +79,7 @@ impl Columns {
         (is_sane(columns.per_line) && is_sane(columns.width)).then_some(columns)
     }
 
-    /// Lines that hold so many numbers.
+    /// Number of lines that hold `count` numbers.
     pub(super) fn lines_of(self, count: usize) -> usize {
         count.div_ceil(self.per_line)
     }
@@ -90,7 +90,7 @@ impl Columns {
         numbers.unwrap_or_default().chunks(self.width).take(self.per_line)
     }
 
-    /// The numbers of these lines. Values in `missing` are marks and refused.
+    /// The numbers of these lines. Values in `missing` are marks of missing values and are refused.
     pub(super) fn numbers(self, header: Line<'_>, lines: &[Line<'_>], missing: &[f64]) -> Result<Numbers, Refused> {
         let mut values = Values::default();
         for line in lines {
@@ -107,15 +107,14 @@ impl Columns {
         Ok(values.finish(header))
     }
 
-    /// Numbers of a header, whole or with a point; what is no number is left out.
+    /// Numbers of a header, whole or with a point; a field without a number is `None`.
     pub(super) fn header(self, lines: &[Line<'_>]) -> Vec<Option<f64>> {
         let fields = lines.iter().flat_map(|line| self.fields(*line));
         fields.map(number).collect()
     }
 }
 
-/// A number with a point. Without one Fortran would put it somewhere, and a field that was cut at
-/// the wrong column often has none.
+/// A number with a point. Fortran would put a missing point somewhere, and a field that was cut at the wrong column often lacks one.
 pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64, Refused> {
     let value = line.finite(field, bytes)?;
     if bytes.contains(&b'.') {
@@ -124,7 +123,7 @@ pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64,
     Err(refusals::not_a_number(line.number, field, excerpt(bytes)))
 }
 
-/// Refuses a mark that stands for a value that is missing.
+/// Refuses a mark of a missing value.
 fn check_present(line: Line<'_>, field: usize, bytes: &[u8], missing: &[f64]) -> Result<(), Refused> {
     let value = number(bytes);
     if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
@@ -137,7 +136,7 @@ fn check_present(line: Line<'_>, field: usize, bytes: &[u8], missing: &[f64]) ->
     Ok(())
 }
 
-/// The lines from the first on that hold nothing but numbers.
+/// The leading lines that contain only numbers.
 pub(super) fn leading_data<'l, 't>(lines: &'l [Line<'t>]) -> &'l [Line<'t>] {
     let end = lines.iter().position(|line| !is_data(*line));
     &lines[..end.unwrap_or(lines.len())]
@@ -146,7 +145,7 @@ pub(super) fn leading_data<'l, 't>(lines: &'l [Line<'t>]) -> &'l [Line<'t>] {
 fn is_data(line: Line<'_>) -> bool {
     let of_numbers = |byte: &u8| {
         byte.is_ascii_digit() || matches!(byte, b' ' | b'\t' | b'+' | b'-' | b'.' | b'*' | b',')
-            // NaN, Inf and decimal commas are refused as numbers, not taken for the end.
+            // NaN, Inf and decimal commas are refused as numbers and do not end the data.
             || b"EeDdNnAaIiFf".contains(byte)
     };
     !line.is_blank()

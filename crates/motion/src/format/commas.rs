@@ -1,13 +1,13 @@
 //! Texts with decimal commas, as programs write them in many countries: `0,01;0,25`, or `0,01 0,25`.
 //!
-//! Where semicolons or blanks part the numbers there is no doubt, and points are put in their place, byte for byte, so that every
-//! line and column stays where it is. Where nothing but commas stands, there is: see [`Rows::check_commas`](super::plain).
+//! If semicolons or blanks separate the numbers, commas are clearly decimal. They become points, byte for byte, so every line and column
+//! keeps its place. If there are only commas, the text is ambiguous: see [`Rows::check_commas`](super::plain).
 
 use std::borrow::Cow;
 
 use crate::line::{Line, lines, number};
 
-/// Bytes in which the first row of numbers is looked for.
+/// Number of bytes in which the first row of numbers is searched.
 const SEARCHED: usize = 1 << 16;
 
 /// Separator of the numbers of a row with decimal commas.
@@ -17,7 +17,7 @@ enum Parted {
     ByBlanks,
 }
 
-/// The text with decimal points, and the number of its first row with commas; the text as it is where it has none.
+/// The text with decimal points, and the number of its first row with commas; unchanged if it has none.
 pub(super) fn with_points(bytes: &[u8]) -> (Cow<'_, [u8]>, Option<usize>) {
     let head = &bytes[..bytes.len().min(SEARCHED)];
     let first = lines(head).ok().and_then(|lines| {
@@ -63,7 +63,7 @@ fn parted(line: &[u8]) -> Option<Parted> {
     (is_several && pieces.into_iter().all(is_number)).then_some(Parted::ByBlanks)
 }
 
-/// Puts points for decimal commas, and commas for semicolons.
+/// Replaces decimal commas by points, and semicolons by commas.
 fn set_points(line: &mut [u8], is_row: bool, parted: Parted) {
     let is_digit = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_digit);
     for at in 0..line.len() {
@@ -71,7 +71,7 @@ fn set_points(line: &mut [u8], is_row: bool, parted: Parted) {
         let is_decimal = is_row || (is_digit(before) && is_digit(line.get(at + 1)));
         line[at] = match (line[at], parted) {
             (b',', _) if is_decimal => b'.',
-            // A comma in a title parts no columns here.
+            // A comma in a title does not separate columns here.
             (b',', Parted::BySemicolons) => b' ',
             (b';', Parted::BySemicolons) => b',',
             (byte, _) => byte,

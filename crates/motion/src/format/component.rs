@@ -1,21 +1,21 @@
-//! The components of a file, and which of them is meant.
+//! The components of a file, and the choice of one.
 
 use crate::refusals::listed;
-use crate::{Place, Refused, Site};
+use crate::{FilePlace, Refused, Site};
 use pounding_text::Knob;
 
 /// One component of a file.
 #[derive(Debug)]
 pub(super) struct Component {
     pub(super) name: String,
-    pub(super) place: Place,
-    /// Where its sensor is.
+    pub(super) place: FilePlace,
+    /// Place of its sensor.
     pub(super) site: Site,
 }
 
 impl Component {
-    /// A component whose file does not say where its sensor is.
-    pub(super) fn new(name: impl Into<String>, place: Place) -> Self {
+    /// A component whose file does not give the place of its sensor.
+    pub(super) fn new(name: impl Into<String>, place: FilePlace) -> Self {
         Self {
             name: name.into(),
             place,
@@ -23,13 +23,13 @@ impl Component {
         }
     }
 
-    /// The same at a place.
+    /// The component with the place of its sensor.
     pub(super) fn at(self, site: Site) -> Self {
         Self { site, ..self }
     }
 }
 
-/// Whether a name is that of no component: a sum of several, or their resultant.
+/// Whether a name is not that of a component but of a sum of several, or of their resultant.
 pub(super) fn is_sum(name: &str) -> bool {
     let sums = ["SUM", "RES", "RESULTANT", "VECTOR SUM", "SRSS"];
     sums.iter().any(|sum| name.trim().eq_ignore_ascii_case(sum))
@@ -37,8 +37,8 @@ pub(super) fn is_sum(name: &str) -> bool {
 
 /// Index of the declared component, or of the only one.
 ///
-/// A declared one is a name, a number from 1, or a part of one name alone: whole words such as `90 Deg` of
-/// `CHAN 1: 90 DEG` first, then any part that cuts no number.
+/// The declaration may be a name, a number from 1, or a part of only one name. Whole words such as `90 Deg` of `CHAN 1: 90 DEG` come first,
+/// then any part that does not cut a number.
 pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, Refused> {
     let named: Vec<(usize, &str)> = components.iter().map(|one| one.name.as_str()).enumerate().collect();
     let Some(declared) = declared else {
@@ -55,7 +55,7 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
         let indices = 0..folded.len();
         indices.filter(|index| fits(&folded[*index])).collect()
     };
-    // A name comes before a number: channels may be called 3, 1, 2.
+    // A name precedes a number: channels may be called 3, 1, 2.
     let by_name = where_it(&|name| *name == wanted);
     let by_number = wanted.parse().ok().filter(|number: &usize| {
         let numbers = 1..=components.len().max(1);
@@ -85,13 +85,13 @@ pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result
     })
 }
 
-/// Small letters with one blank between words.
+/// The text in small letters with single blanks between words.
 fn folded(text: &str) -> String {
     let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
     words.join(" ")
 }
 
-/// Whether a text holds a part somewhere such that neither end cuts what may not be cut, a pair of neighbouring letters.
+/// Whether a text contains a part at a position where neither of its ends cuts a pair of neighbouring letters that `cuts` protects.
 fn holds(text: &str, part: &str, cuts: fn(char, char) -> bool) -> bool {
     let cut_at = |byte: usize| {
         let (before, behind) = text.split_at(byte);
@@ -108,7 +108,7 @@ fn cuts_word(left: char, right: char) -> bool {
     left.is_alphanumeric() && right.is_alphanumeric()
 }
 
-/// `0 DEG` is no part of `90 DEG`, nor the number 1 of `12`.
+/// Whether a cut divides a number: `0 DEG` is not a part of `90 DEG`, nor the number 1 of `12`.
 fn cuts_number(left: char, right: char) -> bool {
     left.is_ascii_digit() && right.is_ascii_digit()
 }
@@ -116,16 +116,16 @@ fn cuts_number(left: char, right: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Component, chosen};
-    use crate::Place;
+    use crate::FilePlace;
 
     fn components(names: &[&str]) -> Vec<Component> {
-        let component = |name: &&str| Component::new(*name, Place::Line(1));
+        let component = |name: &&str| Component::new(*name, FilePlace::Line(1));
         names.iter().map(component).collect()
     }
 
     const CHANNELS: [&str; 4] = ["CHAN 1: 90 DEG", "CHAN 2: UP", "CHAN 3: 0 DEG", "CHAN 12: N08W"];
 
-    /// Names had to be given in full, number of the channel included.
+    /// Names had to be given in full, including the number of the channel.
     #[test]
     fn issue_a_unique_part_of_a_name_suffices() {
         let channels = components(&CHANNELS);
@@ -140,7 +140,7 @@ mod tests {
             ("n08w", 3),
             ("08W", 3),
             ("12", 3),
-            // Numbers of four components come before parts of names.
+            // Numbers of four components precede parts of names.
             ("2", 1),
             ("4", 3),
         ] {

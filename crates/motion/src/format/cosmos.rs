@@ -5,13 +5,13 @@
 //! code for their unit. A volume 2 may have velocity and displacement as further channels; only those of acceleration are listed. Volume 1
 //! was available, volumes 0 and 2 were not.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Direction, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity, Refused, Site};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Cosmos,
@@ -32,7 +32,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Result<Vec<&'l [Line<'t>]>, Refused> 
     if channels.is_empty() {
         let line = file.lines[0];
         return Err(refusals::not_acceleration(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the channels of acceleration of the record",
         ));
@@ -45,8 +45,8 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(channels.into_iter().map(component).collect())
 }
 
-/// The channel as the titles name it: `Sta Cha:  1: 340 deg`, up to what is put in brackets. Where that tells no direction, by
-/// the code of the channel in the comments or at the end: `|<SCNL>BMR.BNZ.AK.--`, `End-of-data for ChanBNZ acceleration`.
+/// The channel as named by the titles: `Sta Cha:  1: 340 deg`, up to the text in brackets. If that has no direction, the code of the
+/// channel in the comments or at the end: `|<SCNL>BMR.BNZ.AK.--`, `End-of-data for ChanBNZ acceleration`.
 fn component(channel: &[Line<'_>]) -> Component {
     let titles = &channel[..channel.len().min(13)];
     let line = title::line_with(titles, "STA CHA");
@@ -58,15 +58,15 @@ fn component(channel: &[Line<'_>]) -> Component {
     if Direction::of_component(&name).is_none()
         && let Some((line, code)) = code(channel)
     {
-        return Component::new(code, Place::Line(line.number)).at(site);
+        return Component::new(code, FilePlace::Line(line.number)).at(site);
     }
-    Component::new(name, Place::Line(line.number)).at(site)
+    Component::new(name, FilePlace::Line(line.number)).at(site)
 }
 
-/// Lines in which the code of a channel is looked for.
+/// Number of lines in which the code of a channel is searched.
 const CODES: usize = 100;
 
-/// The code of the channel, where it tells a direction.
+/// The code of the channel, if it tells a direction.
 fn code<'t>(channel: &[Line<'t>]) -> Option<(Line<'t>, String)> {
     let head = channel.iter().take(CODES);
     let mut lines = head.chain(channel.iter().rev().take(3));
@@ -76,7 +76,7 @@ fn code<'t>(channel: &[Line<'t>]) -> Option<(Line<'t>, String)> {
             let behind = title::after(&text, key)?;
             Some(behind.split(|letter: char| !letter.is_ascii_alphanumeric()))
         };
-        // Station, channel, network and location; the same from the network on; the channel alone.
+        // The forms are station, channel, network and location; the same starting with the network; and the channel alone.
         let code = words("<SCNL>")
             .and_then(|mut words| words.nth(1))
             .or_else(|| words("RCRDID:")?.rfind(|word| word.len() == 3))
@@ -86,7 +86,7 @@ fn code<'t>(channel: &[Line<'t>]) -> Option<(Line<'t>, String)> {
     })
 }
 
-/// Station, event and its time, of the titles of the first channel.
+/// Station, event and its time, from the titles of the first channel.
 fn identity_of(file: &File<'_>) -> Identity {
     let titles = &file.lines[..file.lines.len().min(13)];
     let behind = |key: &str| {
@@ -103,18 +103,18 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-/// A block of a channel: the line above it, its own lines, and what follows.
+/// A block of a channel: the line above it, its own lines, and the remaining lines.
 struct Block<'l, 't> {
     line: Line<'t>,
     lines: &'l [Line<'t>],
     rest: &'l [Line<'t>],
 }
 
-/// Splits off a block of as many lines as the line above says, behind a word.
+/// Splits off a block; the line above gives its number of lines after a word.
 fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, Refused> {
     let (line, rest) = needed(lines.split_first(), None, "a block of its header")?;
     let text = line.text();
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let n_lines = title::after(&text, word).and_then(title::first_number);
     let n_lines = n_lines.and_then(|number| number.parse().ok());
     let n_lines: usize = n_lines.ok_or_else(|| refusals::header(place, line.excerpt(), "the number of lines of the block below"))?;
@@ -137,11 +137,16 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let scale = scale(*line)?;
     let unknown = unknown(titles);
     let marks = [unknown];
-    // In counts the mark is as good a value as any.
+    // In counts the mark may be a valid value.
     let marks = if matches!(scale, Scale::Counts(_)) { &[][..] } else { &marks[..] };
-    let columns = Columns::named_in(*line);
-    let columns =
-        columns.ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a Fortran format such as Format=(8F10.5)"))?;
+    let columns = FixedColumns::named_in(*line);
+    let columns = columns.ok_or_else(|| {
+        refusals::header(
+            FilePlace::Line(line.number),
+            line.excerpt(),
+            "a Fortran format such as Format=(8F10.5)",
+        )
+    })?;
     let numbers = columns.numbers(*line, leading_data(data), marks)?;
     let header = Header::new(&real, unknown);
     let time_step = header.stated(62).map(|step| Stated {
@@ -163,11 +168,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
             unit: None,
         }),
         provenance: title::provenance(titles),
-        remarks: vec![reading("columns", Some(Place::Line(line.number)), &columns.to_string())],
+        remarks: vec![reading("columns", Some(FilePlace::Line(line.number)), &columns.to_string())],
     })
 }
 
-/// The numbers with a point, and the mark of those that are unknown.
+/// The numbers with a point, and the mark of unknown ones.
 struct Header<'l, 't> {
     numbers: Vec<Option<f64>>,
     lines: &'l [Line<'t>],
@@ -177,7 +182,7 @@ struct Header<'l, 't> {
 
 impl<'l, 't> Header<'l, 't> {
     fn new(block: &Block<'l, 't>, unknown: f64) -> Self {
-        let columns = Columns::named_in(block.line).unwrap_or(Columns::new(5, 15));
+        let columns = FixedColumns::named_in(block.line).unwrap_or(FixedColumns::new(5, 15));
         Self {
             numbers: columns.header(block.lines),
             lines: block.lines,
@@ -186,20 +191,19 @@ impl<'l, 't> Header<'l, 't> {
         }
     }
 
-    /// The n-th number, from 1, unless it is unknown.
+    /// The n-th number, from 1; `None` if it is marked as unknown.
     fn stated(&self, n: usize) -> Option<Stated<f64>> {
         let value = self.numbers.get(n - 1).copied().flatten()?;
         let line = self.lines.get((n - 1) / self.per_line)?;
         (!is_mark(value, self.unknown) && value.is_finite()).then(|| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: format!("number {n} of the block: {value}"),
         })
     }
 }
 
-/// The mark of what is unknown, from a title such as `Values used when parameter or data value is
-/// unknown/unspecified:   -999, -999.0`.
+/// The mark of unknown values, from a title such as `Values used when parameter or data value is unknown/unspecified:   -999, -999.0`.
 fn unknown(titles: &[Line<'_>]) -> f64 {
     let line = title::line_with(titles, "UNKNOWN");
     let marks = line.and_then(|line| {
@@ -210,10 +214,9 @@ fn unknown(titles: &[Line<'_>]) -> f64 {
     marks.unwrap_or(-999.0)
 }
 
-/// What the values are, from a line such as `7000  acceleration pts, approx   70 secs,
-/// units=cm/sec2(04),Format=(8F10.5)`.
+/// Quantity and unit of the values, from a line such as `7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
 fn scale(line: Line<'_>) -> Result<Scale, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let text = line.excerpt();
     if !title::holds(line, "ACC") {
         return Err(refusals::not_acceleration(
@@ -225,7 +228,7 @@ fn scale(line: Line<'_>) -> Result<Scale, Refused> {
     let whole = line.text();
     let units = title::after(&whole, "UNITS").unwrap_or_default();
     let code = units.split_once('(').and_then(|(_, rest)| rest.split_once(')'));
-    // `cm/sec2(04)`, without the sign before and the format behind.
+    // `cm/sec2(04)` without the sign before it and the format after it.
     let spelt = title::before(units, ",FORMAT").trim_start_matches(['=', ' ']);
     let unit = match code.map_or("", |(code, _)| code.trim()) {
         "02" | "2" => AccelerationUnit::StandardGravity,
@@ -243,7 +246,7 @@ fn scale(line: Line<'_>) -> Result<Scale, Refused> {
     }))
 }
 
-/// Holds number and time step against `approx   70 secs`. Files count the last step or do not.
+/// Compares number and time step with `approx   70 secs`. Files may count the last step or not.
 fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f64>>) -> Result<(), Refused> {
     let text = line.text();
     let stated = title::after(&text, "APPROX").and_then(title::first_number);
@@ -256,7 +259,7 @@ fn check_duration(line: Line<'_>, n_samples: usize, time_step: Option<&Stated<f6
         return Ok(());
     }
     Err(refusals::header(
-        Place::Line(line.number),
+        FilePlace::Line(line.number),
         line.excerpt(),
         "a duration that the number of values and the time step of the header give",
     ))

@@ -4,7 +4,7 @@
 //! EQUALLY SPACED AT .005 SEC. (UNITS: G)` above the values. Older files have pairs of time and value, five to a line of 10F7 (USC:
 //! 1X,10F7). Most have a title such as `UNITS ARE SEC AND G/10`; otherwise the unit must be declared.
 
-use super::columns::{Columns, decimal, leading_data};
+use super::columns::{FixedColumns, decimal, leading_data};
 use super::csmip_v2::{component, identity_in};
 use super::numbers::Values;
 use super::time_column::TimeColumn;
@@ -12,14 +12,14 @@ use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Lines of titles of a channel, and of all of its header.
 const TITLES: usize = 13;
 const HEADER: usize = 27;
 
 /// Pairs of time and value.
-const PAIRS: Columns = Columns::new(10, 7);
+const PAIRS: FixedColumns = FixedColumns::new(10, 7);
 
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV1,
@@ -78,7 +78,7 @@ fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Resu
     let step = behind("POINTS AT").map(|rate| 1.0 / rate);
     let step = step.or_else(|| behind("SPACED AT"));
     let unit = title::after(&text, "UNITS").or_else(|| title::after(&text, " IN "));
-    let columns = Columns::named_in(line).unwrap_or(Columns::new(8, 9));
+    let columns = FixedColumns::named_in(line).unwrap_or(FixedColumns::new(8, 9));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     Ok(Draft {
         values: numbers.values,
@@ -93,7 +93,7 @@ fn evenly_spaced(header: &[Line<'_>], line: Line<'_>, data: &[Line<'_>]) -> Resu
     })
 }
 
-/// Times and values that stand in pairs.
+/// Times and values in pairs.
 #[derive(Default)]
 struct Pairs<'t> {
     times: TimeColumn,
@@ -109,7 +109,7 @@ impl<'t> Pairs<'t> {
             for (index, pair) in fields.chunks(2).enumerate() {
                 let &[time, value] = pair else {
                     return Err(refusals::header(
-                        Place::Line(line.number),
+                        FilePlace::Line(line.number),
                         line.excerpt(),
                         "a value behind each time",
                     ));
@@ -135,14 +135,14 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
         return Err(refusals::sample_count(numbers.end, values.len(), count.value));
     }
     let (time_step, rest) = times.into_step_from_anywhere(&mut values)?;
-    // A state of rest may have come before the pairs that were counted above.
+    // A state of rest may precede the pairs that were counted above.
     let count = Stated {
         value: values.len(),
         ..count
     };
     let remark = reading(
         "columns",
-        Some(Place::Line(header[HEADER - 1].number + 1)),
+        Some(FilePlace::Line(header[HEADER - 1].number + 1)),
         "pairs of time and value",
     );
     Ok(Draft {
@@ -158,7 +158,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, Refused> {
     })
 }
 
-/// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown where no title names units.
+/// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown if no title names units.
 pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, Refused> {
     let Some(line) = title::line_with(titles, "UNITS") else {
         return Ok(Scale::Unknown);
@@ -168,8 +168,7 @@ pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, Refused> {
     Ok(Scale::Unit(title::stated_unit(line, units)?))
 }
 
-/// The number of pairs: of a title such as `NO. OF POINTS =   8820`, else the 28th of the whole
-/// numbers.
+/// The number of pairs from a title such as `NO. OF POINTS =   8820`, else from the 28th whole number.
 fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
     if let Some(line) = title::line_with(&header[..TITLES], "POINTS") {
         let text = line.text();
@@ -177,12 +176,12 @@ fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, Refused> {
         return title::count(line, count.unwrap_or_default());
     }
     let line = header[TITLES + 1];
-    let whole = Columns::new(16, 5).header(&header[TITLES..TITLES + 7]);
+    let whole = FixedColumns::new(16, 5).header(&header[TITLES..TITLES + 7]);
     let count = whole.get(27).copied().flatten();
     title::count(line, &count.map(|count| count.to_string()).unwrap_or_default())
 }
 
-/// The peak of a title such as `UNCOR MAX  =  -.275 G`.
+/// The peak from a title such as `UNCOR MAX  =  -.275 G`.
 fn peak(titles: &[Line<'_>]) -> Option<Peak> {
     titles.iter().find_map(|line| {
         let text = line.text();

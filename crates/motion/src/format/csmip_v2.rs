@@ -4,16 +4,16 @@
 //! The line above each block gives the number of values, their step, their unit and, in newer files, their Fortran format; older files have
 //! 8F10.3.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{Direction, Identity, Place, Refused, Site};
+use crate::{Direction, FilePlace, Identity, Refused, Site};
 
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
 
-/// Lines after a channel's first among which its header ends.
+/// Number of lines in which the end of a channel's header is searched.
 const SEARCHED: usize = 80;
 
 pub(super) const READER: Reader = Reader {
@@ -33,8 +33,7 @@ pub(super) fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &file.lines[..file.lines.len().min(TITLES)]
 }
 
-/// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected
-/// one that it was made from.
+/// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected accelerogram that it was made from.
 fn starts(lines: &[Line<'_>], index: usize) -> bool {
     let (Some(first), Some(second)) = (lines.get(index), lines.get(index + 1)) else {
         return false;
@@ -54,7 +53,7 @@ pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(channels(file).into_iter().map(component).collect())
 }
 
-/// The channel as the titles name it: `CHAN  1:  90 DEG` or `COMP N08W`.
+/// The channel as named by the titles: `CHAN  1:  90 DEG` or `COMP N08W`.
 pub(super) fn component(lines: &[Line<'_>]) -> Component {
     let titles = &lines[..lines.len().min(TITLES)];
     let named = titles.iter().find(|line| {
@@ -68,7 +67,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     let name = title::before(title::before(&text, "("), "LOCATION");
     let mut words: Vec<&str> = name.split_whitespace().collect();
     if words.first().is_some_and(|word| word.eq_ignore_ascii_case("COMP")) {
-        // The length of the title may follow; or the direction does, behind the number of the channel.
+        // The length of the title may follow; or the direction may, after the number of the channel.
         let is_length = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
         let kept = if words
             .get(2)
@@ -81,7 +80,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
         words.truncate(kept);
     }
     let location = title::after(&text, "LOCATION:").unwrap_or_default();
-    Component::new(words.join(" "), Place::Line(line.number)).at(Site::of_location(location))
+    Component::new(words.join(" "), FilePlace::Line(line.number)).at(Site::of_location(location))
 }
 
 /// Station, event and its time: the event is in the title with this index, from 0, and its time in the next title.
@@ -108,8 +107,8 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let spacing = title::after(&text, "SPACED AT").unwrap_or_default();
     let step = title::first_number(spacing).and_then(|step| number(step.as_bytes()));
     let behind = title::after(spacing, "SEC").unwrap_or_default();
-    let named = Columns::named_in(line);
-    let columns = named.unwrap_or(Columns::new(8, 10));
+    let named = FixedColumns::named_in(line);
+    let columns = named.unwrap_or(FixedColumns::new(8, 10));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     let peak = title::line_with(titles, "PEAK ACCELERATION");
     let peak = peak.and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?));
@@ -126,13 +125,13 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         scale: scale(line, behind, peak.as_ref())?,
         peak,
         provenance: title::provenance(titles),
-        remarks: vec![reading("columns", Some(Place::Line(line.number)), &cut)],
+        remarks: vec![reading("columns", Some(FilePlace::Line(line.number)), &cut)],
     })
 }
 
-/// The unit behind the step of a block's line, or else of the peak in the titles; unknown where neither has one.
+/// The unit after the step of a block's line, else the unit of the peak in the titles; unknown if both are missing.
 fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, Refused> {
-    let format = behind.rfind('(').filter(|_| Columns::named_in(line).is_some());
+    let format = behind.rfind('(').filter(|_| FixedColumns::named_in(line).is_some());
     let unit = &behind[..format.unwrap_or(behind.len())];
     if unit.bytes().any(|byte| byte.is_ascii_alphabetic()) {
         return Ok(Scale::Unit(title::stated_unit(line, unit)?));

@@ -1,8 +1,8 @@
-//! CSMIP volume 3: spectra and no history, refused with advice.
+//! CSMIP volume 3: it holds spectra instead of a history, and is refused with advice.
 
 use super::{File, Format, Reader, no_identity, title};
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV2,
@@ -18,7 +18,7 @@ pub(super) const READER: Reader = Reader {
 fn refused<T>(file: &File<'_>) -> Result<T, Refused> {
     let line = file.lines[0];
     Err(refusals::not_acceleration(
-        Place::Line(line.number),
+        FilePlace::Line(line.number),
         line.excerpt(),
         "the volume 2 file (.V2) of the record, these are spectra",
     ))

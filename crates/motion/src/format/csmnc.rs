@@ -1,15 +1,15 @@
-//! CSMNC of China: some fifteen lines of titles, then values in columns.
+//! CSMNC of China: about fifteen lines of titles, then values in columns.
 
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused, Site};
+use crate::{FilePlace, Identity, Refused, Site};
 
-/// Lines in which titles are looked for.
+/// Number of lines in which titles are searched.
 const TITLES: usize = 25;
 
-/// What the line of number and step holds.
+/// Words of the line with number and step.
 const SPACED: &str = "EQUALLY SPACED INTERVALS OF:";
 
 pub(super) const READER: Reader = Reader {
@@ -23,7 +23,7 @@ pub(super) const READER: Reader = Reader {
     identity: identity_of,
 };
 
-/// The titles, up to the line of the network below that of number and step.
+/// The titles, up to the network's line below the line of number and step.
 fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     let searched = &file.lines[..file.lines.len().min(TITLES)];
     let is_title = |line: &Line<'_>| line.bytes.iter().any(u8::is_ascii_uppercase) && number_first(*line).is_none();
@@ -31,7 +31,7 @@ fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &searched[..last.map_or(0, |last| last + 1)]
 }
 
-/// The number that a line with more than one number begins with.
+/// The first number of a line with several numbers.
 fn number_first(line: Line<'_>) -> Option<f64> {
     let mut pieces = line.pieces();
     let first = pieces.next().and_then(number);
@@ -43,7 +43,7 @@ fn component(file: &File<'_>) -> Option<Component> {
     let titles = titles(file);
     let (line, name) = title::value_of(titles, "COMP.")?;
     let place = identity::behind(titles, "OBSERVING POINT:").unwrap_or_default();
-    let component = Component::new(title::words(&name), Place::Line(line.number));
+    let component = Component::new(title::words(&name), FilePlace::Line(line.number));
     Some(component.at(Site::of_location(&place)))
 }
 
@@ -68,7 +68,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let unit = line_of("UNIT:")?;
     if !title::holds(unit, "ACCELERATION") {
         return Err(refusals::not_acceleration(
-            Place::Line(unit.number),
+            FilePlace::Line(unit.number),
             unit.excerpt(),
             "the file of accelerations of the record",
         ));

@@ -7,7 +7,7 @@ use super::time_column::TimeColumn;
 use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
 use crate::line::Line;
 use crate::refusals;
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 use pounding_text::Spot;
 
 pub(super) const READER: Reader = Reader {
@@ -18,20 +18,20 @@ pub(super) const READER: Reader = Reader {
     identity: |file| Said::new(above(&file.lines), None).identity(),
 };
 
-/// Names of the second column, and the units that they tell.
+/// Names of the second column with their units.
 const OURS: [(&str, AccelerationUnit); 2] = [
     ("acceleration_g", AccelerationUnit::StandardGravity),
     ("acceleration_m_per_s2", AccelerationUnit::MetrePerSecondSquared),
 ];
 
-/// Two words and a comma, the first word like that of the header: errors in the rest are reported, and the line does not count as a title
-/// of plain text.
+/// Whether the header is two words and a comma, with a first word like that of the format. Errors in the rest are then reported, and the
+/// line does not count as a title of plain text.
 fn recognises(file: &File<'_>) -> bool {
     file.first().is_some_and(|line| {
         let mut fields = fields(line);
         let is_time = fields.next().is_some_and(|word| word.starts_with(b"time_s"));
         let value = fields.next().map(String::from_utf8_lossy);
-        // The header of another program, whose name tells the unit, or another quantity.
+        // The header of another program, whose name gives the unit or another quantity.
         let is_other = value
             .as_deref()
             .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && tells(value));
@@ -61,12 +61,11 @@ fn fields(line: Line<'_>) -> impl Iterator<Item = &[u8]> {
 /// The header is `time_s,acceleration_g` or `time_s,acceleration_m_per_s2` and gives the unit.
 ///
 /// Times \[s\] rise in equal steps, to within 10⁻⁶ of a step and the rounding of their printed decimals. The time step is the shortest
-/// decimal number that gives the printed span, else the mean step. The first time is 0, or a time step: such files lack the state of rest,
-/// and a value of 0 at t = 0 is added. The comments become the provenance.
+/// decimal number that gives the printed span, else the mean step. The first time is 0 or one time step. A file that starts after one step
+/// lacks the state of rest, and a value of 0 at t = 0 is added. The comments become the provenance.
 ///
 /// # Errors
-/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
-/// times that do not keep to the rules above.
+/// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and times that break the rules above.
 fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let mut rows = file.lines.iter().copied().filter(|line| !line.is_blank() && !line.is_comment());
     let header = rows.next().ok_or(refusals::empty())?;
@@ -100,7 +99,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         time_step: Some(time_step),
         scale: Scale::Unit(Stated {
             value: unit,
-            place: Place::Line(header.number),
+            place: FilePlace::Line(header.number),
             text: header.excerpt(),
         }),
         peak: None,

@@ -1,17 +1,16 @@
-//! CWB (CWA) of Taiwan: keys, behind `#` in most files, then time, up, north and east in 4F10.3, or in the order of a key.
+//! CWB (CWA) of Taiwan: keys, in most files after `#`, then time, up, north and east in 4F10.3, or in the order of a key.
 //!
-//! What the header calls the amplitudes may still have the offset of the instrument, so they are not
-//! held against the values.
+//! The amplitudes in the header may include the offset of the instrument, so they are not compared with the values.
 
-use super::columns::Columns;
-use super::table::Table;
+use super::columns::FixedColumns;
+use super::table::ComponentTable;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused};
 
-const COLUMNS: Columns = Columns::new(4, 10);
+const COLUMNS: FixedColumns = FixedColumns::new(4, 10);
 
 /// Keys in capitals; a header has at least two of them.
 const KEYS: [&str; 4] = ["STATIONCODE:", "AMPLITUDEUNIT:", "DATASEQUENCE:", "SAMPLERATE(HZ):"];
@@ -65,7 +64,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let header = header(file);
     let sequence = said(header, "DATASEQUENCE:");
     let last = header.last().map_or(1, |line| line.number);
-    let place = Place::Line(sequence.as_ref().map_or(last, |(line, _)| line.number));
+    let place = FilePlace::Line(sequence.as_ref().map_or(last, |(line, _)| line.number));
     let stated = sequence.map(|(_, text)| text).unwrap_or_default();
     let names = stated
         .split([' ', ';', ',', '\t'])
@@ -90,14 +89,14 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let header = header(file);
     let last = *needed(header.last(), None, "its header")?;
     let fields = |line| COLUMNS.fields(line);
-    let table = Table::new(last, &file.lines[header.len()..], COLUMNS.per_line, fields)?;
+    let table = ComponentTable::new(last, &file.lines[header.len()..], COLUMNS.per_line, fields)?;
     let numbers = table.column(index + 1)?;
     let n_samples = numbers.values.len();
     let mut values = numbers.values;
     let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
     let rate = key(header, "SampleRate(Hz):")?;
     let length = key(header, "RecordLength(sec):")?;
-    // The last step may be counted or not; a row that is missing is told.
+    // The last step may be counted or not; a missing row is reported.
     let count = (length.value * rate.value).round();
     let off = n_samples as f64 - count;
     if off.abs() > 1.0 {
@@ -120,7 +119,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         Some((line, text)) => title::stated_unit(line, &text)?,
         None => Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(header[0].number),
+            place: FilePlace::Line(header[0].number),
             text: "as the format has it".to_owned(),
         },
     };
@@ -137,10 +136,10 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The number behind a key such as `SampleRate(Hz):`.
+/// The number after a key such as `SampleRate(Hz):`.
 fn key(header: &[Line<'_>], key: &'static str) -> Result<Stated<f64>, Refused> {
     let (line, printed) = said(header, key).ok_or(refusals::no_key(key))?;
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let value = number(printed.as_bytes()).filter(|value| value.is_finite() && *value > 0.0);
     let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a number above 0"))?;
     Ok(Stated {

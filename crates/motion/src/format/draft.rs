@@ -1,20 +1,20 @@
 //! Result of a reader, and its comparison with the header and the declaration.
 
 use crate::refusals;
-use pounding_text::{Kind, Knob, plain, short};
+use pounding_text::{Knob, RefusalKind, plain, short};
 
 use super::Format;
 use super::component::Component;
 use super::spacing::{self, Spacing};
 use crate::direction::is_seismometer;
 use crate::shape;
-use crate::{AccelerationUnit, Accelerogram, Declared, Place, Reading, Refused, Unusual};
+use crate::{AccelerationUnit, Accelerogram, Declared, FilePlace, Reading, Refused, Unusual};
 
 /// A statement of a file, with its place and its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Stated<T> {
     pub(crate) value: T,
-    pub(crate) place: Place,
+    pub(crate) place: FilePlace,
     pub(crate) text: String,
 }
 
@@ -23,15 +23,15 @@ pub(crate) struct Stated<T> {
 pub(crate) enum Scale {
     /// Accelerations in a unit that the file states.
     Unit(Stated<AccelerationUnit>),
-    /// Accelerations, whose unit the file states in several ways that differ.
+    /// Accelerations whose unit the file states in contradictory ways.
     Several(Vec<Stated<AccelerationUnit>>),
-    /// Accelerations; the file does not say in which unit.
+    /// Accelerations in an unstated unit.
     Acceleration,
-    /// Velocities, as the header has it; some such files hold accelerations.
+    /// Velocities according to the header; some such files hold accelerations.
     Velocity(Stated<()>),
-    /// Displacements, as the header has it.
+    /// Displacements according to the header.
     Displacement(Stated<()>),
-    /// Counts of a digitiser, as stated by the file, which does not give their value.
+    /// Counts of a digitiser, whose value the file does not give.
     Counts(Stated<()>),
     /// The file says nothing.
     Unknown,
@@ -41,9 +41,9 @@ pub(crate) enum Scale {
 #[derive(Clone, Debug)]
 pub(crate) struct Peak {
     pub(crate) stated: Stated<f64>,
-    /// Unit of the last digit that is printed.
+    /// Unit of the last printed digit.
     pub(crate) digit: f64,
-    /// Unit of the peak, where it may be another than that of the values.
+    /// Unit of the peak, if it may differ from that of the values.
     pub(crate) unit: Option<AccelerationUnit>,
 }
 
@@ -52,19 +52,19 @@ pub(crate) struct Peak {
 pub(crate) struct Draft {
     pub(crate) values: Vec<f64>,
     /// Place of the last value.
-    pub(crate) end: Place,
-    /// Unit of the last printed digit of the largest value; 0 where values are not printed.
+    pub(crate) end: FilePlace,
+    /// Unit of the last printed digit of the largest value; 0 if values are not printed.
     pub(crate) digit: f64,
     pub(crate) count: Option<Stated<usize>>,
     pub(crate) time_step: Option<Spacing>,
     pub(crate) scale: Scale,
     pub(crate) peak: Option<Peak>,
     pub(crate) provenance: String,
-    /// What else bears on the values.
+    /// Other information about the values.
     pub(crate) remarks: Vec<Reading>,
 }
 
-/// Whether a unit stands alone, or behind the name of an acceleration or of a direction: `g`, `acc (g)`, `EW (gal)`; not `Sae (g)`.
+/// Whether a unit is alone, or follows the name of an acceleration or of a direction: `g`, `acc (g)`, `EW (gal)`; not `Sae (g)`.
 fn calls_acceleration(unit: &str) -> bool {
     let name = unit.split(['(', '[']).next().unwrap_or_default().trim();
     let capitals = name.to_ascii_uppercase();
@@ -77,8 +77,8 @@ fn calls_acceleration(unit: &str) -> bool {
 }
 
 impl Draft {
-    /// Checks number, quantity, peak and declaration, and makes the accelerogram. `ends` tells whether no line of numbers
-    /// stands behind the last value.
+    /// Checks number, quantity, peak and declaration, and makes the accelerogram. `ends` tells whether no line of numbers follows the last
+    /// value.
     pub(super) fn settle(
         mut self,
         format: Format,
@@ -147,7 +147,7 @@ impl Draft {
                 .help("take the record of accelerations, such as channel HNE of an accelerometer, or declare ")
                 .and(Knob::Acceleration)
                 .and(" if the values were turned into accelerations")
-                .kind(Kind::Velocity)
+                .kind(RefusalKind::Velocity)
                 .wants(Knob::Acceleration));
         }
         if let Scale::Displacement(stated) = &self.scale {
@@ -160,7 +160,7 @@ impl Draft {
         Ok(())
     }
 
-    /// Refuses values of one sign in a plain text that does not say that they are accelerations; elsewhere they are unusual.
+    /// Refuses values of one sign in a plain text that does not call them accelerations. In other files they are unusual.
     fn one_signed(&self, values: &[f64], format: Format, declared: &Declared) -> Result<Option<Unusual>, Refused> {
         let is_called = match &self.scale {
             Scale::Unknown => false,
@@ -188,7 +188,7 @@ impl Draft {
         Ok(one_signed)
     }
 
-    /// Evidence for velocities if the file does not state that the values are accelerations: its header, or the code of its channel.
+    /// Evidence for velocities, from the header or the code of the channel, if the file does not call the values accelerations.
     fn velocity(&self, component: Option<&Component>) -> Option<Stated<()>> {
         match &self.scale {
             Scale::Unit(_) | Scale::Several(_) | Scale::Acceleration | Scale::Displacement(_) => None,
@@ -205,8 +205,8 @@ impl Draft {
         }
     }
 
-    /// Holds the number of values against that of the header. A few more or fewer of many are told: programs count steps, or
-    /// the line of the header.
+    /// Compares the number of values with that of the header. A small difference is reported, not refused: programs count steps, or the
+    /// line of the header.
     fn count(&self, ends: bool) -> Result<Vec<Reading>, Refused> {
         let found = self.values.len();
         if found == 0 && self.count.is_none() {
@@ -285,7 +285,7 @@ impl Draft {
 
     /// Compares the largest value with the peak of the header. This checks the unit and the division into columns at no cost.
     ///
-    /// Some agencies state the peak before their last correction, so a difference is told. A large one is refused.
+    /// Some agencies state the peak before their last correction, so a small difference is reported. A large one is refused.
     fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<(Option<Reading>, Option<Unusual>), Refused> {
         let Some(peak) = &self.peak else {
             return Ok((None, None));
@@ -294,13 +294,13 @@ impl Draft {
         let of_header = peak.unit.unwrap_or(unit);
         let factor = of_header.worth_in(unit);
         let allowed = stated.value.abs() * factor;
-        // Old programs cut digits off instead of rounding: one unit of the last digit each.
+        // Old programs cut digits off instead of rounding: one unit of the last digit for each number.
         let mut slack = peak.digit * factor + self.digit + 1e-9 * allowed;
         if of_header.needs_gravity() != unit.needs_gravity() {
             slack += GRAVITY_SPREAD * allowed;
         }
         let off = (found - allowed).abs();
-        // Where the units differ, one of them may be wrong: 1 mg is 0.98 cm/s².
+        // If the units differ, one may be wrong: 1 mg is 0.98 cm/s².
         let most = if of_header == unit { MOST_DIFFERENT * allowed } else { slack };
         if off > slack.max(most) {
             return Err(Refused::at(stated.place)
@@ -325,20 +325,20 @@ impl Draft {
     }
 }
 
-/// Most values by which the header may differ, for a hundred times as many.
+/// Largest accepted difference from the number in the header; it also needs a hundred times as many values.
 const MOST_OFF: usize = 2;
 
-/// Most that the largest value may differ from the peak of the header, as a part of it: of 156 components of UNAM whose peaks
-/// differ, 152 do by less.
+/// Largest difference of the largest value from the peak of the header, as a part of the peak. Of 156 components of UNAM with different
+/// peaks, 152 differ by less.
 const MOST_DIFFERENT: f64 = 0.2;
 
-/// Values of g differ between programs by less than this part: 978 to 983 cm/s².
+/// Largest relative difference between programs in the value of g: 978 to 983 cm/s².
 const GRAVITY_SPREAD: f64 = 5e-3;
 
-pub(super) fn reading(what: &'static str, place: Option<Place>, found: &str) -> Reading {
+pub(super) fn reading(what: &'static str, place: Option<FilePlace>, found: &str) -> Reading {
     Reading {
         what,
-        line: place.and_then(Place::line),
+        line: place.and_then(FilePlace::line),
         found: found.to_owned(),
     }
 }

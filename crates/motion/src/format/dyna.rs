@@ -3,9 +3,9 @@
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
-/// Lines in which the line above the values is looked for.
+/// Number of lines in which the line above the values is searched.
 const HEADER: usize = 40;
 
 pub(super) const READER: Reader = Reader {
@@ -30,7 +30,7 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     &searched[..above.map_or(searched.len(), |above| above + 1)]
 }
 
-/// What stands behind a key and its colon.
+/// The text after a key and its colon.
 fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), Refused> {
     let (line, value) = title::value_of(header(file), key).ok_or(refusals::no_key(key))?;
     let value = value.split_once(':').map_or("", |(_, value)| value.trim());
@@ -44,17 +44,17 @@ fn said(file: &File<'_>, key: &'static str) -> Option<String> {
 
 fn component(file: &File<'_>) -> Option<Component> {
     let (line, name) = value(file, "Orientation").ok()?;
-    Some(Component::new(name, Place::Line(line.number)))
+    Some(Component::new(name, FilePlace::Line(line.number)))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let header = header(file);
     let last = header[header.len() - 1];
     let unit = title::after(&last.text(), "TIME SERIES IN").map(str::to_owned);
-    // "Accelaration" in the files themselves.
+    // The files spell it "Accelaration".
     if !last.bytes.to_ascii_uppercase().starts_with(b"ACCEL") {
         return Err(refusals::not_acceleration(
-            Place::Line(last.number),
+            FilePlace::Line(last.number),
             last.excerpt(),
             "the .acc file of the record",
         ));

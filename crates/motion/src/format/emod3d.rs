@@ -1,12 +1,12 @@
-//! EMOD3D, as processed and simulated records of New Zealand have it: station and component, then number of values, time step
-//! and six numbers more, then values in columns. The unit is not in the file.
+//! EMOD3D, in processed and simulated records of New Zealand: station and component, then number of values, time step and six more numbers,
+//! then values in columns. The unit is not in the file.
 
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 
-/// Numbers of the second line.
+/// Number of numbers in the second line.
 const NUMBERS: usize = 8;
 
 pub(super) const READER: Reader = Reader {
@@ -47,7 +47,7 @@ fn component(file: &File<'_>) -> Option<Component> {
     let name = names.pieces().nth(1)?;
     Some(Component::new(
         String::from_utf8_lossy(name).into_owned(),
-        Place::Line(names.number),
+        FilePlace::Line(names.number),
     ))
 }
 

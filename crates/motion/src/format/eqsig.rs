@@ -14,7 +14,7 @@ pub(super) const READER: Reader = Reader {
     identity: |file| said(file).identity(),
 };
 
-/// `4684 0.0100` on line 2, and one number on line 3.
+/// Whether line 2 is like `4684 0.0100`, and line 3 is one number.
 fn recognises(file: &File<'_>) -> bool {
     let [title, line, value, ..] = file.lines[..] else {
         return false;

@@ -5,12 +5,12 @@ use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused, Site};
+use crate::{FilePlace, Identity, Refused, Site};
 
-/// Lines in which keys are looked for; their number is 64 in all files seen.
+/// Number of lines in which keys are searched; all known files have 64.
 const HEADER: usize = 100;
 
-/// Depth at which a sensor is no longer at the ground \[m\].
+/// Largest depth of a sensor that counts as at the ground \[m\].
 const DEEP: f64 = 3.0;
 
 pub(super) const READER: Reader = Reader {
@@ -42,7 +42,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     } else {
         Site::Ground
     };
-    Ok(vec![Component::new(name, Place::Line(line.number)).at(site)])
+    Ok(vec![Component::new(name, FilePlace::Line(line.number)).at(site)])
 }
 
 fn identity_of(file: &File<'_>) -> Identity {
@@ -63,7 +63,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let (kind_line, kind) = value(file, "DATA_TYPE:")?;
     if !kind.eq_ignore_ascii_case("ACCELERATION") {
         return Err(refusals::not_acceleration(
-            Place::Line(kind_line.number),
+            FilePlace::Line(kind_line.number),
             kind_line.excerpt(),
             "the .ACC.ASC file of the record",
         ));

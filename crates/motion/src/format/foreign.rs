@@ -1,11 +1,11 @@
-//! Files that hold no text and no record that is read: packed ones, other encodings, pictures, web pages.
+//! Files without text and without a known record: packed ones, other encodings, pictures, web pages.
 
 use super::{File, title};
 use crate::Refused;
 use crate::line::Line;
 use pounding_text::Spot;
 
-/// Bytes at the start of a file that tell what it is, and what to do with it.
+/// First bytes of files, the kind of file that they identify, and the remedy.
 const SIGNATURES: [(&[u8], &str, &str); 11] = {
     const UNPACK: &str = "unpack it and give the file in it";
     const SAVE: &str = "save its numbers as text (CSV)";
@@ -28,10 +28,10 @@ const SIGNATURES: [(&[u8], &str, &str); 11] = {
     ]
 };
 
-/// Bytes that are looked at for those that no text has.
+/// Number of bytes in which bytes that no text has are searched.
 const SEARCHED: usize = 4096;
 
-/// What a file is, where that keeps it from being read.
+/// The refusal of a file of a kind that cannot be read.
 pub(super) fn refusal(file: &File<'_>) -> Option<Refused> {
     let bytes = file.bytes;
     let known = SIGNATURES.iter().find(|(start, ..)| bytes.starts_with(start));
@@ -61,7 +61,7 @@ pub(super) fn refusal(file: &File<'_>) -> Option<Refused> {
     ))
 }
 
-/// The first byte that no text has, as an error; of a file that no reader knows.
+/// The first byte that no text has, as an error, in a file that no reader recognises.
 pub(super) fn binary(bytes: &[u8]) -> Option<Refused> {
     let is_control = |byte: &u8| *byte < b' ' && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
     let at = bytes.iter().take(SEARCHED).position(is_control)?;
@@ -81,10 +81,10 @@ fn is_full_seed(bytes: &[u8]) -> bool {
     begin[..6].iter().all(u8::is_ascii_digit) && &begin[6..] == b"V "
 }
 
-/// Lines in which the headings of PEER's table are looked for.
+/// Number of lines in which the headings of PEER's table are searched.
 const HEADINGS: usize = 200;
 
-/// The file that PEER's search tool puts beside the records.
+/// Whether the file is the table that PEER's search tool adds to the records.
 fn is_table_of_records(file: &File<'_>) -> bool {
     let lines = file.lines.iter().take(HEADINGS);
     let is_heading = |line: &Line<'_>| {
@@ -93,7 +93,7 @@ fn is_table_of_records(file: &File<'_>) -> bool {
     lines.filter(|line| !line.is_comment()).any(is_heading)
 }
 
-/// Two bytes a letter, by their mark, or because of the first ones every other is zero.
+/// Whether letters have two bytes: by the mark, or because every second of the first bytes is zero.
 fn is_utf16(bytes: &[u8]) -> bool {
     let marked = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
     let pairs = bytes.get(..16).unwrap_or_default();

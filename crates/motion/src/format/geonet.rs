@@ -1,21 +1,21 @@
-//! `GeoNet` V1A and V2A: three components, each with 16 titles, numbers in 10I8 and 10F8, then
-//! accelerations in 10F8.1; a V2A goes on with velocity and displacement.
+//! `GeoNet` V1A and V2A: three components, each with 16 titles, numbers in 10I8 and 10F8, then accelerations in 10F8.1. In a V2A velocity
+//! and displacement follow.
 //!
 //! Values are in mm/s². A V2A was available, a V1A was not. The peak may exclude the offset of uncorrected values: only that of a V2A is
 //! checked.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Identity, Place, Refused};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity, Refused};
 
-/// Lines of titles, of whole numbers, and of all of the header.
+/// Numbers of title lines, of lines of whole numbers, and of lines of the whole header.
 const TITLES: usize = 16;
 const WHOLE: usize = 4;
 const HEADER: usize = 26;
 
-const COLUMNS: Columns = Columns::new(10, 8);
+const COLUMNS: FixedColumns = FixedColumns::new(10, 8);
 
 pub(super) const READER: Reader = Reader {
     format: Format::GeoNet,
@@ -39,7 +39,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
         let line = title::line_with(titles, "COMPONENT").unwrap_or(channel[0]);
         let text = line.text();
         let words: Vec<&str> = text.split_whitespace().skip(1).collect();
-        // The number of a channel may stand before the direction.
+        // A channel number may precede the direction.
         let is_number = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
         let is_upright = |word: &&str| Direction::of_component(word) == Some(Direction::Vertical);
         let n_words = match words[..] {
@@ -47,12 +47,12 @@ fn components(file: &File<'_>) -> Vec<Component> {
             _ => 1,
         };
         let name = words[..n_words.min(words.len())].join(" ");
-        Component::new(name, Place::Line(line.number))
+        Component::new(name, FilePlace::Line(line.number))
     };
     channels(file).into_iter().map(component).collect()
 }
 
-/// The accelerogram's name, which has time and station, and the site.
+/// The name of the accelerogram, with time and station, and the site.
 fn identity_of(file: &File<'_>) -> Identity {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
     let word = |key: &str| identity::behind(titles, key)?.split_whitespace().next().and_then(identity::text);
@@ -72,7 +72,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let whole = COLUMNS.header(whole_lines);
     let real = COLUMNS.header(real_lines);
     let uncorrected = title::holds(titles[0], "UNCORRECTED");
-    // The first six of the last line: raw numbers of samples of each quantity, then corrected ones.
+    // The last line begins with six counts: the numbers of raw samples of each quantity, then of corrected ones.
     let count = whole.get(if uncorrected { 30 } else { 33 }).copied().flatten();
     let count = count.map(|count| count.to_string()).unwrap_or_default();
     let count = title::count(whole_lines[WHOLE - 1], &count)?;
@@ -87,7 +87,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         }
         None => Stated {
             value: AccelerationUnit::MillimetrePerSecondSquared,
-            place: Place::Line(titles[0].number),
+            place: FilePlace::Line(titles[0].number),
             text: "as the format has it".to_owned(),
         },
     };
@@ -107,14 +107,13 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The 26th number with a point, or the 25th, that of the recorder: the one that fits the duration
-/// of the titles.
+/// The 26th number with a point, or the 25th, which is that of the recorder: the one that fits the duration in the titles.
 fn time_step(titles: &[Line<'_>], real: &[Option<f64>], n_samples: usize) -> Option<f64> {
     let steps = [25, 24].map(|index| real.get(index).copied().flatten());
     let line = title::line_with(titles, "DURATION")?;
     let text = line.text();
     let duration: f64 = title::first_number(title::after(&text, "DURATION")?)?.parse().ok()?;
-    // Printed to hundredths; the last step may be counted or not.
+    // The duration is printed to hundredths; it may count the last step or not.
     let fits = |step: &f64| {
         let near = |n_steps: usize| (n_steps as f64 * step - duration).abs() <= 0.0051;
         near(n_samples - 1) || near(n_samples)

@@ -1,16 +1,16 @@
-//! Where and when a motion was recorded, by the header of each format.
+//! Place and time of a recording, from the header of each format.
 
 use super::stamp::{Stamp, normal};
 use super::title::{self, words};
 use crate::line::Line;
 
-/// A text in capitals with one blank between words, unless it is empty.
+/// The text in capitals with single blanks between words; `None` if it is empty.
 pub(super) fn text(said: &str) -> Option<String> {
     let said = words(said).to_ascii_uppercase();
     (!said.is_empty()).then_some(said)
 }
 
-/// A time in one spelling, unless it is empty.
+/// The time in one spelling; `None` if it is empty.
 pub(super) fn time(said: &str) -> Option<String> {
     Some(normal(said)).filter(|time| !time.is_empty())
 }
@@ -22,7 +22,7 @@ pub(super) fn behind(lines: &[Line<'_>], key: &str) -> Option<String> {
     (!value.is_empty()).then(|| value.to_owned())
 }
 
-/// The first word with a digit behind a key anywhere in a line, such as the number of a station.
+/// The first word with a digit after a key anywhere in a line, such as the number of a station.
 pub(super) fn numbered(lines: &[Line<'_>], key: &str) -> Option<String> {
     let line = title::line_with(lines, key)?;
     let text = line.text();
@@ -32,7 +32,7 @@ pub(super) fn numbered(lines: &[Line<'_>], key: &str) -> Option<String> {
     Some(word.trim_matches([',', ';', ':']).to_ascii_uppercase())
 }
 
-/// The first words of a text that are a date and a time of day, in one spelling.
+/// The first date with a time of day in a text, in one spelling.
 pub(super) fn first_time(said: &str) -> Option<String> {
     let words: Vec<&str> = said.split_whitespace().collect();
     let pairs = words.windows(2).map(|pair| pair.join(" "));

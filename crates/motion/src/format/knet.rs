@@ -1,8 +1,8 @@
 //! K-NET and KiK-net: 17 lines of keys, then whole numbers of a digitiser, eight to a line.
 //!
-//! The scale factor of the header, such as `3920(gal)/6182761`, turns counts into gal. The counts
-//! have an offset, so their mean is removed, as it is for the peak in the header. Directions are
-//! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface, each north-south, east-west and up.
+//! The scale factor in the header, such as `3920(gal)/6182761`, turns counts into gal. The counts have an offset, so their mean is removed,
+//! as for the peak in the header. Directions are compass points. On KiK-net they are 1 to 3 in the borehole and 4 to 6 at the surface, each
+//! north-south, east-west and up.
 //!
 //! The network does not allow redistribution of its files, and none was available: this follows its description and programs that read the
 //! format.
@@ -11,7 +11,7 @@ use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused, Site};
 
 /// Lines in which keys are looked for.
 const HEADER: usize = 40;
@@ -33,7 +33,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
         "1" | "2" | "3" => Site::Borehole(format!("Dir. {stated}, of KiK-net's borehole")),
         _ => Site::Ground,
     };
-    let component = Component::new(direction(stated), Place::Line(line.number));
+    let component = Component::new(direction(stated), FilePlace::Line(line.number));
     Ok(vec![component.at(site)])
 }
 
@@ -46,7 +46,7 @@ fn identity_of(file: &File<'_>) -> Identity {
     }
 }
 
-/// The direction as stated, and in words where it is a number of KiK-net: `6: UP`.
+/// The direction as stated, with words if it is a number of KiK-net: `6: UP`.
 fn direction(stated: String) -> String {
     match stated.as_str() {
         "1" | "4" => format!("{stated}: N-S"),
@@ -93,13 +93,13 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         time_step: Some(Spacing::Even(time_step)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(scale_line.number),
+            place: FilePlace::Line(scale_line.number),
             text: scale_line.excerpt(),
         }),
         peak: title::peak(peak_line, &peak),
         provenance: title::provenance(file.through(memo)),
         remarks: vec![
-            reading("scale factor", Some(Place::Line(scale_line.number)), &scale),
+            reading("scale factor", Some(FilePlace::Line(scale_line.number)), &scale),
             reading("mean removed", None, &remark),
         ],
     })
@@ -114,5 +114,11 @@ fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), Refused> {
     let usable = |value: f64| value.is_finite() && value > 0.0;
     parts
         .filter(|(gal, counts)| usable(*gal) && usable(*counts) && usable(gal / counts))
-        .ok_or_else(|| refusals::header(Place::Line(line.number), line.excerpt(), "a scale factor such as 3920(gal)/6182761"))
+        .ok_or_else(|| {
+            refusals::header(
+                FilePlace::Line(line.number),
+                line.excerpt(),
+                "a scale factor such as 3920(gal)/6182761",
+            )
+        })
 }

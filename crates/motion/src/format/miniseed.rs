@@ -1,11 +1,9 @@
-//! miniSEED 2 and 3: records of a header and a few hundred packed values each, of one stream or
-//! several.
+//! miniSEED 2 and 3: records with a header and a few hundred packed values each, of one stream or several.
 //!
-//! Whole numbers are counts of a digitiser: their worth is not in the file. Records of a stream must
-//! follow each other without a gap.
+//! Whole numbers are counts of a digitiser, whose value is not in the file. Records of a stream must follow each other without a gap.
 //!
-//! The existing crates for this format stop the program or run for ever on damaged files; this is own code. No file of a network was
-//! available: tests read files written by another program.
+//! The existing crates for this format crash or hang on damaged files, so this reader is separate. No file of a network was available:
+//! tests read files written by another program.
 
 mod record;
 mod samples;
@@ -15,7 +13,7 @@ use std::collections::BTreeMap;
 
 use super::component::is_sum;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
-use crate::{Identity, Place, Refused};
+use crate::{FilePlace, Identity, Refused};
 use record::Record;
 
 pub(super) const READER: Reader = Reader {
@@ -50,13 +48,13 @@ fn identity_of(file: &File<'_>) -> Identity {
     let station = record.stream.rsplit_once('.').map_or("", |(station, _)| station);
     Identity {
         station: identity::text(station.trim_matches('.')),
-        // What programs write that know none.
+        // Programs write this date if they know no time.
         time: Some(record.time.to_string()).filter(|time| !time.starts_with("1970-01-01")),
         ..Identity::default()
     }
 }
 
-/// The streams, but for sums of components.
+/// The streams, except sums of components.
 fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, Refused> {
     let mut seen = BTreeMap::new();
     for record in records {
@@ -70,13 +68,13 @@ fn streams(records: &[Record<'_>]) -> Result<Vec<Component>, Refused> {
     streams.retain(is_component);
     match of_none.filter(|_| streams.is_empty()) {
         Some((found, (_, at))) => Err(refusals::not_acceleration(
-            Place::Byte(at + 1),
+            FilePlace::Byte(at + 1),
             found,
             "a stream of one component, this one sums several",
         )),
         None => Ok(streams
             .into_iter()
-            .map(|(name, (_, at))| Component::new(name, Place::Byte(at + 1)))
+            .map(|(name, (_, at))| Component::new(name, FilePlace::Byte(at + 1)))
             .collect()),
     }
 }
@@ -112,7 +110,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     };
     Ok(Draft {
         values,
-        end: Place::Byte(last.at + 1),
+        end: FilePlace::Byte(last.at + 1),
         digit: 0.0,
         count: None,
         time_step: Some(Spacing::Even(Stated {

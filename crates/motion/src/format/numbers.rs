@@ -1,15 +1,15 @@
-//! Values as they are read, no more of them than a record may have, and how finely they are printed.
+//! Values as they are read, with the limit on their number and their printed precision.
 
 use crate::line::Line;
 use crate::record::MAX_SAMPLES;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// The numbers of some lines.
 #[derive(Debug)]
 pub(super) struct Numbers {
     pub(super) values: Vec<f64>,
     /// Place of the last number.
-    pub(super) end: Place,
+    pub(super) end: FilePlace,
     /// Unit of the last printed digit of the largest number.
     pub(super) digit: f64,
 }
@@ -24,7 +24,7 @@ pub(super) fn at_most(n_values: usize) -> Result<(), Refused> {
         .help("cut the record to the shaking that matters, or resample it"))
 }
 
-/// Values that are read one after the other.
+/// Values that are read one by one.
 #[derive(Default)]
 pub(super) struct Values<'t> {
     found: Vec<f64>,
@@ -33,7 +33,7 @@ pub(super) struct Values<'t> {
 }
 
 impl<'t> Values<'t> {
-    /// Puts a value behind the others; the field is how it is printed.
+    /// Appends a value; the field is its printed form.
     pub(super) fn push(&mut self, line: Line<'_>, value: f64, field: &'t [u8]) -> Result<(), Refused> {
         at_most(self.found.len() + 1)?;
         self.largest.see(value, field);
@@ -42,22 +42,22 @@ impl<'t> Values<'t> {
         Ok(())
     }
 
-    /// The values; the header is the place of the last one where there is none.
+    /// The values. Without any, the header is the place of the last one.
     pub(super) fn finish(self, header: Line<'_>) -> Numbers {
         Numbers {
             digit: self.largest.digit(),
-            end: Place::Line(self.last_line.unwrap_or(header.number)),
+            end: FilePlace::Line(self.last_line.unwrap_or(header.number)),
             values: self.found,
         }
     }
 }
 
-/// Whether a number is a mark, to the last bit: marks are written the same everywhere.
+/// Whether a number equals a mark to the last bit: files write marks in one way.
 pub(super) fn is_mark(value: f64, mark: f64) -> bool {
     value.total_cmp(&mark).is_eq()
 }
 
-/// The largest of printed numbers, and how finely it is printed.
+/// The largest of printed numbers, with its printed precision.
 #[derive(Default)]
 struct Largest<'t> {
     value: f64,

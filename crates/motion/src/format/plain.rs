@@ -17,9 +17,9 @@ use super::spacing::Spacing;
 use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Reading, Refused, Site};
+use crate::{FilePlace, Reading, Refused, Site};
 use clock::Clock;
-use layout::{Kind, Layout};
+use layout::{Arrangement, Layout};
 use names::Name;
 use pounding_text::{Knob, Spot};
 use rows::first_row;
@@ -37,29 +37,29 @@ pub(super) const READER: Reader = Reader {
 
 pub(super) use rows::{cut_by_commas, may_be_cut};
 
-/// Whether the name of a column tells the unit of an acceleration, or that it is another quantity.
+/// Whether the name of a column gives the unit of an acceleration, or another quantity.
 pub(super) fn tells(name: &str) -> bool {
     names::unit_at_end(name).is_some() || names::other_by_name(name).is_some()
 }
 
-/// The columns of values where there are several; else the one that a title or a name tells.
+/// The columns of values if there are several; else the component that a title or a name gives.
 fn components(layout: Layout<'_, '_>) -> Vec<Component> {
     let of_titles = layout.said.component;
-    let Kind::Table { columns, names, .. } = &layout.kind else {
+    let Arrangement::Table { columns, names, .. } = &layout.kind else {
         return of_titles.into_iter().collect();
     };
     let first = layout.rows.first().number;
     let component = |column: &usize| match names {
         Some(names) => {
             let name = &names[*column];
-            let component = Component::new(&*name.text, Place::Line(name.line.number));
+            let component = Component::new(&*name.text, FilePlace::Line(name.line.number));
             if name.is_below(names) {
                 component.at(Site::Borehole(name.text.clone()))
             } else {
                 component
             }
         }
-        None => Component::new(format!("column {}", column + 1), Place::Line(first)),
+        None => Component::new(format!("column {}", column + 1), FilePlace::Line(first)),
     };
     if let [only] = columns[..] {
         let tells = names.as_ref().is_some_and(|names| names[only].tells_direction());
@@ -72,12 +72,12 @@ fn components(layout: Layout<'_, '_>) -> Vec<Component> {
     columns.iter().map(component).collect()
 }
 
-/// What the rows hold.
+/// The contents of the rows.
 struct Held {
     values: Vec<f64>,
     digit: f64,
-    end: Place,
-    /// Values or rows that were read, without a state of rest.
+    end: FilePlace,
+    /// Number of values or rows read, without a state of rest.
     n_read: usize,
     spacing: Option<Spacing>,
     remarks: Vec<Reading>,
@@ -86,13 +86,13 @@ struct Held {
 
 fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, Refused> {
     let held = match &layout.kind {
-        Kind::Values(name) => one_after_the_other(layout, name.as_ref())?,
-        Kind::Table { clock, columns, names } => {
+        Arrangement::Values(name) => one_after_the_other(layout, name.as_ref())?,
+        Arrangement::Table { clock, columns, names } => {
             let column = columns[index.min(columns.len() - 1)];
             let name = names.as_ref().and_then(|names| names.get(column));
             table(layout, clock.as_ref(), column, name)?
         }
-        Kind::Unknown(reason) => return Err(unknown(layout, reason)),
+        Arrangement::Unknown(reason) => return Err(unknown(layout, reason)),
     };
     let comments = layout.titles.iter().map(|line| line.text());
     let comments: Vec<String> = comments
@@ -115,14 +115,14 @@ fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The number of values that is stated: the one that they have, if it is among several. A state of rest is counted in.
+/// The stated number of values; of several, the one that fits. A state of rest is included.
 fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
     let above = layout.above.as_ref();
     let above = above.and_then(|above| Some(above.stated(above.count?)));
     let stated = above.into_iter().chain(layout.said.counts.iter().cloned());
     let mut stated: Vec<Stated<usize>> = stated.collect();
     stated.sort_by_key(|count| count.value.abs_diff(held.n_read));
-    // A number without a key may count something else, such as the `8 values` of a line.
+    // A number without a key may count something else, such as `8 values` per line.
     let is_of_all = |count: &Stated<usize>| count.value > held.n_read / 2;
     let count = stated.into_iter().find(is_of_all)?;
     Some(Stated {
@@ -131,7 +131,7 @@ fn count(layout: &Layout<'_, '_>, held: &Held) -> Option<Stated<usize>> {
     })
 }
 
-/// Why numbers stand in no way that is known.
+/// The refusal of numbers in an unknown arrangement.
 fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> Refused {
     let rows = &layout.rows;
     match rows.other {
@@ -186,7 +186,7 @@ fn one_after_the_other(layout: &Layout<'_, '_>, name: Option<&Name<'_>>) -> Resu
         end: numbers.end,
         n_read,
         spacing: None,
-        remarks: vec![reading("columns", Some(Place::Line(first.number)), &found)],
+        remarks: vec![reading("columns", Some(FilePlace::Line(first.number)), &found)],
         scale: scale(name, &layout.said),
     })
 }
@@ -204,7 +204,7 @@ fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Op
         (Some(_), several) => format!("{several}, time and components"),
         (None, several) => format!("{several} components"),
     };
-    let place = Place::Line(rows.first().number);
+    let place = FilePlace::Line(rows.first().number);
     let mut held = Held {
         n_read: numbers.values.len(),
         values: numbers.values,
@@ -223,7 +223,7 @@ fn table(layout: &Layout<'_, '_>, clock: Option<&Clock>, column: usize, name: Op
     Ok(held)
 }
 
-/// The numbers of a header that stand above rows of times and values like one of them.
+/// The refusal of header numbers in the form of a row above rows of times and values.
 fn header_above(layout: &Layout<'_, '_>) -> Option<Refused> {
     let rows = &layout.rows;
     let n_rows = (1..=2).find(|n_rows| rows.behind(*n_rows).is_some_and(|rows| rows.len > 2 && rows.is_time()))?;
@@ -239,7 +239,7 @@ fn header_above(layout: &Layout<'_, '_>) -> Option<Refused> {
 /// Quantity and unit of the values, from the name of their column and from titles.
 fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
     let of_name = name.map(|name| {
-        let place = Place::Line(name.line.number);
+        let place = FilePlace::Line(name.line.number);
         let text = if name.unit.is_empty() {
             name.text.clone()
         } else {
@@ -269,7 +269,7 @@ fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
     }
 }
 
-/// Refuses a number of values that stands above them like one of them.
+/// Refuses a number of values that is above them in the form of a value.
 fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), Refused> {
     if values.len() > 2 && is_mark(values[0], (values.len() - 1) as f64) {
         return Err(Refused::at(Spot::Line(line.number))

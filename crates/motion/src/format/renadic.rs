@@ -1,6 +1,6 @@
 //! RENADIC (Chile) volume 1: the layout of CSMIP volume 1, always with pairs of time and value.
 //!
-//! No file was available: this follows descriptions of the format.
+//! No file was available: this reader follows descriptions of the format.
 
 use super::csmip_v1::{components, read, recognises, titles};
 use super::csmip_v2::identity_in;

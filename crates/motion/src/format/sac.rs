@@ -1,20 +1,19 @@
 //! SAC: a binary header of 632 bytes, then values in single precision.
 //!
-//! The byte order is the one in which the version of the header is 6 or 7. The header tells whether
-//! the values are accelerations, but not their unit. A step in single precision is taken as the
-//! shortest decimal that it stands for, 0.02 and not 0.01999999955.
+//! In the correct byte order the version of the header is 6 or 7. The header states whether the values are accelerations, but not their
+//! unit. A step in single precision becomes the shortest decimal that it represents: 0.02, not 0.01999999955.
 
 use super::numbers::{at_most, is_mark};
 use super::stamp::Stamp;
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::refusals;
-use crate::{Direction, Identity, Place, Refused, Site};
+use crate::{Direction, FilePlace, Identity, Refused, Site};
 
-/// Bytes of the header, and of what version 7 adds behind the values.
+/// Number of bytes of the header, and of the part that version 7 adds after the values.
 const HEADER: usize = 632;
 const FOOTER: usize = 176;
 
-/// First bytes of fields.
+/// Byte offsets of fields.
 const STEP: usize = 0;
 const SMALLEST: usize = 4;
 const LARGEST: usize = 8;
@@ -33,7 +32,7 @@ const EVENT: usize = 448;
 const CHANNEL: usize = 600;
 const NETWORK: usize = 608;
 
-/// Mark of a field that is not set.
+/// Mark of an unset field.
 const UNSET: f64 = -12345.0;
 
 pub(super) const READER: Reader = Reader {
@@ -79,7 +78,7 @@ impl<'t> Sac<'t> {
         f32::from_bits(self.whole(at).cast_unsigned())
     }
 
-    /// A name of eight letters, unless it is not set.
+    /// A name of eight letters; `None` if it is unset.
     fn name(&self, at: usize) -> Option<String> {
         self.name_of(at, 8)
     }
@@ -95,15 +94,15 @@ impl<'t> Sac<'t> {
     }
 }
 
-fn byte(at: usize) -> Place {
-    Place::Byte(at + 1)
+fn byte(at: usize) -> FilePlace {
+    FilePlace::Byte(at + 1)
 }
 
 fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, Refused> {
     Sac::new(file.bytes).ok_or(refusals::empty())
 }
 
-/// The channel; `UP` where that does not tell a direction and the header says that the sensor stands upright.
+/// The channel; `UP` if it has no direction and the header describes an upright sensor.
 fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let sac = sac(file)?;
     let channel = sac.name(CHANNEL);
@@ -126,7 +125,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     Ok(component.into_iter().collect())
 }
 
-/// Depth of burial at which a sensor is no longer at the ground \[m\].
+/// Largest depth of burial of a sensor that counts as at the ground \[m\].
 const DEEP: f64 = 3.0;
 
 /// Station, event, and the reference time of the header: year, day of the year, hour, minute and second.
@@ -141,7 +140,7 @@ fn identity_of(sac: &Sac<'_>) -> Identity {
     }
 }
 
-/// Network and station, where they are set.
+/// Network and station, if they are set.
 fn provenance(sac: &Sac<'_>) -> String {
     let names = [NETWORK, STATION].map(|at| sac.name(at));
     names.into_iter().flatten().collect::<Vec<_>>().join(" ")
@@ -155,7 +154,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     if sac.whole(EVEN) != 1 {
         return Err(sac.refused(EVEN, "1, values at equal steps"));
     }
-    // 5 is unknown, 8 an acceleration; 6, 7 and 50 are displacement, velocity and volts.
+    // Code 5 is unknown and 8 an acceleration; 6, 7 and 50 are displacement, velocity and volts.
     let quantity = match sac.whole(QUANTITY) {
         8 => "acceleration",
         5 | -12345 => "not stated",
@@ -197,7 +196,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
 }
 
 /// The values, and the place of the last.
-fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), Refused> {
+fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, FilePlace), Refused> {
     let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;
@@ -214,7 +213,7 @@ fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), Refused> {
     Ok((values, byte(HEADER + 4 * n_values.saturating_sub(1))))
 }
 
-/// The number that the shortest decimal of a single precision is.
+/// The number written by the shortest decimal of a single-precision number.
 fn shortest(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }

@@ -9,7 +9,7 @@ use super::stamp;
 use super::title::{unit_in, unit_of};
 use super::{Component, Scale, Stated};
 use crate::line::Line;
-use crate::{AccelerationUnit, Direction, Identity, Place};
+use crate::{AccelerationUnit, Direction, FilePlace, Identity};
 use phrases::{around, counts, other_quantity, steps, unit_of_accelerations};
 
 /// Lines above the numbers in which statements are searched.
@@ -62,7 +62,7 @@ pub(super) struct Said {
     /// Numbers of samples, above zero.
     pub(super) counts: Vec<Stated<usize>>,
     pub(super) units: Vec<Stated<AccelerationUnit>>,
-    /// Another quantity than an acceleration.
+    /// Another quantity than acceleration.
     pub(super) other: Option<Stated<Other>>,
     pub(super) component: Option<Component>,
     pub(super) station: Option<String>,
@@ -70,7 +70,7 @@ pub(super) struct Said {
     pub(super) time: Option<String>,
 }
 
-/// Another quantity than an acceleration.
+/// Another quantity than acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Other {
     Velocity,
@@ -80,7 +80,7 @@ pub(super) enum Other {
 }
 
 impl Other {
-    /// The quantity of a unit that is none of an acceleration.
+    /// The quantity of a unit that is not a unit of acceleration.
     pub(super) fn of_unit(unit: &str) -> Option<Self> {
         match unit.trim() {
             "cm/s" | "m/s" | "mm/s" | "cm/sec" | "m/sec" | "mm/sec" | "in/s" | "in/sec" | "cm/seg" | "m/seg" => Some(Self::Velocity),
@@ -129,7 +129,7 @@ impl Said {
         }
     }
 
-    /// Where and when the values were recorded.
+    /// Place and time of the recording.
     pub(super) fn identity(self) -> Identity {
         Identity {
             station: self.station,
@@ -143,7 +143,7 @@ impl Said {
         let text = spelt(&line.text());
         let stated = |value| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         };
         let steps = steps(&text);
@@ -151,7 +151,7 @@ impl Said {
         let counts = counts(&text);
         let stated = |value| Stated {
             value,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         };
         self.counts.extend(counts.into_iter().map(stated));
@@ -161,7 +161,7 @@ impl Said {
     }
 
     fn read_unit(&mut self, line: Line<'_>, text: &str) {
-        let place = Place::Line(line.number);
+        let place = FilePlace::Line(line.number);
         // The unit of another number, such as that of gravity or of a speed of waves.
         if OF_OTHERS.iter().any(|word| text.contains(word)) {
             return;
@@ -180,7 +180,7 @@ impl Said {
             self.units.push(Stated { value, place, text });
             return;
         }
-        // Other quantities than that of the values have units, too, and then a word before.
+        // Other quantities than the values have units too, but after another word.
         let is_of_values = |before: &str| matches!(before.trim(), "" | "field" | "data" | "amplitude");
         let other = named
             .filter(|(before, _)| is_of_values(before))
@@ -194,7 +194,7 @@ impl Said {
     }
 
     fn read_names(&mut self, line: Line<'_>, text: &str) {
-        // The whole name: stations of one town share their first word.
+        // The whole name counts: stations of one town share their first word.
         let name_of = |keys: &[&str]| {
             let mut found = keys.iter().filter_map(|key| around(text, key).next());
             let (_, behind) = found.next()?;
@@ -214,7 +214,7 @@ impl Said {
             let word = behind.split([' ', ',', ';', ')', '\t']).next()?;
             (!word.is_empty()).then(|| word.to_ascii_uppercase())
         };
-        // The names of a stream are parted by blanks here: the channel is the last of `XX TEST 00 HNZ`.
+        // Blanks separate the names of a stream here: the channel is the last word of `XX TEST 00 HNZ`.
         let stream = around(text, "sid").next();
         let stream: Option<Vec<String>> = stream.map(|(_, behind)| {
             let names = behind.split([' ', ':']).filter(|name| !name.is_empty());
@@ -229,7 +229,7 @@ impl Said {
             let word = word.filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
             self.component = word
                 .filter(|word| Direction::of_component(word).is_some())
-                .map(|name| Component::new(name, Place::Line(line.number)));
+                .map(|name| Component::new(name, FilePlace::Line(line.number)));
         }
         self.station = self.station.take().or_else(|| name_of(&STATION));
         let rest_of = |keys: &[&str]| {
@@ -241,7 +241,7 @@ impl Said {
             (!rest.is_empty()).then(|| stamp::normal(&rest.to_ascii_uppercase()))
         };
         self.event = self.event.take().or_else(|| rest_of(&EVENT));
-        // `Start time: 0.0` tells no two records apart.
+        // `Start time: 0.0` does not identify a record.
         let time = || rest_of(&TIME).filter(|time| stamp::Stamp::new(time).is_some());
         self.time = self.time.take().or_else(time);
     }
@@ -254,7 +254,7 @@ impl Said {
             return;
         };
         let fields: Vec<&str> = behind.split(',').map(str::trim).collect();
-        let place = Place::Line(line.number);
+        let place = FilePlace::Line(line.number);
         let names: Vec<&str> = fields[0].split('_').collect();
         if let [network, station, .., channel, _quality] = names[..] {
             self.station = Some(format!("{network}.{station}"));

@@ -4,9 +4,9 @@ use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, no_identity};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
-/// The key of the step, and how those of values begin.
+/// The key of the step, and the beginning of the keys of values.
 const STEP: &[u8] = b"\"dT\"";
 const VALUES: &[u8] = b"\"data";
 
@@ -21,13 +21,13 @@ pub(super) const READER: Reader = Reader {
     identity: no_identity,
 };
 
-/// A list of values, from behind its bracket on.
+/// A list of values, from its opening bracket.
 struct List<'t> {
     component: Component,
     line: Line<'t>,
 }
 
-/// The lists whose keys begin with `data`, named by what stands behind: `x` of `data_x`.
+/// The lists whose keys begin with `data`, named by the rest of the key: `x` of `data_x`.
 fn lists<'t>(file: &File<'t>) -> Vec<List<'t>> {
     let keys = memchr::memmem::find_iter(file.bytes, VALUES);
     let list = |at: usize| {
@@ -41,7 +41,7 @@ fn lists<'t>(file: &File<'t>) -> Vec<List<'t>> {
             "" => "data",
             name => name,
         };
-        let component = Component::new(name, Place::Line(number));
+        let component = Component::new(name, FilePlace::Line(number));
         let end = memchr::memchr(b']', values)?;
         let bytes = &values[..end];
         Some(List {
@@ -77,7 +77,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     })
 }
 
-/// The number behind the key of the step.
+/// The number after the key of the step.
 fn step(file: &File<'_>) -> Result<Stated<f64>, Refused> {
     let at = memchr::memmem::find(file.bytes, STEP).unwrap_or_default();
     let behind = file.bytes[at..].get(STEP.len()..).unwrap_or_default();
@@ -91,7 +91,7 @@ fn step(file: &File<'_>) -> Result<Stated<f64>, Refused> {
     };
     Ok(Stated {
         value: line.finite(1, line.bytes)?,
-        place: Place::Line(line.number),
+        place: FilePlace::Line(line.number),
         text: line.excerpt(),
     })
 }

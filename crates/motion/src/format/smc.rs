@@ -1,20 +1,18 @@
-//! USGS SMC: titles, numbers that describe, comments after `|`, then eight values of ten bytes to a
-//! line.
+//! USGS SMC: titles, descriptive numbers, comments after `|`, then eight values of ten bytes per line.
 //!
-//! The numbers in the header say how many comments and values there are and how many samples make a
-//! second; they begin with the marks of what is missing. Where no rate is given the values are pairs of time and value. The
-//! format fixes the unit.
+//! The numbers in the header give the number of comments, the number of values and the rate; they begin with the marks of missing values.
+//! Without a rate the values are pairs of time and value. The format fixes the unit.
 
-use super::columns::{Columns, leading_data};
+use super::columns::{FixedColumns, leading_data};
 use super::numbers::is_mark;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused, Site};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused, Site};
 
-/// Lines of titles, of whole numbers, and of numbers with a point.
+/// Numbers of title lines, of lines of whole numbers, and of lines of numbers with a point.
 const TITLES: usize = 11;
 const WHOLE: usize = 6;
 const REAL: usize = 10;
@@ -27,13 +25,12 @@ pub(super) const READER: Reader = Reader {
     identity: |file| identity_of(&file.lines),
 };
 
-/// The component of the title, such as `component=  360`, where there is one; `UP` where the header says that the sensor
-/// stands upright.
+/// The component in the title, such as `component=  360`, if there is one; `UP` if the header describes an upright sensor.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
 fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let titles = &file.lines[..file.lines.len().min(TITLES)];
     let whole = file.lines.get(TITLES..TITLES + WHOLE);
-    let numbers = whole.map(|lines| Columns::new(8, 10).header(lines));
+    let numbers = whole.map(|lines| FixedColumns::new(8, 10).header(lines));
     // The 13th number is the angle from upright, in degrees.
     let angle = numbers.and_then(|numbers| number_of(&numbers, 13));
     let upright = angle.is_some_and(|angle| [0.0, 180.0].iter().any(|up| is_mark(angle, *up)));
@@ -43,11 +40,11 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
         let name = title::words(title::after(&text, "COMPONENT=")?);
         Some(name).filter(|name| !name.is_empty())
     });
-    // The place of the sensor stands behind the last comma of the station: `Del Valle Dam, crest`.
+    // The place of the sensor follows the last comma of the station: `Del Valle Dam, crest`.
     let station = station(titles).unwrap_or_default();
     let site = Site::of_location(station.rsplit_once(',').map_or("", |(_, place)| place));
-    let component = |name: String, line: usize| Component::new(name, Place::Line(line)).at(site.clone());
-    // A number would be the azimuth of an upright sensor.
+    let component = |name: String, line: usize| Component::new(name, FilePlace::Line(line)).at(site.clone());
+    // A number would be the azimuth of an upright sensor, which has no meaning.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
     let line = line.or(titles.last().copied());
     let line = line.map_or(1, |line| line.number);
@@ -59,7 +56,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     })
 }
 
-/// The station of the title.
+/// The station in the title.
 fn station(titles: &[Line<'_>]) -> Option<String> {
     let line = title::line_with(titles, "STATION =")?;
     let text = line.text();
@@ -78,7 +75,7 @@ fn identity_of(lines: &[Line<'_>]) -> Identity {
     }
 }
 
-/// A stage from 1 to 9 and its name, then a line with a star.
+/// Whether the first line is a stage from 1 to 9 with its name, and the second has a star.
 fn recognises(file: &File<'_>) -> bool {
     let [first, second, ..] = file.lines[..] else {
         return false;
@@ -98,19 +95,19 @@ struct Header<'l, 't> {
     real_lines: &'l [Line<'t>],
     whole: Vec<Option<f64>>,
     real: Vec<Option<f64>>,
-    /// Marks of what is missing.
+    /// Marks of missing values.
     missing: Vec<f64>,
 }
 
 impl<'l, 't> Header<'l, 't> {
-    /// The header, and what follows it.
+    /// Splits the header from the lines after it.
     fn split(lines: &'l [Line<'t>]) -> Result<(Self, &'l [Line<'t>]), Refused> {
         let split = lines.split_at_checked(TITLES + WHOLE + REAL);
         let (header, rest) = needed(split, lines.last().copied(), "the numbers of its header")?;
         let (titles, numbers) = header.split_at(TITLES);
         let (whole_lines, real_lines) = numbers.split_at(WHOLE);
-        let whole = Columns::new(8, 10).header(whole_lines);
-        let real = Columns::new(5, 15).header(real_lines);
+        let whole = FixedColumns::new(8, 10).header(whole_lines);
+        let real = FixedColumns::new(5, 15).header(real_lines);
         let missing = [whole[..].first(), real[..].first()];
         let missing = missing.into_iter().filter_map(|mark| mark.copied().flatten());
         let missing = missing.chain([-32768.0, 1.7e38]).collect();
@@ -125,7 +122,7 @@ impl<'l, 't> Header<'l, 't> {
         Ok((header, rest))
     }
 
-    /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
+    /// Splits off the comments. The 16th whole number, counted from 1, is their number.
     fn comments(&self, rest: &'l [Line<'t>]) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), Refused> {
         let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
         let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");
@@ -134,19 +131,19 @@ impl<'l, 't> Header<'l, 't> {
             return Ok(rest.split_at(found));
         }
         Err(refusals::header(
-            Place::Line(self.whole_lines[1].number),
+            FilePlace::Line(self.whole_lines[1].number),
             self.whole_lines[1].excerpt(),
             "the number of comment lines that follow as the eighth",
         ))
     }
 
-    /// The 17th whole number: how many numbers follow.
+    /// The 17th whole number: the number of values.
     fn count(&self) -> Result<Stated<usize>, Refused> {
         let count = number_of(&self.whole, 17).map(|count| count.to_string());
         title::count(self.whole_lines[2], &count.unwrap_or_default())
     }
 
-    /// The second number with a point: samples in a second; none where it is marked as missing.
+    /// The second number with a point, the rate in samples per second, as a time step; `None` if it is marked as missing.
     fn time_step(&self) -> Result<Option<Stated<f64>>, Refused> {
         let rate = number_of(&self.real, 2);
         let is_missing = rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
@@ -162,7 +159,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     let is_unknown = first.bytes.starts_with(b"0") && title::holds(first, "UNKNOWN");
     if !(title::holds(first, "ACCELEROGRAM") || is_unknown) {
         return Err(refusals::not_acceleration(
-            Place::Line(first.number),
+            FilePlace::Line(first.number),
             first.excerpt(),
             "the accelerogram of the record",
         ));
@@ -184,7 +181,7 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
         if !times.rise() {
             let line = header.real_lines[0];
             return Err(refusals::header(
-                Place::Line(line.number),
+                FilePlace::Line(line.number),
                 line.excerpt(),
                 "a number of samples in a second, or below the header pairs of time and value,",
             ));
@@ -212,14 +209,14 @@ fn read(file: &File<'_>) -> Result<Draft, Refused> {
     })
 }
 
-/// How the values stand: five of fourteen bytes to a line, as some programs write them, or eight of ten.
-fn data_columns(data: &[Line<'_>]) -> Columns {
-    let wide = Columns::new(5, 14);
+/// The columns of the values: five of fourteen bytes per line, as some programs write them, or eight of ten.
+fn data_columns(data: &[Line<'_>]) -> FixedColumns {
+    let wide = FixedColumns::new(5, 14);
     let is_wide = data.first().is_some_and(|line| {
         let fields: Vec<&[u8]> = wide.fields(*line).collect();
         fields.len() > 1 && fields.iter().all(|field| field.len() == 14 && number(field).is_some())
     });
-    if is_wide { wide } else { Columns::new(8, 10) }
+    if is_wide { wide } else { FixedColumns::new(8, 10) }
 }
 
 /// The unit, which the format fixes for accelerations. A file of type `UNKNOWN` must speak of them in its comments.
@@ -234,15 +231,14 @@ fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
     line.map_or(Scale::Unknown, |line| {
         Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: text.to_owned(),
         })
     })
 }
 
-/// Pairs of time and value, which stand where the header gives no rate; it counts the numbers, or the pairs. Some files go on
-/// behind them.
-fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
+/// Pairs of time and value, for a header without a rate; its count is that of the numbers or of the pairs. Some files continue after them.
+fn pairs(data: &[Line<'_>], columns: FixedColumns, count: &Stated<usize>) -> Result<(TimeColumn, Vec<f64>), Refused> {
     let fields = data.iter().flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
     let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
     let n_numbers = if fields.len() == 2 * count.value {
@@ -252,7 +248,7 @@ fn pairs(data: &[Line<'_>], columns: Columns, count: &Stated<usize>) -> Result<(
     };
     let Some(fields) = fields.get(..n_numbers) else {
         return Err(refusals::sample_count(
-            data.last().map_or(count.place, |line| Place::Line(line.number)),
+            data.last().map_or(count.place, |line| FilePlace::Line(line.number)),
             fields.len(),
             count.value,
         ));
@@ -272,7 +268,7 @@ fn number_of(numbers: &[Option<f64>], n: usize) -> Option<f64> {
     numbers.get(n - 1).copied().flatten()
 }
 
-/// The larger of the largest value, number 30, and the smallest, number 32, where both are given.
+/// The larger magnitude of the largest value, number 30, and the smallest, number 32, if both are given.
 fn peak(real: &[Option<f64>], lines: &[Line<'_>]) -> Option<Peak> {
     let missing = number_of(real, 1)?;
     let stated = |n| number_of(real, n).filter(|value| !is_mark(*value, missing));
@@ -281,10 +277,10 @@ fn peak(real: &[Option<f64>], lines: &[Line<'_>]) -> Option<Peak> {
     Some(Peak {
         stated: Stated {
             value,
-            place: Place::Line(lines[5].number),
+            place: FilePlace::Line(lines[5].number),
             text: format!("{value} cm/s²"),
         },
-        // Seven digits are printed, fewer of the values.
+        // The peak has seven digits, more than the values.
         digit: value * 1e-6,
         unit: None,
     })

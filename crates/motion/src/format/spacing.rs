@@ -1,20 +1,20 @@
-//! How far apart the values of a file are, and the resampling of pairs whose times are uneven.
+//! The spacing of the values of a file, and the resampling of pairs with uneven times.
 
 use crate::refusals;
 use pounding_text::{Knob, plain, short};
 
 use super::{Stated, reading};
 use crate::record::MAX_SAMPLES;
-use crate::{Declared, Place, Reading, Refused};
+use crate::{Declared, FilePlace, Reading, Refused};
 
-/// Time steps that a file may give without a declaration that repeats them \[s\]: beyond them a header is damaged or lacks
-/// them.
+/// Time steps that a file may give without a declaration that repeats them \[s\]. Outside this range the header is damaged, or lacks the
+/// step.
 pub(super) const POSSIBLE: std::ops::RangeInclusive<f64> = 1e-6..=10.0;
 
-/// Most samples that resampling makes of one pair.
+/// Largest number of samples per pair after resampling.
 const MOST_PER_PAIR: usize = 8;
 
-/// How far apart the values of a file are.
+/// The spacing of the values of a file.
 #[derive(Clone, Debug)]
 pub(crate) enum Spacing {
     /// At equal distances.
@@ -30,7 +30,7 @@ pub(crate) enum Spacing {
 /// Largest relative difference of steps that are equal up to their printed digits.
 const ALIKE: f64 = 0.01;
 
-/// Times in no named unit that rise by this and more \[s\] may be in milliseconds.
+/// Smallest step between times in an unnamed unit that may mean milliseconds \[s\].
 const LARGE: f64 = 1.0;
 
 impl Spacing {
@@ -53,7 +53,7 @@ impl Spacing {
                 }
                 said.insert(0, step);
             }
-            // A step that is said tells the unit, too.
+            // A stated step also gives the unit.
             Some(Self::Unlabelled(step)) => {
                 return match said.first() {
                     None => Some(Self::Unlabelled(step)),
@@ -86,11 +86,11 @@ fn milliseconds(step: &Stated<f64>) -> Stated<f64> {
 /// Times that rise in uneven steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Uneven {
-    /// Times \[s\], none below the one before; one to each value.
+    /// Times \[s\], one per value, none before the previous one.
     pub(crate) times: Vec<f64>,
-    /// Where the first stands.
-    pub(crate) place: Place,
-    /// How uneven they are.
+    /// Place of the first time.
+    pub(crate) place: FilePlace,
+    /// The refusal that describes the unevenness.
     pub(crate) refusal: Refused,
 }
 
@@ -100,12 +100,12 @@ impl From<Stated<f64>> for Spacing {
     }
 }
 
-/// A time step that is settled.
+/// A final time step.
 pub(super) struct Settled {
     /// \[s\]
     pub(super) time_step: f64,
     pub(super) readings: Vec<Reading>,
-    /// How much less of the peak is left after resampling, as a part of it.
+    /// Part of the peak lost by resampling \[–\].
     pub(super) lost: f64,
 }
 
@@ -119,7 +119,7 @@ impl From<(f64, Reading)> for Settled {
     }
 }
 
-/// The time step of some values, which are resampled where their times are uneven.
+/// The time step of some values; values with uneven times are resampled.
 pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &mut Vec<f64>) -> Result<Settled, Refused> {
     if let Some(found) = declared.time_step
         && !(found.is_finite() && found > 0.0)
@@ -194,13 +194,13 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
     Ok((found, reading("time step", Some(place), &text)))
 }
 
-/// Whether a declared step is that of the file, perhaps with fewer digits.
+/// Whether a declared step equals that of the file, possibly with fewer digits.
 fn is_repeated(declared: f64, found: f64) -> bool {
     (found - declared).abs() <= 1e-6 * found
 }
 
 impl Uneven {
-    /// The values are resampled, and what that takes off their peak is told.
+    /// Resamples the values and determines the loss of their peak.
     fn settled(&self, values: &mut Vec<f64>, step: f64) -> Result<Settled, Refused> {
         let before = peak(values);
         *values = self.resampled(values, step)?;
@@ -222,10 +222,10 @@ impl Uneven {
     fn resampled(&self, values: &[f64], step: f64) -> Result<Vec<f64>, Refused> {
         let (first, last) = (self.times[0], self.times[self.times.len() - 1]);
         let most = (MOST_PER_PAIR * self.times.len()).min(MAX_SAMPLES);
-        // What rounding leaves of a step does not count.
+        // Rounding errors of a step are ignored.
         let wanted = ((last - first) / step + 1e-9).floor() + 1.0;
         if wanted > most as f64 {
-            // In two digits, rounded up.
+            // Two digits, rounded up.
             let allowed = format!("{:.1e}", 1.06 * (last - first) / (most - 1) as f64);
             let allowed: f64 = allowed.parse().expect("a number that was printed");
             let said = format!(" of {step} s resamples the uneven times of the file to more than {MOST_PER_PAIR} values for each there is");
@@ -240,7 +240,7 @@ impl Uneven {
                 left += 1;
             }
             let (from, to) = (self.times[left], self.times[left + 1]);
-            // Where two pairs have one time, as printed, the later one counts.
+            // If two pairs have one printed time, the later one counts.
             let share = if to > from { (time - from) / (to - from) } else { 1.0 };
             samples.push(values[left] * (1.0 - share) + values[left + 1] * share);
         }
@@ -256,13 +256,13 @@ pub(super) fn peak(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Uneven;
-    use crate::Place;
+    use crate::FilePlace;
     use crate::refusals;
 
     fn uneven(times: &[f64]) -> Uneven {
         Uneven {
             times: times.to_vec(),
-            place: Place::Line(1),
+            place: FilePlace::Line(1),
             refusal: refusals::empty(),
         }
     }
@@ -273,7 +273,7 @@ mod tests {
         let values = [0.0, 2.0, -2.0, 6.0];
         let found = pairs.resampled(&values, 0.5).expect("samples");
         assert_eq!(found, [0.0, 1.0, 2.0, 1.0, 0.0, -1.0, -2.0, 2.0, 6.0]);
-        // What remains behind the last whole step is dropped.
+        // The rest after the last whole step is dropped.
         assert_eq!(pairs.resampled(&values, 1.5).expect("samples"), [0.0, 1.0, -2.0]);
     }
 

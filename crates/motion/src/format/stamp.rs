@@ -1,6 +1,6 @@
 //! Dates with a time of day, as files print them: `2020-01-01T00:00:00.005`, `2011/03/11 14:46:00`, `20190728_160908`.
 
-/// A moment, exact to the digits that are printed.
+/// A date with a time of day, exact to the printed digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Stamp {
     /// Year, month and day.
@@ -12,7 +12,7 @@ pub(super) struct Stamp {
 }
 
 impl Stamp {
-    /// Reads a text that is a date and a time of day, and nothing else but a mark such as `Z` or `(GMT)`.
+    /// Reads a text that contains only a date and a time of day, and possibly a mark such as `Z` or `(GMT)`.
     pub(super) fn new(text: &str) -> Option<Self> {
         let text = text.trim().trim_matches('"');
         let mut rest = text;
@@ -53,7 +53,7 @@ impl Stamp {
         })
     }
 
-    /// A year, a day in it from 1, an hour, a minute and a second of binary headers.
+    /// A moment from a year, a day of the year from 1, an hour, a minute and a second in a binary header.
     pub(super) fn of_day([year, day, hour, minute, second]: [i32; 5]) -> Self {
         let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
         let february = if is_leap { 29 } else { 28 };
@@ -76,7 +76,7 @@ impl Stamp {
         self.decimals.len()
     }
 
-    /// The time from another moment to this one \[s\].
+    /// Time between another moment and this one \[s\].
     pub(super) fn since(&self, other: &Self) -> f64 {
         let whole = self.seconds() - other.seconds();
         let fraction = |stamp: &Self| {
@@ -86,11 +86,11 @@ impl Stamp {
         whole as f64 + (fraction(self) - fraction(other))
     }
 
-    /// Whole seconds from some day long ago.
+    /// Whole seconds after a fixed day in the past.
     fn seconds(&self) -> i64 {
         let [year, month, day] = self.date.map(i64::from);
         let [hour, minute, second] = self.clock.map(i64::from);
-        // Years begin in March, so that a leap day is the last.
+        // Years begin in March, so a leap day is the last one.
         let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
         let days = 365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day;
         (days * 24 + hour) * 3600 + minute * 60 + second
@@ -104,12 +104,12 @@ impl std::fmt::Display for Stamp {
     }
 }
 
-/// A date and a time of day in one spelling; other texts in capitals with one blank between words.
+/// A date and a time of day in one spelling; another text in capitals with single blanks between words.
 pub(super) fn normal(text: &str) -> String {
     Stamp::new(text).map_or_else(|| super::title::words(text).to_ascii_uppercase(), |stamp| stamp.to_string())
 }
 
-/// Takes a number of up to so many digits off a text.
+/// Takes a number of at most `most` digits off a text.
 fn digits(rest: &mut &str, most: usize) -> Option<u16> {
     let is_other = |letter: char| !letter.is_ascii_digit();
     let end = rest.find(is_other).unwrap_or(rest.len()).min(most);
@@ -118,7 +118,7 @@ fn digits(rest: &mut &str, most: usize) -> Option<u16> {
     number.parse().ok()
 }
 
-/// Takes one of some letters off a text.
+/// Takes a letter off a text if it is in a list.
 fn skip(rest: &mut &str, letters: &[char]) {
     *rest = rest.strip_prefix(letters).unwrap_or(rest);
 }

@@ -7,14 +7,14 @@ use crate::Refused;
 use crate::line::Line;
 use pounding_text::Spot;
 
-/// Rows of as many numbers each.
-pub(super) struct Table<'l, 't, F> {
+/// Rows with equal numbers of fields.
+pub(super) struct ComponentTable<'l, 't, F> {
     header: Line<'t>,
     lines: &'l [Line<'t>],
     fields: F,
 }
 
-impl<'l, 't, I, F> Table<'l, 't, F>
+impl<'l, 't, I, F> ComponentTable<'l, 't, F>
 where
     I: Iterator<Item = &'t [u8]>,
     F: Fn(Line<'t>) -> I,
@@ -33,7 +33,7 @@ where
         Ok(Self { header, lines, fields })
     }
 
-    /// The rows and the field of each in a column, counted from 0.
+    /// The rows with their field in a column, counted from 0.
     fn fields_of(&self, index: usize) -> impl Iterator<Item = (Line<'t>, &'t [u8])> {
         let rows = self.lines.iter().filter(|line| !line.is_blank());
         rows.filter_map(move |line| Some((*line, (self.fields)(*line).nth(index)?)))

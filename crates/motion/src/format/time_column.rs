@@ -1,19 +1,19 @@
-//! The time step behind a column of printed times.
+//! The time step of a column of printed times.
 
 use super::spacing::{Spacing, Uneven};
 use super::{Stated, reading};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Reading, Refused};
-use pounding_text::{Kind, Knob, Spot, plain};
+use crate::{FilePlace, Reading, Refused};
+use pounding_text::{Knob, RefusalKind, Spot, plain};
 
 /// Largest departure from equal steps that is not due to printing, in steps.
 const UNEVENNESS: f64 = 1e-6;
 
-/// Most decimals a time step is given: what an f64 near 1 can hold.
+/// Largest number of decimals of a time step: an f64 near 1 holds no more.
 const MOST_DECIMALS: usize = 15;
 
-/// The times of a file as printed, with the lines they stand on.
+/// The printed times of a file with their lines.
 #[derive(Default)]
 pub(super) struct TimeColumn {
     times: Vec<f64>,
@@ -21,14 +21,14 @@ pub(super) struct TimeColumn {
     decimals: usize,
 }
 
-/// Where the times begin.
+/// The start of the times.
 #[derive(Clone, Copy)]
 enum Start {
     /// At t = 0.
     Zero,
     /// After one step.
     OneStep,
-    /// Before or after that.
+    /// At any other time.
     Elsewhere,
 }
 
@@ -38,7 +38,7 @@ impl TimeColumn {
         Ok(())
     }
 
-    /// Takes a time \[s\] of so many decimals.
+    /// Adds a time \[s\] with its number of decimals.
     pub(super) fn push_time(&mut self, line: Line<'_>, time: f64, decimals: usize) {
         self.times.push(time);
         self.lines.push(line.number);
@@ -50,26 +50,26 @@ impl TimeColumn {
         matches!(self.spacing(), Ok((Spacing::Even(_), _)))
     }
 
-    /// Whether no time is before the one before, and some are after it.
+    /// Whether no time is before the previous one, and some are after it.
     pub(super) fn rise(&self) -> bool {
         self.times.is_sorted() && self.times.first() < self.times.last()
     }
 
-    /// Whether some times are printed like the one before.
+    /// Whether some times are printed equal to the previous one.
     pub(super) fn have_ties(&self) -> bool {
         self.times.windows(2).any(|pair| pair[0] >= pair[1])
     }
 
-    /// The times as they are, which have ties.
+    /// The times unchanged, as uneven ones with ties.
     pub(super) fn into_uneven(self) -> Spacing {
         Spacing::Uneven(Uneven {
-            place: Place::Line(self.lines[0]),
+            place: FilePlace::Line(self.lines[0]),
             refusal: self.unevenness(),
             times: self.times,
         })
     }
 
-    /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
+    /// The time step of times that begin at 0 or one step later. In the latter case the state of rest at t = 0 is added to the values.
     pub(super) fn into_step(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), Refused> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
@@ -85,7 +85,7 @@ impl TimeColumn {
         Ok((spacing, remark))
     }
 
-    /// The same, of times that may begin anywhere: the first is taken as t = 0 there.
+    /// The time step of times that begin anywhere; the first becomes t = 0.
     pub(super) fn into_step_from_anywhere(self, values: &mut Vec<f64>) -> Result<(Spacing, Option<Reading>), Refused> {
         let (spacing, start) = self.spacing()?;
         let remark = match (&spacing, start) {
@@ -93,7 +93,7 @@ impl TimeColumn {
             (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
             _ => {
                 let found = format!("the {} s of the first line, taken as t = 0", self.times[0]);
-                Some(reading("start", Some(Place::Line(self.lines[0])), &found))
+                Some(reading("start", Some(FilePlace::Line(self.lines[0])), &found))
             }
         };
         Ok((spacing, remark))
@@ -104,7 +104,7 @@ impl TimeColumn {
         values.insert(0, 0.0);
         reading(
             "state of rest",
-            Some(Place::Line(self.lines[0])),
+            Some(FilePlace::Line(self.lines[0])),
             "0 put at t = 0, where the file has nothing",
         )
     }
@@ -124,11 +124,11 @@ impl TimeColumn {
         }
         let mean = (last - first) / (self.times.len() - 1) as f64;
         if !mean.is_finite() {
-            // Times near ±1.8e308, whose difference is beyond every number.
+            // The difference of times near ±1.8e308 overflows.
             let line = self.lines[self.lines.len() - 1];
-            return Err(refusals::time_step(Place::Line(line), mean));
+            return Err(refusals::time_step(FilePlace::Line(line), mean));
         }
-        let place = Place::Line(self.lines[0]);
+        let place = FilePlace::Line(self.lines[0]);
         let Some((time_step, slack)) = self.time_step(mean) else {
             let uneven = Uneven {
                 times: self.times.clone(),
@@ -153,33 +153,32 @@ impl TimeColumn {
         Ok((Spacing::Even(stated), start))
     }
 
-    /// The time step and how far a time may be from its place, if the times rise in equal steps.
+    /// The time step, and the largest distance of a time from its grid point, if the times rise in equal steps.
     fn time_step(&self, mean: f64) -> Option<(f64, f64)> {
         let last = self.times[self.times.len() - 1];
         let unit = power_of_ten(self.decimals);
         let rounding = 4.0 * f64::EPSILON * last.abs();
 
-        // A step with no more decimals than the times have is printed without rounding: its
-        // multiples are exact.
+        // A step with at most the decimals of the times is printed without rounding: its multiples are exact.
         let slack = 0.25 * unit.min(mean) + rounding;
         if let Some(found) = self.decimal_step(mean, slack) {
             return Some(found);
         }
 
-        // Otherwise, such as for 1/256 s in four decimals, first, last and each time are rounded,
-        // by half a unit each. Where that is much of a step it would hide a missing sample.
+        // Otherwise, for example with 1/256 s in four decimals, the first, the last and each time are rounded by up to half a unit. If that
+        // is much of a step, it would hide a missing sample.
         let slack = unit + UNEVENNESS * mean + rounding;
         if 10.0 * unit <= mean && self.fits(mean, slack) {
             return Some((mean, slack));
         }
 
-        // Or programs in single precision computed them: then each is off by its rounding, too.
+        // Programs in single precision may have computed the times: then each has a rounding error too.
         let single = unit + f64::from(f32::EPSILON) * last.abs();
         let is_much = 10.0 * single > mean;
         self.decimal_step(mean, single).filter(|_| !is_much)
     }
 
-    /// The shortest decimal step that leads from the first time to the last, if all times are on its grid.
+    /// The shortest decimal step between the first and the last time, if all times are on its grid.
     fn decimal_step(&self, mean: f64, slack: f64) -> Option<(f64, f64)> {
         let span = self.times[self.times.len() - 1] - self.times[0];
         let steps = (self.times.len() - 1) as f64;
@@ -200,7 +199,7 @@ impl TimeColumn {
 
     /// The line whose step is furthest from the median step.
     fn unevenness(&self) -> Refused {
-        // As many decimals as the times have: the difference of two times has noise beyond them.
+        // The message has as many decimals as the times: the difference of two times has noise beyond them.
         let decimals = self.decimals.min(MOST_DECIMALS);
         let printed = |step: f64| format!("{step:.decimals$}").parse().unwrap_or(step);
         let steps: Vec<f64> = self.times.windows(2).map(|pair| printed(pair[1] - pair[0])).collect();
@@ -228,11 +227,11 @@ impl TimeColumn {
         .and(Knob::TimeStep)
         .and(", or print them with more decimals")
         .wants(Knob::TimeStep)
-        .kind(Kind::Uneven)
+        .kind(RefusalKind::Uneven)
     }
 }
 
-/// Decimals of a printed number: 2 for `0.02`, 4 for `1.23e-2`.
+/// Number of decimals of a printed number: 2 for `0.02`, 4 for `1.23e-2`.
 pub(super) fn decimals(field: &[u8]) -> usize {
     let text = String::from_utf8_lossy(field.trim_ascii());
     let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((&text, "0"));
@@ -241,7 +240,7 @@ pub(super) fn decimals(field: &[u8]) -> usize {
     written.saturating_add_signed(shift.saturating_neg())
 }
 
-/// 10⁻ⁿ to the last digit; 0 where that is below every number.
+/// 10⁻ⁿ to the last digit; 0 if that underflows.
 fn power_of_ten(decimals: usize) -> f64 {
     format!("1e-{decimals}").parse().expect("a number in exponent notation")
 }

@@ -1,10 +1,10 @@
-//! What titles of many formats say alike: units, numbers behind a word, keys.
+//! Elements that titles of many formats share: units, numbers after a word, keys.
 
 use super::numbers::last_digit;
 use super::{Peak, Stated};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Refused};
 
 /// Units of an acceleration without a length over a time, in capitals.
 const UNITS: [(&str, AccelerationUnit); 8] = {
@@ -29,7 +29,7 @@ const LENGTHS: [(&str, AccelerationUnit); 4] = [
     ("MM", AccelerationUnit::MillimetrePerSecondSquared),
 ];
 
-/// The unit of an acceleration that a word is: `g`, `gal`, `cm/s/s`, `M/SEC**2`, `m/seg/seg`.
+/// The unit of an acceleration that a word spells: `g`, `gal`, `cm/s/s`, `M/SEC**2`, `m/seg/seg`.
 pub(super) fn unit_of(word: &str) -> Option<AccelerationUnit> {
     let word = word.to_ascii_uppercase();
     let of = |table: &[(&str, AccelerationUnit)], name: &str| {
@@ -52,7 +52,7 @@ pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
 
 /// The unit that a line states in a part of it, or a refusal.
 pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<AccelerationUnit>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let (unit, word) = unit_in(text).ok_or_else(|| refusals::unknown_unit(place, line.excerpt()))?;
     Ok(Stated {
         value: unit,
@@ -61,7 +61,7 @@ pub(super) fn stated_unit(line: Line<'_>, text: &str) -> Result<Stated<Accelerat
     })
 }
 
-/// The first number of a text that stands by itself, as it is printed.
+/// The first separate number of a text, as printed.
 pub(super) fn first_number(text: &str) -> Option<&str> {
     let separates = |letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':' | '/');
     text.split(separates)
@@ -69,31 +69,31 @@ pub(super) fn first_number(text: &str) -> Option<&str> {
         .find(|word| word.bytes().any(|byte| byte.is_ascii_digit()) && number(word.as_bytes()).is_some())
 }
 
-/// What follows a word in a text, whatever its capitals.
+/// The text after a word, whatever its case.
 pub(super) fn after<'t>(text: &'t str, word: &str) -> Option<&'t str> {
     let at = text.to_ascii_uppercase().find(word)?;
     text.get(at + word.len()..)
 }
 
-/// What precedes a word in a text, whatever its capitals; all of it without the word.
+/// The text before a word, whatever its case; the whole text without the word.
 pub(super) fn before<'t>(text: &'t str, word: &str) -> &'t str {
     let at = text.to_ascii_uppercase().find(word);
     at.and_then(|at| text.get(..at)).unwrap_or(text)
 }
 
-/// The first of these lines that holds a word, whatever its capitals.
+/// The first of these lines that contains a word, whatever its case.
 pub(super) fn line_with<'t>(lines: &[Line<'t>], word: &str) -> Option<Line<'t>> {
     lines.iter().copied().find(|line| holds(*line, word))
 }
 
-/// Whether a line holds a word, given in capitals.
+/// Whether a line contains a word, given in capitals.
 pub(super) fn holds(line: Line<'_>, word: &str) -> bool {
     line.head()
         .windows(word.len())
         .any(|window| window.eq_ignore_ascii_case(word.as_bytes()))
 }
 
-/// What a header gives behind a key, such as ` cm/s^2` behind `UNITS:`.
+/// The text after a key in a header, such as ` cm/s^2` after `UNITS:`.
 pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
     let line = lines.iter().copied().find(|line| {
         line.head()
@@ -104,14 +104,14 @@ pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, S
     Some((line, value.trim().to_owned()))
 }
 
-/// A line or a refusal that says what should stand in its place.
+/// A required line, or a refusal with the values allowed.
 pub(super) fn needed<T>(found: Option<T>, last: Option<Line<'_>>, allowed: &'static str) -> Result<T, Refused> {
-    found.ok_or_else(|| refusals::truncated(Place::Line(last.map_or(1, |line| line.number)), allowed))
+    found.ok_or_else(|| refusals::truncated(FilePlace::Line(last.map_or(1, |line| line.number)), allowed))
 }
 
 /// A number of a line, as a count above zero.
 pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let value = text.trim().parse().ok().filter(|count| *count > 0);
     let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a whole number of samples above 0"))?;
     Ok(Stated {
@@ -123,7 +123,7 @@ pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, Refused
 
 /// A time step \[s\] of a line, above zero.
 pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, Refused> {
-    let place = Place::Line(line.number);
+    let place = FilePlace::Line(line.number);
     let value = value.ok_or_else(|| refusals::header(place, line.excerpt(), "a time step"))?;
     if !(value.is_finite() && value > 0.0) {
         return Err(refusals::time_step(place, value));
@@ -135,14 +135,14 @@ pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64
     })
 }
 
-/// The peak that a piece of a line states as its first number, up to the time `AT` which it was.
+/// The peak that a piece of a line states as its first number, before the time after `AT`.
 pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
     let text = before(text, " AT ");
     let printed = first_number(text)?;
     Some(Peak {
         stated: Stated {
             value: number(printed.as_bytes()).filter(|value| value.is_finite())?,
-            place: Place::Line(line.number),
+            place: FilePlace::Line(line.number),
             text: line.excerpt(),
         },
         digit: last_digit(printed.as_bytes()),
@@ -150,7 +150,7 @@ pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
     })
 }
 
-/// Titles as one text, a line each, without blanks at the ends and blank lines.
+/// Titles as one text, one per line, without blank lines and outer blanks.
 pub(super) fn provenance(lines: &[Line<'_>]) -> String {
     let lines: Vec<String> = lines
         .iter()
@@ -160,7 +160,7 @@ pub(super) fn provenance(lines: &[Line<'_>]) -> String {
     lines.join("\n")
 }
 
-/// Words of a text with one blank between.
+/// The words of a text with single blanks in between.
 pub(super) fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,16 +1,15 @@
-//! UNAM (Mexico), standard file of accelerations: some hundred lines of keys in Latin-1, then a
-//! column for each channel, in gal.
+//! UNAM (Mexico), standard file of accelerations: about a hundred lines of keys in Latin-1, then one column per channel in gal.
 //!
-//! Keys with `C1-C6` give a value for each channel after a slash. No file was available: this follows programs that read the format.
+//! Keys with `C1-C6` give a value for each channel after a slash. No file was available: this reader follows programs that read the format.
 
-use super::table::Table;
+use super::table::ComponentTable;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{AccelerationUnit, Identity, Place, Refused};
+use crate::{AccelerationUnit, FilePlace, Identity, Refused};
 
-/// Lines in which the mark of the format is looked for, and keys.
+/// Number of lines in which the mark of the format is searched, and of lines with keys.
 const MARK: usize = 10;
 const HEADER: usize = 120;
 
@@ -25,7 +24,7 @@ pub(super) const READER: Reader = Reader {
     identity: identity_of,
 };
 
-/// What a key gives for each channel.
+/// The values of a key for each channel.
 struct Slots<'t> {
     line: Line<'t>,
     values: Vec<String>,
@@ -51,7 +50,7 @@ impl<'t> Slots<'t> {
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, Refused> {
     let slots = Slots::new(file, "ORIENTACION C1-C6")?;
-    let place = Place::Line(slots.line.number);
+    let place = FilePlace::Line(slots.line.number);
     let components = slots.values.into_iter().map(|name| Component::new(name, place));
     Ok(components.collect())
 }
@@ -84,8 +83,8 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let (above, lines) = behind.split_at(first);
     let last = above.last().copied().unwrap_or(counts.line);
     let header = file.through(last);
-    let numbers = Table::new(last, lines, n_columns, Line::pieces)?.column(index)?;
-    // Some files count the steps and not the samples.
+    let numbers = ComponentTable::new(last, lines, n_columns, Line::pieces)?.column(index)?;
+    // Some files count the steps instead of the samples.
     let is_one_more = numbers.values.len() == count.value + 1;
     let remark = is_one_more.then(|| {
         let found = format!("one more than the header declares, {}", count.value);
@@ -100,7 +99,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         time_step: Some(Spacing::Even(title::time_step(steps.line, number(steps.get(index).as_bytes()))?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(peaks.line.number),
+            place: FilePlace::Line(peaks.line.number),
             text: peaks.line.excerpt(),
         }),
         peak: title::peak(peaks.line, peaks.get(index)),

@@ -1,4 +1,4 @@
-//! USC volume 2, of the University of Southern California and networks that took it up: the layout of CSMIP volume 2.
+//! USC volume 2, of the University of Southern California and networks that adopted it: the layout of CSMIP volume 2.
 
 use super::csmip_v2::{components, identity_in, read, recognises, titles};
 use super::{Format, Reader, title};

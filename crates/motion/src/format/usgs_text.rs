@@ -1,12 +1,12 @@
-//! Text of the US Geological Survey of the 1980s: blocks of seven titles and values; only acceleration is read.
+//! Text of the US Geological Survey of the 1980s: blocks of seven titles with values; only acceleration is read.
 
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, values};
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Identity, Place, Refused, Site};
+use crate::{FilePlace, Identity, Refused, Site};
 
-/// Lines of titles of a block, and that of its rate among them, the last but one.
+/// Number of title lines of a block, and index of the line with the rate, the last but one.
 const TITLES: usize = 7;
 const RATE: usize = 5;
 
@@ -18,7 +18,7 @@ pub(super) const READER: Reader = Reader {
     identity: identity_of,
 };
 
-/// Whether a block begins here: rate and kind stand on its sixth line, number and units on its seventh.
+/// Whether a block begins here: rate and kind are on its sixth line, number and units on its seventh.
 fn is_block(lines: &[Line<'_>], index: usize) -> bool {
     let Some(titles) = lines.get(index..index + TITLES) else {
         return false;
@@ -41,14 +41,14 @@ fn components(file: &File<'_>) -> Vec<Component> {
         let text = line.text();
         Component::new(
             title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
         )
         .at(Site::of_location(block[0].text().rsplit_once(',').map_or("", |(_, place)| place)))
     };
     channels(file).into_iter().map(component).collect()
 }
 
-/// The station is the first title, up to the place of the sensor, and the event the third.
+/// The first title has the station before the place of the sensor, the third the event.
 fn identity_of(file: &File<'_>) -> Identity {
     let said = |index: usize| file.lines.get(index).map(|line| line.text().into_owned());
     Identity {
@@ -63,7 +63,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
     let line = file.lines[RATE];
     let Some(block) = channels.get(index) else {
         return Err(refusals::not_acceleration(
-            Place::Line(line.number),
+            FilePlace::Line(line.number),
             line.excerpt(),
             "the file with DATA TYPE=AC",
         ));
@@ -83,7 +83,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, Refused> {
         digit: numbers.digit,
         count: Some(title::count(last, count.unwrap_or_default())?),
         time_step: Some(Spacing::Even(title::time_step(titles[RATE], rate.map(|rate| 1.0 / rate))?)),
-        // Of accelerations, velocities and displacements: the first.
+        // The units are those of accelerations, velocities and displacements: the first one counts.
         scale: Scale::Unit(title::stated_unit(last, unit)?),
         peak: None,
         provenance: title::provenance(titles),

@@ -1,4 +1,4 @@
-//! The pieces of a name, and what they end in.
+//! The pieces of a name and their ends.
 
 use std::borrow::Cow;
 
@@ -34,7 +34,7 @@ fn unmarked(part: &str) -> &str {
     }
 }
 
-/// Whether another word begins at a place of a piece: behind a digit, or where small letters and capitals meet.
+/// Whether another word begins at a position of a piece: after a digit, or between a small letter and a capital.
 pub(super) fn is_parted(piece: &str, at: usize) -> bool {
     let ends = (piece[..at].chars().next_back(), piece[at..].chars().next());
     let (Some(before), Some(first)) = ends else {
@@ -49,7 +49,7 @@ pub(super) fn is_number(word: &str) -> bool {
     !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// A text without the digits at its end.
+/// A text without digits at its end.
 pub(super) fn uncounted(text: &str) -> &str {
     text.trim_end_matches(|letter: char| letter.is_ascii_digit())
 }

@@ -1,4 +1,4 @@
-//! Places in a name where a word for a direction may stand.
+//! Positions in a name at which a word for a direction may be.
 
 use std::borrow::Cow;
 
@@ -7,31 +7,31 @@ use super::quantity::Quantity;
 use super::way::{COMPASS, Way, is_of_kiknet};
 use crate::Direction;
 
-/// Words before the number of a channel, in capitals: `Comp1` and `Comp2` are of one record.
+/// Words in front of the number of a channel, in capitals: `Comp1` and `Comp2` belong to one record.
 const CHANNELS: &str = "COMP COMPONENT CH CHAN CHANNEL DIR DIRECTION";
 
-/// Words before the number of a record, in capitals: `rec010` and `rec100` are two.
+/// Words in front of the number of a record, in capitals: `rec010` and `rec100` are two records.
 const COUNTED: &str = "R GM EQ REC RECORD NO RUN MOTION QUAKE SAMPLE TEST CASE SIM FILE";
 
-/// Words before `up` and `down`, in capitals, that say what was done: `scaled_up`, `BackUp`.
+/// Words in front of `up` and `down`, in capitals, that describe an action: `scaled_up`, `BackUp`.
 const DONE: &str = "SCALE SCALED SET BACK RAMP START BUILD";
 
-/// A word for a direction in a name, or another letter or number, which may show that they only count.
-pub(super) struct Place {
+/// A word for a direction in a name. It may also be a letter or number that shows that others only count.
+pub(super) struct DirectionWord {
     /// The name with `*` for the word.
     pub(super) stem: String,
-    /// In capitals.
+    /// The word in capitals.
     pub(super) word: String,
     pub(super) way: Option<Way>,
     pub(super) azimuth: Option<u16>,
-    /// Whether it tells the direction without another name.
+    /// Whether the word tells the direction without other names.
     pub(super) tells: bool,
-    /// Whether it may be of the name of a town: `North_Hollywood`.
+    /// Whether the word may be part of a town's name: `North_Hollywood`.
     may_be_town: bool,
 }
 
-impl Place {
-    /// The places of a name, the last pieces first; behind them those of the name without the marks of copies.
+impl DirectionWord {
+    /// The places of a name, last pieces first; after them those of the name without the marks of copies.
     pub(super) fn all_of(name: &str) -> Vec<Self> {
         let mut places = Name::of(name).places();
         if let Cow::Owned(bare) = without_marks(name) {
@@ -48,7 +48,7 @@ impl Place {
         }
     }
 
-    /// Whether letters or numbers at its place in other names show that they only count.
+    /// Whether letters or numbers at this position in other names show that they only count files.
     pub(super) fn is_listed(&self, group: &[&Self]) -> bool {
         let is_digit = |word: &str| word.starts_with(|letter: char| letter.is_ascii_digit());
         let mut others = group.iter();
@@ -59,7 +59,7 @@ impl Place {
             && others.any(|other| other.way.is_none() && is_digit(&other.word) == is_digit(&self.word))
     }
 
-    /// Whether another name of its stem has a word for another direction, and none says that these are other places.
+    /// Whether another name with this stem has a word for another direction, and no name shows that these are different places.
     pub(super) fn is_paired(&self, group: &[&Self]) -> bool {
         let both =
             |one: &Self, other: &Self, are: fn(Way, Way) -> bool| (one.way.zip(other.way)).is_some_and(|(one, other)| are(one, other));
@@ -73,7 +73,7 @@ impl Place {
         !self.is_listed(group) && !clashes(self) && group.iter().any(pairs)
     }
 
-    /// Whether it is of the lower sensor at a station of KiK-net.
+    /// Whether the word belongs to the lower sensor of a KiK-net station.
     pub(super) fn is_lower(&self, name: &str, group: &[&Self]) -> bool {
         let has_code = name.as_bytes().get(..6).is_some_and(|code| {
             let is_word = code[..3].iter().all(u8::is_ascii_uppercase) && code[3] == b'H';
@@ -84,7 +84,7 @@ impl Place {
     }
 }
 
-/// A name in its pieces.
+/// A name cut into pieces.
 struct Name<'n> {
     name: &'n str,
     pieces: Vec<(usize, &'n str)>,
@@ -98,8 +98,8 @@ impl<'n> Name<'n> {
         }
     }
 
-    /// The words of each piece, the last piece first: its ends, the longest first, with and without its number.
-    fn places(&self) -> Vec<Place> {
+    /// The words of each piece, last piece first: the ends of the piece, longest first, with and without a number.
+    fn places(&self) -> Vec<DirectionWord> {
         let mut places = Vec::new();
         for (index, (_, piece)) in self.pieces.iter().enumerate().rev() {
             let letters = uncounted(piece).len();
@@ -118,10 +118,10 @@ impl<'n> Name<'n> {
         places
     }
 
-    fn made(&self, start: usize, end: usize, way: Option<Way>) -> Place {
+    fn made(&self, start: usize, end: usize, way: Option<Way>) -> DirectionWord {
         let before = self.name[..start].trim_end_matches(['-', '_', ' ']);
-        Place {
-            // `A-ELC180` and `A-ELC-UP` are of one record.
+        DirectionWord {
+            // `A-ELC180` and `A-ELC-UP` belong to one record.
             stem: format!("{before}*{}", &self.name[end..]),
             word: self.name[start..end].to_ascii_uppercase(),
             way,
@@ -132,7 +132,7 @@ impl<'n> Name<'n> {
     }
 
     /// A word in two pieces: `N-S`.
-    fn pair(&self, index: usize) -> Option<Place> {
+    fn pair(&self, index: usize) -> Option<DirectionWord> {
         let (at, piece) = self.pieces[index];
         let (next_at, next) = self.pieces.get(index + 1)?;
         let way = Way::of(&format!("{piece}-{next}").to_ascii_uppercase())?;
@@ -141,8 +141,8 @@ impl<'n> Name<'n> {
         Some(place)
     }
 
-    /// The word in a piece from there to there, if it is one.
-    fn place(&self, index: usize, start: usize, end: usize) -> Option<Place> {
+    /// The word between two positions of a piece, if it is one.
+    fn place(&self, index: usize, start: usize, end: usize) -> Option<DirectionWord> {
         let (at, piece) = self.pieces[index];
         let mut place = self.made(at + start, at + end, None);
         let inner = &piece[..start];
@@ -174,7 +174,7 @@ impl<'n> Name<'n> {
         self.pieces.get(index).map_or("", |(_, piece)| piece)
     }
 
-    /// Whether a word tells a direction where it stands, of whatever file it is.
+    /// Whether the word tells a direction at its position, for any file.
     fn tells(&self, index: usize, start: usize, end: usize, before: &str) -> bool {
         let (at, piece) = self.pieces[index];
         let word = piece[start..end].to_ascii_uppercase();
@@ -197,7 +197,7 @@ impl<'n> Name<'n> {
         }
     }
 
-    /// Whether it is the letter of a channel of the USGS or of the University of Southern California: `1895a.smc`, `.s0a`.
+    /// Whether the word is the channel letter of the USGS or of the University of Southern California: `1895a.smc`, `.s0a`.
     fn is_channel(&self, index: usize, inner: &str, word: &str) -> bool {
         let digits = inner.strip_prefix(['s', 'S']).unwrap_or(inner);
         let is_smc = index + 2 == self.pieces.len() && self.piece(index + 1).eq_ignore_ascii_case("smc");
@@ -212,26 +212,26 @@ impl<'n> Name<'n> {
         index + 1 == self.pieces.len() && self.name[..self.pieces[index].0].ends_with('.')
     }
 
-    /// Whether only words for a quantity and the ending stand behind a piece.
+    /// Whether only words for a quantity and the extension follow a piece.
     fn is_last(&self, index: usize) -> bool {
         (index + 1..self.pieces.len()).all(|index| self.is_ending(index) || Quantity::of_word(self.piece(index)).is_some())
     }
 }
 
-/// The digits of a word that is a number: of `090`, of `090DEG`, of `A090` behind a station's number, and the last three of `06140`.
+/// The digits of a word that is a number: of `090`, of `090DEG`, of `A090` after a station's number, and the last three of `06140`.
 fn number_of<'w>(inner: &str, word: &'w str) -> Option<&'w str> {
     let mut digits = word.strip_suffix("DEG").unwrap_or(word);
     let n_before = inner.len() - uncounted(inner).len();
     let is_end = digits.len() == 3 && n_before <= 2 && n_before < inner.len();
     let mut is_apart = n_before == 0 || is_end;
-    // Behind the number of a station stands the letter of its channel: `2009A090` and `2009B360`.
+    // A channel letter follows the number of a station: `2009A090` and `2009B360`.
     if word.len() == 4 && n_before > 2 && n_before == inner.len() {
         (digits, is_apart) = (word.get(1..)?, true);
     }
     (is_apart && is_number(digits)).then_some(digits)
 }
 
-/// The way and the azimuth of a number: it is that of a channel, an azimuth, or counts files.
+/// The way and the azimuth of a number: it is a channel, an azimuth, or counts files.
 fn of_number(digits: &str, before: &str, inner: &str) -> (Option<Way>, Option<u16>) {
     let is_in = |words: &str| words.split(' ').any(|word| word == before);
     let number: Option<u16> = digits.parse().ok().filter(|number| *number <= 360);

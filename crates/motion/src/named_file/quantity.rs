@@ -1,8 +1,8 @@
-//! Accelerations, velocities, displacements or spectra: what the name of a file says.
+//! The quantity in a file according to its name: accelerations, velocities, displacements or spectra.
 
 use super::pieces::{is_parted, pieces, without_marks};
 
-/// A `Quantity` is what a file holds, by its name.
+/// A `Quantity` is the kind of values in a file, according to its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Accelerations.
@@ -15,7 +15,7 @@ pub enum Quantity {
     Spectrum,
 }
 
-/// Words of quantities, in capitals; a star stands for any end. The last in a name holds.
+/// Words of quantities, in capitals; a star is any end. The last one in a name counts.
 const WORDS: [(Quantity, &str); 4] = [
     (Quantity::Acceleration, "ACC ACCEL* ACELER* BESCHLEUN* AT2 V1A V2A"),
     (Quantity::Velocity, "VEL VELO VELOC* VITESS* GESCHWIND* VT2 V2V"),
@@ -26,20 +26,20 @@ const WORDS: [(Quantity, &str); 4] = [
     (Quantity::Spectrum, "PSA PSV SPEC SPECTR* SPEKTR* ESPECTRO SPETTRO"),
 ];
 
-/// Ends of names, in capitals: of ESM, where SA and SD are no places, and `.d` beside `.a` and `.v`.
+/// Extensions of quantities, in capitals: of ESM, where SA and SD are not places, and `.d` next to `.a` and `.v`.
 const ENDS: [(&str, Quantity); 3] = [
     (".SA.ASC", Quantity::Spectrum),
     (".SD.ASC", Quantity::Spectrum),
     (".D", Quantity::Displacement),
 ];
 
-/// Begins of words beside which a spectrum is what a record was made for: `matched_to_spectrum`.
+/// Beginnings of words next to which "spectrum" names the purpose of a record: `matched_to_spectrum`.
 const MADE_FOR: [&str; 8] = ["MATCH", "COMPAT", "CONSIST", "HISTOR", "SITE", "SCALE", "FIT", "ADJUST"];
 
 impl Quantity {
-    /// The quantity of the last word for one.
+    /// The quantity of the last word that names one.
     ///
-    /// Only the end of a name tells a spectrum: `PSA_000` is a station, `spectrum_matched_E` a record.
+    /// A spectrum counts only at the end of a name: `PSA_000` is a station, `spectrum_matched_E` a record.
     pub(crate) fn of_name(name: &str) -> Option<Self> {
         let name = without_marks(name);
         let capitals = name.to_ascii_uppercase();
@@ -55,7 +55,7 @@ impl Quantity {
             let quantity = Self::of_word(&piece).or_else(|| glued(pieces[index]))?;
             let is_told = match quantity {
                 Self::Spectrum => index + 1 >= n_words && !self::pieces(&capitals).any(is_made_for),
-                // Codes of stations, too.
+                // These words are codes of stations too.
                 Self::Displacement => index > 0 || n_words == 1 || !["DIS", "DSP"].contains(&&*piece),
                 Self::Acceleration | Self::Velocity => true,
             };
@@ -63,7 +63,7 @@ impl Quantity {
         })
     }
 
-    /// The quantity of a word, which may be counted: `vel`, `VEL2`.
+    /// The quantity of a word, which may have a number: `vel`, `VEL2`.
     pub(crate) fn of_word(word: &str) -> Option<Self> {
         let word = word.to_ascii_uppercase();
         let is = |word: &str, known: &str| match known.strip_suffix('*') {
@@ -71,7 +71,7 @@ impl Quantity {
             None => word == known,
         };
         let uncounted = word.trim_end_matches(|letter: char| letter.is_ascii_digit());
-        // `PSA000` is an azimuth of a station.
+        // `PSA000` is a station with an azimuth.
         let is_count = word.len() - uncounted.len() <= 2;
         let known = WORDS.iter().find(|(quantity, known)| {
             let counts = is_count && *quantity != Self::Spectrum;
@@ -82,7 +82,7 @@ impl Quantity {
     }
 }
 
-/// The quantity of the end of a piece, which begins there: `quakeVel`, `AAAvel1`, `kvel`, but not `level`.
+/// The quantity at the end of a piece: `quakeVel`, `AAAvel1`, `kvel`, but not `level`.
 fn glued(piece: &str) -> Option<Quantity> {
     let starts = piece.char_indices().skip(1);
     let mut known = starts

@@ -3,18 +3,18 @@
 use super::pieces::is_number;
 use crate::direction::is_channel_end;
 
-/// How a component lies by a word.
+/// The direction of a component according to a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Way {
-    /// Up or down; the kind of words beside which it is so, if it needs one.
+    /// Up or down. If it needs another word next to it, that word's kind.
     Upright(Option<char>),
-    /// Along the ground: the kind of word, and the degrees between such words.
+    /// Along the ground: the kind of the word, and its degrees.
     Level(char, u16),
     /// One of several channels of a record.
     Channel,
 }
 
-/// The kind of the points of the compass and of azimuths.
+/// The kind of compass points and azimuths.
 pub(super) const COMPASS: char = 'N';
 
 /// Words for directions, in capitals.
@@ -41,7 +41,7 @@ const WORDS: [(&str, Way); 14] = {
     ]
 };
 
-/// Degrees by which two components may miss a right angle: of Lucerne 1992 there are 260 and 345.
+/// Largest deviation from a right angle between two components \[°\]: Lucerne 1992 has 260 and 345.
 const SLACK: u16 = 5;
 
 impl Way {
@@ -60,7 +60,7 @@ impl Way {
         known(counted.unwrap_or(word)).or_else(|| bearing(word)).or_else(of_code)
     }
 
-    /// Whether two words are of two components of one record.
+    /// Whether two words are those of two components of one record.
     pub(super) fn pairs(self, other: Self) -> bool {
         match (self, other) {
             (Self::Channel, Self::Channel) => true,
@@ -72,14 +72,14 @@ impl Way {
         }
     }
 
-    /// Whether two words tell two places: `E` and `W`.
+    /// Whether two words mean two places: `E` and `W`.
     pub(super) fn clashes(self, other: Self) -> bool {
         let are_alike = matches!((self, other), (Self::Level(kind, _), Self::Level(of_other, _)) if kind == of_other);
         are_alike && self != other && !self.pairs(other)
     }
 }
 
-/// The degrees from a point of the compass to another: `N21E`.
+/// The degrees from one compass point to another: `N21E`.
 fn bearing(word: &str) -> Option<Way> {
     let degrees = word.strip_prefix(['N', 'S'])?.strip_suffix(['E', 'W'])?;
     let degrees: u16 = degrees.parse().ok().filter(|degrees| *degrees <= 90)?;
@@ -92,14 +92,14 @@ fn bearing(word: &str) -> Option<Way> {
     Some(Way::Level(COMPASS, from_north % 360))
 }
 
-/// Whether two azimuths are a right angle apart, or three.
+/// Whether two azimuths differ by one or three right angles.
 fn is_right(one: u16, other: u16) -> bool {
     let apart = one.abs_diff(other);
     let is = |right: u16| apart.abs_diff(right) <= SLACK;
     is(90) || is(270)
 }
 
-/// Whether a word is one of KiK-net, which counts its sensors: `NS1` is the lower one, `NS2` the upper one.
+/// Whether a word is a component of KiK-net, which numbers its sensors: `NS1` is the lower one, `NS2` the upper one.
 pub(super) fn is_of_kiknet(word: &str) -> bool {
     let words = ["NS", "EW", "UD"];
     let digit = words.iter().find_map(|start| word.strip_prefix(start));

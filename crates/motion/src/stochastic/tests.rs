@@ -56,7 +56,7 @@ fn density(ground: &GroundFilter, w: f64) -> f64 {
     NOISE * kanai_tajimi * clough_penzien
 }
 
-// By construction, and for every seed: 2π S T is the energy of a term over the duration T.
+// By construction, for every seed: 2π S T is the energy of a term over the duration T.
 #[test]
 fn reference_the_stationary_motion_has_the_target_density_at_every_frequency() {
     for ground in GROUNDS {

@@ -1,4 +1,4 @@
-//! PEER AT2 and its relatives: every header and layout that is read, and what each refusal says.
+//! PEER AT2 and similar files: every header and layout that is read, and the message of each refusal.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Accelerogram, Declared, components, read, read_declared};
@@ -17,7 +17,7 @@ fn refusal(text: &str) -> String {
     read(text.as_bytes()).expect_err("a file that is refused").to_string()
 }
 
-/// A file of so many values of 0.01 s step, with the values as given.
+/// A file whose header declares a number of values at a step of 0.01 s, with the given values.
 fn with_values(n_samples: usize, values: &str) -> String {
     format!("{TITLES}NPTS= {n_samples}, DT= .0100 SEC\n{values}")
 }
@@ -199,12 +199,12 @@ fn extreme_values() {
     assert_snapshot!(refusal(&with_values(18_446_744_073_709_551_615, "0.1\n")), @"the values end at line 5 after 1 of them, but the header declares 18446744073709551615; fetch the file again, or correct the header if the values are complete");
 }
 
-/// The names of the components of a file with such a line of earthquake and station.
+/// The names of the components of a file with this line of earthquake and station.
 fn names(line: &str) -> Vec<String> {
     let text = format!("A DATABASE RECORD\n{line}\nACCELERATION TIME SERIES IN UNITS OF G\n");
     let text = format!("{text}NPTS= 1, DT= .01 SEC\n 0.1\n");
     let names = components(text.as_bytes()).expect("an AT2 file");
-    // What has a name is taken without being asked for.
+    // A single component with a name is read without a declaration.
     let found = accelerogram(&text);
     assert_eq!(found.values(), [0.1], "{line}");
     names
@@ -241,6 +241,6 @@ fn extreme_titles_without_a_direction() {
     let rotated = "Orig PEER filename = X, Scale factor = 2.4\n  H1 for rotation: X 10/15/79, A TOWN, 000 (STATION 5155)\n  \
                    H2 for rotation: X, 270\n  rotation angle - clockwise   -37.0\n  FN component, azimuth =   233.0\n  \
                    Acceleration in g\n1 0.0050 NPTS, DT \n0.008941\n";
-    // That of a rotated record stands on a line of its own.
+    // The component of a rotated record has a separate line.
     assert_eq!(components(rotated.as_bytes()).expect("an AT2 file"), ["FN"]);
 }

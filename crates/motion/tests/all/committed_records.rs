@@ -4,7 +4,7 @@ use pounding_motion::{Record, read};
 
 fn record(text: &str) -> Record {
     let found = read(text.as_bytes()).expect("a readable CSV");
-    // In g, as the file has it.
+    // The values stay in g, as in the file.
     found.into_record(1.0).expect("finite values")
 }
 

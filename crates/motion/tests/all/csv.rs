@@ -1,4 +1,4 @@
-//! Two-column CSV: what is read, and what each refusal says.
+//! Two-column CSV: files that are read, and the message of each refusal.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Accelerogram, read};
@@ -54,7 +54,7 @@ fn reference_time_step_is_the_decimal_that_was_printed() {
     assert_eq!(time_step(&["0.0", "0.1", "0.2", "0.30000000000000004"]).to_string(), "0.1");
     assert_eq!(time_step(&["0.0e+00", "1.00e-02", "2.00e-02"]).to_string(), "0.01");
     assert_eq!(time_step(&["0", "0.00390625", "0.0078125"]).to_string(), "0.00390625");
-    // Not a decimal step: the single precision of some writers is kept as it is.
+    // This is not a decimal step: the single precision of some writers is kept.
     assert_eq!(time_step(&["0", "0.01999999955", "0.0399999991"]).to_string(), "0.01999999955");
     let long: Vec<String> = (0..4000).map(|step| format!("{:.2}", f64::from(step) / 100.0)).collect();
     let long: Vec<&str> = long.iter().map(String::as_str).collect();
@@ -126,7 +126,7 @@ fn extreme_times() {
     assert_snapshot!(refusal(&with_times(&["-1.7e308", "0", "1.7e308"])),  @"line 4: the time step is inf s, and must be finite and above 0 s; correct it there");
 }
 
-/// Comments that quote the header of another format, as provenance does, once decided the format.
+/// Comments that quote the header of another format, as provenance does, once determined the format.
 #[test]
 fn issue_comments_with_the_header_of_another_format() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files");

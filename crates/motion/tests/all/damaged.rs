@@ -1,9 +1,9 @@
-//! Damaged numbers and files of other kinds: the message names what stands where, and what to do.
+//! Damaged numbers and files of other kinds: the message names the text found, its place and the remedy.
 
 use insta::assert_snapshot;
 use pounding_motion::{Format, read, recognised};
 
-/// An AT2 file of nine values with something in the place of the fourth, which begins a line.
+/// An AT2 file of nine values in which the fourth, at the start of a line, is replaced.
 fn at2(damaged: &str) -> String {
     format!(
         "PEER STRONG MOTION\nSOMEWHERE\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 9, DT= .0100 SEC\n\
@@ -15,7 +15,7 @@ fn refusal(bytes: &[u8]) -> String {
     read(bytes).expect_err("a file that is refused").to_string()
 }
 
-/// A damaged number at the start of a line ended the values, and the header was blamed.
+/// A damaged number at the start of a line ended the values, and the message blamed the header.
 #[test]
 fn issue_damaged_numbers_of_an_at2_file_are_named() {
     let refused = |damaged: &str| refusal(at2(damaged).as_bytes());
@@ -27,7 +27,7 @@ fn issue_damaged_numbers_of_an_at2_file_are_named() {
     assert_snapshot!(refused("#VALUE!"), @r##"line 6, field 1: "#VALUE!" is not a number; write it like -0.00640 or -.6403182E-02"##);
     assert_snapshot!(refused(".4 ****"), @r#"line 6, field 2: "****" is not a number; a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"#);
     assert_snapshot!(refused(".4e"), @r#"line 6, field 1: ".4e" is not a number; write it like -0.00640 or -.6403182E-02"#);
-    // What is no number at all is quoted, and the header may be wrong.
+    // A text that is not a number is quoted, and the header may be wrong.
     assert_snapshot!(refused("see overleaf"), @r#"the values end at line 5 after 3 of them (line 6 reads "see overleaf .5 .6"), but the header declares 9; fetch the file again, or correct the header if the values are complete"#);
     let short = at2(".4").replace(".7 .8 .9\n", "");
     assert_snapshot!(refusal(short.as_bytes()), @"the values end at line 6 after 6 of them, but the header declares 9; fetch the file again, or correct the header if the values are complete");
@@ -41,7 +41,7 @@ fn damaged(name: &str, number: &str, by: &str) -> String {
     text.replacen(number, by, 1)
 }
 
-/// The same in formats that are cut by columns, which took a comma for the end of the numbers.
+/// In formats that are cut by columns a comma ended the numbers.
 #[test]
 fn issue_damaged_numbers_of_other_formats_are_named() {
     let refused = |name: &str, number: &str, by: &str| refusal(damaged(name, number, by).as_bytes());

@@ -1,5 +1,5 @@
-//! What fuzzing holds record files to, on the seeds that lie in `fuzz/corpus`: so the body of the target compiles, and what
-//! was found once stays mended.
+//! The assertions of the fuzz target for record files on the seeds in `fuzz/corpus`: the body of the target compiles, and found faults stay
+//! fixed.
 
 use std::fs;
 use std::path::Path;

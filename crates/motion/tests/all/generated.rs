@@ -50,7 +50,7 @@ fn limit_ramps_change_nothing_between_them_and_begin_and_end_at_zero() {
 
 #[test]
 fn issue_a_last_sample_behind_the_end_by_its_rounding_is_a_number() {
-    // 70 steps of 0.01 s end 1e-16 s behind 0.7 s. Without ramps that sample was 0/0, and the run refused its own record.
+    // 70 steps of 0.01 s end 1e-16 s after 0.7 s. Without ramps that sample was 0/0, and the run refused its own record.
     for (duration, time_step) in [(0.7, 0.01), (4.1, 0.025)] {
         let motion = Harmonic {
             frequency: 5.0,
@@ -76,12 +76,12 @@ fn reference_a_ricker_pulse_leaves_the_ground_where_it_was() {
     assert_eq!(record.samples().len(), 1501);
     let mirrored: Vec<f64> = record.samples().iter().rev().copied().collect();
     assert_eq!(record.samples(), mirrored);
-    // Its troughs of 2·exp(−3/2) are where x² = 3/2.
+    // The troughs of 2·exp(−3/2) are at x² = 3/2.
     let trough = record.samples().iter().copied().fold(0.0, f64::max);
     assert!((trough / (6.0 * libm::exp(-1.5)) - 1.0).abs() < 1e-4, "{trough}");
     let moved = record.integrated();
     let (velocity, displacement) = (moved.velocity[1500], moved.displacement[1500]);
-    // What is cut off at x = 1.5π leaves 2A·1.5/f·exp(−x²), and that over half of the duration.
+    // The tail cut off at x = 1.5π leaves a velocity of 2A·1.5/f·exp(−x²), which lasts for half of the duration.
     let cut = -3.0 * 1.5 * libm::exp(-2.25 * PI * PI);
     assert!((velocity - cut).abs() < 1e-12, "{velocity} {cut}");
     assert!((displacement - 0.75 * cut).abs() < 1e-12, "{displacement}");

@@ -30,7 +30,7 @@ fn alone(field: &str) -> f64 {
 }
 
 proptest! {
-    // Twice: each field read alone, and all of them touching in lines.
+    // Two routes: each field read alone, and all of them touching in lines.
     #[test]
     fn limit_touching_numbers_are_read_as_if_alone(
         values in prop::collection::vec(-2.0..2.0_f64, 1..40),
@@ -87,7 +87,7 @@ proptest! {
         let _ = (read(&bytes), components(&bytes));
     }
 
-    // Nearly right texts get further than random bytes do.
+    // Nearly correct texts reach more code than random bytes.
     #[test]
     fn extreme_any_values_after_a_right_header_are_answered_without_panic(
         values in "[-+.eED0-9 \r\n,\"#\u{b2}]{0,120}",

@@ -1,4 +1,4 @@
-//! Tests of ground motions; the kind of each is in its name.
+//! Tests of ground motions; the name of a test tells its kind.
 
 mod at2;
 mod committed_records;

@@ -33,7 +33,7 @@ fn reference_velocity_and_displacement_of_a_constant_and_of_a_ramp() {
 
 #[test]
 fn reference_measures_of_two_triangles() {
-    // Up, back through zero and down again: velocity and displacement by elementary areas.
+    // Up, back through zero and down again: velocity and displacement follow from elementary areas.
     let (dt, a) = (0.5, 3.0);
     let found = record(dt, &[0.0, a, 0.0, -a, 0.0]).measures();
     close(found.pga, a);
@@ -41,10 +41,10 @@ fn reference_measures_of_two_triangles() {
     close(found.pgd, 2.0 * a * dt * dt);
     close(found.cav, 2.0 * a * dt);
     close(found.arias, FRAC_PI_2 / STANDARD_GRAVITY * 4.0 * a * a * dt / 3.0);
-    // Symmetrical about its middle: so is the interval from 5 % to 95 %.
+    // The record is symmetrical about its middle, and so is the interval from 5 % to 95 %.
     let interval = found.d5_95.expect("it shakes");
     close(interval.start + interval.end, 4.0 * dt);
-    // In the first triangle the integral is a²t³/(3dt²), and 5 % of it all is a²dt/15.
+    // In the first triangle the integral is a²t³/(3dt²), and 5 % of the total is a²dt/15.
     close(interval.start, dt * libm::cbrt(0.2));
 }
 
@@ -99,9 +99,9 @@ fn order_measures_of_a_sampled_half_sine_converge_quadratically() {
     }
 }
 
-/// Chopra, *Dynamics of Structures*, section 6.1, prints 0.319 g, 13.04 in/s and 8.40 in beside the record.
+/// Chopra, *Dynamics of Structures*, section 6.1, prints 0.319 g, 13.04 in/s and 8.40 in with the record.
 ///
-/// The velocity is not tested: the printed samples integrate to 14.25 in/s, whatever the rule.
+/// The velocity is not tested: the printed samples integrate to 14.25 in/s by any rule.
 #[test]
 fn reference_peaks_of_chopra_el_centro() {
     let text = include_str!(concat!(
@@ -165,7 +165,7 @@ proptest! {
         prop_assert!((coarse.duration() - fine.duration()).abs() < 1e-9, "{:?} {:?}", coarse, fine);
     }
 
-    // Twice: between samples by closed form, and by looking at many points.
+    // Two routes: by closed form between samples, and by many points.
     #[test]
     fn limit_peaks_between_samples_are_those_of_many_points(
         samples in prop::collection::vec(-20.0..20.0_f64, 2..40),
@@ -175,7 +175,7 @@ proptest! {
         let fine = coarse.resampled(0.02 / 64.0).unwrap().integrated();
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
         let (velocity, displacement) = (largest(&fine.velocity), largest(&fine.displacement));
-        // Half a point beside a peak, with accelerations up to 20 m/s² and velocities up to the peak.
+        // The distance is half a point from a peak, with accelerations up to 20 m/s² and velocities up to the peak.
         let apart = 0.02 / 128.0;
         prop_assert!(found.pgv >= velocity * (1.0 - 1e-12), "{} {}", found.pgv, velocity);
         prop_assert!(found.pgv <= velocity + 40.0 / 0.02 * apart * apart, "{} {}", found.pgv, velocity);

@@ -3,7 +3,7 @@
 use pounding_motion::{Direction, NamedFile, Quantity};
 use proptest::prelude::*;
 
-/// Numbers of the records of some names, from 0 in their order.
+/// Record numbers of some names, from 0 in their order.
 fn records(names: &[&str]) -> Vec<usize> {
     numbered(&NamedFile::of_all(names).iter().collect::<Vec<_>>())
 }
@@ -18,7 +18,7 @@ pub(crate) fn numbered(files: &[&NamedFile]) -> Vec<usize> {
     numbers
 }
 
-/// Two components counted as two events: of 30 kinds of names 16 were not known.
+/// Two components counted as two events: 16 of 30 kinds of names were not known.
 #[test]
 fn issue_components_of_one_record() {
     for pair in [
@@ -67,7 +67,7 @@ fn issue_components_of_one_record() {
     }
 }
 
-/// Numbers of records are no azimuths, and names that share their direction are of two records.
+/// Record numbers are not azimuths, and names with one direction belong to two records.
 #[test]
 fn limit_files_of_other_records() {
     for names in [
@@ -163,7 +163,7 @@ fn reference_directions_that_names_tell_together() {
     assert_eq!(azimuths, [Some(180), Some(270), None]);
 }
 
-/// Velocities and displacements were accelerations once a unit was declared for their folder.
+/// Velocities and displacements became accelerations once a unit was declared for their folder.
 #[test]
 fn issue_quantities() {
     use Quantity::{Acceleration, Displacement, Spectrum, Velocity};
@@ -221,7 +221,7 @@ fn issue_quantities() {
     assert_eq!(pair[0].stem, "A-ELC*.AT2");
 }
 
-/// A word such as SA, RESPONSE or SPECTRUM threw good records out, and `velocidad` and `kvel` were accelerations.
+/// Words such as SA, RESPONSE or SPECTRUM excluded good records, and `velocidad` and `kvel` counted as accelerations.
 #[test]
 fn issue_words_for_quantities_by_their_place() {
     use Quantity::{Acceleration, Displacement, Spectrum, Velocity};

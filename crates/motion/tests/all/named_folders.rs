@@ -1,10 +1,10 @@
-//! What the names of the files of a folder tell together.
+//! Facts from the file names of a folder together.
 
 use pounding_motion::{Direction, NamedFile};
 
 use crate::named_files::numbered;
 
-/// Meaning of the names of a folder, a word each: `V` is vertical, `B` in a borehole; others have the number of their record.
+/// Meaning of the names of a folder, one word each: `V` is vertical, `B` in a borehole; others have the number of their record.
 fn told(names: &[&str]) -> String {
     let files = NamedFile::of_all(names);
     let is_left_out = |file: &&NamedFile| file.direction == Some(Direction::Vertical) || file.in_borehole;
@@ -18,7 +18,7 @@ fn told(names: &[&str]) -> String {
     files.iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// Holds lines of names and of what they tell to it: `a | b => 0 1`.
+/// Compares lines of names with their expected meanings: `a | b => 0 1`.
 fn check(cases: &str) {
     for case in cases.lines().filter(|case| !case.is_empty()) {
         let (names, expected) = case.split_once(" => ").expect("names and what they tell");
@@ -27,7 +27,7 @@ fn check(cases: &str) {
     }
 }
 
-/// Words at the begin, in the middle, at the end, glued, and of pairs.
+/// Words at the beginning, in the middle, at the end, attached, and in pairs.
 const WHEREVER: &str = "
 E.csv | N.csv | Z.csv => 0 0 V
 UD.csv => V
@@ -119,7 +119,7 @@ fn issue_words_for_directions_wherever_they_stand() {
     check(WHEREVER);
 }
 
-/// Points of the compass and azimuths that lie opposite one another.
+/// Opposite compass points and azimuths.
 const OPPOSITE: &str = "
 IV_E.csv | IV_W.csv | IV_N.csv | IV_S.csv => 0 1 2 3
 X-E.csv | X-W.csv => 0 1
@@ -129,13 +129,13 @@ A_000.csv | A_180.csv => 0 1
 A_000.csv | A_180.csv | A_090.csv | A_270.csv => 0 1 2 3
 ";
 
-/// Stations in the east and in the west of a place were two components of one record.
+/// Stations in the east and in the west of a place counted as two components of one record.
 #[test]
 fn issue_opposite_points_of_the_compass_are_no_pair() {
     check(OPPOSITE);
 }
 
-/// Names with the digits of the two sensors of a station.
+/// Names with the digits of a station's two sensors.
 const KIKNET: &str = "
 IWTH25.EW1.csv | IWTH25.NS1.csv | IWTH25.UD1.csv | IWTH25.EW2.csv | IWTH25.NS2.csv | IWTH25.UD2.csv => B B V 0 0 V
 K-NS1.csv | K-EW2.csv => B 0

@@ -18,14 +18,14 @@ fn band(order: u32, low_corner: f64, high_corner: f64, passes: Passes) -> BandPa
     }
 }
 
-/// A record that looks like noise on a ramp, the same in any language.
+/// A record like noise on a ramp, with the same values in any language.
 fn rough() -> Vec<f64> {
     let sample = |index: u32| f64::from((index * 7919) % 101) / 50.0 - 1.0 + 0.01 * f64::from(index);
     (0..120).map(sample).collect()
 }
 
-/// Order, corners \[Hz\] and time step \[s\], and results of scipy 1.17 for the rough record: samples 0, 1, 60 and 119 of `sosfiltfilt`,
-/// then of `sosfilt`, with the sections of `butter(order, [low, high], "bandpass", fs=1/dt)`.
+/// Order, corners \[Hz\] and time step \[s\], then results of scipy 1.17 for the rough record. They are samples 0, 1, 60 and 119 of
+/// `sosfiltfilt`, then of `sosfilt`, with the sections of `butter(order, [low, high], "bandpass", fs=1/dt)`.
 const SCIPY: &str = "\
 4 0.1 25.0 0.01  0.1307972354877549 1.0642260142124298 1.241905392337023 0.2431935488939007  -0.09280495787097971 -0.38611207947962084 0.62466763246554 0.5496529420333768
 3 0.5 10.0 0.01  -0.05150748874437039 0.29621988881003414 0.15350228589017484 -0.09839591074778253  -0.015878347948126138 -0.07846718740433375 0.06111002849647751 -0.047343364698545776
@@ -60,7 +60,7 @@ fn gain(filter: &BandPass, frequency: f64) -> f64 {
     let samples = (0..10_000).map(|step| (TAU * frequency * 0.01 * f64::from(step)).sin());
     let filtered = record(0.01, samples.collect()).band_passed(filter);
     let filtered = filtered.expect("a valid filter");
-    // Away from both ends, where a filter that runs backward starts too.
+    // The middle is away from both ends: a filter that runs backward starts at the last one.
     let middle = &filtered.samples()[4_000..5_000];
     let square: f64 = middle.iter().map(|sample| sample * sample).sum();
     (2.0 * square / 1_000.0).sqrt()
@@ -84,7 +84,7 @@ fn reference_gain_is_one_over_root_two_at_the_corners_in_every_pass() {
 
 #[test]
 fn limit_no_phase_turned_in_time() {
-    // A pulse far from both ends, symmetrical about its middle, stays so.
+    // A pulse far from both ends that is symmetrical about its middle stays symmetrical.
     let mut samples = vec![0.0; 6001];
     for (offset, value) in [(0, 3.0), (1, 2.0), (2, -1.0), (7, 0.5)] {
         samples[3000 + offset] = value;
@@ -193,7 +193,7 @@ fn reference_scaled_to_a_peak() {
 }
 
 proptest! {
-    // Doubling and the change of sign are exact, so that every bit follows.
+    // Doubling and the change of sign are exact, so every bit follows.
     #[test]
     fn limit_twice_the_motion_is_twice_the_filtered_motion_bit_for_bit(
         samples in prop::collection::vec(-20.0..20.0_f64, 40..200),

@@ -39,7 +39,7 @@ fn reference_resampling_halves_and_doubles_the_step() {
     let coarse = record(0.5, &[0.0, 2.0, -2.0]);
     assert_eq!(coarse.resampled(0.25).unwrap().samples(), [0.0, 1.0, 2.0, 0.0, -2.0]);
     assert_eq!(coarse.resampled(1.0).unwrap().samples(), [0.0, -2.0]);
-    // 0.75 s leaves 0.25 s after its last grid point: less than one step, dropped.
+    // 0.25 s remain after the last grid point of 0.75 s: less than one step, hence dropped.
     assert_eq!(coarse.resampled(0.75).unwrap().samples(), [0.0, 0.0]);
 }
 

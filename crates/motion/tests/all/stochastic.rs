@@ -1,4 +1,4 @@
-//! The stochastic motion: its seeds, and how the ground is left.
+//! The stochastic motion: its seeds, and the ground at its end.
 
 use pounding_motion::{Envelope, GroundFilter, Record, StochasticMotion};
 

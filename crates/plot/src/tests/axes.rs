@@ -19,7 +19,7 @@ fn exponents(log: bool) -> Drawing {
     let points = (2..=8).map(|n| (value(n), value(1 - 2 * n))).collect();
     let panel = Panel {
         y: axis(-12, 0),
-        curves: vec![Curve::new(Kind::Dashed, Shade::Vermilion, points).marked(Mark::HollowSquare)],
+        curves: vec![Curve::new(CurveKind::Dashed, Shade::Vermilion, points).marked(Mark::HollowSquare)],
         ..Panel::default()
     };
     let figure = Figure {
@@ -84,7 +84,7 @@ fn extreme_values_without_a_logarithm_are_refused() {
 }
 
 /// Returns the texts of a figure with their places.
-fn texts(figure: &Figure) -> Vec<(String, Point)> {
+fn texts(figure: &Figure) -> Vec<(String, PaperPoint)> {
     let shapes = figure.drawing().unwrap().into_owned().shapes;
     let text = |shape| {
         if let Shape::Text { text, at, .. } = shape {
@@ -102,7 +102,7 @@ fn limit_a_shared_legend_explains_a_label_once() {
         y: Axis::over("Error", 0.0, 1.0),
         curves: labels
             .iter()
-            .map(|label| Curve::new(Kind::Line, Shade::Blue, wave(5)).named(*label))
+            .map(|label| Curve::new(CurveKind::Line, Shade::Blue, wave(5)).named(*label))
             .collect(),
         legend: Legend::Shared,
         ..Panel::default()
@@ -113,7 +113,7 @@ fn limit_a_shared_legend_explains_a_label_once() {
         ..Figure::default()
     };
     let texts = texts(&figure);
-    let places: Vec<Point> = ["one", "two", "three"]
+    let places: Vec<PaperPoint> = ["one", "two", "three"]
         .map(|label| {
             let mut found = texts.iter().filter(|(text, _)| text == label);
             let place = found.next().unwrap().1;

@@ -3,7 +3,7 @@
 mod batch;
 mod effects;
 
-use pounding::text::{Kind, Refused};
+use pounding::text::{RefusalKind, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::assess::Effects;
@@ -245,7 +245,7 @@ fn answer(args: &Arguments, (prepared, effects): (&Simulation, Option<Effects>),
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
 fn hint(error: Error, path: &Path) -> Refused {
-    let is_forced = matches!(error, Error::Broken { .. }) || error.refused().is_kind(Kind::Unstable);
+    let is_forced = matches!(error, Error::Broken { .. }) || error.refused().is_kind(RefusalKind::Unstable);
     let is_exact = matches!(
         &error,
         Error::Broken {

@@ -1,6 +1,6 @@
 //! A scene under every record of a folder, until Ctrl-C.
 
-use pounding::text::{Kind, Refused};
+use pounding::text::{RefusalKind, Refused};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -46,7 +46,7 @@ impl<T> Ran<T> {
         crate::print(&text)?;
         let of = self.n_cases;
         let said = format!("stopped: of {of} runs the {finished} are printed that were finished");
-        Err(Refused::that(said).kind(Kind::Stopped))
+        Err(Refused::that(said).kind(RefusalKind::Stopped))
     }
 }
 

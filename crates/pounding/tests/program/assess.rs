@@ -1,4 +1,4 @@
-//! `pounding assess`: the answer comes first, and nothing unsafe passes in silence.
+//! Tests of `pounding assess`: the answer comes first, and nothing unsafe passes silently.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ gap_m = 0.04
 law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }
 "#;
 
-/// A folder with the scene, and its records.
+/// A folder with the scene and its records.
 pub(crate) fn workplace(test: &str, scene: &str) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
@@ -62,7 +62,7 @@ fn reference_the_answer_comes_first() {
     insta::assert_snapshot!(ended.stdout);
 }
 
-/// Widths that are enough for every run leave none that touches, and a step less leaves some.
+/// Under the proposed widths no run touches; under a step less some do.
 #[test]
 fn limit_what_is_proposed_is_enough() {
     let work = workplace("assess_proposed", TOWERS);
@@ -90,7 +90,7 @@ fn limit_what_is_proposed_is_enough() {
     assert!(with(-0.01).iter().all(|runs| *runs > 0));
 }
 
-/// A drift of a quarter of the storey height, and "Warnings none".
+/// A run with a drift of a quarter of the storey height printed "Warnings none".
 #[test]
 fn issue_impossible_responses_are_warned_of() {
     let weak = TOWERS.replace("yield_drift_ratio = 0.005", "yield_drift_ratio = 0.001");
@@ -117,7 +117,7 @@ fn issue_impossible_responses_are_warned_of() {
     assert!(answer.contains("Caution: ") && answer.contains("above 2.5 %"), "{answer}");
 }
 
-/// A scale of 1144 was accepted without a word.
+/// A scale of 1144 was accepted without a warning.
 #[test]
 fn issue_a_far_scale_is_warned_of() {
     let far = TOWERS.replace(
@@ -137,7 +137,7 @@ fn issue_a_far_scale_is_warned_of() {
     );
 }
 
-/// A force to four digits whose stiffness nobody knows: it is a range, and a wide one.
+/// A force was printed with four digits although its stiffness is unknown. Now it is a range, and a wide one.
 #[test]
 fn issue_forces_are_ranges() {
     let work = workplace("assess_ranges", TOWERS);
@@ -158,7 +158,7 @@ fn issue_forces_are_ranges() {
     assert!(none.iter().all(|pair| (ratio(pair) - 1.0).abs() <= 0.0), "{none:?}");
 }
 
-/// "1078 mm are enough for all 22 motions", without a median.
+/// The answer "1078 mm are enough for all 22 motions" had no median.
 #[test]
 fn issue_gaps_have_statistics() {
     let work = workplace("assess_gap", TOWERS);
@@ -170,7 +170,7 @@ fn issue_gaps_have_statistics() {
     );
 }
 
-/// Floors of 3.5 and 3.8 m were refused with the advice to leave out their heights.
+/// Floors at 3.5 and 3.8 m were refused with the advice to leave out their heights.
 #[test]
 fn issue_floors_beside_columns_are_not_called_level() {
     let uneven = TOWERS.replacen("height_m = 3.5, repeat = 3", "height_m = 3.8, repeat = 3", 1);
@@ -201,7 +201,7 @@ fn reference_the_folder_holds_what_is_printed() {
     let required = rows
         .records()
         .filter(|row| row.as_ref().is_ok_and(|row| &row[quantity] == "required_gap_m"));
-    // Two gaps, two records, two directions.
+    // There are two gaps, two records and two directions.
     assert_eq!(required.count(), 8);
     assert_eq!(table, assess(&work, &["--csv"]).stdout);
     for name in ["row.png", "gap.svg", "assess.json"] {
@@ -234,7 +234,7 @@ fn issue_what_is_unusual_in_the_scene_is_said() {
     assert!(ended.stdout.contains("contacts[0].gap_m"), "{}", ended.stdout);
 }
 
-/// The report named no scaling, and who repeated it got another answer.
+/// The report did not name the scaling, so a repetition gave another answer.
 #[test]
 fn issue_the_report_repeats_the_scaling() {
     let work = workplace("assess_repeated", TOWERS);
@@ -253,7 +253,7 @@ pub(crate) fn found(work: &Path, more: &[&str]) -> Value {
     serde_json::from_str(&ended.stdout).expect("JSON")
 }
 
-/// Eleven records whose mean spectrum fell short of the target passed in silence.
+/// The mean spectrum of eleven records fell short of the target without a warning.
 #[test]
 fn issue_a_mean_spectrum_below_its_target_is_warned_of() {
     let work = workplace("assess_mean_spectrum", TOWERS);
@@ -269,7 +269,7 @@ fn issue_a_mean_spectrum_below_its_target_is_warned_of() {
     assert!(share.is_some_and(|share| share < 0.9), "{share:?}");
 }
 
-/// `a_g = 0.25` was taken in g, where Eurocode 8 gives it in m/s².
+/// `a_g = 0.25` was read in g; Eurocode 8 gives it in m/s².
 #[test]
 fn issue_a_number_without_a_unit_is_asked_for_one() {
     let work = workplace("assess_units", TOWERS);
@@ -297,7 +297,7 @@ fn issue_components_of_one_event_are_one_event() {
     assert!(said.contains("1 in 2"), "{said}");
 }
 
-/// Floors without heights were taken to be level, and nothing said so.
+/// Floors without heights were assumed level without a remark.
 #[test]
 fn issue_floors_without_heights_are_said_to_be_taken_as_level() {
     let scene = TOWERS.replace(", height_m = 3.5, repeat = 3", ", stiffness_n_per_m = 2e8, repeat = 3");
@@ -313,7 +313,7 @@ fn issue_floors_without_heights_are_said_to_be_taken_as_level() {
     assert!(all.contains("taken to be"), "{all}");
 }
 
-/// An acceleration to three digits, of the force that nobody knows.
+/// An acceleration was printed with three digits although it depends on an unknown force.
 #[test]
 fn issue_accelerations_are_ranges() {
     let work = workplace("assess_accelerations", TOWERS);
@@ -329,7 +329,7 @@ fn issue_accelerations_are_ranges() {
     assert!(all["by_stiffness"]["drift_largest_over_least"]["median"].as_f64() < Some(1.5));
 }
 
-/// Half of the folder could not be read, and the answer did not say so.
+/// Half of the folder could not be read, and the answer did not mention it.
 #[test]
 fn issue_what_is_left_out_is_said_first() {
     let work = workplace("assess_left_out", TOWERS);

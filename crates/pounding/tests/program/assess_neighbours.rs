@@ -1,4 +1,4 @@
-//! `pounding assess`: neighbours that nobody knows, bumpers, and what moves.
+//! Tests of `pounding assess` for unknown neighbours, bumpers and animations.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::assess::{TOWERS, assess, found, workplace};
 use crate::pounding;
 
-/// A building whose neighbour nobody knows.
+/// A building with an unknown neighbour.
 const UNKNOWN: &str = r#"
 name = "unknown"
 record.file = "el-centro-1940-ns-chopra.csv"
@@ -21,7 +21,7 @@ gap_m = 0.03
 law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }
 "#;
 
-/// The neighbours are in the middle of equal parts of the logarithm of the period, and each needs what it needs as a known one.
+/// The periods of the neighbours are in the middle of equal parts of the logarithm. Each needs the gap of a known neighbour.
 #[test]
 fn reference_an_unknown_neighbour_is_each_that_it_may_be() {
     let work = workplace("assess_unknown", UNKNOWN);
@@ -52,7 +52,7 @@ fn reference_an_unknown_neighbour_is_each_that_it_may_be() {
     assert!((known / unknown - 1.0).abs() < 1e-9, "{known} {unknown}");
 }
 
-/// The same bytes for any number of threads, and the answer names the probability first.
+/// The answer has equal bytes with any number of threads, and names the probability first.
 #[test]
 fn limit_an_unknown_neighbour_gives_the_same_bytes() {
     let work = workplace("assess_unknown_bytes", UNKNOWN);
@@ -112,7 +112,7 @@ fn extreme_unknown_neighbours_that_are_refused() {
     insta::assert_snapshot!(all.join("\n"));
 }
 
-/// A bumper as stiff as no wall changes little; a soft one in a wide gap takes the force.
+/// A soft bumper in a wide gap reduces the pounding force; a narrow gap gets no bumper.
 #[test]
 fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     let wide = TOWERS.replace("gap_m = 0.04", "gap_m = 0.1");
@@ -127,7 +127,7 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     }
     let proposals = |all: &Value| all["proposals"].to_string();
     assert!(!proposals(&all).contains("help"), "{}", proposals(&all));
-    // In the narrow gap there is no room for a soft one, and a stiff one is no bumper.
+    // The narrow gap has no room for a soft bumper, and a stiff one is no bumper.
     let narrow = workplace("assess_no_bumper", TOWERS);
     for bumper in ["proposed", "k=90000MN/m"] {
         let all = found(&narrow, &["--scale", "pga=1.2g", "--bumper", bumper]);
@@ -138,7 +138,7 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     assert!(refused.contains("has no unit"), "{refused}");
 }
 
-/// The animation needs no script, is well formed, and stands still for who asks for less motion.
+/// The animation needs no script, is well formed, and stops for readers who prefer reduced motion.
 #[test]
 fn reference_the_report_moves_without_a_script() {
     let work = workplace("assess_animation", TOWERS);

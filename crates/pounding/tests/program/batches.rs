@@ -1,4 +1,4 @@
-//! A folder of records: what its lines and its folder of results tell.
+//! Tests of runs under a folder of records: printed lines and the folder of results.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use crate::runs::printed;
 use crate::suites::{TOWERS, suite};
 use crate::{pounding, refusal};
 
-/// The scene of the folder, changed, in a file of its own.
+/// Writes a changed copy of the folder's scene.
 fn changed(test: &str, from: &str, to: &str) -> std::path::PathBuf {
     let folder = suite(test);
     assert!(TOWERS.contains(from), "{from}");
@@ -18,7 +18,7 @@ fn changed(test: &str, from: &str, to: &str) -> std::path::PathBuf {
 
 const RECORDS: [&str; 4] = ["run", "changed.toml", "--records", "records"];
 
-/// By how much each record was scaled stood nowhere.
+/// The scale factor of each record was not printed.
 #[test]
 fn issue_the_factor_of_every_record_is_shown() {
     let folder = changed(
@@ -29,7 +29,7 @@ fn issue_the_factor_of_every_record_is_shown() {
     let json = pounding(&folder, &[&RECORDS[..], &["--json"]].concat());
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let text = pounding(&folder, &RECORDS);
-    // Both have the same motion, rounded, one of them in cm/s²; their peak is near 4 m/s².
+    // Both files hold one motion, rounded, one of them in cm/s²; the peak is near 4 m/s².
     for (index, name) in [(0, "column.txt"), (1, "pulse.csv")] {
         let factor = json["motions"][index]["scale_factor"].as_f64();
         let factor = factor.expect("a number");
@@ -43,7 +43,7 @@ fn issue_the_factor_of_every_record_is_shown() {
     assert!(printed(&alone).contains("; in all × "), "{}", alone.stdout);
 }
 
-/// A row with one impulsive contact showed no force at all.
+/// A row with one impulsive contact had no forces in the table.
 #[test]
 fn issue_the_forces_of_laws_that_have_one_are_shown() {
     let third = "  { sdof = { name = \"third\", mass_kg = 2e5, period_s = 0.6, damping.ratio = 0.05 } },\n]";
@@ -63,7 +63,7 @@ fn issue_the_forces_of_laws_that_have_one_are_shown() {
     assert_eq!(words[6], pounding::text::short(force / 1e3), "{words:?}");
 }
 
-/// `--out` was refused of a folder of records.
+/// `--out` was refused together with a folder of records.
 #[test]
 fn issue_a_folder_of_records_is_written_to_a_folder() {
     let folder = changed("batch_out", "towers", "two towers");
@@ -77,14 +77,14 @@ fn issue_a_folder_of_records_is_written_to_a_folder() {
         let printed = pounding(&folder, &[&RECORDS[..], &[option]].concat());
         assert_eq!(file(name), printed.stdout, "{name}");
     }
-    // Again over its own results, but over nothing else.
+    // A second run replaces its own results but no other files.
     assert_eq!(pounding(&folder, &out).stdout, text.stdout);
     fs::write(folder.join("out/mine.txt"), "mine").expect("a file");
     let message = refusal(&pounding(&folder, &out));
     assert!(message.contains("such as \"mine.txt\""), "{message}");
 }
 
-/// "They do not touch" stood over a run whose steps missed what exact motion has.
+/// "They do not touch" was printed for a run whose steps missed touches of the exact motion.
 #[test]
 fn issue_touches_that_the_steps_miss_are_not_denied() {
     let newmark = "method.newmark = { time_step_s = 3.0, beta = 0.25, gamma = 0.5 }\nduration_s = 3.0";
@@ -108,7 +108,7 @@ fn issue_touches_that_the_steps_miss_are_not_denied() {
     );
 }
 
-/// What `check` calls unusual was said by nothing that runs.
+/// No command that runs repeated the implausible values that `check` found.
 #[test]
 fn issue_what_is_unusual_is_said_by_runs() {
     let folder = changed("batch_unusual", "mass_kg = 2e5", "mass_kg = 200");

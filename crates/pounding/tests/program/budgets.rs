@@ -1,4 +1,4 @@
-//! Work that ends: what a run may cost, and Ctrl-C.
+//! Tests that work ends: budgets of runs, and Ctrl-C.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::{folder, good_scene, pounding, quiet, refusal};
 
-/// Two structures under a pulse that drives them together, in contact by this law.
+/// Two structures with a given contact law, under a pulse that drives them together.
 fn scene(law: &Value) -> Value {
     let structure =
         |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
@@ -30,7 +30,7 @@ fn write(folder: &Path, name: &str, json: &Value) {
     fs::write(folder.join(name), json.to_string()).expect("a disk");
 }
 
-/// Starts the program, sends a signal such as Ctrl-C after a while, and returns what it said, if it ended within a second.
+/// Starts the program, sends a signal such as Ctrl-C after a while, and returns the output if the program ends within a second.
 #[cfg(unix)]
 pub(crate) fn interrupted(folder: &Path, signal: &str, arguments: &[&str], ready: impl Fn() -> bool) -> Output {
     let child = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
@@ -49,12 +49,12 @@ pub(crate) fn interrupted(folder: &Path, signal: &str, arguments: &[&str], ready
     assert!(sent.expect("kill is there").success(), "it runs");
     let since = Instant::now();
     let output = child.wait_with_output().expect("it ends");
-    // A second, on a machine that does ten things at once.
+    // The limit is a second on a machine with ten other tasks.
     assert!(since.elapsed() < Duration::from_secs(10), "{:?}", since.elapsed());
     output
 }
 
-/// Ctrl-C waited for runs that had begun: a sweep with one value 1e12 had to be killed.
+/// Ctrl-C waited for runs that had begun: a sweep with one value of 1e12 had to be killed.
 #[cfg(unix)]
 #[test]
 fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
@@ -76,7 +76,7 @@ fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
     assert!(!parts.join("part-000000000.csv").exists(), "it was not finished");
 }
 
-/// So did the runs of a folder of records; one run alone ends with its process.
+/// Ctrl-C waited for the runs of a folder of records. A single run ends with its process.
 #[cfg(unix)]
 #[test]
 fn issue_runs_end_though_one_of_them_does_not() {
@@ -89,7 +89,7 @@ fn issue_runs_end_though_one_of_them_does_not() {
     let line = |index: i32| format!("{},{}\n", f64::from(index) / 100.0, 4 * (index % 20));
     let pulse = (0..40).map(line).collect::<Vec<_>>().concat();
     fs::write(records.join("one.csv"), format!("time_s,acceleration_m_per_s2\n{pulse}")).expect("a disk");
-    // Who runs alone has no handler of Ctrl-C, and ignores it where a script in the background started the tests.
+    // A single run has no handler of Ctrl-C. It ignores the signal if a background script started the tests.
     for (signal, arguments) in [
         ("-INT", &["run", "scene.json", "--records", "records"][..]),
         ("-TERM", &["run", "scene.json"]),
@@ -101,7 +101,7 @@ fn issue_runs_end_though_one_of_them_does_not() {
     }
 }
 
-/// A row that needs more than it may have took the others with it.
+/// A row that exceeded its budget stopped all others.
 #[test]
 fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
     let folder = folder("budgets_rows");
@@ -123,7 +123,7 @@ fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
     assert!(table.contains("`budget.pieces`"), "{table}");
 }
 
-/// A thousand sub-steps were not counted: such a run took 5.8 GB.
+/// A thousand sub-steps were not counted: such a run used 5.8 GB.
 #[test]
 fn issue_sub_steps_count_among_the_steps() {
     let folder = folder("budgets_substeps");
@@ -142,7 +142,7 @@ fn issue_sub_steps_count_among_the_steps() {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
 }
 
-/// `check` of a mass near the largest number went on without end.
+/// `check` of a mass near the largest number did not end.
 #[test]
 fn issue_masses_near_the_largest_number_end() {
     let folder = folder("budgets_mass");
@@ -179,7 +179,7 @@ fn extreme_budgets_of_nothing_are_refused() {
     }
 }
 
-/// A pipe that nobody fills, and a device without an end, as a scene or sweep.
+/// The program waited for a pipe that nobody filled, and read an endless device, as a scene or sweep.
 #[cfg(unix)]
 #[test]
 fn issue_what_is_no_file_is_refused_at_once() {

@@ -1,4 +1,4 @@
-//! What is said of buildings of several storeys, and of what a run leaves behind in them.
+//! Tests of output about buildings of several storeys and their results.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::{folder, pounding};
 
 const TOWERS: &str = "../../studies/examples/towers-of-storeys.toml";
 
-/// Runs the example of two towers, in steps where asked; returns summary, report and the table of histories.
+/// Runs the example of two towers by a method. Returns the summary, the report and the table of histories.
 fn reported(test: &str, method: &str) -> (Summary, String, csv::Reader<fs::File>) {
     let folder = folder(test);
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -38,8 +38,8 @@ fn column(histories: &mut csv::Reader<fs::File>, name: &str) -> Vec<f64> {
     rows.map(|row| row[at].parse().expect("a number")).collect()
 }
 
-/// Histories had no drifts; residual displacements and peak accelerations stood nowhere. Twice: the rows of the histories end
-/// where the residuals are, and come up to the peaks.
+/// Histories had no drifts, and residual displacements and peak accelerations were not printed. Two routes agree: the rows of the histories
+/// end at the residuals and reach the peaks.
 #[test]
 fn issue_residuals_accelerations_and_drifts_are_those_of_the_histories() {
     let (summary, page, mut histories) = reported("building_numbers", "");
@@ -68,7 +68,7 @@ fn issue_residuals_accelerations_and_drifts_are_those_of_the_histories() {
     }
 }
 
-/// Drifts were printed without their errors.
+/// Drifts had no errors.
 #[test]
 fn issue_drifts_have_errors() {
     let (exact, ..) = reported("building_exact", "");
@@ -91,7 +91,7 @@ fn issue_drifts_have_errors() {
     assert!(page.contains("<th>Peak drift [mm]</th>"), "{page}");
 }
 
-/// A peak force was labelled with the time of the first touch, and had no time of its own.
+/// A peak force had the time of the first touch as its time.
 #[test]
 fn issue_the_peak_force_has_its_own_time() {
     let (summary, page, _) = reported("building_forces", "");
@@ -108,7 +108,7 @@ fn issue_the_peak_force_has_its_own_time() {
     assert!(page.contains(&words), "{words}");
 }
 
-/// What was modelled stood in the report as JSON only, and every floor of the figure named the period of its building.
+/// The report showed the model only as JSON, and every floor of the figure repeated the period of its building.
 #[test]
 fn issue_the_report_tables_the_scene_and_names_a_period_once() {
     let (_, page, _) = reported("building_scene", "");
@@ -131,7 +131,7 @@ fn issue_the_report_tables_the_scene_and_names_a_period_once() {
     assert!(figure.matches("(T = ").count() <= 2, "once per building");
 }
 
-/// The yield force of the first storey stood for all.
+/// `check` printed the yield force of the first storey for all storeys.
 #[test]
 fn issue_check_prints_the_yield_forces_of_all_storeys() {
     let folder = folder("building_yields");

@@ -1,4 +1,4 @@
-//! `pounding laws` and `pounding certify`.
+//! Tests of `pounding laws` and `pounding certify`.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -31,7 +31,7 @@ fn reference_a_certificate_for_machines() {
     assert_snapshot!("csv", certify(&format!("{asked} --format csv")).stdout);
 }
 
-/// Four laws went on without end: the exact method cut a collision of a million years into pieces of a collision.
+/// Four laws did not end: the exact method cut a collision of a million years into pieces as short as a contact.
 #[test]
 fn issue_a_certificate_of_a_soft_contact_ends() {
     for law in [
@@ -95,14 +95,14 @@ fn extreme_numbers_that_are_none_are_refused_by_every_option() {
             };
             let ended = asked(Some((option, &numbers)));
             assert!(ended.code != 0 && ended.stdout.is_empty(), "{option} {none}");
-            // A number that begins with a minus is taken for an option.
+            // A number that begins with a minus sign is read as an option.
             let named = ended.stderr.contains(option) || none.starts_with('-');
             assert!(named, "{option} {none}: {}", ended.stderr);
         }
     }
 }
 
-/// A negative mass was taken for a flag that nobody knows.
+/// A negative mass was read as an unknown option.
 #[test]
 fn issue_a_negative_mass_is_refused_as_a_number() {
     for masses in [["-75e3", "3e6"], ["75e3", "-3e6"]] {

@@ -1,4 +1,4 @@
-//! Both directions of shaking: what `run`, `check` and the report say of each.
+//! Tests of both directions of shaking in `run`, `check` and the report.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::assess::{TOWERS, workplace};
 use crate::pounding;
 
-/// "They touch at 1 of 7 gaps", where the reversed shaking hits six.
+/// "They touch at 1 of 7 gaps" was printed although the reversed shaking closes six.
 #[test]
 fn issue_a_run_tells_of_both_directions() {
     let work = workplace("assess_both", TOWERS);
@@ -19,7 +19,7 @@ fn issue_a_run_tells_of_both_directions() {
     assert!(!one.stdout.contains("reversed"), "{}", one.stdout);
 }
 
-/// "never" and "not needed", told from one direction; reversed all pairs hit.
+/// "never" and "not needed" were printed from one direction; in the other direction all pairs touch.
 #[test]
 fn issue_check_looks_in_both_directions() {
     let work = workplace("check_both", TOWERS);
@@ -31,7 +31,7 @@ fn issue_check_looks_in_both_directions() {
     assert!(pairs.iter().all(|pair| pair["touches_reversed"].is_boolean()), "{json}");
 }
 
-/// The headline of a report told of one direction, whichever the record had.
+/// The headline of a report described only the direction of the record.
 #[test]
 fn issue_the_report_of_a_run_shows_both_directions() {
     let work = workplace("run_both", TOWERS);

@@ -1,4 +1,4 @@
-//! The commands of the documents: they run, and print what the page says they print.
+//! Tests of the commands in the documents: they run and print what the page shows.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,14 +8,14 @@ use crate::folder;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// A block of a page: its kind, the name of the file that it is, and its lines.
+/// A block of a page: its kind, the name of its file if it has one, and its lines.
 struct Block<'a> {
     kind: &'a str,
     file: Option<&'a str>,
     body: Vec<&'a str>,
 }
 
-/// The blocks of a page between fences; a line before one that names a file in backticks and ends with a colon says where it goes.
+/// The blocks of a page between fences. A preceding line that names a file in backticks and ends with a colon gives the file.
 fn blocks(page: &str) -> Vec<Block<'_>> {
     let mut blocks = Vec::new();
     let mut open: Option<Block<'_>> = None;
@@ -42,7 +42,7 @@ fn blocks(page: &str) -> Vec<Block<'_>> {
     blocks
 }
 
-/// A command of a block with the lines of its output that the page shows.
+/// A command of a block with the output lines that the page shows.
 struct Shown<'a> {
     command: String,
     output: Vec<&'a str>,
@@ -67,7 +67,7 @@ fn commands<'a>(block: &Block<'a>) -> Vec<Shown<'a>> {
     all
 }
 
-/// Every file below a folder that `wanted` takes.
+/// Every file below a folder for which `wanted` is true.
 fn files(folder: &Path, wanted: fn(&Path) -> bool) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder is there");
     let below = entries.flat_map(|entry| {
@@ -90,20 +90,20 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Where the commands of a page run: with the files of a clone that pages name, and a user's record and folder of records.
+/// The folder in which the commands of a page run. It has the files of a clone that pages name, a user's record, and a folder of records.
 fn workplace(name: &str) -> PathBuf {
     let (root, work) = (Path::new(ROOT), folder(&format!("documents-{name}")));
     for shared in ["studies", "crates/motion/tests/files"] {
         copy(&root.join(shared), &work.join(shared));
     }
     copy(&root.join("studies/records"), &work.join("folder"));
-    // What a file is shows in its content, not in its name.
+    // The format of a file follows from its content, not from its name.
     let record = root.join("crates/motion/tests/files/usgs.smc");
     fs::copy(record, work.join("quake.AT2")).expect("it can be copied");
     work
 }
 
-/// What of a page does not hold, and how many of its commands ran.
+/// The faults of a page, and the number of its commands that ran.
 fn faults(page: &Path) -> (Vec<String>, usize) {
     let inside = page.strip_prefix(ROOT).expect("a page of the project");
     let name = inside.display().to_string().replace(['/', '.'], "-");
@@ -122,7 +122,7 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
             fs::write(target, block.body.join("\n") + "\n").expect("it can be written");
         }
         for Shown { command, output } in commands(&block) {
-            // Those build, or leave the workplace; how far one comes in a given time depends on the machine.
+            // These commands build, leave the workplace, or depend on the speed of the machine.
             let elsewhere = ["cargo ", "git ", "cd ", "pip ", "timeout "];
             if block.kind != "console" || elsewhere.iter().any(|one| command.starts_with(one)) {
                 continue;
@@ -137,7 +137,7 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
             if ended.status.success() == refused {
                 faults.push(format!("{name}: {command}: {}\n{printed}", ended.status));
             }
-            // A page shows some of the lines, in their order.
+            // A page shows some of the printed lines, in their order.
             let mut lines = printed.lines().map(str::trim_end);
             let wanted = output.iter().map(|line| line.trim_end());
             let missing = wanted

@@ -1,4 +1,4 @@
-//! Errors beside results, and advice for an accuracy.
+//! Tests of errors beside results, and of advice for an accuracy.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -83,7 +83,7 @@ fn reference_advice_on_the_example() {
     assert_eq!(advice.stdout, same.stdout, "1% is 0.01");
 }
 
-/// What is pasted into the scene is accepted, and what an accuracy chooses.
+/// A scene accepts the advised method, and an accuracy in the scene chooses that method.
 #[test]
 fn limit_an_accuracy_chooses_what_is_advised() {
     let folder = folder("advised");
@@ -128,7 +128,7 @@ fn run_example(test: &str, method: &Value) -> Ended {
     pounding(&folder_of(test, example_with(method)), &["run", "scene.json", "--details"])
 }
 
-/// A stepping method wins where the accuracy is low: what is advised, and what a run with it says of itself.
+/// A stepping method wins at a low accuracy. A run with it measures the advised error.
 #[test]
 fn reference_a_stepping_method_wins() {
     let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", "momentum"];
@@ -159,7 +159,7 @@ fn reference_advice_on_each_quantity() {
     assert_snapshot!(uses);
 }
 
-/// More to keep never allows a cheaper method.
+/// A larger set of quantities never allows a cheaper method.
 #[test]
 fn limit_all_quantities_cost_no_less_than_one() {
     let cost = |quantity: &str| -> u64 {
@@ -178,7 +178,7 @@ fn limit_all_quantities_cost_no_less_than_one() {
 
 #[test]
 fn extreme_advice_without_an_exact_run() {
-    // Elements so stiff that their force is beyond the range of numbers.
+    // Contact elements so stiff that their force overflows.
     let mut scene = example_with(&json!({"accuracy": 0.01}));
     let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);
@@ -189,7 +189,7 @@ fn extreme_advice_without_an_exact_run() {
     assert_eq!(refusal(&advice), refusal(&ended));
 }
 
-/// In a step of 0.05 s the weak structure flies deep into the stiff one and is thrown back with more than it had.
+/// With a step of 0.05 s the weak structure penetrates deep into the stiff one and is thrown back with added energy.
 #[test]
 fn extreme_a_run_that_creates_energy_is_refused() {
     let steps = json!({"central_difference": {"time_step_s": 0.05}});

@@ -1,10 +1,10 @@
-//! The examples of the library: they run, and print what their first lines say.
+//! Tests of the library's examples: they run and print what their first lines say.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// What the first lines of a source say that it prints.
+/// The output that the first lines of a source announce.
 fn said(source: &str) -> String {
     let lines = source.lines().map_while(|line| line.strip_prefix("//!"));
     let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(line));
@@ -15,7 +15,7 @@ fn said(source: &str) -> String {
 
 #[test]
 fn limit_every_example_prints_what_it_says() {
-    // Cargo builds them with the tests of this package, beside the folder of this test.
+    // Cargo builds the examples with the tests of this package, next to this test's folder.
     let test = std::env::current_exe().unwrap();
     let built = test.parent().unwrap().parent().unwrap().join("examples");
     let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");

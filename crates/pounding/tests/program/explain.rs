@@ -1,4 +1,4 @@
-//! What words mean.
+//! Tests of `pounding explain`.
 
 use crate::runs::printed;
 use crate::{folder, pounding, refusal};
@@ -18,7 +18,7 @@ fn extreme_a_word_that_nobody_knows_has_a_nearest() {
     assert_snapshot!(refusal(&pounding(&folder, &["explain", "ductillity"])), @r#"error: found no word "ductillity", allowed are those that `pounding explain` lists; the nearest is "ductility [μ]""#);
 }
 
-/// Words that newcomers looked for and did not find, of what is modelled and of what is not.
+/// Words that newcomers looked up were missing, both of modelled and of unmodelled things.
 #[test]
 fn issue_words_of_newcomers_are_explained() {
     let folder = folder("explain_more");

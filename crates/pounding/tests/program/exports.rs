@@ -1,4 +1,4 @@
-//! `pounding export`: the script of a scene, and the laws that it cannot hold.
+//! Tests of `pounding export`: the script of a scene, and the laws that it cannot hold.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ fn linear() -> Value {
     json!({"linear_spring": {"impact_stiffness_n_per_m": 93.5e6}})
 }
 
-/// A wall and two structures, one of which yields, under a jerk of the ground.
+/// A wall and two structures under a jerk of the ground; one structure yields.
 fn scene() -> Value {
     let mut scene = good_scene();
     let (weak, stiff) = (scene["structures"][0].clone(), scene["structures"][1].clone());
@@ -37,7 +37,7 @@ fn export(folder: &Path, options: &[&str]) -> Ended {
     pounding(folder, &[&["export", "--opensees", "scene.json"], options].concat())
 }
 
-/// The numbers of a script; what follows them is the same in all.
+/// The numbers of a script; the code below them is equal in all scripts.
 fn numbers(script: &str) -> &str {
     let (numbers, program) = script.split_once("\n\n\ndef travels").expect("two parts");
     assert!(program.contains("UniformExcitation"), "{program}");
@@ -52,7 +52,7 @@ fn reference_script_of_a_small_scene() {
     assert_snapshot!(numbers(&ended.stdout));
 }
 
-/// Both were refused, though OpenSees knows them.
+/// Buildings and travelling motions were refused although OpenSees can model them.
 #[test]
 fn issue_buildings_and_motions_that_travel_are_written() {
     let mut scene = scene();

@@ -1,4 +1,4 @@
-//! No table and no JSON of the program holds a number that is infinite or none, and no message one of three hundred digits.
+//! Tests that no table and no JSON holds an infinite number or NaN, and that no message prints three hundred digits.
 
 use std::fs;
 use std::path::Path;
@@ -9,14 +9,14 @@ use crate::suites::{TOWERS, suite};
 use crate::sweeps::{scene, sweep, with_sweep};
 use crate::{folder, pounding, refusal};
 
-/// Cells of a table that readers take for numbers without being finite.
+/// Cells of a table that readers take for numbers that are not finite.
 fn infinite(table: &str) -> Vec<&str> {
     let is_none = |cell: &&str| cell.parse().is_ok_and(|number: f64| !number.is_finite());
     let cells = table.lines().flat_map(|line| line.split(','));
     cells.filter(is_none).collect()
 }
 
-/// `largest_error,inf` stood in the table where the numbers of collisions differ.
+/// The table had `largest_error,inf` if the numbers of collisions differ.
 #[test]
 fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     let folder = suite("finite_errors");
@@ -24,7 +24,7 @@ fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     let values: Vec<String> = (0..60).map(value).collect();
     fs::write(folder.join("records/column.txt"), values.join("\n")).expect("a file");
     fs::remove_file(folder.join("records/pulse.csv")).expect("it is there");
-    // One of two collisions falls between the steps.
+    // One of two collisions happens between the steps.
     let soft = "law.kelvin_voigt = { restitution = 0.9, impact_stiffness_n_per_m = 1e8, calibration = \"exact\" }";
     let towers = TOWERS.replace("law.stereomechanical.restitution = 0.6", soft);
     let coarse = "\n[method.central_difference]\ntime_step_s = 0.04\nstart = \"consistent\"\n";
@@ -42,7 +42,7 @@ fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     assert!(motions.iter().any(|one| one["largest_error"].is_null()), "{json:#}");
 }
 
-/// What is refused, whose message has all of these words and no number of more than a few digits.
+/// Asserts that a message has all of these words and no number with more than a few digits.
 fn says(message: &str, words: &[&str]) {
     let missing = words.iter().find(|word| !message.contains(**word));
     assert_eq!(missing, None, "{message}");
@@ -64,7 +64,7 @@ fn write(folder: &Path, scene: &Value) {
     fs::write(folder.join("scene.json"), scene.to_string()).expect("a file");
 }
 
-/// An Arias intensity of `inf`.
+/// A record had an Arias intensity of `inf`.
 #[test]
 fn issue_a_record_beyond_all_grounds_is_refused() {
     let folder = with_record("finite_record", "0,0\n0.01,1e300\n0.02,0\n");
@@ -90,7 +90,7 @@ fn issue_a_record_beyond_all_grounds_is_refused() {
     );
 }
 
-/// A sampled input of `inf` stood in the table.
+/// The table had `inf` as a sampled input.
 #[test]
 fn issue_a_sampled_number_beyond_all_numbers_is_an_empty_cell_with_its_reason() {
     let mut words = sweep(8);
@@ -105,7 +105,7 @@ fn issue_a_sampled_number_beyond_all_numbers_is_an_empty_cell_with_its_reason() 
     says(refused, &["structures[0].sdof.mass_kg", "found inf", "allowed"]);
 }
 
-/// A period of `inf`, from a mass and a stiffness that are numbers; and masses whose runs did not end.
+/// A finite mass and stiffness gave a period of `inf`, and runs with some masses did not end.
 #[test]
 fn issue_numbers_of_a_scene_beyond_all_buildings_are_refused_in_its_words() {
     let folder = folder("finite_scenes");

@@ -1,4 +1,4 @@
-//! Folders of results: where they may be written, and what is said of other places.
+//! Tests of folders of results: allowed places, and messages about others.
 
 use std::fs;
 
@@ -70,7 +70,7 @@ fn extreme_places_that_are_no_folder() {
     assert_snapshot!(refusal(&here), @"error: --out: .. has no name to write a folder under; name a folder in it");
 }
 
-/// Twelve results among the records were motions that could not be read.
+/// Twelve result files among the records were reported as unreadable motions.
 #[test]
 fn issue_results_do_not_go_among_the_records() {
     let work = workplace("among_records", TOWERS);
@@ -82,7 +82,7 @@ fn issue_results_do_not_go_among_the_records() {
     }
 }
 
-/// `assess` refused the folder that it had made itself.
+/// `assess` refused to replace the folder of its own earlier run.
 #[test]
 fn issue_an_earlier_assessment_is_replaced() {
     let work = workplace("assessed_again", TOWERS);

@@ -1,4 +1,4 @@
-//! What `--help` says of the program and of each command.
+//! Tests of `--help` for the program and each command.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ fn commands(help: &str) -> Vec<String> {
     words.filter(|word| *word != "help").map(String::from).collect()
 }
 
-/// Words of every command, and of those inside one, with its help.
+/// The words of every command and subcommand with its help.
 fn every_help(here: &Path) -> Vec<(Vec<String>, String)> {
     let help_of = |words: &[&str]| printed(&pounding(here, &[words, &["--help"]].concat())).to_string();
     let mut all = Vec::new();
@@ -32,7 +32,7 @@ fn every_help(here: &Path) -> Vec<(Vec<String>, String)> {
     all
 }
 
-/// A command that is cut in two cannot be copied: every line of the examples begins as it was written.
+/// A command that is broken over two lines cannot be copied: every line of the examples begins as written.
 #[test]
 fn issue_no_example_is_broken_at_80_columns() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));

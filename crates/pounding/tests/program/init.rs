@@ -1,4 +1,4 @@
-//! A scene to begin with.
+//! Tests of `pounding init`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,8 @@ use crate::runs::printed;
 use crate::suites::suite;
 use crate::{folder, pounding, refusal};
 
-/// Writes a scene for a record, both seen from a folder; the line that names it, with what follows it up to a blank line.
+/// Writes a scene for a record, both named relative to a folder. Returns the line that names the record, with the lines up to the next
+/// blank one.
 fn named(folder: &Path, scene: &str, record: &str) -> String {
     let wrote = pounding(folder, &["init", scene, "--record", record, "--overwrite"]);
     assert_eq!((wrote.code, wrote.stderr.as_str()), (0, ""), "{record}");
@@ -38,7 +39,7 @@ fn reference_a_scene_to_begin_with() {
     assert!(!folder.join("x.toml").exists(), "nothing was written");
 }
 
-/// A scene moves together with the records that lie in its folder, below it or beside it.
+/// A scene and the records in its folder, below it or beside it, can be moved together.
 #[test]
 fn reference_a_record_is_named_from_the_folder_of_the_scene() {
     let folder = suite("init_named");
@@ -55,7 +56,7 @@ fn reference_a_record_is_named_from_the_folder_of_the_scene() {
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{scene}");
         assert!(!text(folder.join(scene)).contains(env!("CARGO_TARGET_TMPDIR")));
     }
-    // From here to there it is too far to be of help; an absolute path says so.
+    // A relative path from here would be too long to help, so the scene has an absolute path.
     fs::create_dir_all(folder.join("a/b/c/d")).expect("a folder");
     let far = named(&folder, "a/b/c/d/own.toml", "records/pulse.csv");
     assert!(
@@ -65,7 +66,7 @@ fn reference_a_record_is_named_from_the_folder_of_the_scene() {
     assert_eq!(pounding(&folder, &["run", "a/b/c/d/own.toml"]).code, 0);
 }
 
-/// What a file does not say stands in the scene as a comment, and is asked for before the first run.
+/// Data that a file lacks are comments in the scene, and must be given before the first run.
 #[test]
 fn reference_what_a_record_does_not_say_is_to_be_filled_in() {
     let folder = suite("init_missing");
@@ -79,7 +80,7 @@ fn reference_what_a_record_does_not_say_is_to_be_filled_in() {
     fs::write(folder.join("again.toml"), filled).expect("a file");
     let ran = pounding(&folder, &["run", "again.toml"]);
     assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "and runs");
-    // Which of several is not said by their order.
+    // The order of several records does not choose one.
     let several = "../../motion/tests/files/geonet.v2a";
     let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let several = here.join(several);
@@ -98,7 +99,7 @@ fn extreme_records_that_are_none() {
     assert!(!folder.join("scene.toml").exists(), "nothing was written");
 }
 
-/// The lines that stand in the template as comments.
+/// The commented lines of the template.
 #[test]
 fn reference_a_wall_as_the_comments_show_it() {
     let folder = folder("init_wall");
@@ -150,7 +151,7 @@ fn extreme_a_record_with_an_apostrophe_in_its_name() {
     assert_eq!(ran.code, 0, "{}", ran.stderr);
 }
 
-/// TOML stood in a file that is read as JSON.
+/// A file with the extension `.json` got TOML.
 #[test]
 fn issue_a_scene_in_json_is_json() {
     let folder = suite("init_json");

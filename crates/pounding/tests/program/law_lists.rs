@@ -1,4 +1,4 @@
-//! Lists of laws in documents and in the words of fuzzing: they are those of the program, and are written by these tests.
+//! Tests that write the lists of laws in documents and in the dictionary of fuzzing: they must equal those of the program.
 
 use std::path::Path;
 use std::{env, fs};
@@ -7,7 +7,7 @@ use pounding::contact::{Exact, LawName, Parameter};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// A file as it is and as a list of the program makes it. With `INSTA_UPDATE=always` it is written; else a difference is a fault.
+/// Compares a file with the version that the program makes. With `INSTA_UPDATE=always` the file is written; otherwise a difference fails.
 pub(crate) fn renew(file: &str, renewed: impl Fn(&str) -> String) {
     let path = Path::new(ROOT).join(file);
     let text = fs::read_to_string(&path).expect("a file of the project");
@@ -20,7 +20,7 @@ pub(crate) fn renew(file: &str, renewed: impl Fn(&str) -> String) {
     }
 }
 
-/// A page with other rows in the table of this head.
+/// A page with new rows in the table with this head.
 pub(crate) fn with_table(page: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let head = line(&head.iter().map(ToString::to_string).collect::<Vec<_>>());
@@ -32,13 +32,13 @@ pub(crate) fn with_table(page: &str, head: &[&str], rows: impl Iterator<Item = V
     format!("{before}{head}{rule}\n{rows}{}", &after[end..])
 }
 
-/// The names that scene files know.
+/// The law names in scene files.
 fn words_of_scenes() -> impl Iterator<Item = LawName> {
     let first = |law: &LawName| law.about().names[0].name == law.name();
     LawName::ALL.into_iter().filter(first)
 }
 
-/// Every parameter once, and whether an e may stand in its place.
+/// Every parameter once, with a flag whether an e may replace it.
 fn parameters() -> Vec<(&'static Parameter, bool)> {
     let mut parameters: Vec<(&Parameter, bool)> = Vec::new();
     for law in words_of_scenes() {

@@ -1,4 +1,4 @@
-//! What is printed for machines: JSON of every command that finds numbers, with the same names everywhere.
+//! Tests of output for machines: the JSON of every command has one name for each number.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::suites::{TOWERS, suite};
 use crate::{EXAMPLE, folder, pounding};
 
-/// What a command prints, as JSON.
+/// The output of a command, as JSON.
 fn json(folder: &Path, arguments: &[&str]) -> Value {
     let ended = pounding(folder, arguments);
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{arguments:?}");
@@ -18,7 +18,7 @@ fn json(folder: &Path, arguments: &[&str]) -> Value {
     serde_json::from_str(&ended.stdout).expect("JSON")
 }
 
-/// The names of all fields, with the names of those around them.
+/// Lists the names of all fields with the names of their parents.
 fn fields(value: &Value, place: &str, all: &mut Vec<String>) {
     match value {
         Value::Object(object) => {
@@ -47,20 +47,20 @@ fn names(value: &Value) -> String {
 fn reference_a_plan_as_json() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut plan = json(here, &["check", EXAMPLE, "--json"]);
-    // The scene is that of `run --json`, and the record.
+    // Scene and record have the names of `run --json`.
     plan["scene"] = Value::Null;
     plan["record"] = Value::Null;
     assert_snapshot!(format!("{plan:#}"));
 }
 
-/// The same names of the same things, whatever the command.
+/// A thing has one name in the output of all commands.
 #[test]
 fn limit_fields_have_one_name() {
     let folder = suite("names");
-    // A folder of records is run to the end of each, whatever the duration of the scene.
+    // With a folder of records every motion runs to its end, whatever the duration of the scene.
     let whole = TOWERS.replace("duration_s = 3.0\n", "");
     fs::write(folder.join("towers.toml"), whole).expect("a file");
-    // Others run the direction of the scene alone.
+    // The other commands run only the direction of the scene.
     let run = ["run", "towers.toml", "--json", "--one-direction"];
     let run = json(&folder, &run);
     let under = ["run", "towers.toml", "--records", "records", "--json"];
@@ -86,7 +86,7 @@ fn limit_fields_have_one_name() {
         assert_eq!(plan[part][0][field], run[part][0][field], "{part} {field}");
     }
     let _: Summary = serde_json::from_value(compared["runs"][0].clone()).expect("a summary");
-    // A number of the table is a field, a field of a collision after its name.
+    // A number of the table is a field of the JSON. The fields of a nested object carry its name and `_` in front.
     let csv = pounding(&folder, &[&under[..4], &["--csv"]].concat()).stdout;
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let mut compared = 0;
@@ -137,7 +137,7 @@ fn reference_laws_as_json() {
     assert_snapshot!(names(&laws));
 }
 
-/// One name for one thing: `--json` and `--csv` are those of the other commands.
+/// `--json` and `--csv` of certificates work as in the other commands.
 #[test]
 fn limit_certificates_by_either_option() {
     let asked = [

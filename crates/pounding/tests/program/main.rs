@@ -1,4 +1,4 @@
-//! The program `pounding` from outside: what it prints, and what it says to input that it refuses.
+//! Tests of the program `pounding` from outside: its output, and its messages about refused input.
 
 mod assess;
 mod assess_neighbours;
@@ -46,7 +46,7 @@ use serde_json::{Value, json};
 
 const EXAMPLE: &str = "../../studies/examples/two-structures.json";
 
-/// What the program left behind.
+/// The output of the program.
 struct Ended {
     code: i32,
     stdout: String,
@@ -68,7 +68,7 @@ fn pounding(folder: &Path, arguments: &[&str]) -> Ended {
     }
 }
 
-/// Standard error without the lines that tell how far a sweep is: a machine that is slow enough prints some in any test.
+/// Standard error without the progress lines of a sweep: a slow machine may print some in any test.
 fn without_progress(stderr: &str) -> String {
     let is_count = |word: &str| word.chars().all(|sign| sign.is_ascii_digit() || sign == ',');
     let is_progress = |line: &&str| {
@@ -86,7 +86,7 @@ fn reference_lines_of_progress() {
     assert_eq!(without_progress(said), "error: 3 of 4 runs failed\n");
 }
 
-/// An empty folder for one test. The program runs in it, so that no message holds a path of this machine.
+/// An empty folder for one test. The program runs in it, so messages contain no path of this machine.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program").join(test);
     if folder.exists() {
@@ -96,7 +96,7 @@ fn folder(test: &str) -> PathBuf {
     folder
 }
 
-/// The example scene with its record beside it, `record.csv`: ten samples of nothing.
+/// The example scene; its record `record.csv` has ten zero samples.
 fn good_scene() -> Value {
     let text = fs::read_to_string(EXAMPLE).expect("the example is there");
     let mut scene: Value = serde_json::from_str(&text).expect("the example is JSON");

@@ -1,4 +1,4 @@
-//! Faults that users of `pounding motion` met, and that must not come back.
+//! Faults of `pounding motion` that users met.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::motions::{folder_with, json_of, motion, provenance, record, waves};
 use crate::runs::printed;
 use crate::{folder, good_scene, pounding, refusal};
 
-/// The figure was drawn through the rows of the table, and looked jagged; now its curves have hundreds of points.
+/// The figure had only the points of the table and looked jagged; now its curves have hundreds of points.
 #[test]
 fn issue_a_figure_is_drawn_through_many_periods() {
     let folder = folder("motion_smooth");
@@ -22,7 +22,7 @@ fn issue_a_figure_is_drawn_through_many_periods() {
     assert!(most.max() > Some(300), "a smooth curve");
 }
 
-/// Ten thousand damping ratios took minutes without a word, and a hundred thousand periods of each all memory.
+/// Ten thousand damping ratios took minutes without any output, and a hundred thousand periods of each filled the memory.
 #[test]
 fn issue_more_values_than_anybody_waits_for_are_refused() {
     let folder = folder("motion_issues_many");
@@ -36,7 +36,7 @@ fn issue_more_values_than_anybody_waits_for_are_refused() {
     );
 }
 
-/// Without periods of one's own a table has a screenful of them, in a file for a program a hundred.
+/// By default a printed table had more periods than a screen has lines. It now has 20; a CSV has 100.
 #[test]
 fn issue_the_table_of_a_spectrum_fits_a_screen() {
     let folder = folder("motion_table");
@@ -55,7 +55,7 @@ fn issue_the_table_of_a_spectrum_fits_a_screen() {
     assert_eq!(rows(&["--count", "7"]), 7);
 }
 
-/// A name that the file does not have was taken for any, where the file holds one component.
+/// If the file holds one component, a wrong component name was accepted.
 #[test]
 fn issue_a_component_that_is_not_there_is_refused_by_all() {
     let folder = folder_with("motion_component", &["esm.asc", "csmip.v2"]);
@@ -72,7 +72,7 @@ fn issue_a_component_that_is_not_there_is_refused_by_all() {
     assert_snapshot!(refused(&["info", "csmip.v2", "--component", "chan"]), @r#"error: csmip.v2: "chan" is declared as --component and fits 2 components: 1 = "Chan 1: 90 Deg", 2 = "Chan 2: Up"; give more of the name, or the number"#);
 }
 
-/// Components were known by their full names alone.
+/// Only the full name of a component was accepted.
 #[test]
 fn issue_a_part_of_a_component_name_suffices() {
     let folder = folder_with("motion_part", &["csmip.v2"]);
@@ -88,7 +88,7 @@ fn issue_a_part_of_a_component_name_suffices() {
     assert_eq!(json!(record("out.csv", &folder).peak().1), part["motions"][0]["peak_m_per_s2"]);
 }
 
-/// The exit code was 0 though a file that was named is refused.
+/// The exit code was 0 although a named file was refused.
 #[test]
 fn issue_a_named_file_that_is_refused_fails_after_all_are_printed() {
     let folder = folder_with("motion_named", &["esm.asc", "usgs.smc"]);
@@ -101,11 +101,11 @@ fn issue_a_named_file_that_is_refused_fails_after_all_are_printed() {
         assert!(ended.stderr.contains(begins), "{}", ended.stderr);
         assert!(ended.stdout.contains("usgs.smc"), "{}", ended.stdout);
     }
-    // A folder may hold other files than records.
+    // A folder may contain other files besides records.
     printed(&info(&["."]));
 }
 
-/// `convert a a --overwrite` left nothing of the raw record.
+/// `convert a a --overwrite` destroyed the raw record.
 #[test]
 fn issue_the_record_that_is_read_is_never_written_over() {
     let folder = folder_with("motion_onto", &["esm.asc"]);
@@ -133,7 +133,7 @@ fn issue_the_record_that_is_read_is_never_written_over() {
     assert_eq!(fs::read(folder.join("esm.asc")).expect("there"), before);
 }
 
-/// Comments above the header of a CSV break what others read it with.
+/// Comments above the header of a converted CSV broke other programs that read it.
 #[test]
 fn issue_a_converted_csv_is_a_header_and_numbers() {
     let folder = folder_with("motion_bare", &["usgs.smc"]);
@@ -151,13 +151,13 @@ fn issue_a_converted_csv_is_a_header_and_numbers() {
     };
     assert!(lines.all(is_row), "{text}");
     assert_snapshot!(format!("{:#}", provenance(&folder, "out")));
-    // What tells where a record comes from is none.
+    // A file with the origin of a record is not a record.
     let info = printed(&motion(&folder, &["info", "."])).to_string();
     assert!(info.contains("out.csv") && !info.contains("provenance"), "{info}");
     assert_snapshot!(refusal(&motion(&folder, &["convert", "usgs.smc", "out.csv"])), @"error: out.csv: is there already, allowed is a new file; name another one or add --overwrite");
 }
 
-/// An offset of the baseline moved the ground by metres, and nothing was said.
+/// An offset of the baseline moved the ground by metres without a remark.
 #[test]
 fn issue_a_drift_of_the_ground_is_pointed_out() {
     let folder = folder_with("motion_drift", &["usgs.smc"]);
@@ -199,7 +199,7 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
     assert!(!words(&check(&scene)).contains(said), "{}", check(&scene));
 }
 
-/// A file with several components is listed with the unit and the time of the peak of each.
+/// The list of a file's components lacked the unit and the peak time of each.
 #[test]
 fn issue_components_are_listed_with_unit_and_time_of_peak() {
     let folder = folder_with("motion_components", &["csmip.v2"]);
@@ -225,8 +225,8 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     ");
 }
 
-/// Links that lead nowhere and folders were passed over, a README was told of all formats, copies were records, events were not counted, and
-/// `q_U.csv` was horizontal, which `gap` left out.
+/// Dangling links and folders were skipped silently, messages about a README listed all formats, and copies counted as records. Events were
+/// not counted, and `q_U.csv` counted as horizontal although `gap` left it out.
 #[cfg(unix)]
 #[test]
 fn issue_a_folder_is_read_as_others_read_it() {

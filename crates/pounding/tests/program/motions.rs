@@ -1,4 +1,4 @@
-//! `pounding motion`: what is printed of record files, and what is written.
+//! Tests of `pounding motion`: output about record files, and converted files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ fn bits(record: &Record) -> Vec<u64> {
     record.samples().iter().map(|one| one.to_bits()).collect()
 }
 
-/// What stands beside a converted record.
+/// The file of provenance next to a converted record.
 pub(crate) fn provenance(folder: &Path, stem: &str) -> Value {
     let path = folder.join(format!("{stem}.provenance.json"));
     let text = fs::read_to_string(path).expect("it is there");
@@ -76,7 +76,7 @@ fn reference_info_of_several_files() {
     assert_snapshot!("info_csv", ended.stdout);
 }
 
-/// What is declared is for the files of a list that need it, and contradicts a single one.
+/// Declared data apply to the files of a list that lack them, and contradict a single file that has them.
 #[test]
 fn limit_declared_for_those_that_do_not_say_it() {
     let folder = folder_with("motion_declared", &["esm.asc"]);
@@ -128,7 +128,7 @@ fn extreme_files_that_are_refused() {
     assert_snapshot!(all.join("\n"));
 }
 
-/// Every file of the readers, and numbers of many digits, go through the CSV without a change.
+/// Every file of the readers, and numbers of many digits, pass through the CSV unchanged.
 #[test]
 fn limit_what_is_written_is_read_again_to_the_last_bit() {
     let folder = folder_with("motion_round_trip", &["esm.asc", "usgs.smc", "geonet.v1a"]);
@@ -161,7 +161,7 @@ fn limit_what_is_written_is_read_again_to_the_last_bit() {
     }
 }
 
-/// Of 200 accelerations most are a number of g times g; all come back to rounding.
+/// A number in g times g does not give every acceleration exactly; all 200 come back within rounding.
 #[test]
 fn limit_written_in_g_is_as_near_as_numbers_are() {
     let folder = folder("motion_in_g");
@@ -176,7 +176,7 @@ fn limit_written_in_g_is_as_near_as_numbers_are() {
     }
 }
 
-/// The options do what the fields of a scene do, in the same order.
+/// The options act like the fields of a scene, in the same order.
 #[test]
 fn limit_processing_is_that_of_a_scene() {
     let folder = folder("motion_scene");
@@ -199,7 +199,7 @@ fn limit_processing_is_that_of_a_scene() {
     let said = provenance(&folder, "file");
     assert_snapshot!(format!("{said:#}"));
     assert_eq!(said["processing"], provenance(&folder, "scene")["processing"]);
-    // Sa of the scaled one times 1.5.
+    // The spectrum of the scaled record is 1.5 times as large.
     let spectrum = ["spectrum", "file.csv", "--periods", "0.5,0", "--json"];
     let values = json_of(&motion(&folder, &spectrum))["spectra"][0]["values"].clone();
     let sa = values[0]["pseudo_sa_m_per_s2"].as_f64().expect("a number");
@@ -267,7 +267,7 @@ fn reference_figures_of_spectra() {
     assert!(svg.starts_with("<svg") && !svg.contains("<text"), "letters are outlines");
     assert_snapshot!(refusal(&draw("a.png")), @"error: a.png: is there already, allowed is a new file; name another one or add --overwrite");
     assert_eq!(draw("a.jpg").code, 2);
-    // Periods of a table without any of its own: those of the options.
+    // The periods are those of the options, because the table of periods is empty.
     let arguments = ["spectrum", "record.csv", "--periods", "0", "--figure", "b.png"];
     printed(&motion(&folder, &arguments));
     assert!(folder.join("b.png").exists(), "drawn");

@@ -1,4 +1,4 @@
-//! Names: which are refused, and which tell scenes and structures apart; and what a scene is told in its own words.
+//! Tests of names: refused ones, ones that identify scenes and structures, and messages in a scene's own words.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use crate::runs::printed;
 use crate::suites::{TOWERS, suite};
 use crate::{pounding, refusal};
 
-/// Three columns were called the same.
+/// Three columns had one name.
 #[test]
 fn issue_scenes_of_one_name_are_told_by_their_files() {
     let folder = suite("names_compare");
@@ -31,7 +31,7 @@ fn issue_scenes_of_one_name_are_told_by_their_files() {
     assert_eq!(json["files"][1], "wide.toml");
 }
 
-/// The middle of a long name was lost.
+/// The middle of a long name was cut.
 #[test]
 fn issue_long_names_are_whole() {
     let folder = suite("names_long");
@@ -45,12 +45,12 @@ fn issue_long_names_are_whole() {
     let text = pounding(&folder, &["compare", "long.toml", "towers.toml", "--all"]);
     let letters = |text: &str| text.split_whitespace().collect::<String>();
     let column = printed(&text).lines().take_while(|line| !line.starts_with("Record"));
-    // The first column of cells, without the names of the rows before and the other scene behind.
+    // The first column of cells, without the names in front and without the scene behind.
     let cells: String = column.map(|line| line[10..].replace("towers", "")).collect();
     assert_eq!(letters(&cells).trim_start_matches("Scene"), letters(long));
 }
 
-/// They were taken, and stood for themselves in no table.
+/// Empty names were accepted, and tables then had nothing to identify a row.
 #[test]
 fn issue_empty_names_are_refused() {
     let folder = suite("names_empty");
@@ -62,7 +62,7 @@ fn issue_empty_names_are_refused() {
     assert_snapshot!(refused("\"right\""), @r#"error: scene.toml, line 8, column 14: scene "towers": structures[1].sdof.name: found an empty name, allowed is a name, by which results tell structures"#);
 }
 
-/// The stiffness was blamed for a run of thirty years.
+/// For a run of thirty years the message named the stiffness.
 #[test]
 fn issue_a_duration_too_long_is_named() {
     let folder = suite("names_duration");
@@ -76,7 +76,7 @@ fn issue_a_duration_too_long_is_named() {
     assert_snapshot!(refused(&stepping), @r#"error: scene.toml, line 5, column 1: scene "towers": duration_s: found 1000000000, of which the run would take 2.0e11 time steps times floors, allowed 1e8 (`budget.steps`): shorten it, take a longer time_step_s, or make the budget more"#);
 }
 
-/// Advice on a scene in TOML was to be pasted as JSON.
+/// Advice on a scene in TOML was printed as JSON to paste.
 #[test]
 fn issue_advice_is_in_the_words_of_the_file() {
     let folder = suite("names_advice");

@@ -1,4 +1,4 @@
-//! Tables of numbers in documents: they are those of the program, and are written by these tests.
+//! Tests that write the tables of numbers in documents: they must equal those of the program.
 
 use pounding::scene::{FloorQuantity, PairQuantity, Quantity};
 use pounding::sweep::Outputs;
@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::law_lists::{code, renew, with_table};
 
-/// What a number is, as a cell of a table.
+/// The meaning of a number, as a cell of a table.
 fn meaning(quantity: Quantity) -> String {
     let sentence = quantity.about().meaning.trim_end_matches('.');
     let (first, rest) = sentence.split_at(1);

@@ -1,4 +1,4 @@
-//! What is said before a run, and of runs that are forced.
+//! Tests of messages before a run, and about forced runs.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use serde_json::json;
 use crate::runs::printed;
 use crate::{EXAMPLE, Ended, folder, good_scene, pounding, refusal};
 
-/// The example under its own record at a time step, by a command.
+/// Runs a command on the example under its own record at a time step.
 fn at(test: &str, time_step: f64, arguments: &[&str]) -> Ended {
     let folder = folder(test);
     let mut scene = good_scene();
@@ -42,10 +42,10 @@ fn extreme_plan_of_a_step_that_cannot_follow_the_contact() {
 fn extreme_a_step_beyond_the_limit_is_refused_and_forced() {
     let ended = at("beyond", 0.1, &["run", "scene.json"]);
     assert_snapshot!(refusal(&ended));
-    // Forced, it grows out of all numbers, which is said too.
+    // The forced run diverges, and a message says so.
     let ended = at("beyond", 0.1, &["run", "--force", "scene.json"]);
     assert!(refusal(&ended).contains("no longer a finite number"));
-    // A run that breaks a law is printed with the law that it breaks.
+    // A run that breaks a law of mechanics is printed together with that law.
     let ended = at("broken", 0.05, &["run", "scene.json"]);
     assert!(refusal(&ended).contains("more given back than taken"));
     let ended = at("broken", 0.05, &["run", "--force", "scene.json"]);

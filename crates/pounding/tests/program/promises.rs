@@ -1,4 +1,4 @@
-//! What exit code 0 promises, and that nothing is lost where it is another. docs/exit-code-0.md lists these tests.
+//! Tests of the promises of exit code 0, and that other exit codes lose no data. `docs/exit-code-0.md` lists these tests.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::suites::{TOWERS, suite};
 use crate::sweeps::{sweep, with_sweep};
 use crate::{Ended, folder, pounding};
 
-/// Files of a folder, and of those in it, with their bytes.
+/// Files of a folder and of its subfolders, with their bytes.
 pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
@@ -25,7 +25,7 @@ pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
     found
 }
 
-/// The towers with a contact that other programs know.
+/// The towers with a contact law that other programs know.
 pub(crate) fn springs() -> String {
     TOWERS.replace(
         "law.stereomechanical.restitution = 0.6",
@@ -33,7 +33,8 @@ pub(crate) fn springs() -> String {
     )
 }
 
-/// `run` wrote over its own scene, `sweep` over its sweep, scene and record, `export` over its scene, `convert` over a hard link.
+/// Commands overwrote files that they read: `run` its scene, `sweep` its sweep, scene and record, `export` its scene, `convert` a hard
+/// link.
 #[test]
 fn issue_no_command_writes_over_what_it_reads() {
     let folder = suite("promises_inputs");
@@ -76,7 +77,7 @@ fn issue_no_command_writes_over_what_it_reads() {
     }
 }
 
-/// Two sweeps on one name mixed their rows, and the same one twice ended neither.
+/// Two sweeps with one output name mixed their rows, and two equal sweeps both failed.
 #[test]
 fn issue_two_sweeps_on_one_table_do_not_mix() {
     for (round, same) in [(0, false), (1, true)] {
@@ -109,7 +110,7 @@ fn issue_two_sweeps_on_one_table_do_not_mix() {
         assert!(table == wanted[winners[0]], "round {round}: rows are mixed");
         let loser = &said[1 - winners[0]];
         assert!(loser.contains("at work on it") || loser.contains("is there already"), "{loser}");
-        // The loser began parts anew beside the table that it had found finished.
+        // The second sweep left new parts next to the finished table.
         for left in [".both.csv.lock", ".both.csv.joined.json", "both.csv.parts"] {
             let left = folder.join(left);
             assert!(!left.exists(), "round {round}: {} is left, {loser}", left.display());
@@ -117,14 +118,14 @@ fn issue_two_sweeps_on_one_table_do_not_mix() {
     }
 }
 
-/// Killed between table and clean-up, the same command ended with 1.
+/// After a kill between the table and the clean-up, the repeated command ended with 1.
 #[test]
 fn issue_a_rerun_after_a_kill_in_the_clean_up_is_done() {
     let folder = with_sweep("promises_clean_up", &sweep(8));
     let arguments = ["sweep", "sweep.json", "--out", "runs.csv"];
     let shard = [&arguments[..], &["--shard", "1/2"]].concat();
     assert_eq!(pounding(&folder, &shard).code, 0);
-    // A whole sweep that is killed with its table in place leaves what the shards and `merge` leave.
+    // A sweep that is killed with its table in place leaves what shards and `merge` leave.
     let shard = [&arguments[..], &["--shard", "2/2"]].concat();
     assert_eq!(pounding(&folder, &shard).code, 0);
     assert_eq!(pounding(&folder, &["merge", "runs.csv"]).code, 0);
@@ -136,7 +137,7 @@ fn issue_a_rerun_after_a_kill_in_the_clean_up_is_done() {
     assert_eq!(fs::read(folder.join("runs.csv")).expect("a table"), table);
 }
 
-/// Killed between the last part and the folder, the same command ended with 1: nothing told any more that the table was this sweep's.
+/// After a kill between the last part and the folder, the repeated command ended with 1: nothing identified the table as this sweep's.
 #[test]
 fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
     let folder = with_sweep("promises_clean_up_steps", &sweep(8));
@@ -144,7 +145,7 @@ fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
     let (parts, table) = (folder.join("runs.csv.parts"), folder.join("runs.csv"));
     let beside = folder.join(".runs.csv.joined.json");
     let shards = ["1/2", "2/2"].map(|shard| [&arguments[..], &["--shard", shard]].concat());
-    // How much is deleted before the kill: parts, manifest, folder.
+    // Number of deletions before the kill: parts, manifest, folder.
     for deleted in 0.. {
         for shard in &shards {
             assert_eq!(pounding(&folder, shard).code, 0);
@@ -165,7 +166,7 @@ fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
         assert_eq!(again.code, 0, "{deleted}: {}", again.stderr);
         assert!(!parts.exists() && !beside.exists(), "{deleted}");
         assert_eq!(fs::read(&table).expect("a table"), before);
-        // Now it is a table like any other.
+        // Without the other files the table counts as any other file.
         assert_eq!(pounding(&folder, &arguments).code, 1);
         assert!(!parts.exists(), "{deleted}: something was begun beside it");
         fs::remove_file(&table).expect("a disk");
@@ -176,7 +177,7 @@ fn issue_a_rerun_after_a_kill_at_any_step_of_the_clean_up_is_done() {
     }
 }
 
-/// It ended with 0.
+/// A sweep without a result ended with 0.
 #[test]
 fn issue_a_sweep_without_a_result_is_a_failure() {
     let mut words = sweep(4);
@@ -191,7 +192,7 @@ fn issue_a_sweep_without_a_result_is_a_failure() {
     assert!(folder.join("runs.csv").exists());
 }
 
-/// What a command cannot write to its end leaves what was there.
+/// A command that cannot write its output to the end leaves the old files.
 #[cfg(unix)]
 #[test]
 fn issue_a_disk_that_is_full_takes_nothing_away() {
@@ -209,7 +210,7 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
         "run towers.toml --out out",
         "motion spectrum records/pulse.csv --figure new.png",
     ] {
-        // No file may be longer than one block. The signal of that ended the program without a word.
+        // No file may be longer than one block. The signal about it ended the program silently.
         let script = format!("ulimit -f 1; exec {program} {command}");
         let ended = Command::new("sh").args(["-c", &script]).current_dir(&folder).output();
         let ended = ended.expect("a shell");
@@ -220,7 +221,7 @@ fn issue_a_disk_that_is_full_takes_nothing_away() {
     }
 }
 
-/// A full standard error was a panic, with exit code 101.
+/// A full standard error caused a panic with exit code 101.
 #[cfg(target_os = "linux")]
 #[test]
 fn issue_a_full_standard_error_is_no_panic() {
@@ -235,7 +236,7 @@ fn issue_a_full_standard_error_is_no_panic() {
     assert_eq!(status.expect("it ends").code(), Some(1));
 }
 
-/// A pipe was waited for, and a device was read until memory ended.
+/// The program waited for a pipe, and read a device until the memory was full.
 #[cfg(unix)]
 #[test]
 fn issue_what_is_no_regular_file_is_not_read() {
@@ -266,7 +267,7 @@ fn issue_what_is_no_regular_file_is_not_read() {
     }
 }
 
-/// The first line of any file was repeated.
+/// Messages repeated the first line of any file, even of one that is no record.
 #[test]
 fn issue_what_is_no_record_is_not_repeated() {
     let folder = suite("promises_secret");
@@ -280,12 +281,12 @@ fn issue_what_is_no_record_is_not_repeated() {
     }
 }
 
-/// SIGTERM, as a job's end sends it, lost what was finished.
+/// SIGTERM at the end of a job lost the finished runs.
 #[cfg(unix)]
 #[test]
 fn issue_a_terminated_run_keeps_what_is_finished() {
     let folder = suite("promises_term");
-    // A record that moves nothing, and one under which the contact never lets go of time.
+    // The run under one record ends at once; the others meet an overdamped contact and would never end.
     fs::write(folder.join("records/aa.txt"), "1\n-1\n".repeat(50)).expect("a disk");
     let law = "law.kelvin_voigt = { impact_stiffness_n_per_m = 9e7, impact_damping_ratio = 1e9 }";
     let endless = TOWERS
@@ -305,7 +306,7 @@ fn issue_a_terminated_run_keeps_what_is_finished() {
     }
 }
 
-/// Only answers were JSON.
+/// Only answers were JSON; refusals were not.
 #[test]
 fn issue_refusals_are_json_where_it_is_asked_for() {
     let folder = suite("promises_json");

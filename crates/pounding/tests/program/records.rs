@@ -1,4 +1,4 @@
-//! What is said of records that cannot be read or used.
+//! Tests of messages about records that cannot be read or used.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ fn refused(test: &str, record: &str) -> String {
     refusal(&run(test, &good_scene().to_string(), Some(record)))
 }
 
-/// An AT2 file that declares so many values, with the values as given.
+/// An AT2 file whose header declares a number of values, with the given values.
 fn at2(header: &str, values: &str) -> String {
     format!(
         "A DATABASE RECORD\nSOMEWHERE 01/02/03 0405, A STATION\nACCELERATION TIME SERIES IN UNITS OF G\n\
@@ -119,7 +119,7 @@ fn extreme_record_scaled_out_of_range() {
     assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record.scale: found 1e308, allowed 0, or numbers from 1e-100 to 1e100 in magnitude"#);
 }
 
-/// A number was refused, "allowed is a text", though a component is its name or its number.
+/// A component number was refused with "allowed is a text".
 #[test]
 fn issue_a_component_may_be_a_number() {
     let columns = "time,NS(gal),EW(gal),UD(gal)\n0.00,10,20,30\n0.01,-10,-20,-30\n0.02,10,20,30\n";
@@ -138,7 +138,7 @@ fn issue_a_component_may_be_a_number() {
     let by_number = checked(&scene);
     assert_eq!(by_number["record"], by_name["record"]);
     assert!(by_number["record"]["peak_m_per_s2"].is_number());
-    // A row moves sideways: whoever names a vertical component is told.
+    // A row moves sideways, so a vertical component that a user names gets a remark.
     let unusual = by_number["unusual"].as_array().expect("a list");
     let said = unusual
         .iter()
@@ -146,7 +146,7 @@ fn issue_a_component_may_be_a_number() {
     assert_eq!(said.expect("a doubt")["place"], "record");
 }
 
-/// Peaks and steps that no record has passed without a word, and the channel of a seismometer as an acceleration.
+/// Impossible peaks and time steps passed silently, and the channel of a seismometer passed as an acceleration.
 #[test]
 fn issue_what_looks_wrong_in_a_file_is_said() {
     let folder = crate::folder("unusual_file");
@@ -182,18 +182,18 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     assert_eq!(pounding(&["check", "scene.json"]).code, 0);
 }
 
-/// The paragraph under a heading, its words with one blank between; empty where there is none.
+/// The paragraph under a heading with single blanks between its words; empty if there is none.
 fn under(text: &str, heading: &str) -> String {
     let lines = text.lines().skip_while(|line| !line.starts_with(heading));
     let mut lines = lines.take_while(|line| !line.is_empty());
     let first = lines.next().unwrap_or_default();
-    // What follows is indented, also where no blank line parts paragraphs.
+    // The following lines are indented, even without a blank line between paragraphs.
     let others = lines.take_while(|line| line.starts_with(' '));
     let words = std::iter::once(first).chain(others).flat_map(str::split_whitespace);
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// Of a motion whose direction nothing tells nothing was said, and a sweep ended at a file of a folder that it could not read.
+/// Motions with an unknown direction had no remark, and a sweep failed at an unreadable file of a folder.
 #[test]
 fn issue_directions_that_nothing_tells_are_said() {
     let folder = suite("untold");
@@ -218,7 +218,7 @@ fn issue_directions_that_nothing_tells_are_said() {
         "{gap}"
     );
     assert!(gap.contains("spectra.V3"), "{gap}");
-    // All leave out the same, and say so alike.
+    // All commands leave out the same records and print equal remarks about them.
     assert_eq!(said(&["run", "towers.toml", "--records", "records", "--no-error"]), gap);
     assert_eq!(said(&["sweep", "sweep.toml"]), gap);
     let info = pounding(
@@ -236,7 +236,7 @@ fn issue_directions_that_nothing_tells_are_said() {
     assert!(left_out.contains("A-ELC-1.AT2"), "{left_out}");
 }
 
-/// Of grounds that do not come to rest the least was called the farthest off, and widths stood without a word of records that are missing.
+/// Of several grounds that do not come to rest, the smallest drift was called the largest. Widths had no remark about missing records.
 #[test]
 fn issue_the_worst_of_all_records_is_named() {
     let folder = suite("worst_drift");
@@ -264,7 +264,7 @@ fn issue_the_worst_of_all_records_is_named() {
     }
 }
 
-/// One kind of doubt stood in two lines, by the peaks of its motions; of a sensor on a roof nothing was said where its file was named.
+/// One kind of doubt filled two lines because its peaks differ. A named file of a sensor on a roof had no remark.
 #[test]
 fn issue_a_kind_is_one_line_and_a_roof_is_no_ground() {
     let folder = suite("one_kind");

@@ -1,4 +1,4 @@
-//! Folders of results: what is in them.
+//! Tests of the contents of folders of results.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::{EXAMPLE, Ended, folder, good_scene, pounding, quiet};
 
-/// Two masses that meet once: 2 m/s close 125 mm.
+/// Two masses that collide once: 2 m/s close 125 mm.
 pub(crate) fn meeting() -> Value {
     let free = |name: &str, mass: f64, velocity: f64| {
         json!({"sdof": {
@@ -28,7 +28,7 @@ pub(crate) fn meeting() -> Value {
     scene
 }
 
-/// Writes a scene with its record, and runs it with further arguments in its folder.
+/// Writes a scene with its record, and runs it with more arguments in its folder.
 pub(crate) fn run_in(folder: &Path, scene: &Value, arguments: &[&str]) -> Ended {
     fs::write(folder.join("scene.json"), scene.to_string()).expect("the scene can be written");
     fs::write(folder.join("record.csv"), quiet(10)).expect("the record can be written");
@@ -62,7 +62,7 @@ pub(crate) fn text(path: PathBuf) -> String {
     fs::read_to_string(path).expect("a text")
 }
 
-/// The columns of a CSV by name; an empty cell is no number.
+/// The columns of a CSV by name; an empty cell is `None`.
 fn columns(path: PathBuf) -> BTreeMap<String, Vec<Option<f64>>> {
     let text = text(path);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
@@ -76,7 +76,7 @@ fn columns(path: PathBuf) -> BTreeMap<String, Vec<Option<f64>>> {
     columns
 }
 
-/// A column of which every cell is a number.
+/// A column whose cells are all numbers.
 fn numbers(columns: &BTreeMap<String, Vec<Option<f64>>>, name: &str) -> Vec<f64> {
     let column = columns
         .get(name)
@@ -150,7 +150,7 @@ fn reference_histories_are_those_of_the_summary() {
     assert!(!history.contains_key("one_other_pounding_force_n"), "an impulse has no force");
 }
 
-/// The example with its record beside it under a name of its own.
+/// The example with a copy of its record under another name.
 fn example() -> Value {
     let mut scene = good_scene();
     let records = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies/records");
@@ -230,7 +230,7 @@ fn limit_json_is_the_summary_of_the_folder() {
     let summary: Summary = serde_json::from_str(&printed.stdout).expect("a summary");
     assert_eq!(printed.stdout, summary.to_json(), "what is read is what is written");
 
-    // A later version has more numbers.
+    // A later version may have more numbers.
     let mut later: Value = serde_json::from_str(&printed.stdout).expect("JSON");
     for place in ["structures", "pairs"] {
         later[place][0]["peak_wonder_m"] = json!(1.0);
@@ -280,7 +280,7 @@ fn extreme_long_runs_have_at_most_twenty_thousand_rows() {
     scene["method"] = json!({"rk4": {"time_step_s": 1e-4}});
     let out = results("long", &scene);
     let time = numbers(&columns(out.join("history.csv")), "time_s");
-    // 50 000 steps: every third.
+    // Every third of 50 000 steps is kept.
     assert_eq!((time.len(), time[1]), (16_667, 3e-4));
 }
 

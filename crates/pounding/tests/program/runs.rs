@@ -1,4 +1,4 @@
-//! What is printed of runs.
+//! Tests of the output of runs.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ const HERE: &str = env!("CARGO_MANIFEST_DIR");
 
 pub(crate) fn printed(ended: &Ended) -> &str {
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "a good run");
-    // A path is not broken: it is there to be copied.
+    // A path stays on one line, so that it can be copied.
     let lines = ended.stdout.lines().filter(|line| !line.contains("/records/"));
     let widest = lines.map(|line| line.chars().count()).max();
     assert!(widest <= Some(80), "at most 80 columns:\n{}", ended.stdout);
@@ -41,7 +41,7 @@ fn extreme_wrong_usage() {
     }
 }
 
-/// A stiffness of next to nothing, no damping, no shaking: what remains is a free impact.
+/// Almost no stiffness, no damping and no shaking: only a free impact remains.
 fn free(name: &str, mass: f64, velocity: f64) -> Value {
     json!({"sdof": {
         "name": name, "mass_kg": mass, "stiffness_n_per_m": 1e-6, "damping": {"ratio": 0},
@@ -61,7 +61,7 @@ fn reference_free_impact() {
     // (1 + e) · m₁m₂/(m₁ + m₂) · δ̇ = 1.5 · 750 kg · 2 m/s = 2.25 kN·s.
     let pair = ["125", "1", "0.07", "2.250", "2.250", "impulsive", "–"];
     assert_eq!(line(printed(&ended), "one – other"), pair);
-    // After it −0.25 m/s and 0.75 m/s: the right structure has gone 0.43 s · 0.75 m/s at the end.
+    // After the impact the velocities are −0.25 m/s and 0.75 m/s; the right structure moves 0.43 s · 0.75 m/s until the end.
     let one = line(printed(&ended), "one ");
     let other = line(printed(&ended), "other");
     assert_eq!((one[2], one[3], one[6]), ("140.0", "0.07", "2.250"));
@@ -88,7 +88,7 @@ fn reference_every_method_runs_and_is_named() {
         scene["method"] = method;
         let ended = run("every_method", &scene.to_string(), Some(&quiet(10)));
         let stdout = printed(&ended);
-        // The impulse of the free impact above; only when it acts differs.
+        // The impulse is that of the free impact above; only the time of its action differs.
         let pair = line(stdout, "one – other");
         assert_eq!((pair[1], pair[3]), ("1", "2.250"), "{stdout}");
         let paragraph = stdout.lines().skip_while(|line| !line.starts_with("Method"));
@@ -162,7 +162,7 @@ fn limit_record_in_either_unit_and_scaled() {
     assert_eq!(line(in_si, "stiff"), line(in_g, "stiff"), "the same shaking");
 }
 
-/// What a scene does not require costs time and changes nothing that is printed.
+/// Features that a scene does not need cost time and do not change the output.
 #[test]
 fn limit_the_full_model_prints_the_same() {
     let here = Path::new(HERE);
@@ -179,7 +179,7 @@ fn limit_the_full_model_prints_the_same() {
         let lean = numbers(&["run", scene, "--details"]);
         assert_eq!(lean, numbers(&["run", scene, "--full", "--details"]), "{scene}");
     }
-    // Structures that stand apart have pairs then, out of reach: still none is printed.
+    // Separate structures then have pairs out of reach, which are not printed.
     let mut scene = good_scene();
     scene.as_object_mut().expect("fields").remove("contacts");
     let folder = crate::folder("full_apart");

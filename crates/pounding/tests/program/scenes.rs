@@ -1,4 +1,4 @@
-//! What is said of scenes that cannot be read, modelled or run.
+//! Tests of messages about scenes that cannot be read, modelled or run.
 
 use std::fs;
 use std::path::Path;
@@ -113,13 +113,13 @@ fn extreme_contact_law_unknown() {
     let place = "error: scene.json, line 6, column 9: contacts[0].law: found `rubber`, allowed are `stereomechanical`, ";
     assert!(message.starts_with(place), "{message}");
     for law in LawName::ALL {
-        // Names of the literature for one force are not words of files.
+        // The literature's names for one force are not words of scene files.
         let is_word = law.about().names[0].name == law.name();
         assert_eq!(message.contains(&format!("`{}`", law.name())), is_word, "{message}");
     }
 }
 
-/// Words of scenes written before the paper's program left the methods.
+/// Words of scenes from before the paper's program left the list of methods.
 #[test]
 fn extreme_words_of_the_paper_s_program() {
     let refused = |field: &str, word: &str| {
@@ -307,7 +307,7 @@ fn extreme_time_step_beyond_the_stability_limit() {
     assert_snapshot!(message, @r#"error: scene.json, line 16, column 7: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"#);
 }
 
-/// Contact far too stiff for the time step: it throws the structures apart, and the second contact overflows.
+/// The contact is far too stiff for the time step: it throws the structures apart, and the second contact overflows.
 #[test]
 fn extreme_run_that_diverges() {
     let message = refused("diverges", |scene| {
@@ -320,7 +320,7 @@ fn extreme_run_that_diverges() {
     assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.6450 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
 }
 
-/// A record in the place of a scene was read as TOML, and its first line called bad syntax.
+/// A record given as a scene was read as TOML, and its first line was called bad syntax.
 #[test]
 fn issue_a_record_is_no_scene() {
     let folder = folder("record_as_scene");
@@ -330,7 +330,7 @@ fn issue_a_record_is_no_scene() {
     assert_eq!(pounding(&folder, &["init", "--record", "q.AT2"]).code, 0, "as it says");
 }
 
-/// The line of the table was named, not that of the field.
+/// The message named the line of the table, not that of the field.
 #[test]
 fn issue_the_line_of_a_field_is_named() {
     let folder = folder("lines_of_fields");

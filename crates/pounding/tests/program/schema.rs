@@ -1,4 +1,4 @@
-//! The JSON Schema of a scene file: what the project ships keeps to it, and what a scene may not say it refuses.
+//! Tests of the JSON Schema of scene files: it accepts all files of the project and refuses words that a scene may not have.
 
 use std::fs;
 use std::path::Path;
@@ -22,7 +22,7 @@ impl Schema {
         Self(jsonschema::validator_for(&schema).expect("it is a schema"))
     }
 
-    /// What of a scene does not keep to the schema.
+    /// The parts of a scene that the schema refuses.
     fn faults(&self, scene: &Value) -> Vec<String> {
         let fault = |error: jsonschema::ValidationError<'_>| format!("{}: {error}", error.instance_path());
         self.0.iter_errors(scene).map(fault).collect()
@@ -40,7 +40,7 @@ fn scenes(path: &Path) -> Vec<Value> {
     };
     match value.get("scenes") {
         Some(scenes) => scenes.as_array().expect("a list").clone(),
-        // A study may take the scenes of others.
+        // A study may use the scenes of other studies.
         None if value.get("output").is_some() => Vec::new(),
         None => vec![value],
     }
@@ -80,13 +80,13 @@ fn limit_what_ships_keeps_to_the_schema() {
             assert!(faults.is_empty(), "{}: {}", scene["name"], faults.join("\n"));
         }
     }
-    // What a results folder repeats is a scene, too.
+    // The copy of a scene in a folder of results is a scene too.
     let summary = fs::read_to_string(folder.join("pounding-demo/results/summary.json"));
     let summary: Value = serde_json::from_str(&summary.expect("it is there")).expect("JSON");
     assert_eq!(schema.faults(&summary["scene"]), [""; 0], "of a summary");
 }
 
-/// An editor marks what the program refuses for its form.
+/// An editor marks scenes whose form the program refuses.
 #[test]
 fn extreme_what_has_another_form_does_not_keep_to_the_schema() {
     let schema = Schema::of_scenes();

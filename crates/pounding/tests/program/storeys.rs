@@ -1,4 +1,4 @@
-//! What the program says of pairs of storeys: gaps, comparisons, effects and figures of rows of buildings.
+//! Tests of pairs of storeys: gaps, comparisons, effects and figures of rows of buildings.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::runs::printed;
 use crate::{folder, pounding};
 
-/// Four storeys beside seven, and these beside a wall.
+/// Four storeys beside seven, with a wall on the other side.
 const ROW: &str = r#"
 name = "row"
 record.generated.stochastic = { ground = "medium", pga_m_per_s2 = 4, strong_from_s = 1, strong_until_s = 4, decay_per_s = 0.8, duration_s = 8, time_step_s = 0.02, cutoff_hz = 20, seed = 3 }
@@ -36,7 +36,7 @@ gap_m = 0.02
 law.kelvin_voigt = { impact_stiffness_n_per_m = 1e9, restitution = 0.6 }
 "#;
 
-/// A folder with the row and some changes of it, by file, from and to.
+/// A folder with the row and changed copies of it: file name, old text, new text.
 fn rows(test: &str, changes: &[[&str; 3]]) -> PathBuf {
     let folder = folder(test);
     fs::write(folder.join("row.toml"), ROW).expect("a file");
@@ -53,18 +53,18 @@ fn summary(folder: &Path, file: &str) -> Summary {
     serde_json::from_str(&ended.stdout).expect("a summary")
 }
 
-/// Words of the cells of a line of a comparison.
+/// The cells of a line of a comparison, as words.
 fn cells(text: &str, heading: &str, name: &str) -> Vec<String> {
     let (_, below) = text.split_once(heading).unwrap_or_else(|| panic!("{heading}: {text}"));
     let line = below.lines().find(|line| line.trim_start().starts_with(name));
     let line = line.expect("a line").trim_start().trim_start_matches(name);
     let words = line.split_whitespace().map(String::from);
-    // Without the changes.
+    // Columns of changes are left out.
     words.filter(|word| !word.ends_with('%')).collect()
 }
 
-/// Pairs of storeys were looked up by the number of their contact, and had no names: gaps of others, and collisions of none.
-/// Drifts were not compared.
+/// Pairs of storeys were looked up by the index of their contact and had no names: they showed gaps of others and no collisions. Drifts
+/// were not compared.
 #[test]
 fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     let folder = rows("storeys_compare", &[["top.toml", "gap_m = 0.01", "gap_m = 0.015\nlevels = [4]"]]);
@@ -93,7 +93,7 @@ fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     assert_eq!(found, [drift(&runs[0]), drift(&runs[1])]);
 }
 
-/// The widths were those of all floors that face each other, whatever `levels` said, and no level was named.
+/// The widths were those of all facing floors, whatever `levels` said, and no level was named.
 #[test]
 fn issue_gaps_look_at_the_floors_that_can_touch() {
     let folder = rows(
@@ -126,7 +126,7 @@ fn issue_gaps_look_at_the_floors_that_can_touch() {
     assert!(text("row.toml").contains("Record Level Needs"), "{}", text("row.toml"));
 }
 
-/// What did not touch filled tables of ones.
+/// Storeys that did not touch filled tables with ones.
 #[test]
 fn issue_effects_say_what_there_is_none_of() {
     let folder = rows("storeys_effects", &[["far.toml", "gap_m = 0.01", "gap_m = 1.0"]]);
@@ -139,7 +139,8 @@ fn issue_effects_say_what_there_is_none_of() {
     assert!(page.contains("None: nothing touches") && !page.contains("× alone"));
 }
 
-/// The figure said of bases that move, and of several levels drawn together, that curves which meet are structures that touch.
+/// The caption "curves that meet are structures that touch" was also under figures of moving bases and of several levels, where it is
+/// false.
 #[test]
 fn issue_captions_say_what_is_true_of_their_figures() {
     let travels = ["travels.toml", "name = \"row\"", "name = \"row\"\narrivals_s = [0, 0.05, 0.1]"];
@@ -157,10 +158,10 @@ fn issue_captions_say_what_is_true_of_their_figures() {
     }
 }
 
-/// A touch of almost half a second was a collision like any other.
+/// A touch of almost half a second counted as an ordinary collision.
 #[test]
 fn issue_what_leans_is_said() {
-    // The ground presses the tower against the wall.
+    // The ground motion presses the tower against the wall.
     let scene = r#"
 name = "pressed"
 record.generated.half_sine = { amplitude_m_per_s2 = 3, duration_s = 1.5, time_step_s = 0.01 }

@@ -1,4 +1,4 @@
-//! Folders of records, and several scenes side by side.
+//! Tests of folders of records, and of several scenes in one command.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ gap_m = 0.01
 law.stereomechanical.restitution = 0.6
 "#;
 
-/// A folder with a scene and records: one that says its unit, one that leaves it to the scene, one of spectra, one hidden.
+/// A folder with a scene and records: one with a unit, one that needs the scene's unit, one of spectra, one hidden.
 pub(crate) fn suite(test: &str) -> PathBuf {
     let folder = folder(test);
     let records = folder.join("records");
@@ -34,7 +34,7 @@ pub(crate) fn suite(test: &str) -> PathBuf {
     let line = |step: usize| format!("{:.2},{:.4}", step as f64 / 50.0, ramp(step));
     let csv = (0..60).map(line).collect::<Vec<_>>().join("\n");
     write("pulse.csv", format!("time_s,acceleration_m_per_s2\n{csv}\n"));
-    // Another motion: the same one reversed would be a copy.
+    // This is another motion, because the first one reversed would count as a copy.
     let line = |step: usize| format!("{:.3}", -400.0 * libm::sin(0.31 * step as f64));
     let column = (0..60).map(line).collect::<Vec<_>>().join("\n");
     write("column.txt", column);
@@ -55,14 +55,14 @@ fn reference_gap_under_a_folder() {
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let required = json["motions"][0]["gaps"][0]["required_m"].as_f64().expect("a number");
     assert!(csv.stdout.contains(&required.to_string()), "{required}");
-    // A field of JSON is a column of CSV.
+    // Every field of the JSON is a column of the CSV.
     let header = csv.stdout.lines().next().expect("a header");
     let columns: Vec<&str> = header.split(',').collect();
     let gap = json["motions"][0]["gaps"][0].as_object().expect("fields");
     assert!(gap.keys().all(|key| columns.contains(&key.as_str())), "{gap:?}");
     let others = "record, event, reversed and refused";
     assert_eq!(columns.len(), gap.len() + 4, "{others}");
-    // What the paragraph Records counts.
+    // The counts of the paragraph Records.
     let records = &json["records"];
     assert_eq!((&records["files"], &records["files_left_out"]), (&3.into(), &1.into()));
     assert_eq!(records["events"], 2);
@@ -79,16 +79,16 @@ fn reference_run_under_a_folder() {
     assert_snapshot!(csv.stdout);
     let json = pounding(&folder, &[&arguments[..], &["--json"]].concat());
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
-    // By name, and each in both directions.
+    // Motions are sorted by name, and each has both directions.
     assert_eq!(json["motions"][0]["record"], "column.txt");
     assert_eq!(json["motions"][3]["record"], "pulse.csv");
     assert_eq!(json["motions"][3]["reversed"], true);
     assert_eq!(json["records"]["files_used"], 2);
 }
 
-/// An AT2 file of PEER with this component behind the last comma of its title.
+/// An AT2 file of PEER with a component after the last comma of its title.
 pub(crate) fn at2(component: &str) -> String {
-    // Each component moves on its own: copies would be left out.
+    // Each component gets another motion: copies would be left out.
     let own = component.bytes().fold(0, |own: u32, byte| (31 * own + u32::from(byte)) % 97);
     let rate = 0.25 + 1e-2 * f64::from(own);
     let sample = |step: usize| format!("{:.5}", 0.2 * libm::sin(rate * step as f64));
@@ -99,7 +99,7 @@ pub(crate) fn at2(component: &str) -> String {
     )
 }
 
-/// They shook rows as if horizontal: only some formats name their components, and only those names were looked at.
+/// Vertical components shook rows: only the names of components were tested, and only some formats have them.
 #[test]
 fn issue_vertical_components_shake_no_row() {
     let folder = suite("vertical");
@@ -111,7 +111,7 @@ fn issue_vertical_components_shake_no_row() {
     let column = "10\n20\n-30\n5\n";
     for (name, text) in [
         ("RSN6_ELC180.AT2", at2(", 180")),
-        // What the file says counts more than its name.
+        // The contents of a file count more than its name.
         ("RSN6_ELC-V.AT2", at2(", 090")),
         ("RSN6_ELC-C.AT2", at2(", UP")),
         ("RSN6_ELC-DWN.AT2", at2("")),
@@ -146,7 +146,7 @@ fn issue_vertical_components_shake_no_row() {
     }
 }
 
-/// A line of the table is what a run of that record alone prints.
+/// A line of the table equals a run of that record alone.
 #[test]
 fn limit_a_line_is_a_run() {
     let folder = suite("line");
@@ -175,7 +175,7 @@ fn reference_scenes_side_by_side() {
     assert_snapshot!(printed(&text));
 }
 
-/// What the project ships to be copied runs, and looks usual.
+/// Every example that the project ships runs and has no implausible values.
 #[test]
 fn reference_every_example_runs() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -215,7 +215,7 @@ fn reference_demo() {
     assert_snapshot!(printed(&first));
     let file = |name: &str| fs::read(folder.join("pounding-demo").join(name)).expect("it is there");
     let page = file("results/report.html");
-    // Again, over what is there: the same bytes.
+    // A repeated command leaves equal bytes.
     let again = pounding(&folder, &["demo"]);
     assert_eq!((again.code, &again.stdout), (0, &first.stdout), "{}", again.stderr);
     assert_eq!(file("results/report.html"), page);
@@ -250,7 +250,7 @@ fn extreme_a_gap_of_one_structure() {
     assert_snapshot!(message, @"error: one.toml: structures: found 1, allowed two or more: a gap lies between two");
 }
 
-/// Everything that looks wrong at once, and may be right.
+/// A scene with every implausible value at once; all may be correct.
 #[test]
 fn extreme_an_unusual_scene() {
     let folder = suite("unusual");
@@ -268,7 +268,7 @@ fn extreme_an_unusual_scene() {
     assert_snapshot!(unusual.join("\n"));
 }
 
-/// Of scenes that do not all run none is printed, and the one that fails is named.
+/// If one of several scenes does not run, the message names it and nothing else is printed.
 #[test]
 fn extreme_a_scene_that_cannot_be_compared() {
     let folder = suite("compare_refused");
@@ -282,7 +282,7 @@ fn extreme_a_scene_that_cannot_be_compared() {
     assert_eq!((alone.code, alone.stdout.as_str()), (2, ""), "two or more");
 }
 
-/// More scenes than fit side by side stand below each other, at most 80 columns wide.
+/// Scenes that do not fit beside each other are printed in blocks, at most 80 columns wide.
 #[test]
 fn limit_many_scenes_are_printed_in_blocks() {
     let folder = suite("compare_many");

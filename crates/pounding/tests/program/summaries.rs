@@ -1,4 +1,4 @@
-//! Sweeps that are summed up: what is told of all runs, the same bytes whatever happens on the way.
+//! Tests of summaries of sweeps: numbers over all runs, with equal bytes however the sweep is run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +13,7 @@ use crate::runs::printed;
 use crate::sweeps::{sweep, with_sweep};
 use crate::{pounding, refusal};
 
-/// The sweep over two yields of gaps, with a summary for each.
+/// The sweep with two gaps, and a summary for each gap.
 fn summed(count: u64, rows: bool) -> Value {
     let mut words = sweep(count);
     words["vary"][0] = json!({"field": "contacts[0].gap_m", "values": [0.005, 0.015]});
@@ -35,7 +35,7 @@ fn run_shard(folder: &Path, shard: &str) {
     printed(&pounding(folder, &[&arguments[..], &[shard]].concat()));
 }
 
-/// The program with so many threads; whether it ends well.
+/// Runs the program with a number of threads; returns whether it succeeds.
 fn runs(folder: &Path, arguments: &[&str], threads: &str) -> bool {
     Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
         .args(arguments)
@@ -60,7 +60,7 @@ fn reference_a_summary_in_place_of_rows() {
     assert!(!folder.join("all.csv.parts").exists(), "parts go");
 }
 
-/// Where every run fails it is a failure, and the first reasons are told.
+/// If every run fails the sweep fails, and the message lists the first reasons.
 #[test]
 fn extreme_a_summary_of_runs_that_fail() {
     let mut words = summed(4, false);
@@ -72,7 +72,7 @@ fn extreme_a_summary_of_runs_that_fail() {
     assert!(ended.stderr.contains("all 8 runs failed: the summary says why"), "{}", ended.stderr);
 }
 
-/// With rows and without, the summary has the same bytes, and says what the rows say.
+/// The summary has equal bytes with and without rows, and agrees with the rows.
 #[test]
 fn limit_a_summary_is_that_of_the_rows() {
     let folder = with_sweep("summary_rows", &summed(1000, true));
@@ -109,7 +109,7 @@ fn limit_a_summary_is_that_of_the_rows() {
     }
 }
 
-/// Magnitudes of the left structure at the first gap in the table of rows, in rising order.
+/// Sorted magnitudes of the left structure at the first gap, from the table of rows.
 fn peaks(rows: &Path) -> Vec<f64> {
     let mut rows = csv::Reader::from_path(rows).expect("a table");
     let rows = rows.records().map(|row| row.expect("a row"));
@@ -121,7 +121,7 @@ fn peaks(rows: &Path) -> Vec<f64> {
     peaks
 }
 
-/// What a summary says of them: value and bounds by the statistic and what it is at.
+/// The summary of those magnitudes: value and bounds by the statistic and its argument.
 fn told(summary: &[u8]) -> BTreeMap<String, [Option<f64>; 3]> {
     let mut table = csv::Reader::from_reader(summary);
     let lines = table.records().map(|line| line.expect("a line"));
@@ -134,7 +134,7 @@ fn told(summary: &[u8]) -> BTreeMap<String, [Option<f64>; 3]> {
     told.collect()
 }
 
-/// One thread or two, whole or in shards, killed or not.
+/// The summary is equal with one thread or two, whole or in shards, killed or not.
 #[test]
 fn limit_the_same_summary_whatever_happens_on_the_way() {
     let folder = with_sweep("summary_shards", &summed(10_000, false));
@@ -176,7 +176,7 @@ fn limit_the_same_summary_whatever_happens_on_the_way() {
     assert!(whole == bytes(&folder, "killed.csv"), "a kill changes bytes");
 }
 
-/// A digit that changed in a part is found, and the part is run again.
+/// A changed digit in a part is found, and the part runs again.
 #[test]
 fn extreme_a_changed_digit_of_a_part_is_found() {
     let folder = with_sweep("summary_changed", &summed(1000, false));
@@ -197,7 +197,7 @@ fn extreme_a_changed_digit_of_a_part_is_found() {
     assert!(bytes(&folder, "whole.csv") == bytes(&folder, "shards.csv"), "a change is left");
 }
 
-/// What is there stays, beside the table, too; a compressed summary is the same one.
+/// An existing summary stays, even next to the table; a compressed summary has the same contents.
 #[test]
 fn extreme_a_summary_that_is_there_already() {
     let folder = with_sweep("summary_there", &summed(4, true));

@@ -1,4 +1,4 @@
-//! What is said of sweeps that are refused.
+//! Tests of messages about refused sweeps.
 
 use insta::assert_snapshot;
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::sweeps::{scene, sweep, with_sweep};
 use crate::{pounding, refusal};
 
-/// Sweeps that name fields wrongly: what is said of the case, the place that is changed, and to what.
+/// Sweeps with wrong field names: name of the case, changed place, new value.
 fn wrong_fields() -> Vec<(&'static str, &'static str, Value)> {
     let field = "/vary/0/field";
     vec![
@@ -47,7 +47,7 @@ fn wrong_fields() -> Vec<(&'static str, &'static str, Value)> {
     ]
 }
 
-/// The same of all else.
+/// Sweeps with other wrong words: name of the case, changed place, new value.
 fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
     vec![
         ("no samples", "/samples", Value::Null),
@@ -73,7 +73,7 @@ fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
     ]
 }
 
-/// What is wrong is said with its line, before anything runs.
+/// The message names the line of the fault before any run.
 #[test]
 fn extreme_sweeps_that_are_refused() {
     let mut said = String::new();
@@ -94,7 +94,7 @@ fn extreme_sweeps_that_are_refused() {
     assert_snapshot!(said);
 }
 
-/// Who takes one command for the other is told which one runs the file.
+/// A scene given to `sweep`, or a sweep given to `run`, is refused with the name of the other command.
 #[test]
 fn extreme_a_scene_for_a_sweep_and_a_sweep_for_a_scene() {
     let folder = with_sweep("sweep_confused", &scene());

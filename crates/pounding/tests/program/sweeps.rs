@@ -1,4 +1,4 @@
-//! `pounding sweep` and `pounding merge`: the same bytes whatever happens on the way.
+//! Tests of `pounding sweep` and `pounding merge`: equal bytes however they are run.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::runs::printed;
 use crate::suites::suite;
 use crate::{folder, pounding, refusal};
 
-/// Two structures under half a sine; some 0.1 ms a run.
+/// Two structures under half a sine; a run takes about 0.1 ms.
 pub(crate) fn scene() -> Value {
     json!({
         "name": "two",
@@ -38,7 +38,7 @@ pub(crate) fn sweep(count: u64) -> Value {
     })
 }
 
-/// A folder with a sweep in it.
+/// A folder that contains a sweep.
 pub(crate) fn with_sweep(test: &str, words: &Value) -> PathBuf {
     let folder = folder(test);
     let text = serde_json::to_string_pretty(words).expect("JSON");
@@ -50,7 +50,7 @@ fn table(folder: &Path, name: &str) -> Vec<u8> {
     fs::read(folder.join(name)).expect("the table is there")
 }
 
-/// The program in a folder with variables set, and killed or not.
+/// Starts the program in a folder with environment variables.
 fn start(folder: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Child {
     Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
         .args(arguments)
@@ -79,7 +79,7 @@ fn reference_a_small_sweep() {
     assert_snapshot!(refusal(&again), @"error: sweep.json.csv: is there already, allowed is a new file; name another one or add --overwrite");
 }
 
-/// How it is done is said before the work begins, with the error that was measured at the end.
+/// The method is printed before the work begins, and the measured error at the end.
 #[test]
 fn reference_a_sweep_with_an_accuracy() {
     let mut words = sweep(4);
@@ -98,7 +98,7 @@ fn reference_a_sweep_with_an_accuracy() {
     ");
 }
 
-/// One thread or two, whole or in shards, taken from the command line or from a job array.
+/// The table has equal bytes with one thread or two, whole or in shards, from the command line or from a job array.
 #[test]
 fn limit_the_same_bytes_whatever_the_threads_and_shards() {
     let folder = with_sweep("sweep_shards", &sweep(2500));
@@ -140,7 +140,7 @@ fn limit_the_same_bytes_whatever_the_threads_and_shards() {
     assert!(whole == table(&folder, "nodes.csv"), "a job array changes bytes");
 }
 
-/// A variable that somebody forgot must not make half a table silently.
+/// A forgotten environment variable silently gave half a table.
 #[test]
 fn issue_a_task_of_a_job_array_says_that_it_runs_a_shard() {
     let folder = with_sweep("sweep_task", &sweep(4));
@@ -159,7 +159,7 @@ fn issue_a_task_of_a_job_array_says_that_it_runs_a_shard() {
     assert_snapshot!(said, @"SLURM_ARRAY_TASK_ID is set: runs shard 2/4 alone; --shard 1/1 runs the whole");
 }
 
-/// How many parts of a table there are.
+/// Number of parts of a table.
 fn parts_of(folder: &Path, table: &str) -> usize {
     let there = fs::read_dir(folder.join(format!("{table}.parts")));
     there.map_or(0, |all| {
@@ -169,7 +169,7 @@ fn parts_of(folder: &Path, table: &str) -> usize {
     })
 }
 
-/// Killed ten times at moments that differ, a sweep ends with the bytes of one that was not.
+/// A sweep that is killed ten times at different moments ends with the bytes of an uninterrupted one.
 #[test]
 fn limit_a_sweep_that_is_killed_goes_on() {
     let folder = with_sweep("sweep_killed", &sweep(20_000));
@@ -178,7 +178,7 @@ fn limit_a_sweep_that_is_killed_goes_on() {
     let mut parts = 0;
     for kill in 1..=10_u64 {
         let mut child = start(&folder, &arguments, &[]);
-        // Every other one after a part more than before, however slow the machine is.
+        // Every second kill waits for one more part than before, so the sweep progresses on slow machines too.
         let ended = |child: &mut Child| child.try_wait().expect("a child").is_some();
         while kill % 2 == 0 && parts_of(&folder, "killed.csv") <= parts && !ended(&mut child) {
             std::thread::sleep(Duration::from_millis(1));
@@ -198,7 +198,8 @@ fn limit_a_sweep_that_is_killed_goes_on() {
         let ended = pounding(&folder, &arguments);
         assert!(printed(&ended).contains("were there already"), "{}", ended.stdout);
     } else if folder.join("killed.csv.parts").exists() {
-        // Killed while it tidied up: the same command does that, but for an empty folder, which says nothing of the table.
+        // The process was killed while it removed its parts. The repeated command removes them, except an empty folder, which does not
+        // identify a table.
         let parts = folder.join("killed.csv.parts");
         let is_empty = fs::read_dir(&parts).expect("a folder").count() == 0;
         let ended = pounding(&folder, &arguments);
@@ -211,7 +212,7 @@ fn limit_a_sweep_that_is_killed_goes_on() {
     assert!(!folder.join("killed.csv.parts").exists());
 }
 
-/// A sweep that was changed does not go on with parts of the old one.
+/// A changed sweep does not continue with parts of the old one.
 #[test]
 fn extreme_parts_of_another_sweep() {
     let folder = with_sweep("sweep_changed", &sweep(8));
@@ -226,7 +227,7 @@ fn extreme_parts_of_another_sweep() {
     assert!(table(&folder, "runs.csv") == table(&folder, "anew.csv"));
 }
 
-/// Records of a folder, each in both directions, by the names and numbers of `pounding run --records`.
+/// The records of a folder, in both directions, have the names and numbers of `pounding run --records`.
 #[test]
 fn limit_records_are_those_of_run() {
     let folder = suite("sweep_records");
@@ -250,7 +251,7 @@ fn limit_records_are_those_of_run() {
             let Some((of, quantity)) = column.split_once(": ") else {
                 continue;
             };
-            // Buildings of one storey, by their names.
+            // Buildings of one storey are named without their storey.
             let (building, neighbour) = of.split_once(" – ").unwrap_or((of, ""));
             let same = wanted.iter().find(|wanted| {
                 [&wanted[0], &wanted[2], &wanted[3], &wanted[5], &wanted[7]] == [&row[1], &row[2], building, neighbour, quantity]
@@ -263,7 +264,7 @@ fn limit_records_are_those_of_run() {
     assert_eq!(compared, 4 * (2 * 3 + 3));
 }
 
-/// The sweep that ships runs, and every run of it.
+/// The sweep that the project ships runs, and all its runs succeed.
 #[test]
 fn reference_the_sweep_to_copy() {
     let folder = folder("sweep_ships");
@@ -277,7 +278,7 @@ fn reference_the_sweep_to_copy() {
     ");
 }
 
-/// The job scripts, with the variables of a cluster set by hand.
+/// The job scripts run with the variables of a cluster set by hand.
 #[cfg(unix)]
 #[test]
 fn limit_job_scripts_make_the_bytes_of_one_machine() {
@@ -304,7 +305,7 @@ fn limit_job_scripts_make_the_bytes_of_one_machine() {
         let hyperqueue = [("HQ_TASK_ID", task), ("SHARDS", "3"), ("HQ_CPUS", "0,1")];
         job("hyperqueue.sh", "hyperqueue.csv", &hyperqueue);
     }
-    // Two tasks of an array are submitted once more: what is there stays.
+    // Two tasks of an array are submitted again: existing shards stay.
     job(
         "slurm.sh",
         "slurm.csv",
@@ -316,7 +317,7 @@ fn limit_job_scripts_make_the_bytes_of_one_machine() {
     }
 }
 
-/// Ctrl-C ends with whole parts, and says how to go on.
+/// Ctrl-C leaves whole parts, and the message says how to continue.
 #[cfg(unix)]
 #[test]
 fn reference_a_sweep_that_is_stopped_says_how_to_go_on() {

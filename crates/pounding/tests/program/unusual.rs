@@ -1,4 +1,4 @@
-//! What is unusual stands before every answer; both directions are judged; what nobody looked for is not said to be well.
+//! Tests of implausible values, which come before every answer; both directions are judged, and unchecked properties are not called good.
 
 use std::fs;
 use std::path::PathBuf;
@@ -18,7 +18,7 @@ structures = [
 contacts = [{ gap_m = 0.21, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 "#;
 
-/// Floors at 3 and 6.5 m beside floors at 3, 7 and 11 m; only the lowest may touch.
+/// Floors at 3 and 6.5 m beside floors at 3, 7 and 11 m; only the lowest can touch.
 pub(crate) const STAGGERED: &str = r#"
 name = "staggered"
 record.file = "records/good.csv"
@@ -29,7 +29,7 @@ structures = [
 contacts = [{ gap_m = 0.05, levels = [1], law.stereomechanical.restitution = 0.5 }]
 "#;
 
-/// Samples of ten seconds, which swing faster and die away: so fast, and times a factor.
+/// Samples of ten seconds whose oscillation becomes faster and dies out, with a speed and a factor.
 pub(crate) fn record(speed: f64, factor: f64) -> String {
     let sample = |index: u32| {
         let time = 0.01 * f64::from(index);
@@ -41,7 +41,7 @@ pub(crate) fn record(speed: f64, factor: f64) -> String {
     format!("time_s,acceleration_m_per_s2\n{samples}")
 }
 
-/// A folder with a scene, and records that are sound unless `spoilt`: one in cm/s² called m/s², and one of zeros.
+/// A folder with a scene and sound records. With `spoilt`, one record is in cm/s² but declared in m/s², and one is all zeros.
 pub(crate) fn workplace(test: &str, scene: &str, spoilt: bool) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
@@ -71,7 +71,7 @@ pub(crate) const OF_FOLDERS: [&[&str]; 3] = [
     &["run", "scene.toml", "--records", "records", "--both"],
 ];
 
-/// "Proposed: 11850 mm" without a word of a record in cm/s² that is called m/s², which `run` alone named, a line for each file.
+/// "Proposed: 11850 mm" had no remark about a record in cm/s² that is declared in m/s². Only `run` named it, with a line per file.
 #[test]
 fn issue_unusual_records_stand_before_every_answer() {
     let work = workplace("unusual_records", TWO, true);
@@ -98,7 +98,7 @@ fn issue_unusual_records_stand_before_every_answer() {
     assert!(unusual.is_some() && unusual < answer, "{unusual:?} {answer:?}");
 }
 
-/// A file of zeros was an event under which "20 mm is enough", and nothing was said of it.
+/// A file of zeros counted as an event under which "20 mm is enough", without a remark.
 #[test]
 fn issue_a_record_of_zeros_is_no_event() {
     let work = workplace("unusual_zeros", TWO, true);
@@ -113,7 +113,7 @@ fn issue_a_record_of_zeros_is_no_event() {
     assert!(said.starts_with("Unusual record: found "), "{said}");
 }
 
-/// Masses in tonnes were a warning at the bottom of an answer that was not marked; `check` said "Warnings none" below what is unusual.
+/// Masses in tonnes gave a warning only at the end of an unmarked answer. `check` printed "Warnings none" below implausible values.
 #[test]
 fn issue_unusual_scenes_stand_before_every_answer() {
     let tonnes = TWO.replace("mass_kg = 2e5", "mass_kg = 200");
@@ -138,7 +138,7 @@ fn issue_unusual_scenes_stand_before_every_answer() {
     assert!(unusual.is_some() && unusual < answer, "{unusual:?} {answer:?}");
 }
 
-/// Only the first value of what varies was doubted, and options were advised that `sweep` does not have.
+/// Only the first value of a varied field was tested, and the advice named options that `sweep` does not have.
 #[test]
 fn issue_all_that_a_sweep_varies_is_doubted() {
     let work = workplace("unusual_sweep", TWO, false);
@@ -159,7 +159,7 @@ fn issue_all_that_a_sweep_varies_is_doubted() {
     }
 }
 
-/// "250 mm is enough … and need 247.6 mm at most", without the caution that "not enough" had, and with a margin far below the spread.
+/// "250 mm is enough … and need 247.6 mm at most" lacked the caution that "not enough" had, with a margin far below the spread.
 #[test]
 fn issue_enough_is_said_with_its_cautions() {
     let soft = TWO.replace("period_s = 0.9", "period_s = 2.5, height_m = 3");
@@ -178,7 +178,7 @@ fn issue_enough_is_said_with_its_cautions() {
     ]
     .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(caution < answer && answer < margin, "{said}");
-    // Damping of 500 % leads.
+    // The damping of 500 % comes first.
     let damped = TWO.replace("damping.ratio = 0.05", "damping.ratio = 5");
     fs::write(work.join("scene.toml"), damped).expect("it can be written");
     let said = flat(&pounding(&work, OF_FOLDERS[0]));
@@ -186,7 +186,7 @@ fn issue_enough_is_said_with_its_cautions() {
     assert!(said.starts_with(first) && said.contains("is enough between"), "{said}");
 }
 
-/// A pulse throws a building against a wall, and reversed far away from it.
+/// A pulse throws a building against a wall; reversed, it throws the building away from the wall.
 pub(crate) const BESIDE_A_WALL: &str = r#"
 name = "beside a wall"
 record.generated.half_sine = { amplitude_m_per_s2 = -4, duration_s = 0.5, time_step_s = 0.01 }
@@ -197,8 +197,8 @@ structures = [
 contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 "#;
 
-/// The direction with the larger pounding force led, and the other one, in which the building drifts beyond all limits, was warned of by
-/// nobody: "Warnings none".
+/// The direction with the larger pounding force came first. The other one, in which the building drifts beyond all limits, had no warning:
+/// "Warnings none".
 #[test]
 fn issue_both_directions_are_judged() {
     let work = workplace("unusual_directions", BESIDE_A_WALL, false);
@@ -215,7 +215,7 @@ fn issue_both_directions_are_judged() {
     assert!(said.contains(first), "{said}");
 }
 
-/// Eleven floors beside columns, and "nothing touches … Warnings none": obeying the hint to set `levels` silenced them.
+/// Eleven floors face columns, but the answer was "nothing touches … Warnings none": following the hint to set `levels` silenced them.
 #[test]
 fn issue_floors_beside_columns_are_not_silent() {
     let work = workplace("unusual_columns", STAGGERED, false);
@@ -239,7 +239,7 @@ fn issue_floors_beside_columns_are_not_silent() {
     assert!(said.contains("no floors touch") && said.contains("Warnings none"), "{said}");
 }
 
-/// Without contacts "nothing touches … Warnings none" was said, and nothing had been looked for.
+/// Without contacts "nothing touches … Warnings none" was printed although nothing had been checked.
 #[test]
 fn issue_without_contacts_nothing_is_said_of_pounding() {
     let apart = TWO.lines().filter(|line| !line.starts_with("contacts"));
@@ -262,7 +262,7 @@ fn issue_without_contacts_nothing_is_said_of_pounding() {
     assert!(said.contains(none), "{said}");
 }
 
-/// The law of bumpers was named nowhere.
+/// The law of bumpers was not named.
 #[test]
 fn issue_the_law_of_bumpers_is_named() {
     let narrow = TWO.replace(
@@ -275,7 +275,8 @@ fn issue_the_law_of_bumpers_is_named() {
     assert!(said.contains(law), "{said}");
 }
 
-/// "unexpected key or value, expected newline" was said of `gap_m = 0,05`, and of `"records\quake"` that `b` and `e` are expected.
+/// The messages about `gap_m = 0,05` and `"records\quake"` were "unexpected key or value, expected newline" and that `b` and `e` are
+/// expected.
 #[test]
 fn issue_decimal_commas_and_backslashes_are_named() {
     let work = workplace("unusual_mistakes", TWO, false);

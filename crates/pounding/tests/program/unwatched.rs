@@ -1,4 +1,4 @@
-//! No answer says "enough" or "none" of floors that were not looked at; cautions stand before answers; events are counted.
+//! Tests that no answer says "enough" or "none" about unchecked floors, that cautions come before answers, and that events are counted.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::pounding;
 use crate::unusual::{BESIDE_A_WALL, OF_FOLDERS, STAGGERED, TWO, flat, record, workplace};
 
-/// Two buildings with floors at 3, 6 and 9 m. Only the lowest may touch.
+/// Two buildings with floors at 3, 6 and 9 m; only the lowest can touch.
 const LEVEL: &str = r#"
 name = "level"
 record.file = "records/good.csv"
@@ -26,7 +26,7 @@ fn json(work: &Path, arguments: &[&str]) -> Value {
     serde_json::from_str(&ended.stdout).unwrap_or_else(|_| panic!("{}", ended.stderr))
 }
 
-/// "50 mm is enough …, and need 157.2 mm at most" stood above "Proposed: 160 mm": levels were left out, or a wall held a building back.
+/// "50 mm is enough …, and need 157.2 mm at most" was above "Proposed: 160 mm": levels were left out, or a wall held a building back.
 #[test]
 fn issue_a_gap_below_the_needed_width_is_not_called_enough() {
     let held = r#"
@@ -58,7 +58,7 @@ contacts = [
     }
 }
 
-/// `levels = [1]` left the roofs out, and every command said that nothing touches, "Warnings none".
+/// `levels = [1]` left the roofs out, and every command answered that nothing touches, "Warnings none".
 #[test]
 fn issue_levels_that_are_left_out_are_named() {
     let work = workplace("unwatched_levels", LEVEL, false);
@@ -73,7 +73,7 @@ fn issue_levels_that_are_left_out_are_named() {
         let warnings = json(&work, arguments)["warnings"].to_string();
         assert!(warnings.contains(named), "{arguments:?}: {warnings}");
     }
-    // The width counts them.
+    // The width includes the roofs.
     let said = flat(&pounding(&work, OF_FOLDERS[1]));
     assert!(said.contains("good.csv 3 ") && !said.contains("not looked at"), "{said}");
     let wide = LEVEL.replace("gap_m = 0.1", "gap_m = 1.5");
@@ -82,7 +82,8 @@ fn issue_levels_that_are_left_out_are_named() {
     assert!(said.contains("no floors touch") && !said.contains("not looked at"), "{said}");
 }
 
-/// "need 40 mm … Proposed: 40 mm" beside ten slabs that move 150 mm: without a contact nobody named them, and nobody judged the proposal.
+/// "need 40 mm … Proposed: 40 mm" was the answer for ten slabs that move 150 mm: without a contact they were not named, and the proposal
+/// was not judged.
 #[test]
 fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() {
     let apart = STAGGERED.lines().filter(|line| !line.starts_with("contacts"));
@@ -95,7 +96,7 @@ fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() 
         fs::write(work.join("scene.toml"), scene).expect("it can be written");
         let alone: [&[&str]; 2] = [&["run", "scene.toml"], &["check", "scene.toml"]];
         for arguments in alone.into_iter().chain(OF_FOLDERS) {
-            // A width is judged by itself, whatever the gap is.
+            // `gap` judges the width whatever the gap of the scene is.
             let is_named = reaches || arguments[0] == "gap";
             let said = flat(&pounding(&work, arguments));
             assert_eq!(said.contains("faces columns of its neighbour"), is_named, "{arguments:?}: {said}");
@@ -116,7 +117,7 @@ fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() 
         let said = flat(&pounding(&work, arguments));
         assert!(said.contains("No floors of a and b face each other"), "{said}");
     }
-    // Masses of one storey meet whatever their heights are.
+    // One-storey masses can touch whatever their heights are.
     let masses = TWO
         .replace("period_s = 0.5", "period_s = 0.5, height_m = 9")
         .replace("period_s = 0.9", "period_s = 0.9, height_m = 12");
@@ -125,7 +126,7 @@ fn issue_floors_beside_columns_are_named_without_contacts_and_at_the_proposal() 
     assert!(!said.contains("column"), "{said}");
 }
 
-/// A record in g that is declared to be in m/s² peaked at 0.03 g, and nobody doubted it.
+/// A record in g that is declared in m/s² had a peak of 0.03 g and no remark.
 #[test]
 fn issue_a_weak_motion_in_a_declared_unit_is_doubted() {
     let declared = TWO.replace(
@@ -148,7 +149,7 @@ fn issue_a_weak_motion_in_a_declared_unit_is_doubted() {
     assert!(!of(2.0).contains("Unusual"));
 }
 
-/// `gap` hid a gap of 50 m of its scene.
+/// `gap` did not mention an implausible gap of 50 m in its scene.
 #[test]
 fn issue_gap_doubts_the_gap_of_the_scene() {
     let work = workplace("unwatched_gap", &TWO.replace("gap_m = 0.21", "gap_m = 50"), false);
@@ -159,8 +160,8 @@ fn issue_gap_doubts_the_gap_of_the_scene() {
     assert!(!said.contains("Unusual"), "{said}");
 }
 
-/// "They touch under 8 of 10 motions" stood beside "5 motions of 5 events". Drifts beyond all limits were a mark at the end of a line, and
-/// JSON left those of the reversed run out.
+/// "They touch under 8 of 10 motions" contradicted "5 motions of 5 events". Drifts beyond all limits were only a mark at the end of a line,
+/// and JSON left out those of the reversed run.
 #[test]
 fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
     let soft = TWO
@@ -181,7 +182,7 @@ fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
     assert!(warnings.contains("reversed: tower: drift of "), "{warnings}");
 }
 
-/// A mean spectrum far below its target was told after "is enough" alone.
+/// The remark on a mean spectrum far below its target came only after "is enough".
 #[test]
 fn issue_a_weak_mean_spectrum_is_a_caution() {
     let work = workplace("unwatched_target", &TWO.replace("gap_m = 0.21", "gap_m = 1.9"), false);

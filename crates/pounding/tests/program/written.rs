@@ -1,4 +1,4 @@
-//! What is written and said: text that steers nothing, messages that end, and nothing left of a command that was ended.
+//! Tests of texts that steer no terminal, of messages that end, and of files left by interrupted commands.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::pounding;
 use crate::promises::{contents, springs};
 use crate::suites::{TOWERS, suite};
 
-/// What the commands print, in a folder where each of them ends well.
+/// The output of commands in a folder in which each succeeds.
 fn all_succeed(folder: &Path, commands: &[&str]) -> Vec<String> {
     let one = |command: &&str| {
         let ended = pounding(folder, &command.split(' ').collect::<Vec<_>>());
@@ -19,7 +19,7 @@ fn all_succeed(folder: &Path, commands: &[&str]) -> Vec<String> {
     commands.iter().map(one).collect()
 }
 
-/// They reached the terminal as they were.
+/// Control characters reached the terminal.
 #[test]
 fn issue_control_characters_are_spelt() {
     let folder = suite("promises_control");
@@ -48,7 +48,7 @@ fn issue_control_characters_are_spelt() {
     assert!(table.contains(",'=1+1: peak_displacement_m,"), "{table}");
 }
 
-/// Files of results held them as they were, and a reader who looked at one with `cat` obeyed a name.
+/// Result files held control characters, and a terminal obeyed a name when a reader printed a file with `cat`.
 #[test]
 fn issue_no_file_of_text_steers_a_terminal() {
     let folder = suite("promises_written");
@@ -104,7 +104,7 @@ fn issue_a_path_of_a_megabyte_is_not_repeated() {
     }
 }
 
-/// What a `convert` or `export` that was ended had begun lay there for ever.
+/// Interrupted `convert` and `export` commands left temporary files for ever.
 #[cfg(unix)]
 #[test]
 fn issue_what_a_stop_leaves_goes_with_the_next_file() {

@@ -8,7 +8,7 @@
 >>> len(run.impacts) > 0
 True
 
-Units are SI everywhere: kg, m, s, N, m/s². Names of columns end in theirs.
+Units are SI everywhere: kg, m, s, N, m/s². Names of columns end with their unit.
 """
 
 from ._answers import certify, compare, laws

@@ -1,4 +1,4 @@
-"""Questions that need no row."""
+"""Functions that need no row."""
 
 from __future__ import annotations
 
@@ -26,31 +26,31 @@ def certify(
     time_step: float | None = None,
     method: str | None = None,
 ) -> dict[str, Any]:
-    """What a contact law, and methods, deliver to a free impact.
+    """Restitution that a contact law, and the methods, deliver in a free impact.
 
     Parameters
     ----------
     law
-        A name of :func:`laws`.
+        Name of the law, from :func:`laws`.
     restitution
-        Coefficient of restitution asked for [–].
+        Requested coefficient of restitution [–].
     masses
         Masses of the neighbours [kg].
     speed
         Approach speed [m/s].
     stiffness
-        Impact stiffness [N/m] or [N/m^1.5]; 9.35e7 or 2.75e9 where not given.
+        Impact stiffness [N/m] or [N/m^1.5]; 9.35e7 or 2.75e9 by default.
     calibration
         How the damping is chosen: ``"exact"`` or ``"literature"``.
     time_step
-        Time step of the methods [s]; without it none is tried.
+        Time step of the methods [s]; by default no method is tried.
     method
-        The method; without it all.
+        The method; all by default.
 
     Returns
     -------
     dict
-        What ``pounding certify --json`` prints; units stand in the names.
+        The numbers of ``pounding certify --json``; names end with units.
     """
     literature = {"exact": False, "literature": True}
     if calibration not in literature:
@@ -74,21 +74,21 @@ def certify(
 
 
 def laws() -> pandas.DataFrame:
-    """The contact laws: name, force, and unit of the impact stiffness."""
+    """The contact laws, each with its name, its force and the unit of its impact stiffness."""
     import pandas
 
     return pandas.DataFrame(_pounding.laws(), columns=["law", "force", "stiffness_unit"])
 
 
 def compare(runs: Sequence[Run], names: Sequence[str] | None = None) -> pandas.DataFrame:
-    """Runs side by side: a column for each, a row for each number of a floor or a pair, which stand for each other by their places.
+    """A table of several runs: one column per run, one row per number of a floor or a pair. Places in the row identify floors and pairs.
 
     Parameters
     ----------
     runs
         Runs of scenes.
     names
-        Names of the columns; without them those of the scenes, with a number where they are alike.
+        Names of the columns; by default those of the scenes, numbered if two are equal.
     """
     import pandas
 

@@ -1,4 +1,4 @@
-"""What is raised and what is warned of."""
+"""Exceptions and warnings."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ __all__ = ["PoundingWarning", "Refused"]
 
 
 class Refused(ValueError):
-    """An input that is refused, or a run that failed, in the words of the program.
+    """A refused input or a failed run, in the words of the program.
 
     Attributes
     ----------
     place
-        The field, with file and line where it stands in a file; ``None`` where no field is to blame.
+        The field, with file and line if it is in a file; ``None`` if the fault is in no field.
     found
-        What stands there.
+        The value found.
     allowed
-        What may stand there.
+        The values allowed.
     help
-        What to do.
+        The remedy.
     """
 
     def __init__(
@@ -41,8 +41,8 @@ class Refused(ValueError):
 
 
 class NotFound(Refused, FileNotFoundError):
-    """A file that is not there."""
+    """A missing file."""
 
 
 class PoundingWarning(UserWarning):
-    """What to know before believing the numbers of a run."""
+    """A warning about the numbers of a run."""

@@ -1,4 +1,4 @@
-"""Figures that a notebook shows."""
+"""Figures for notebooks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 
 class Picture(Figure):
-    """A figure with no part in the state of pyplot, which notebooks show all the same."""
+    """A figure outside the state of pyplot that notebooks still show."""
 
     def _repr_png_(self) -> bytes:
         into = io.BytesIO()

@@ -26,7 +26,7 @@ __all__ = ["Assessment"]
 
 @contextlib.contextmanager
 def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Path]:
-    """The folder of records; of records at hand one that is there as long as it is asked."""
+    """The folder of records. Records in memory are written to a temporary folder."""
     if isinstance(records, (str, os.PathLike)):
         yield Path(os.fspath(records))
     else:
@@ -43,7 +43,7 @@ def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Pa
 
 
 def _names(records: Sequence[Record]) -> list[str]:
-    """A name for each: its own, by which components of one event are known, with a number before it where another has that."""
+    """File names of records: their own names, which identify components of one event, with a number in front if a name is taken."""
     names: list[str] = []
     taken: set[str] = set()
     for record in records:
@@ -55,19 +55,19 @@ def _names(records: Sequence[Record]) -> list[str]:
 
 
 def _is_used(record: Record) -> bool:
-    """Whether a file is used in another way than it stands."""
+    """Whether a file is processed or scaled when it is used."""
     return bool(set(record.words) - {"file"})
 
 
 def _write(record: Record, path: Path) -> None:
-    """Samples to the last bit; the reader finds the time step from the times."""
+    """Writes the samples to the last bit; readers find the time step from the times."""
     rows = ["time_s,acceleration_m_per_s2"]
     rows += [f"{time!r},{one!r}" for time, one in zip(record.time.tolist(), record.acceleration.tolist())]
     path.write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
 class Assessment:
-    """What was found of a row under many records."""
+    """The results of a row under many records."""
 
     __slots__ = ("_facts", "_native")
 
@@ -77,14 +77,14 @@ class Assessment:
 
     @property
     def facts(self) -> dict[str, Any]:
-        """Everything, as ``pounding assess --json`` prints it; units stand in the names."""
+        """All results, as ``pounding assess --json`` prints them; names end with units."""
         if self._facts is None:
             self._facts = json.loads(self._native.facts())
         return dict(self._facts)
 
     @property
     def unusual(self) -> list[str]:
-        """Values of the scene and of its records that are far from usual, a sentence for each kind: look at them first."""
+        """Implausible values of the scene and of its records, one sentence per kind: look at them first."""
         return self._native.unusual()
 
     @property
@@ -94,27 +94,27 @@ class Assessment:
 
     @property
     def sentences(self) -> list[str]:
-        """The answer in full: whether the gaps are enough, what is proposed, and what touching does."""
+        """The whole answer: whether the gaps are enough, the proposals, and the effects of touching."""
         return [visible(one) for one in self._native.sentences()]
 
     @property
     def motions(self) -> list[str]:
-        """The motions in a few lines: how many, of how many events, how scaled."""
+        """The motions in a few lines: their number, the number of events, and the scaling."""
         return [visible(one) for one in self._native.shaking()]
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing it."""
+        """Warnings about the results."""
         return [visible(one) for one in self._native.warnings()]
 
     @property
     def remarks(self) -> list[str]:
-        """Records that are left out, or whose direction nothing tells."""
+        """Remarks on records that are left out, or whose direction is unknown."""
         return [visible(one) for one in self._native.remarks()]
 
     @property
     def table(self) -> pandas.DataFrame:
-        """A row for each number of each run, as ``pounding assess --csv`` prints them; SI units in ``quantity``."""
+        """One row per number of each run, as ``pounding assess --csv`` prints them; ``quantity`` ends with the SI unit."""
         import pandas
 
         rows = list(csv.DictReader(io.StringIO(self._native.csv())))
@@ -125,7 +125,7 @@ class Assessment:
         return found
 
     def report(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
-        """Writes ``report.html``, ``assess.csv``, ``assess.json`` and figures; returns the page."""
+        """Writes ``report.html``, ``assess.csv``, ``assess.json`` and figures. Returns the path of the page."""
         from ._run import written
 
         return written(self._native.files(), folder, overwrite)

@@ -1,5 +1,5 @@
 """
-Functions and classes below the package `pounding`.
+Functions and classes for the package `pounding`.
 """
 
 from _typeshed import SupportsGetItem, SupportsLenAndGetItem
@@ -12,12 +12,12 @@ __all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", 
 @final
 class Array:
     """
-    Numbers that do not change: `numpy.asarray` gives a view of them, which may only be read.
+    Numbers that do not change: `numpy.asarray` gives a read-only view of them.
     """
     @property
     def __array_interface__(self, /) -> Any:
         """
-        Address, type and shape, as NumPy asks for them; the memory lives as long as this object.
+        Address, type and shape in NumPy's form. The memory lives as long as this object.
         """
 
 @final
@@ -31,11 +31,11 @@ class Assessment:
         """
     def csv(self, /) -> str:
         """
-        The table of `pounding assess --csv`, a row for each number.
+        The table of `pounding assess --csv`, one row per number.
         """
     def facts(self, /) -> str:
         """
-        Everything, as the JSON of `pounding assess --json`.
+        All results, as the JSON of `pounding assess --json`.
         """
     def files(self, /) -> dict[str, bytes]:
         """
@@ -43,11 +43,11 @@ class Assessment:
         """
     def remarks(self, /) -> list[str]:
         """
-        What is said of records that are left out, or whose direction nothing tells.
+        Remarks on records that are left out, or whose direction is unknown.
         """
     def sentences(self, /) -> list[str]:
         """
-        The answer in full: the gaps, what is proposed, what touching does.
+        The whole answer: the gaps, the proposals and the effects of touching.
         """
     def shaking(self, /) -> list[str]:
         """
@@ -55,17 +55,17 @@ class Assessment:
         """
     def unusual(self, /) -> list[str]:
         """
-        What looks wrong in the scene and in its records.
+        Implausible values of the scene and of its records.
         """
     def warnings(self, /) -> list[str]:
         """
-        What to know before believing them.
+        Warnings about the results.
         """
 
 @final
 class Record:
     """
-    A ground motion: where it comes from, and how it is used, in the words of the table `record` of a scene.
+    A ground motion with its source, used as the table `record` of a scene says.
     """
     def __eq__(self, other: object, /) -> bool: ...
     @property
@@ -80,17 +80,17 @@ class Record:
         """
     def facts(self, /) -> str:
         """
-        What was read and where, measures, unit and format, as JSON.
+        Location and contents of the record, measures, unit and format, as JSON.
         """
     @property
     def kind(self, /) -> str:
         """
-        `file`, `samples` or `formula`.
+        Kind of the source: `file`, `samples` or `formula`.
         """
     @staticmethod
     def of_file(path: str | PathLike[str], words: str, raw: bytes | None = None) -> Record:
         """
-        Reads a file; `raw` is what it holds, where it need not be opened. `words` is the table `record` as JSON.
+        Reads a file. `raw` is its content if the file need not be opened. `words` is the table `record` as JSON.
         """
     @staticmethod
     def of_formula(words: str) -> Record:
@@ -100,31 +100,31 @@ class Record:
     @staticmethod
     def of_samples(samples: bytes, time_step: SupportsFloat | SupportsIndex, words: str) -> Record:
         """
-        Takes samples in m/s², as the bytes of numbers of 64 bits, `time_step` s apart.
+        Takes samples in m/s² as the bytes of 64-bit numbers, `time_step` s apart.
         """
     @property
     def path(self, /) -> Path | None:
         """
-        The file; `None` of another kind.
+        The file; `None` for another kind of source.
         """
     @property
     def raw(self, /) -> bytes:
         """
-        The bytes of the file, or of the samples as they were given; empty of a formula.
+        The bytes of the file, or of the given samples; empty for a formula.
         """
     @property
     def raw_time_step(self, /) -> float | None:
         """
-        Time between the samples that were given [s]; `None` of another kind than `samples`.
+        Time between the given samples [s]; `None` for a source other than `samples`.
         """
     @property
     def scale_factor(self, /) -> float:
         """
-        What its source was multiplied by [–].
+        Factor on the values of the source [–].
         """
     def spectrum(self, /, periods: SupportsGetItem[int, SupportsFloat | SupportsIndex], damping_ratios: SupportsGetItem[int, SupportsFloat | SupportsIndex]) -> Table:
         """
-        Response spectra at some periods [s], for some damping ratios [–]: a row for each of both.
+        Response spectra at some periods [s] for some damping ratios [–], one row per combination.
         """
     @property
     def time_step(self, /) -> float:
@@ -133,7 +133,7 @@ class Record:
         """
     def used(self, /, words: str) -> Record:
         """
-        The same motion, used in another way.
+        The motion used in another way.
         """
     @property
     def words(self, /) -> str:
@@ -144,11 +144,11 @@ class Record:
 @final
 class Run:
     """
-    What a run of a scene leaves behind.
+    A run of a scene with its results.
     """
     def directions(self, /) -> tuple[list[str], list[str]]:
         """
-        The same of both directions of shaking, the worse one first, and what to know of both; the other direction runs now.
+        Sentences for both directions of shaking, the worse one first, and warnings about both. The other direction runs in this call.
         """
     @property
     def duration(self, /) -> float:
@@ -157,32 +157,32 @@ class Run:
         """
     def files(self, /, both: bool) -> dict[str, bytes]:
         """
-        The files of a report, by name; with both directions of shaking on its first page where `both` is set.
+        The files of a report by name. `both` puts both directions of shaking on its first page.
         """
     def history(self, /, name: str) -> Array:
         """
-        A history by its name: a row for each floor or pair, a column for each instant.
+        A history by its name, with one row per floor or pair and one column per instant.
         """
     @property
     def interval(self, /) -> float:
         """
-        Time between two instants of the histories [s].
+        Time between two instants of a history [s].
         """
     def notices(self, /) -> list[str]:
         """
-        What to know before believing the numbers, the most harmful first.
+        Warnings about the numbers, the most harmful first.
         """
     def sentence(self, /) -> str:
         """
-        How often floors touch and how hard, in a sentence.
+        A sentence on how often and how hard floors touch.
         """
     def sketch(self, /) -> str:
         """
-        The row as SVG, floors that touch in orange.
+        The row as SVG, with floors that touch in orange.
         """
     def summary(self, /) -> str:
         """
-        Everything that came out, as the JSON that `pounding run --json` prints.
+        All results, as the JSON of `pounding run --json`.
         """
     def table(self, /, name: str) -> Table:
         """
@@ -190,17 +190,17 @@ class Run:
         """
     def unusual(self, /) -> list[str]:
         """
-        What looks wrong in the scene and in its record, a sentence for each kind.
+        Implausible values of the scene and of its record, one sentence per kind.
         """
 
 @final
 class Table:
     """
-    A table that does not change; every reader of the Arrow PyCapsule interface takes it, such as `polars.DataFrame(table)`.
+    A table that does not change. Every reader of the Arrow PyCapsule interface takes it, for example `polars.DataFrame(table)`.
     """
     def __arrow_c_stream__(self, /, requested_schema: Any | None = None) -> Any:
         """
-        The table as a stream of Arrow with one batch, whatever schema is asked for.
+        The table as an Arrow stream with one batch; the requested schema is ignored.
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __len__(self, /) -> int:
@@ -224,28 +224,28 @@ def advise(text: str, path: str | PathLike[str], error: SupportsFloat | Supports
 
 def assess(text: str, path: str | PathLike[str], folder: str | PathLike[str], scale: str, target: str | None = None, stiffness: SupportsLenAndGetItem[SupportsFloat | SupportsIndex] = ..., progress: Any | None = None) -> Assessment:
     """
-    Assesses a row under a folder of records, in both directions, by the exact method; `scale` is `scene`, `none` or the table `scale_to` of a
-    record as JSON, `target` a spectrum by its name or file.
+    Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
+    JSON. `target` is the name or the file of a spectrum.
     """
 
 def certify(law: str, restitution: SupportsFloat | SupportsIndex, masses: SupportsLenAndGetItem[SupportsFloat | SupportsIndex], speed: SupportsFloat | SupportsIndex, stiffness: SupportsFloat | SupportsIndex | None = None, literature: bool = False, time_step: SupportsFloat | SupportsIndex | None = None, method: str | None = None) -> str:
     """
-    What a contact law and methods deliver to a free impact, as the JSON of `pounding certify --json`.
+    Restitution that a contact law and the methods deliver in a free impact, as the JSON of `pounding certify --json`.
     """
 
 def check_scene(text: str, path: str | PathLike[str]) -> str:
     """
-    Reads and checks a scene, whatever shakes it; returns its words with all defaults, as JSON.
+    Reads and checks a scene under any record. Returns its words with all defaults, as JSON.
     """
 
 def effects(text: str, path: str | PathLike[str], record: Record | None = None) -> str:
     """
-    What pounding does to every storey, in both directions of shaking, as JSON.
+    Effects of pounding on every storey, in both directions of shaking, as JSON.
     """
 
 def laws() -> list[tuple[str, str, str]]:
     """
-    The contact laws: name, force, and unit of the stiffness, of each.
+    The contact laws, each with its name, its force and the unit of its stiffness.
     """
 
 def opensees(text: str, path: str | PathLike[str], record: Record | None = None, time_step: SupportsFloat | SupportsIndex | None = None, approximate: bool = False) -> str:
@@ -255,7 +255,7 @@ def opensees(text: str, path: str | PathLike[str], record: Record | None = None,
 
 def periods_between(first: SupportsFloat | SupportsIndex, last: SupportsFloat | SupportsIndex, count: SupportsIndex) -> list[float]:
     """
-    Periods from one to another [s], in equal ratios.
+    Periods from `first` to `last` [s], rising by a constant ratio.
     """
 
 def read_words(path: str | PathLike[str]) -> str:
@@ -265,15 +265,15 @@ def read_words(path: str | PathLike[str]) -> str:
 
 def required_gap(text: str, path: str | PathLike[str], folder: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
-    Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
-    and what is said of records that are left out, or whose direction nothing tells.
+    The gaps that a row needs under a folder of records, in both directions, one row per motion, direction and gap. Returns also the
+    implausible values, and the remarks on records that are left out or whose direction is unknown.
     """
 
 def run(text: str, path: str | PathLike[str], record: Record | None = None, measure: bool = True, full: bool = False, force: bool = False) -> Run:
     """
-    Runs a scene, with its histories; `measure` also runs the exact method and compares.
+    Runs a scene with its histories. `measure` also runs the exact method, for the errors.
 
-    `text` is the scene as JSON or TOML, `path` its file, `record` shakes it in place of the record that it names.
+    `text` is the scene as JSON or TOML, `path` its file, and `record` replaces the record that it names.
     """
 
 def sketch_scene(text: str, path: str | PathLike[str]) -> str:
@@ -283,24 +283,24 @@ def sketch_scene(text: str, path: str | PathLike[str]) -> str:
 
 def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
-    Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
+    Runs a sweep with all cores. `text` is the sweep as JSON or TOML; `path` is its file, whose folder other files are named from.
 
-    `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-    reasons, what is said of those whose direction nothing tells, and what looks wrong.
+    Calls `progress` with the number of finished runs and the number of all runs. Returns the table, the records that were left out with
+    their reasons, the remarks on records whose direction is unknown, and the implausible values.
     """
 
 def visible(text: str) -> str:
     """
-    Text for people: letters that steer a terminal, or the direction of writing, are spelt.
+    Text for people, in which letters that steer a terminal or the direction of writing are spelt.
     """
 
 def words_of(text: str, path: str | PathLike[str]) -> str:
     """
-    The words of a JSON or TOML file as JSON, whatever they say.
+    Converts a JSON or TOML text to JSON without checking its contents.
     """
 
 def write_files(folder: str | PathLike[str], files: dict[str, SupportsGetItem[int, SupportsIndex]], overwrite: bool, inputs: SupportsGetItem[int, str | PathLike[str]]) -> None:
     """
-    Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay; results of an
-    earlier run are replaced, but for files that were read.
+    Writes a report into a folder; the report is whole and on disk when the function returns. Results of an earlier run are replaced, except
+    files that were read. Other files are refused or kept.
     """

@@ -1,4 +1,4 @@
-"""How far work is."""
+"""Reports of progress."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-#: Told of what is done, and of all.
+#: Called with the number of finished runs and the number of all runs.
 Progress = Callable[[int, int], object]
 
 
 def shown(progress: Progress | bool) -> Progress | None:
-    """What is told of progress: one line, where nobody gives another."""
+    """The function to call with progress: the given one, or for ``True`` one that shows a line."""
     if not progress:
         return None
     return _in_a_notebook() or _line if progress is True else progress
@@ -22,13 +22,13 @@ def _said(done: int, of: int) -> str:
 
 
 def _line(done: int, of: int) -> None:
-    """On standard error."""
+    """Shows progress as one line on standard error."""
     end = "\n" if done == of else ""
     print(f"\r{_said(done, of)}", end=end, file=sys.stderr, flush=True)
 
 
 def _in_a_notebook() -> Progress | None:
-    """One output of the cell, written over; ``None`` elsewhere."""
+    """A function that rewrites one output of the notebook cell; ``None`` outside a notebook."""
     shell = sys.modules.get("IPython") and sys.modules["IPython"].get_ipython()
     if not hasattr(shell, "kernel"):
         return None

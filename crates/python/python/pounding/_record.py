@@ -22,10 +22,10 @@ __all__ = ["Record", "formula", "read", "record"]
 
 
 class Record:
-    """A ground motion, and how it shakes a row: read, processed, scaled.
+    """A ground motion as it shakes a row: read, processed, scaled.
 
-    Made by :func:`read` from a file, by :func:`record` from an array, by :func:`formula` from a formula. It does not change;
-    :meth:`using` gives another one.
+    :func:`read` makes it from a file, :func:`record` from an array, :func:`formula` from a formula. It does not change;
+    :meth:`using` returns another one.
     """
 
     __slots__ = ("_facts", "_native")
@@ -36,20 +36,20 @@ class Record:
 
     @property
     def facts(self) -> dict[str, Any]:
-        """What was read, from which line, and measures of the motion as used; units stand in the names."""
+        """The values read with their lines, and measures of the motion as used; names end with units."""
         if self._facts is None:
             self._facts = json.loads(self._native.facts())
         return dict(self._facts)
 
     @property
     def words(self) -> dict[str, Any]:
-        """The table ``record`` of a scene that uses it so."""
+        """The table ``record`` of a scene with this record."""
         found: dict[str, Any] = json.loads(self._native.words)
         return found
 
     @property
     def acceleration(self) -> Floats:
-        """Ground acceleration as used [m/s²]: a view without a copy, which may only be read."""
+        """Ground acceleration as used [m/s²]: a read-only view without a copy."""
         return view(self._native.acceleration)
 
     @property
@@ -69,7 +69,7 @@ class Record:
 
     @property
     def unit(self) -> str:
-        """Unit of the values in the file; ``m/s²`` of an array or a formula. :attr:`acceleration` is always in m/s²."""
+        """Unit of the values in the file; ``m/s²`` for an array or a formula. :attr:`acceleration` is always in m/s²."""
         return str(self.facts["unit"] or "m/s²")
 
     @property
@@ -79,18 +79,18 @@ class Record:
 
     @property
     def scale_factor(self) -> float:
-        """What the source was multiplied by, all scales together [–]."""
+        """Product of all scale factors on the values of the source [–]."""
         return self._native.scale_factor
 
     @property
     def path(self) -> Path | None:
-        """The file; ``None`` of an array or a formula."""
+        """The file; ``None`` for an array or a formula."""
         path = self._native.path
         return None if path is None else Path(path)
 
     @property
     def name(self) -> str:
-        """The file's name, or what the motion is made of."""
+        """Name of the file, or of the formula."""
         generated = self.words.get("generated")
         if generated:
             return str(next(iter(generated)))
@@ -107,24 +107,24 @@ class Record:
         resample: float | None = None,
         gravity: float | None = None,
     ) -> Record:
-        """The same motion, used in another way; what is not given stays.
+        """The motion used in another way; settings that are not given stay.
 
         Parameters
         ----------
         scale
             Factor on the acceleration [–], after ``scale_to``.
         reversed
-            Whether left becomes right.
+            Whether the direction of shaking is reversed.
         scale_to
             ``{"pga_g": 0.3}`` [g], or ``{"sa": {"period_s": 0.8, "damping_ratio": 0.05, "sa_g": 0.5}}``.
         detrend
-            ``"constant"`` or ``"linear"``: the line that is taken away.
+            ``"constant"`` or ``"linear"``: the line to subtract.
         band_pass
             ``{"low_hz": 0.1, "high_hz": 25.0, "order": 4}`` [Hz].
         resample
             New time step [s].
         gravity
-            What one g is worth [m/s²]; 9.80665 where nobody says.
+            Value of one g [m/s²]; 9.80665 by default.
         """
         given = locals()
         del given["self"]
@@ -139,7 +139,7 @@ class Record:
         Parameters
         ----------
         periods
-            Natural periods [s], 0 for the ground itself; without them 100 from 0.02 s to 10 s in equal ratios.
+            Natural periods [s], 0 for the ground itself; by default 100 from 0.02 s to 10 s, rising by a constant ratio.
         damping
             Damping ratio or ratios [–].
         """
@@ -148,7 +148,7 @@ class Record:
     def spectrum_table(
         self, periods: ArrayLike | None = None, damping: float | Sequence[float] = 0.05
     ) -> _pounding.Table:
-        """The same as an Arrow table."""
+        """Response spectra as in :meth:`spectrum`, as an Arrow table."""
         if periods is None:
             periods = np.array(_pounding.periods_between(0.02, 10.0, 100))
         periods = numbers(periods, "periods", or_one=True)
@@ -206,30 +206,30 @@ def read(
     resample: float | None = None,
     gravity: float | None = None,
 ) -> Record:
-    """Reads a record file; its format is found by what it holds.
+    """Reads a record file; its contents determine its format.
 
     Parameters
     ----------
     path
         The file: AT2, COSMOS, SMC, CSMIP, ESM, K-NET, SAC, miniSEED, CSV, columns and others.
     unit
-        Unit of its values where the file does not say: ``"g"``, ``"m_per_s2"``, ``"cm_per_s2"``, ``"mm_per_s2"``, ``"mg"``,
+        Unit of the values, if the file does not say: ``"g"``, ``"m_per_s2"``, ``"cm_per_s2"``, ``"mm_per_s2"``, ``"mg"``,
         ``"g_per_10"``.
     time_step
-        Time between samples [s] where the file does not say.
+        Time between samples [s], if the file does not say.
     component
-        Component of a file that holds several, by name or by number from 1.
+        Component of a file with several, by its name or its number from 1.
     per_count
-        What one count of the file is worth, in ``unit``.
+        Value of one count of the file, in ``unit``.
     acceleration
-        Whether the file holds accelerations although it speaks for velocities.
+        Declares that the file holds accelerations although it looks like velocities.
     scale, reversed, scale_to, detrend, band_pass, resample, gravity
-        As of :meth:`Record.using`.
+        As in :meth:`Record.using`.
 
     Raises
     ------
     Refused
-        Names what stands there, what may, and what to do.
+        With the value found, the values allowed, and the remedy.
     """
     given = locals()
     name = os.fspath(given.pop("path"))
@@ -238,12 +238,12 @@ def read(
 
 
 def record(acceleration: ArrayLike, dt: float, *, name: str = "array") -> Record:
-    """A record of an array.
+    """Makes a record from an array.
 
     Parameters
     ----------
     acceleration
-        Ground acceleration at t = 0, dt, 2 dt, … [m/s²]: real numbers in one dimension, none of them masked.
+        Ground acceleration at t = 0, dt, 2 dt, … [m/s²]: real numbers in one dimension without a mask.
     dt
         Time between two samples [s], > 0.
     name
@@ -252,7 +252,7 @@ def record(acceleration: ArrayLike, dt: float, *, name: str = "array") -> Record
     Raises
     ------
     Refused
-        Names what was found instead, and what to do.
+        With the value found and the remedy.
     """
     samples = numbers(acceleration, "acceleration", wants_floats=True)
     return Record(_pounding.Record.of_samples(samples.tobytes(), float(dt), to_json({"file": name})))
@@ -270,7 +270,7 @@ def formula(kind: str, **keywords: Any) -> Record:
         ``"stochastic"`` (ground ``"firm"``, ``"medium"`` or ``"soft"``, pga [m/s²], strong_from [s], strong_until [s],
         decay [1/s], cutoff [Hz], duration [s], time_step [s], seed).
     **keywords
-        Its settings.
+        Settings of the formula.
 
     Examples
     --------

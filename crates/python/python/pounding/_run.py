@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["Run"]
 
 
-#: What the drift of a storey on the ground is equal to.
+#: Drifts of a ground storey, with the displacements that they equal.
 _ON_THE_GROUND = {
     "peak_drift_m": "peak_displacement_m",
     "peak_drift_time_s": "peak_displacement_time_s",
@@ -36,9 +36,9 @@ _ON_THE_GROUND = {
 
 
 class Run:
-    """What a run of a scene leaves behind. It does not change.
+    """The results of a run. They do not change.
 
-    Arrays have a row for each instant of :attr:`time` and a column for each floor, in the order of :attr:`peaks`, or for each pair of
+    Arrays have one row per instant of :attr:`time`. They have one column per floor, in the order of :attr:`peaks`, or per pair of
     floors, in the order of :attr:`pairs`.
     """
 
@@ -56,19 +56,19 @@ class Run:
 
     @property
     def summary(self) -> dict[str, Any]:
-        """Every number of the run, as ``pounding run --json`` prints them; units stand in the names."""
+        """Every number of the run, as ``pounding run --json`` prints them; names end with units."""
         if self._summary is None:
             self._summary = json.loads(self._native.summary())
         return dict(self._summary)
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing the numbers: values that are far from usual, then the most harmful first."""
+        """Warnings about the numbers: implausible values first, then the others, the most harmful first."""
         return [visible(one) for one in [*self.unusual, *self._native.notices()]]
 
     @property
     def unusual(self) -> list[str]:
-        """Values of the scene and of its record that are far from usual, a sentence for each kind."""
+        """Implausible values of the scene and of its record, one sentence per kind."""
         return self._native.unusual()
 
     def _warn(self) -> None:
@@ -76,14 +76,14 @@ class Run:
             warn(notice, stacklevel=3)
 
     def table(self, name: str) -> _pounding.Table:
-        """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, such as ``polars.DataFrame(…)``."""
+        """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, for example ``polars.DataFrame(…)``."""
         return self._native.table(name)
 
     @property
     def peaks(self) -> pandas.DataFrame:
-        """A row for each floor and wall, SI units in the names of the columns.
+        """One row per floor and wall; names of columns end with SI units.
 
-        The drift of a storey on the ground, which the table of a file leaves out, is the displacement of its floor.
+        The drift of a ground storey is the displacement of its floor; the table of a file leaves it out.
         """
         found = frame(self.table("peaks"))
         for drift, displacement in _ON_THE_GROUND.items():
@@ -93,16 +93,16 @@ class Run:
 
     @property
     def pairs(self) -> pandas.DataFrame:
-        """A row for each pair of floors that face each other, SI units in the names of the columns."""
+        """One row per pair of floors that face each other; names of columns end with SI units."""
         return frame(self.table("pairs"))
 
     @property
     def impacts(self) -> pandas.DataFrame:
-        """A row for each collision, in the order in which they begin, SI units in the names of the columns."""
+        """One row per collision, in the order of their starts; names of columns end with SI units."""
         return frame(self.table("impacts"))
 
     def history(self, name: str) -> Floats:
-        """``displacement``, ``velocity``, ``acceleration``, ``shear_force``, ``drift``, ``opening`` or ``pounding_force``."""
+        """A history by its name: ``displacement``, ``velocity``, ``acceleration``, ``shear_force``, ``drift``, ``opening`` or ``pounding_force``."""
         rows: Floats = view(self._native.history(name))
         return rows.T
 
@@ -123,7 +123,7 @@ class Run:
 
     @property
     def acceleration(self) -> Floats:
-        """Acceleration of every floor, that of the ground included [m/s²]; impulses, which have none, left out."""
+        """Acceleration of every floor including that of the ground [m/s²]. Impulses have no acceleration and are left out."""
         return self.history("acceleration")
 
     @property
@@ -138,23 +138,23 @@ class Run:
 
     @property
     def opening(self) -> Floats:
-        """What of the gap of every pair is open [m]; negative where floors overlap."""
+        """Open width of the gap of every pair [m]; negative while floors overlap."""
         return self.history("opening")
 
     @property
     def pounding_force(self) -> Floats:
-        """Pounding force of every pair [N], ≥ 0; 0 of laws that act by impulses."""
+        """Pounding force of every pair [N], ≥ 0; 0 for laws that act by impulses."""
         return self.history("pounding_force")
 
     @property
     def sentence(self) -> str:
-        """How often floors touch, and how hard."""
+        """A sentence on how often and how hard floors touch."""
         return visible(self._native.sentence())
 
     def directions(self) -> list[str]:
-        """The same for both directions of shaking, the one that is worse for the buildings first: the other direction runs now.
+        """Sentences for both directions of shaking, the worse one for the buildings first. The other direction runs in this call.
 
-        What the other direction adds to :attr:`warnings` are warnings of the class :class:`PoundingWarning`.
+        Further warnings of the other direction become Python warnings of the class :class:`PoundingWarning`.
         """
         sentences, notices = self._native.directions()
         for notice in notices:
@@ -163,7 +163,7 @@ class Run:
         return [visible(one) for one in sentences]
 
     def plot(self) -> Figure:
-        """Displacements and openings over time, by matplotlib."""
+        """Draws displacements and openings over time by matplotlib."""
         from ._figures import Picture
 
         names = [str(name) for name in self._native.table("peaks").column("name")]
@@ -193,21 +193,21 @@ class Run:
         Parameters
         ----------
         folder
-            Where to; made where it is missing.
+            Folder of the report; created if it is missing.
         both
-            Also say what the reversed shaking does, which runs now.
+            Also describe the reversed shaking, which runs in this call.
         overwrite
-            Also where the folder holds other things; they stay. A report of an earlier run is replaced without it.
+            Write also into a folder with other files, which stay. A report of an earlier run is always replaced.
 
         Returns
         -------
         pathlib.Path
-            The page.
+            Path of the page.
         """
         return written(self._native.files(both), folder, overwrite, self._inputs())
 
     def _inputs(self) -> list[Path]:
-        """Files that were read: a report is not written over them."""
+        """Files that were read, which a report must not overwrite."""
         scene = Path(self.scene._path)
         found = [scene]
         if self._record is not None:
@@ -241,14 +241,14 @@ class Run:
 def written(
     files: Mapping[str, bytes], folder: str | os.PathLike[str], overwrite: bool, inputs: Sequence[Path] = ()
 ) -> Path:
-    """Writes a report into a folder; returns its page."""
+    """Writes a report into a folder; returns the path of its page."""
     target = Path(folder)
     _pounding.write_files(target, dict(files), overwrite, list(inputs))
     return target / "report.html"
 
 
 def _again(scene: Scene, record: Record | None, options: dict[str, bool]) -> Run:
-    """A run is the same bits each time: a pickle holds its scene and record."""
+    """Runs a pickled scene and record again: every run gives equal bits."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", PoundingWarning)
         return scene.run(record, **options)

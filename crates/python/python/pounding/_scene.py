@@ -33,11 +33,11 @@ Shaking = Record | str | os.PathLike[str]
 
 
 def record_of(given: Shaking) -> Record:
-    """The record itself; a path is read."""
+    """The given record, or the record read from a path."""
     return given if isinstance(given, Record) else read(given)
 
 
-#: What shakes a row that names no record, until one is given.
+#: The record of a row without one: a ground at rest.
 _NOBODY = {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 1.0, "time_step_s": 0.5}}}
 
 
@@ -52,35 +52,35 @@ def row(
     duration: float | None = None,
     name: str = "row",
 ) -> Scene:
-    """A row of structures, from left to right.
+    """Makes a row of structures, from left to right.
 
     Parameters
     ----------
     *structures
-        Of :func:`sdof`, :func:`building`, :func:`wall`, or dicts in the words of a file.
+        Results of :func:`sdof`, :func:`building` and :func:`wall`, or dicts in the words of a file.
     gap
-        Width of the gap at rest [m], ≥ 0: one for all, or one between each structure and its right neighbour. Without it they stand
-        apart and never touch.
+        Width of the gap at rest [m], ≥ 0: one for all, or one between each structure and its right neighbour. By default the
+        structures never touch.
     restitution
-        Coefficient of restitution [–], 0 to 1; 0.65 where neither it nor a law is given.
+        Coefficient of restitution [–], 0 to 1. The default is 0.65 if no law is given either.
     law
-        Contact law: a name, ``{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9}}``, or one for each gap. Without it
-        ``stereomechanical``, impulses that need a restitution alone. :func:`laws` lists all.
+        Contact law: a name, ``{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9}}``, or one for each gap. The default is
+        ``stereomechanical``: impulses that need only a restitution. :func:`laws` lists all.
     levels
-        Levels at which floors can touch, from 1; without it all that face each other.
+        Levels at which floors can touch, from 1; by default all floors that face each other.
     arrivals
-        When the ground motion arrives at each structure [s].
+        Time at which the ground motion arrives at each structure [s].
     method
-        ``"exact"`` where not given; ``{"accuracy": 0.01}`` finds a cheaper one, ``{"velocity_verlet": {"time_step_s": 1e-4}}`` names it.
+        The default is ``"exact"``. ``{"accuracy": 0.01}`` finds a cheaper one, ``{"velocity_verlet": {"time_step_s": 1e-4}}`` names one.
     duration
-        Duration of runs [s]; without it that of the record and two of the longest periods.
+        Duration of runs [s]; by default that of the record plus two of the longest periods.
     name
         Name for tables and reports.
 
     Raises
     ------
     Refused
-        Names the field, what stands there, what may, and what to do.
+        With the field, the value found, the values allowed, and the remedy.
     """
     named = []
     for index, structure in enumerate(structures, 1):
@@ -115,12 +115,12 @@ def row(
 
 
 def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
-    """A scene of a file, or of a dict in the words of a file.
+    """Makes a scene from a file, or from a dict in the words of a file.
 
     Parameters
     ----------
     source
-        A TOML or JSON file, from whose folder its record is named; or a dict, whose record is named from here.
+        A TOML or JSON file, whose record is relative to its folder; or a dict, whose record is relative to the current folder.
     """
     if isinstance(source, Mapping):
         own = "record" in source
@@ -131,9 +131,9 @@ def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
 
 
 class Scene:
-    """A row of structures, with what lies between neighbours, a method, and perhaps a record. It does not change.
+    """A row of structures with contacts, a method, and perhaps a record. It does not change.
 
-    Made by :func:`row` or :func:`scene`.
+    :func:`row` and :func:`scene` make it.
     """
 
     __slots__ = ("_own", "_path", "_record", "_text")
@@ -146,7 +146,7 @@ class Scene:
         _pounding.check_scene(text, Path(path))
 
     def to_dict(self) -> dict[str, Any]:
-        """The scene in the words of a file; units stand in the names of the fields."""
+        """The scene in the words of a file; names of fields end with units."""
         found: dict[str, Any] = json.loads(_pounding.words_of(self._text, Path(self._path)))
         if self._record is not None:
             found["record"] = self._record.words
@@ -156,12 +156,12 @@ class Scene:
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """Name of the scene."""
         return str(self.to_dict()["name"])
 
     def replace(self, **fields: Any) -> Scene:
-        """The same with other fields of a file, such as ``method="exact"``, ``duration_s=20.0`` or ``name="b"``; ``gap=0.05`` [m] is that of
-        every contact.
+        """The scene with other fields of a file, such as ``method="exact"``, ``duration_s=20.0`` or ``name="b"``. ``gap=0.05`` [m] sets
+        every gap.
         """
         changed = {**self.to_dict(), **fields}
         if "gap" in fields:
@@ -175,7 +175,7 @@ class Scene:
         return Scene(to_json(changed), self._path, record, own)
 
     def under(self, record: Shaking) -> Scene:
-        """The same with a record of its own."""
+        """The scene with another record."""
         record = record_of(record)
         return Scene(to_json({**self.to_dict(), "record": record.words}), self._path, record, True)
 
@@ -197,25 +197,25 @@ class Scene:
         full: bool = False,
         force: bool = False,
     ) -> Run:
-        """Runs the scene; the exact method where it names no other.
+        """Runs the scene, by the exact method unless it names another one.
 
-        Warnings of the run are warnings of Python, of the class :class:`PoundingWarning`. Ctrl-C stops it.
+        Warnings of the run become Python warnings of the class :class:`PoundingWarning`. Ctrl-C stops the run.
 
         Parameters
         ----------
         record
-            What shakes it, a record or the path of one; without it the record of the scene.
+            A record or its path; by default the record of the scene.
         errors
-            Of a method with steps, also run the exact one and say how far the numbers are from it.
+            For a method with a time step: run the exact method too and measure the errors.
         full
-            Model what the scene does not require, too: the same numbers at more cost.
+            Model features that the scene does not need, too: equal numbers at more cost.
         force
-            Take what is refused, with a warning.
+            Run with a warning instead of refusing.
 
         Raises
         ------
         Refused
-            Names the place, what stands there, what may, and what to do.
+            With the place, the value found, the values allowed, and the remedy.
         """
         shaken_by = None if record is None else record_of(record)
         text, path, native = self._given(shaken_by)
@@ -225,9 +225,9 @@ class Scene:
         return run
 
     def effects(self, record: Shaking | None = None) -> dict[str, Any]:
-        """What pounding does to every storey against the same building alone, in both directions of shaking, by 24 exact runs.
+        """Effects of pounding on every storey, against the building without neighbours, in both directions of shaking, by 24 exact runs.
 
-        Units stand in the names.
+        Names end with units.
         """
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(_pounding.effects(text, path, native))
@@ -248,16 +248,16 @@ class Scene:
         error
             Largest relative error [–], more than 0 and less than 1.
         quantity
-            Of what: ``momentum``, ``displacement``, ``acceleration``, ``force``, ``impulse``, ``time`` or ``all``.
+            Quantities whose error counts: ``momentum``, ``displacement``, ``acceleration``, ``force``, ``impulse``, ``time`` or ``all``.
         record
-            What shakes it; without it the record of the scene.
+            The record; by default that of the scene.
         progress
-            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
+            Called with the number of finished runs and the number of all runs; ``True`` shows a line.
 
         Returns
         -------
         dict
-            What ``pounding advise --json`` prints; ``found["use"]["method"]`` is a method for :func:`row`.
+            The numbers of ``pounding advise --json``; ``found["use"]["method"]`` is a method for :func:`row`.
         """
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(
@@ -274,24 +274,24 @@ class Scene:
         stiffness: tuple[float, float] = (0.1, 10.0),
         progress: Progress | bool = False,
     ) -> Assessment:
-        """Says under many records whether the gaps are enough, and what touching does: both directions, exact method.
+        """Tests whether the gaps are enough under many records, and the effects of touching: both directions, exact method.
 
-        What is unusual, what harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
+        Implausible values, warnings, and remarks on records that are left out become Python warnings of the class :class:`PoundingWarning`.
 
         Parameters
         ----------
         records
-            A folder, or records of :func:`read`, :func:`record` or :func:`formula`.
+            A folder, or records from :func:`read`, :func:`record` or :func:`formula`.
         scale
-            ``"scene"`` as the scene scales its own, ``"none"``, ``{"pga_g": 0.3}`` [g], or
+            ``"scene"`` for the scaling of the scene's own record, ``"none"``, ``{"pga_g": 0.3}`` [g], or
             ``{"sa": {"period_s": 0.8, "damping_ratio": 0.05, "sa_g": 0.5}}``.
         target
             A spectrum to scale to: ``"ec8:a_g=0.25g,ground=C"``, ``"asce7:s_ds=1,s_d1=0.6,t_l=8"``, or a CSV file of periods [s] and
             accelerations [g].
         stiffness
-            Range of the stiffness of impacts, as factors on that of the scene [–].
+            Range of the impact stiffness, as factors on that of the scene [–].
         progress
-            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
+            Called with the number of finished runs and the number of all runs; ``True`` shows a line.
         """
         from ._folder import Assessment, folder_of
 
@@ -312,17 +312,18 @@ class Scene:
         *,
         progress: Progress | bool = False,
     ) -> pandas.DataFrame:
-        """Which gaps nothing closes, under every record in both directions, by the exact method.
+        """Gaps that never close, under every record in both directions, by the exact method.
 
-        The gaps and laws of the scene do not matter. A row for each motion, direction and gap: its event, what is needed [m], when
-        [s], the peaks of both neighbours alone [m], and what the rules of codes ask for [m]. What is unusual and records that are left out are warnings.
+        The gaps and laws of the scene are ignored. The table has one row per motion, direction and gap: its event, the required
+        width [m], the time of the largest closing [s], the peaks of both neighbours alone [m], and the widths by design rules [m].
+        Implausible values and records that are left out become Python warnings.
 
         Parameters
         ----------
         records
-            A folder, or records of :func:`read`, :func:`record` or :func:`formula`.
+            A folder, or records from :func:`read`, :func:`record` or :func:`formula`.
         progress
-            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
+            Called with the number of finished runs and the number of all runs; ``True`` shows a line.
         """
         from ._folder import folder_of
 
@@ -348,7 +349,7 @@ class Scene:
         budget: Mapping[str, Any] | None = None,
         progress: Progress | bool = False,
     ) -> pandas.DataFrame:
-        """Runs the scene with all combinations of some values, with all cores; the last that varies is fastest.
+        """Runs the scene with all combinations of some values, on all cores; the last field varies fastest.
 
         Parameters
         ----------
@@ -360,7 +361,7 @@ class Scene:
         restitution
             Values of every coefficient of restitution [–].
         record
-            What shakes it, without ``records``; without both the record of the scene.
+            The record, instead of ``records``; by default that of the scene.
         records
             A folder of records, or records.
         directions
@@ -368,22 +369,22 @@ class Scene:
         samples
             ``{"count": 1024, "seed": 1, "method": "sobol"}``.
         outputs
-            ``{"structures": ["peak_displacement_m"], "pairs": ["peak_force_n"]}``: which numbers.
+            Numbers in the table: ``{"structures": ["peak_displacement_m"], "pairs": ["peak_force_n"]}``.
         verdict
-            Whether each run is held to the laws of mechanics.
+            Whether each run is checked against the laws of mechanics.
         summary
-            Sums the runs up instead of keeping a row of each: ``{"by": ["gap"], "exceedance": {"peak_force_n": [1e7]}}``, or ``{}`` for the
-            default statistics over all runs. ``by`` names columns, those of ``gap`` and ``restitution`` by these words.
+            Summarises the runs instead of keeping one row per run: ``{"by": ["gap"], "exceedance": {"peak_force_n": [1e7]}}``, or ``{}`` for the
+            default statistics over all runs. ``by`` names columns; ``gap`` and ``restitution`` are allowed names.
         budget
-            What every run may cost.
+            Budget of every run, as in a file.
         progress
-            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
+            Called with the number of finished runs and the number of all runs; ``True`` shows a line.
 
         Returns
         -------
         pandas.DataFrame
-            A row for each run, with the reason in the last column where it failed; with ``summary`` a row for each statistic. SI units in the
-            names.
+            One row per run, with the reason in the last column if it failed; with ``summary`` one row per statistic. Names of columns end
+            with SI units.
         """
         return frame(
             self.sweep_table(
@@ -418,7 +419,7 @@ class Scene:
         budget: Mapping[str, Any] | None = None,
         progress: Progress | bool = False,
     ) -> _pounding.Table:
-        """The same as :meth:`sweep`, as an Arrow table."""
+        """Runs a sweep as :meth:`sweep` does; returns an Arrow table."""
         from ._folder import folder_of
 
         if record is not None and records is not None:
@@ -465,7 +466,7 @@ class Scene:
         return native
 
     def _for_sweep(self, record: Record | None, replaced: bool) -> tuple[dict[str, Any], Path]:
-        """The words of the scene with its record, and the file from whose folder they are named."""
+        """The words of the scene with its record, and the path whose folder file names are relative to."""
         scene = self.to_dict()
         base = Path(self._path).resolve()
         if record is not None:
@@ -484,16 +485,16 @@ class Scene:
         time_step: float | None = None,
         approximate: bool = False,
     ) -> str:
-        """The scene as a script for OpenSeesPy, with the numbers of the exact method beside it.
+        """The scene as a script for OpenSeesPy, which also lists the numbers of the exact method.
 
         Parameters
         ----------
         record
-            What shakes it; without it the record of the scene.
+            The record; by default that of the scene.
         time_step
-            Time step of OpenSees [s]; without it a fine one.
+            Time step of OpenSees [s]; by default a fine one.
         approximate
-            Take a material that pulls for Kelvin–Voigt contacts.
+            Allow a material that can pull for Kelvin–Voigt contacts.
         """
         text, path, native = self._given(record)
         return _pounding.opensees(text, path, native, time_step, approximate)

@@ -1,4 +1,4 @@
-"""Structures of a row, and what lies between them, in the words of a file."""
+"""Structures and contacts of a row in the words of a file."""
 
 from __future__ import annotations
 
@@ -49,17 +49,17 @@ def sdof(
     damping
         Damping ratio [–], or the table of a file.
     name
-        Name for tables; without it ``structure 1`` from the left, and so on.
+        Name for tables; by default ``structure 1`` and so on from the left.
     yield_force
-        Yield force [N]; without it, and without the two below, columns stay elastic.
+        Yield force [N]. Without any of the three yield settings columns stay elastic.
     yield_displacement
         Displacement at which columns yield [m].
     yield_drift_ratio
-        The same over ``height`` [–].
+        Displacement at which columns yield, over ``height`` [–].
     hardening_ratio
-        Stiffness after yielding over that before [–], 0 to less than 1.
+        Stiffness after yielding over elastic stiffness [–], 0 to less than 1.
     bouc_wen
-        How columns yield smoothly, as in a file.
+        Parameters of smooth yielding, as in a file.
     height
         Height of the mass over the ground [m].
     initial_displacement, initial_velocity
@@ -84,9 +84,9 @@ def building(
     ----------
     storeys
         From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
-        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–], ``repeat`` (so many equal ones).
+        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–], ``repeat`` (number of equal storeys).
     period
-        First natural period [s]; equal storeys get the stiffness that gives it. Or ``stiffness`` of each storey.
+        First natural period [s], which determines the stiffness of equal storeys; or ``stiffness`` of each storey.
     damping
         Damping ratio [–] in the first two modes, or the table of a file.
     name

@@ -1,4 +1,4 @@
-"""From values in Python to the words of a sweep file."""
+"""Conversion of Python values to the words of a sweep file."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._record import Record
 
 
 def spread(field: str, values: Any) -> dict[str, Any]:
-    """An entry of ``vary``: values, or the spread of a file."""
+    """An entry of ``vary``: values, or a spread in the words of a file."""
     if isinstance(values, Mapping):
         return {"field": field, **values}
     listed = values.tolist() if isinstance(values, np.ndarray) else values
@@ -33,6 +33,6 @@ def restitution_of(scene: Mapping[str, Any]) -> str:
 
 
 def arrays_of(record: Record | None) -> list[Record]:
-    """A record of an array, which a sweep reads from a file."""
+    """The record in a list if it is an array: a sweep reads it from a file."""
     is_array = record is not None and record._native.kind == "samples"
     return [record] if record is not None and is_array else []

@@ -1,4 +1,4 @@
-"""Tables of the library as tables of pandas."""
+"""Conversion of the library's tables to pandas."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ Floats = NDArray[np.float64]
 
 
 def view(array: _pounding.Array) -> NDArray[Any]:
-    """A view of memory of the library, which may only be read."""
+    """A read-only view of the library's memory."""
     found: NDArray[Any] = np.asarray(array)
     return found
 
 
 def frame(table: _pounding.Table) -> pandas.DataFrame:
-    """A DataFrame.
+    """Converts a table to a DataFrame.
 
     Raises
     ------
     ImportError
-        Where pandas is not installed; polars and pyarrow take the table itself.
+        If pandas is not installed; polars and pyarrow read the table itself.
     """
     try:
         import pandas

@@ -1,4 +1,4 @@
-"""From Python's keywords to the words of a file."""
+"""Conversion of Python keywords to the words of a file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _pounding
 from ._errors import PoundingWarning, Refused
 
-#: Keywords of a structure, and its fields in a file, where they differ.
+#: Keywords of a structure whose fields in a file have other names.
 STRUCTURE = {
     "mass": "mass_kg",
     "stiffness": "stiffness_n_per_m",
@@ -49,7 +49,7 @@ FORMULA = {
 
 
 def words(keywords: Mapping[str, Any], fields: Mapping[str, str]) -> dict[str, Any]:
-    """Keywords that were given, under the names of a file."""
+    """The keywords with a value, under their names in a file."""
     given = {key: value for key, value in keywords.items() if value is not None}
     return {fields.get(key, key): value for key, value in given.items()}
 
@@ -75,29 +75,29 @@ def refused(place: str | None, found: str, allowed: str, help: str | None = None
 
 
 def visible(text: str) -> str:
-    """Text for people: letters that steer a terminal, or the direction of writing, are spelt."""
+    """Text for people, in which letters that steer a terminal or the direction of writing are spelt."""
     return _pounding.visible(text)
 
 
 def warn(text: str, stacklevel: int) -> None:
-    """Warns whoever called the function that is so many calls above this one."""
+    """Warns the caller that is ``stacklevel`` calls above this function."""
     warnings.warn(visible(text), PoundingWarning, stacklevel=stacklevel + 1)
 
 
 def table_of(value: object, place: str, example: str) -> Mapping[str, Any]:
-    """The same, which is a dict."""
+    """The value if it is a dict; otherwise raises a ``TypeError``."""
     if isinstance(value, Mapping):
         return value
     raise TypeError(f"{place}: found {type(value).__name__}, allowed is a dict, such as {example}")
 
 
 def to_json(value: object) -> str:
-    """As JSON, in which a number reads back to the same bits; NumPy's numbers are numbers."""
+    """Converts to JSON. Numbers read back to equal bits; NumPy numbers become numbers."""
     try:
         text = json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
         text.encode()
     except RecursionError:
-        # Its traceback has a thousand lines.
+        # The traceback of this error would have a thousand lines.
         raise refused(None, "dicts or lists too deep in each other", "are those of a file", "give less deep ones") from None
     except UnicodeEncodeError as error:
         raise refused(None, f"{error.object[error.start : error.end]!r} in a text or a path", "is Unicode", "rename the file") from error
@@ -113,7 +113,7 @@ def to_json(value: object) -> str:
 def numbers(
     given: ArrayLike, place: str, *, wants_floats: bool = False, or_one: bool = False
 ) -> NDArray[np.float64]:
-    """Real numbers in one dimension, or with ``or_one`` one number, none masked; whole ones unless the unit would be in doubt."""
+    """Real numbers in one dimension without a mask; with ``or_one`` also a single number. ``wants_floats`` refuses whole numbers."""
     masked = int(np.asarray(given.mask).sum()) if isinstance(given, np.ma.MaskedArray) else 0
     if masked:
         help = "fill the gaps first, for example by a.filled(0.0)"

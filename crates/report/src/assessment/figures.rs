@@ -1,7 +1,7 @@
 //! What the page of an assessment shows: the share of runs that need more than a gap, and amplifications.
 
 use pounding_assess::{Distribution, GapAssessment};
-use pounding_plot::{Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable};
+use pounding_plot::{Axis, Curve, CurveKind, Drawing, Figure, Mark, Note, Panel, Shade, render_both, writable};
 use pounding_text::millimetres;
 
 use super::AssessmentReport;
@@ -93,11 +93,11 @@ fn share(report: &AssessmentReport) -> Figure {
     let end = 1e3 * 1.05 * widest.fold(GapAssessment::BUILT_IN_STEPS_OF, f64::max);
     let panel = |gap: &GapAssessment| {
         let [left, right] = report.gap_names(gap);
-        let mut curves = vec![Curve::new(Kind::Line, Shade::Blue, needing(gap, end))];
+        let mut curves = vec![Curve::new(CurveKind::Line, Shade::Blue, needing(gap, end))];
         let mut notes = Vec::new();
         if let Some(own) = gap.own {
             let at = 1e3 * own;
-            curves.push(Curve::new(Kind::Dashed, Shade::Ink, vec![(at, 0.0), (at, 100.0)]));
+            curves.push(Curve::new(CurveKind::Dashed, Shade::Ink, vec![(at, 0.0), (at, 100.0)]));
             notes.push(Note::new((at, 50.0), format!("{} mm", millimetres(own))));
         }
         Panel {
@@ -138,7 +138,7 @@ fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
     let mut curves = Vec::new();
     if let Some(own) = own {
         let ends = [first, last].map(|one| (one.drawn.period_s, 1e3 * own));
-        curves.push(Curve::new(Kind::Dashed, Shade::Ink, ends.into()));
+        curves.push(Curve::new(CurveKind::Dashed, Shade::Ink, ends.into()));
     }
     let of = |width: fn(&Distribution) -> f64| -> Vec<(f64, f64)> {
         let points = neighbours.iter();
@@ -149,10 +149,10 @@ fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
     let widest = all.iter().map(|point| point.1).fold(0.0, f64::max);
     let end = 1.05 * widest.max(1e3 * own.unwrap_or(GapAssessment::BUILT_IN_STEPS_OF));
     for (from, to) in median.iter().zip(most) {
-        curves.push(Curve::new(Kind::Line, Shade::Blue, vec![*from, to]));
+        curves.push(Curve::new(CurveKind::Line, Shade::Blue, vec![*from, to]));
     }
-    curves.push(Curve::new(Kind::Points, Shade::Blue, median).marked(Mark::Disc));
-    curves.push(Curve::new(Kind::Points, Shade::Vermilion, all).marked(Mark::Cross));
+    curves.push(Curve::new(CurveKind::Points, Shade::Blue, median).marked(Mark::Disc));
+    curves.push(Curve::new(CurveKind::Points, Shade::Vermilion, all).marked(Mark::Cross));
     Some(Figure {
         height_in: 3.0,
         x: Axis::auto("Period of the neighbour (s)"),
@@ -199,10 +199,10 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
                 2 => (one.acceleration_range[0].median(), one.acceleration_range[1].p84()),
                 _ => (of.median(), of.p84()),
             };
-            curves.push(Curve::new(Kind::Line, Shade::Vermilion, vec![(from, y), (to, y)]));
+            curves.push(Curve::new(CurveKind::Line, Shade::Vermilion, vec![(from, y), (to, y)]));
             medians.push((of.median(), y));
         }
-        curves.push(Curve::new(Kind::Points, Shade::Vermilion, medians).marked(Mark::Disc));
+        curves.push(Curve::new(CurveKind::Points, Shade::Vermilion, medians).marked(Mark::Disc));
         Panel {
             title: title.into(),
             x: Some(Axis::auto("Beside / alone (–)")),

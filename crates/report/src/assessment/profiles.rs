@@ -1,7 +1,7 @@
 //! Peak drift and shear force over the height of the buildings, alone and beside their neighbours, over all runs.
 
 use pounding_assess::{AssessedFloor, Distribution, FloorPeaks};
-use pounding_plot::{Curve, Figure, Kind, Mark, Shade};
+use pounding_plot::{Curve, CurveKind, Figure, Mark, Shade};
 
 use super::AssessmentReport;
 use crate::figures::profiles::{MOST, of_storeys, over, panels};
@@ -67,10 +67,10 @@ impl Response {
         let beside: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.beside;
         let curve = |kind, shade, points, name: &str| Curve::new(kind, shade, points).named(name);
         vec![
-            curve(Kind::Dashed, Shade::Blue, line(alone, 0.5), "alone, median"),
-            curve(Kind::Line, Shade::Blue, line(beside, 0.5), "beside, median").marked(Mark::Disc),
-            curve(Kind::Dashed, Shade::Vermilion, line(alone, 0.84), "alone, 84 %"),
-            curve(Kind::Line, Shade::Vermilion, line(beside, 0.84), "beside, 84 %").marked(Mark::Square),
+            curve(CurveKind::Dashed, Shade::Blue, line(alone, 0.5), "alone, median"),
+            curve(CurveKind::Line, Shade::Blue, line(beside, 0.5), "beside, median").marked(Mark::Disc),
+            curve(CurveKind::Dashed, Shade::Vermilion, line(alone, 0.84), "alone, 84 %"),
+            curve(CurveKind::Line, Shade::Vermilion, line(beside, 0.84), "beside, 84 %").marked(Mark::Square),
         ]
     }
 }

@@ -4,7 +4,7 @@ mod pairs;
 
 use super::shown::drawn;
 use super::{Seen, around, brief, heights, named, unit};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, sparse_markers};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Note, Panel, Shade, sparse_markers};
 use pounding_scene::Simulation;
 use pounding_solver::Collision;
 
@@ -134,7 +134,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         } else {
             name
         };
-        let kind = if position < 3 { Kind::Line } else { Kind::Dashed };
+        let kind = if position < 3 { CurveKind::Line } else { CurveKind::Dashed };
         Curve::new(kind, Shade::nth(position), points).named(name)
     };
     let structures = seen.shown.floors.iter().enumerate();
@@ -172,7 +172,7 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
             Some(((measure.at)(one), sign * factor * value))
         };
         let points = largest_apart(found.iter().filter_map(on), seen.prepared.duration());
-        (!points.is_empty()).then(|| Curve::new(Kind::Stems, Shade::nth(position), points))
+        (!points.is_empty()).then(|| Curve::new(CurveKind::Stems, Shade::nth(position), points))
     };
     let structures = seen.shown.floors.iter().enumerate();
     let curves: Vec<Curve> = structures.filter_map(sides).collect();

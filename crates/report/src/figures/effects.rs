@@ -1,7 +1,7 @@
 //! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
 
 use pounding_assess::Effects;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, writable};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade, writable};
 use pounding_scene::Simulation;
 
 /// Most storeys of one figure; of more those are shown that pounding changes most.
@@ -89,7 +89,7 @@ pub(crate) fn borders(structures: impl Iterator<Item = usize>) -> Vec<f64> {
 /// The line at 1 through so many storeys, at which pounding changes nothing.
 pub(crate) fn as_alone(storeys: usize) -> Curve {
     let ends = vec![(1.0, -0.5), (1.0, storeys as f64 - 0.5)];
-    Curve::new(Kind::Dashed, Shade::Ink, ends)
+    Curve::new(CurveKind::Dashed, Shade::Ink, ends)
 }
 
 fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
@@ -106,10 +106,10 @@ fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
         let found: Vec<_> = found.collect();
         for (known, y) in &found {
             let range = vec![(known.low, *y), (known.high, *y)];
-            curves.push(Curve::new(Kind::Line, shade, range));
+            curves.push(Curve::new(CurveKind::Line, shade, range));
         }
         let points = found.iter().map(|(known, y)| (known.value, *y)).collect();
-        curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(label));
+        curves.push(Curve::new(CurveKind::Points, shade, points).marked(mark).named(label));
     }
     curves
 }

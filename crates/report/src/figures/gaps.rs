@@ -1,7 +1,7 @@
 //! How far every pair closes its gap.
 
 use super::{Seen, around, brief, heights, name};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade, sparse_markers};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, Shade, sparse_markers};
 
 /// Nothing for structures that stand apart.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
@@ -39,12 +39,12 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
     let starts = seen.collisions(&[pair]).map(|one| one.start).collect();
     let touches = sparse_markers(starts);
     let mut curves = vec![
-        Curve::new(Kind::Dashed, Shade::Vermilion, level).named("gap at rest"),
-        Curve::new(Kind::Line, Shade::Blue, closing).named("left relative to right"),
+        Curve::new(CurveKind::Dashed, Shade::Vermilion, level).named("gap at rest"),
+        Curve::new(CurveKind::Line, Shade::Blue, closing).named("left relative to right"),
     ];
     if !touches.is_empty() {
         let points = touches.into_iter().map(|time| (time, gap)).collect();
-        curves.push(Curve::new(Kind::Points, Shade::Ink, points).named("collision"));
+        curves.push(Curve::new(CurveKind::Points, Shade::Ink, points).named("collision"));
     }
     let facing = seen.prepared.floors().facing()[pair];
     let floors = seen.prepared.floors().all();

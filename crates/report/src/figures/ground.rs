@@ -2,7 +2,7 @@
 
 use super::thin::thinned;
 use super::{Seen, around, brief, fitting, heights};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Note, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Note, Panel, Shade};
 use pounding_scene::{SpectralValues, Structure, response_spectrum};
 
 /// Number of periods of the spectrum.
@@ -53,13 +53,13 @@ fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
         let text = format!("{} g at {} s", brief(peak.1, 3), brief(peak.0, 4));
         Note::new(peak, text)
     });
-    let marked = Curve::new(Kind::Points, Shade::Vermilion, peak.into_iter().collect());
+    let marked = Curve::new(CurveKind::Points, Shade::Vermilion, peak.into_iter().collect());
     Panel {
         x: Some(Axis::over("Time (s)", 0.0, duration)),
         y: Axis::auto("Ground acceleration (g)"),
         levels: vec![0.0],
         notes: note.into_iter().collect(),
-        curves: vec![Curve::new(Kind::Thin, Shade::Blue, points), marked],
+        curves: vec![Curve::new(CurveKind::Thin, Shade::Blue, points), marked],
         ..Panel::default()
     }
 }
@@ -95,9 +95,9 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let of_structures = &values[PERIODS as usize..];
     let mut all: Vec<(f64, f64)> = values.iter().map(point).collect();
     all.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let mut curves = vec![Curve::new(Kind::Line, Shade::Grey, all)];
+    let mut curves = vec![Curve::new(CurveKind::Line, Shade::Grey, all)];
     for (position, ((name, period), value)) in own.iter().zip(of_structures).enumerate() {
-        let curve = Curve::new(Kind::Points, Shade::nth(position), vec![point(value)]);
+        let curve = Curve::new(CurveKind::Points, Shade::nth(position), vec![point(value)]);
         let label = format!("{name} (T = {} s)", brief(*period, 3));
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }

@@ -2,7 +2,7 @@
 
 use super::thin::thinned;
 use super::{Seen, around, name, unit};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 
 /// More panels than this do not fit on a page.
 const MOST: usize = 6;
@@ -116,7 +116,7 @@ fn panel(seen: &Seen<'_>, index: usize, range: Option<(f64, f64)>) -> Panel {
         }),
         y: Axis::auto(format!("Shear force ({unit})")),
         levels: vec![0.0],
-        curves: vec![Curve::new(Kind::Thin, Shade::Blue, points)],
+        curves: vec![Curve::new(CurveKind::Thin, Shade::Blue, points)],
         ..Panel::default()
     }
 }

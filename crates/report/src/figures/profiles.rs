@@ -1,7 +1,7 @@
 //! Peak drift and shear force over the height of every building, in both directions of shaking, and of the building alone where that is known.
 
 use super::{Known, fitting, unit};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade};
 use pounding_scene::{Floors, RunResult, Scene, Simulation};
 
 /// More buildings than this do not fit side by side.
@@ -137,16 +137,16 @@ impl Response {
                 let all = both.iter().filter_map(|one| Some(one.responses()[self.alone]?.alone));
                 scale * all.fold(0.0, f64::max)
             };
-            curves.push(Curve::new(Kind::Dashed, Shade::Ink, over(floors, alone)).named("alone"));
+            curves.push(Curve::new(CurveKind::Dashed, Shade::Ink, over(floors, alone)).named("alone"));
         }
         curves.push(
-            Curve::new(Kind::Line, Shade::Blue, of(outcome))
+            Curve::new(CurveKind::Line, Shade::Blue, of(outcome))
                 .marked(Mark::Disc)
                 .named("as in the scene"),
         );
         if let Some(other) = known.other {
             curves.push(
-                Curve::new(Kind::Line, Shade::Vermilion, of(other))
+                Curve::new(CurveKind::Line, Shade::Vermilion, of(other))
                     .marked(Mark::Square)
                     .named("the other direction"),
             );

@@ -7,7 +7,7 @@ use pounding_solver::Budget;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// Limits on the work of a run. A run that reaches a limit ends with an error. Other runs do not depend on the limits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -73,7 +73,7 @@ impl Patience {
                 let over = Refused::at("budget.seconds").found(format!("{seconds}, which was over before the run began"));
                 let over = over.allowed_is("what it takes to prepare the row");
                 let over = over.help("make `budget.seconds` more, or take fewer structures or storeys");
-                Err(over.kind(Kind::Together))
+                Err(over.kind(RefusalKind::Together))
             }
             _ => Ok(()),
         }

@@ -5,7 +5,7 @@ mod structure;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-use pounding_text::{Kind, Refused, digits, plain};
+use pounding_text::{RefusalKind, Refused, digits, plain};
 
 use crate::file::ScaleTo;
 use crate::file::budget::Patience;
@@ -130,7 +130,7 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), Refused> {
             let limit = digits(limit);
             let allowed = format!("less than {limit} (structures[{structure}], \"{name}\", grows without bound from there on)");
             let found = Refused::at(place).found(plain(time_step)).allowed(allowed);
-            Err(found.help("contact can ask for less").kind(Kind::Unstable))
+            Err(found.help("contact can ask for less").kind(RefusalKind::Unstable))
         }
         _ => Ok(()),
     }
@@ -159,7 +159,7 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), Refused> {
     let found = format!("{duration}, of which the run would take {needed:.1e} time steps times floors{of_substeps}");
     let help = format!("shorten it, take a longer time_step_s{or_fewer}, or make the budget more");
     let found = Refused::at(place).found(found).allowed(format!("{allowed:e} (`budget.steps`)"));
-    Err(found.so(": ", help).kind(Kind::Together))
+    Err(found.so(": ", help).kind(RefusalKind::Together))
 }
 
 /// Refuses a budget that allows no work.

@@ -1,6 +1,6 @@
 //! Columns of a storey, as files give them.
 
-use pounding_text::{Place, Refused, plain};
+use pounding_text::{FaultPlace, Refused, plain};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -60,7 +60,7 @@ pub(super) struct ColumnsFile {
 }
 
 /// Refuses a value that is converted, if it is not > 0: the result would not show which field is wrong.
-pub(super) fn positive(field: impl Into<Place>, found: f64) -> Result<f64, Refused> {
+pub(super) fn positive(field: impl Into<FaultPlace>, found: f64) -> Result<f64, Refused> {
     if found > 0.0 && found.is_finite() {
         Ok(found)
     } else {

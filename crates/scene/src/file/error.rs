@@ -1,5 +1,5 @@
 use pounding_solver::{LedgerError, RunError};
-use pounding_text::{Kind, Refused};
+use pounding_text::{RefusalKind, Refused};
 
 /// Errors between a file and a result. Each names the place, what was found and what is allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -43,7 +43,7 @@ impl Error {
 
     /// Whether the user stopped the run.
     pub fn is_stopped(&self) -> bool {
-        self.refused().is_kind(Kind::Stopped)
+        self.refused().is_kind(RefusalKind::Stopped)
     }
 
     /// Returns the message without the name of the record file, for a line that names it already.
@@ -56,7 +56,7 @@ impl Error {
     /// Returns the message of a run that ended early.
     pub fn ended(source: &RunError) -> Refused {
         let is_stopped = matches!(source, RunError::Stopped { .. });
-        let kind = if is_stopped { Kind::Stopped } else { Kind::Wrong };
+        let kind = if is_stopped { RefusalKind::Stopped } else { RefusalKind::Wrong };
         Refused::that(source.to_string()).kind(kind)
     }
 

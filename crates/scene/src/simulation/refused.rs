@@ -1,7 +1,7 @@
 //! Why the solver refuses a row, in the words of the scene.
 
 use pounding_solver::ModelError;
-use pounding_text::{Kind, Refused, digits, plain};
+use pounding_text::{RefusalKind, Refused, digits, plain};
 
 use crate::settings::out_of_range;
 use crate::simulation::floors::{Floor, Floors};
@@ -23,7 +23,7 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
             let found = Refused::at(format!("contacts[{index}].gap_m")).found(found);
             found
                 .but("; allowed is ", "a gap that they leave open, or other initial_displacement_m")
-                .kind(Kind::Together)
+                .kind(RefusalKind::Together)
         }
         // Contacts join neighbours in order: what remains is a wall on either side.
         ModelError::NotNeighbours { pair, .. } => {

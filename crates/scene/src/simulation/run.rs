@@ -10,7 +10,7 @@ use pounding_solver::{
 use super::Simulation;
 use crate::settings::out_of_range;
 use crate::{Error, Method, Structure};
-use pounding_text::{Kind, Refused, digits, short};
+use pounding_text::{RefusalKind, Refused, digits, short};
 
 /// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
@@ -357,7 +357,7 @@ impl Simulation {
                 );
                 let found = Refused::at("duration_s").found(digits(duration)).allowed(most);
                 let help = "use a shorter duration_s, or leave it out for that of the record and two periods";
-                return Error::in_scene(&self.scene.name, found.so(": ", help).kind(Kind::Together));
+                return Error::in_scene(&self.scene.name, found.so(": ", help).kind(RefusalKind::Together));
             }
             RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } | RunError::OutOfNumbers { structure, .. } => {
                 structure..structure + 1

@@ -20,13 +20,13 @@ listed! {
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]
     pub enum Verdict { words: &'static str;
-        /// Within [`REPRODUCED`]; a published 0 only by a computed 0.
+        /// Within [`REPRODUCED`]. A published 0 counts only if the computed number is 0 too.
         Reproduced = "reproduced",
         /// Within [`CLOSE`].
         Close = "close",
-        /// Further away, or not computed at all.
+        /// Further away than [`CLOSE`], or not computed at all.
         Differs = "differs",
-        /// Published by another work, whose inputs are not known, so that a difference says nothing.
+        /// Published by another work whose inputs are unknown; a difference says nothing.
         #[serde(rename = "not comparable")]
         NotComparable = "not comparable",
     }
@@ -45,13 +45,13 @@ impl Verdict {
     }
 }
 
-/// abs(computed − published)/abs(published); for a published 0 it is 0 or infinite.
+/// abs(computed − published)/abs(published). For a published 0 it is 0 if the computed number is 0, else infinite.
 fn relative_difference(published: f64, computed: f64) -> f64 {
     let difference = (computed - published).abs();
     if difference == 0.0 {
         0.0
     } else {
-        // A published 0 gives infinity: it is reproduced only by a computed 0.
+        // A published 0 gives infinity: only a computed 0 reproduces it.
         difference / published.abs()
     }
 }
@@ -72,7 +72,7 @@ pub struct Published {
     pub published: Printed,
 }
 
-/// Why a number is not reproduced, or not to its last printed digit: a known disagreement.
+/// A known disagreement: the reason why a number, or only its last printed digit, is not reproduced.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reason {
@@ -82,9 +82,9 @@ pub struct Reason {
     pub row: String,
     /// Quantity.
     pub quantity: String,
-    /// The verdict that is known.
+    /// The known verdict.
     pub verdict: Verdict,
-    /// Why.
+    /// The reason.
     pub reason: String,
 }
 
@@ -93,18 +93,18 @@ pub struct Reason {
 pub struct Comparison {
     /// The published number.
     pub published: Published,
-    /// The computed number; nothing when no study gives it.
+    /// The computed number; `None` if no study gives it.
     pub computed: Option<f64>,
-    /// How they compare.
+    /// The verdict on both numbers.
     pub verdict: Verdict,
-    /// Whether the printed digits come out.
+    /// Whether the computed number gives the printed digits.
     pub digits: PrintedDigits,
-    /// Why it, or its last printed digit, is not reproduced; empty when no reason is known.
+    /// The reason why the number, or its last printed digit, is not reproduced; empty if none is known.
     pub reason: String,
 }
 
 impl Comparison {
-    /// abs(computed − published)/abs(published) \[–\], infinite for a published 0 and another number; nothing where none is computed.
+    /// abs(computed − published)/abs(published) \[–\]; infinite if 0 is published and another number computed. `None` if none is computed.
     pub(crate) fn relative_difference(&self) -> Option<f64> {
         let computed = self.computed?;
         Some(relative_difference(self.published.published.value, computed))
@@ -136,7 +136,7 @@ impl PublishedValues {
     /// Reads `table-*.csv`, `text.csv` and `reasons.csv` of a folder.
     ///
     /// # Errors
-    /// [`StudyError`] naming the file, and the line where there is one.
+    /// [`StudyError`] with the file, and with the line if the fault has one.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let mut values = Vec::new();
         for name in ["table-2", "table-4", "table-5", "table-6", "table-7", "text"] {
@@ -182,7 +182,7 @@ impl PublishedValues {
         self.values.iter().map(compare).collect()
     }
 
-    /// Disagreements that are not listed, and listed ones that have vanished or changed, in words.
+    /// Messages about disagreements that are not listed, and about listed ones that have vanished or changed.
     pub fn surprises(&self, comparisons: &[Comparison]) -> Vec<String> {
         let mut surprises = Vec::new();
         for Comparison {

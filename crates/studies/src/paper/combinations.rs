@@ -1,15 +1,15 @@
-//! Every combination of the choices of the paper's program, and how many of the printed numbers each gives.
+//! Every combination of the choices of the paper's program, with the number of printed numbers that each gives.
 
 use crate::program::{Choice, Program, Start};
-use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
+use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyTable};
 use pounding_scene::parallel;
-use pounding_text::Table as Text;
+use pounding_text::Table;
 use std::collections::BTreeMap;
 
-/// Tables whose numbers are counted, and the text.
+/// Tables whose numbers are counted, and the running text.
 const COUNTED: [&str; 6] = ["2", "4", "5", "6", "7", "text"];
 
-/// One choice each; the start of each scene is its own unless one is given for all.
+/// A value for every choice. A start of `None` leaves each scene its own start.
 #[derive(Clone, Copy)]
 struct Combination {
     start: Option<Start>,
@@ -37,7 +37,7 @@ impl Combination {
         }
     }
 
-    /// A choice in words.
+    /// The value of a choice in words.
     fn words(self, choice: Choice) -> &'static str {
         match (choice, self.start) {
             (Choice::Start, None) => "of each scene",
@@ -46,7 +46,7 @@ impl Combination {
         }
     }
 
-    /// The printed numbers beside those of this combination.
+    /// Compares the printed numbers with those of this combination.
     fn compared(self, completed: &[Completed], published: &PublishedValues) -> Result<Vec<Comparison>, StudyError> {
         let mut values = BTreeMap::new();
         for study in completed {
@@ -55,17 +55,17 @@ impl Combination {
                 continue;
             }
             let again = study.by_program(|printed| self.of(printed))?;
-            let table = Table::of(&again)?.unwrap_or_default();
+            let table = StudyTable::of(&again)?.unwrap_or_default();
             values.insert(id.to_string(), table.values);
         }
         Ok(published.compare(&values))
     }
 }
 
-/// How many printed digits come out by every combination, as CSV text; with the largest difference of totals of Tables 6 and 7.
+/// Counts the printed digits that every combination gives, as CSV text with the largest difference of totals of Tables 6 and 7.
 ///
 /// # Errors
-/// [`StudyError`] when scenes do not give what their table shows.
+/// [`StudyError`] if a study's scenes do not give the contents of its table.
 pub(super) fn combinations(completed: &[Completed], published: &PublishedValues) -> Result<String, StudyError> {
     let all = Combination::all();
     let compared = parallel::try_each(&all, |combination| combination.compared(completed, published))?;
@@ -77,14 +77,14 @@ pub(super) fn combinations(completed: &[Completed], published: &PublishedValues)
     let largest = |compared: &[Comparison]| {
         let totals = compared.iter().filter(|one| ["6", "7"].contains(&&*one.published.table));
         let differences = totals.filter_map(Comparison::relative_difference);
-        // Infinite where 0 is printed and something touches; those digits are not counted either.
+        // The difference is infinite if 0 is printed and the structures touch; such digits are not counted either.
         differences.filter(|difference| difference.is_finite()).fold(0.0, f64::max)
     };
     let name = |table| match table {
         "text" => "digits_of_text".into(),
         table => format!("digits_of_table_{table}"),
     };
-    Ok(Text::of(all.iter().zip(&compared))
+    Ok(Table::of(all.iter().zip(&compared))
         .columns(Choice::ALL, |choice| choice.texts()[0].into(), |(one, _), choice| one.words(choice))
         .columns(COUNTED, name, |(_, compared), table| count(compared, Some(table)))
         .column("digits_of_all", |(_, compared)| count(compared, None))

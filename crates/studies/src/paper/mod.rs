@@ -1,4 +1,4 @@
-//! What is of the paper alone: its tables, figures, claims and printed numbers.
+//! The paper's own tables, figures, claims and printed numbers.
 
 pub(crate) mod agreement;
 pub(crate) mod claims;
@@ -13,10 +13,10 @@ use crate::files::Files;
 use crate::{Completed, PublishedValues, StudyError};
 use converged::Exact;
 
-/// What each choice of the program is worth, and what all combinations of them give, by their paths in the results folder.
+/// Files by path in the results folder: the effect of each choice of the paper's program, and of all their combinations.
 ///
 /// # Errors
-/// [`StudyError`] when scenes do not give what their table shows, or the figure cannot be drawn.
+/// [`StudyError`] if scenes do not give the contents of their table, or if the figure cannot be drawn.
 pub(crate) fn files(completed: &[Completed], published: &PublishedValues, exact: Exact<'_>) -> Result<Files, StudyError> {
     let slips = slips::Slips::new(completed, exact, published.values())?;
     let mut files = slips.files()?;

@@ -1,16 +1,16 @@
-//! Numbers as printed, to the digit.
+//! Numbers as printed, digit by digit.
 
 use crate::listed::listed;
 use serde::Deserialize;
 
-/// A number as printed, whose decimals count.
+/// A number as printed; trailing zeros count as digits.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "String")]
 pub struct Printed {
     /// Its value.
     pub value: f64,
     text: String,
-    /// One over the unit of the last printed decimal.
+    /// 10 to the power of the number of printed decimals.
     per_last: f64,
 }
 
@@ -40,19 +40,19 @@ impl Printed {
     }
 }
 
-/// A text that is no number as a paper prints it.
+/// A text that is not a number as a paper prints it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("found \"{0}\", allowed a decimal number")]
 pub struct NotPrinted(String);
 
 listed! {
-    /// Which printed digits a computed number gives.
+    /// How a computed number gives the printed digits.
     pub enum PrintedDigits { words: &'static str;
-        /// The printed ones, when it is rounded.
+        /// Rounding the computed number gives the printed digits.
         Rounded = "rounded",
-        /// The printed ones, when its further digits are cut off.
+        /// Cutting off further digits of the computed number gives the printed digits.
         CutOff = "cut off",
-        /// Others.
+        /// The digits differ.
         Other = "no",
     }
 }

@@ -1,4 +1,4 @@
-//! What each choice of the paper's program is worth: totals with all of them, without each, without any, and exact.
+//! The effect of each choice of the paper's program on the totals: with all choices, without each, without any, and exact.
 
 use crate::files::{Files, capital, drawn};
 use crate::paper::converged::{Exact, Over, Quantities, STUDIES, TOTALS as TOTALS_SHOWN, find, quantities};
@@ -20,12 +20,12 @@ const MARKS: [Mark; Choice::ALL.len()] = [
     Mark::Diamond,
 ];
 
-/// The numbers of the paper's totals by its program and by what it should have been.
+/// The paper's totals by its program, by variants of it, and by the exact method.
 pub(super) struct Slips<'a> {
     published: &'a [Published],
     exact: Exact<'a>,
     printed: Quantities,
-    /// Without each of [`Choice::ALL`].
+    /// Totals without each of [`Choice::ALL`].
     without: Vec<Quantities>,
     described: Quantities,
 }
@@ -34,7 +34,7 @@ impl<'a> Slips<'a> {
     /// Runs the studies of the totals again, without each choice and without any.
     ///
     /// # Errors
-    /// [`StudyError`] when scenes do not give what their table shows.
+    /// [`StudyError`] if a study's scenes do not give the contents of its table.
     pub(super) fn new(completed: &[Completed], exact: Exact<'a>, published: &'a [Published]) -> Result<Self, StudyError> {
         let changed = |change: &(dyn Fn(Program) -> Program + Sync)| {
             let of_totals = completed.iter().filter(|study| STUDIES.contains(&&*study.file.id));
@@ -54,7 +54,7 @@ impl<'a> Slips<'a> {
     /// Table and figure by their paths in the results folder.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] when the figure cannot be drawn.
+    /// [`StudyError::Plot`] if the figure cannot be drawn.
     pub(super) fn files(&self) -> Result<Files, StudyError> {
         Ok([
             ("paper/slips.csv".into(), self.table().into_bytes()),
@@ -63,13 +63,13 @@ impl<'a> Slips<'a> {
         .into())
     }
 
-    /// Totals of a table.
+    /// The totals of a table.
     fn rows(&self, table: &str) -> impl Iterator<Item = &Value> {
         let values = self.printed.get(table).into_iter().flatten();
         values.filter(|value| TOTALS.contains(&&*value.quantity))
     }
 
-    /// The printed number of a row; those of two structures stand in the text.
+    /// The printed number of a row; the paper prints those of two structures in its text.
     fn published(&self, table: &str, row: &Value) -> Option<&Printed> {
         let (table, name) = match table {
             "2" => ("text", format!("two structures stereomechanical {}", row.row)),
@@ -115,7 +115,7 @@ impl<'a> Slips<'a> {
     fn panel(&self, table: &'static str, title: &str) -> Panel {
         let rows = self.rows(table).filter_map(|row| {
             let published = self.published(table, row)?.value;
-            // Nothing is a multiple of what structures transfer that nothing touches.
+            // Rows with zero momentum are left out: nothing can be divided by them.
             let moved = |values: &Quantities| find(values, table, row).is_some_and(|value| (value / published - 1.0).abs() > SHOWN);
             let shown = self.without.iter().chain([&self.described]).any(moved);
             (published > 0.0 && shown).then_some((row, published))
@@ -132,17 +132,17 @@ impl<'a> Slips<'a> {
     }
 }
 
-/// A choice as the paper describes it, in words.
+/// The words for a choice as the paper describes it.
 fn described(choice: Choice) -> String {
     let [name, _, described] = choice.texts();
     format!("{} {described}", name.replace('_', " "))
 }
 
-/// The figure shows rows that some choice moves by more than this \[–\].
+/// Smallest change by a choice that brings a row into the figure \[–\].
 const SHOWN: f64 = 0.005;
-/// Tables whose totals are asked.
+/// Tables with totals.
 const TABLES: [&str; 5] = ["2", "4", "5", "6", "7"];
 /// Quantities that are totals.
 const TOTALS: [&str; 2] = ["transferred momentum", "impulse of first collision"];
-/// The figure, from the results folder.
+/// Path of the figure in the results folder.
 const FIGURE: &str = "figures/slips.png";

@@ -1,11 +1,11 @@
-//! Tables: what a study prints as CSV, and the single numbers in it.
+//! Tables that studies print as CSV, and the numbers in them.
 
 use crate::{Completed, Output, StudyError};
 use pounding_scene::{RunResult, Scene, Structure};
 use pounding_solver::{Collision, Histories};
-use pounding_text::Table as Text;
+use pounding_text::Table;
 
-/// One computed number with the keys that published numbers carry.
+/// One computed number with the keys that published numbers have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// Row of the table, for example `layout A elastic left`.
@@ -31,14 +31,14 @@ impl Value {
 
 /// A table as text, and the numbers in it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Table {
+pub struct StudyTable {
     text: String,
-    /// The numbers, to be compared with published ones.
+    /// The numbers, for the comparison with published ones.
     pub values: Vec<Value>,
 }
 
-impl Table {
-    fn new(text: &Text<'_, impl Sized>, values: Vec<Value>) -> Self {
+impl StudyTable {
+    fn new(text: &Table<'_, impl Sized>, values: Vec<Value>) -> Self {
         Self { text: text.csv(), values }
     }
 
@@ -47,10 +47,10 @@ impl Table {
         self.text.clone()
     }
 
-    /// The table of a study; nothing for a study that draws a figure.
+    /// The table of a study; `None` if the study draws a figure.
     ///
     /// # Errors
-    /// [`StudyError::Study`] when the scenes do not give what the table shows.
+    /// [`StudyError::Study`] if the scenes do not give the contents of the table.
     pub fn of(completed: &Completed) -> Result<Option<Self>, StudyError> {
         let output = &completed.file.study.output;
         let table = if let Output::StructuresTable = output {
@@ -79,13 +79,13 @@ impl Table {
 }
 
 /// Dynamic characteristics of structures (the paper's Table 1).
-fn structures(completed: &Completed) -> Table {
+fn structures(completed: &Completed) -> StudyTable {
     let structures = completed.file.study.scenes[0].structures.iter();
     let of_one_storey = structures.filter_map(|structure| match structure {
         Structure::Sdof(sdof) => Some(sdof),
         Structure::Building(_) | Structure::Wall => None,
     });
-    let text = Text::of(of_one_storey)
+    let text = Table::of(of_one_storey)
         .column("structure", |one| one.name.clone())
         .column("mass_kg", |one| one.mass_kg)
         .column("stiffness_kn_per_m", |one| one.stiffness_n_per_m / 1e3)
@@ -95,24 +95,24 @@ fn structures(completed: &Completed) -> Table {
         .column("yield_displacement_m", |one| {
             one.yield_force_n.map(|force| force / one.stiffness_n_per_m)
         });
-    Table::new(&text, Vec::new())
+    StudyTable::new(&text, Vec::new())
 }
 
 /// Impulse of the first collision of every scene (Table 5).
-fn first_collision(completed: &Completed) -> Table {
+fn first_collision(completed: &Completed) -> StudyTable {
     let value = |(scene, outcome): (&Scene, &RunResult)| {
         let impulse = outcome.collisions.all().first().map_or(0.0, |first| first.impulse / 1e3);
         Value::new(&*scene.name, "impulse of first collision", "kN·s", impulse)
     };
     let values: Vec<_> = completed.runs().map(value).collect();
-    let text = Text::of(&values)
+    let text = Table::of(&values)
         .column("scene", |one| one.row.clone())
         .column("impulse_of_first_collision_kns", |one| one.value);
-    Table::new(&text, values.clone())
+    StudyTable::new(&text, values.clone())
 }
 
 /// Transferred momentum of every structure of every scene (Tables 6 and 7).
-fn transferred_momentum<'a>(completed: &'a Completed) -> Table {
+fn transferred_momentum<'a>(completed: &'a Completed) -> StudyTable {
     let of_scene = |(scene, outcome): (&'a Scene, &'a RunResult)| {
         let n = scene.structures.len();
         (0..n).map(move |index| (scene, index, position(index, n), outcome.momentum.of(index) / 1e3))
@@ -122,16 +122,16 @@ fn transferred_momentum<'a>(completed: &'a Completed) -> Table {
         Value::new(format!("{} {position}", scene.name), "transferred momentum", "kN·s", *momentum)
     };
     let values = rows.iter().map(value).collect();
-    let text = Text::of(rows)
+    let text = Table::of(rows)
         .column("scene", |(scene, ..)| scene.name.clone())
         .column("time_step_s", |(scene, ..)| scene.method.time_step())
         .column("position", |(_, _, position, _)| position.clone())
         .column("structure", |(scene, index, ..)| scene.structures[*index].name().to_string())
         .column("transferred_momentum_kns", |(.., momentum)| *momentum);
-    Table::new(&text, values)
+    StudyTable::new(&text, values)
 }
 
-/// Place of a structure in its row in words.
+/// Position of a structure in its row, in words.
 fn position(index: usize, n_structures: usize) -> String {
     match index {
         0 => "left".into(),
@@ -142,7 +142,7 @@ fn position(index: usize, n_structures: usize) -> String {
 }
 
 /// Single numbers of the running text.
-fn running_text(completed: &Completed, transferred_momentum: &[String], peak_forces: &[String]) -> Result<Table, StudyError> {
+fn running_text(completed: &Completed, transferred_momentum: &[String], peak_forces: &[String]) -> Result<StudyTable, StudyError> {
     let run = |name: &String| {
         let allowed = "names of scenes of the study";
         let found = completed.of(name).map(|(_, outcome)| outcome);
@@ -161,25 +161,25 @@ fn running_text(completed: &Completed, transferred_momentum: &[String], peak_for
             values.push(Value::new(format!("{name} {number}"), "peak force", "kN", force / 1e3));
         }
     }
-    let text = Text::of(&values)
+    let text = Table::of(&values)
         .column("scene", |one| one.row.clone())
         .column("quantity", |one| one.quantity.clone())
         .column("unit", |one| one.unit)
         .column("value", |one| one.value);
-    Ok(Table::new(&text, values.clone()))
+    Ok(StudyTable::new(&text, values.clone()))
 }
 
 /// One printed line: an impact, or one step of a collision.
-struct Line {
+struct PrintedLine {
     /// `3` for the third impact, `3.2` for the second step of the third collision.
     label: String,
     time: f64,
-    /// Force on the right structure \[N\]; the left one gets its negative.
+    /// Force on the right structure \[N\]; the force on the left one is its negative.
     force: f64,
 }
 
 /// Time and pounding force of every impact, or of every step in contact (Tables 2 and 4).
-fn pounding_forces(completed: &Completed, n_collisions: usize, label_offset: f64) -> Result<Table, StudyError> {
+fn pounding_forces(completed: &Completed, n_collisions: usize, label_offset: f64) -> Result<StudyTable, StudyError> {
     let (mut rows, mut values) = (Vec::new(), Vec::new());
     for (scene, outcome) in completed.runs() {
         let [left, right] = &scene.structures[..] else {
@@ -197,24 +197,24 @@ fn pounding_forces(completed: &Completed, n_collisions: usize, label_offset: f64
         values.push(Value::new(&*scene.name, "number of collisions", "1", count));
     }
     let names = [0, 1].map(|index| completed.file.study.scenes[0].structures[index].name());
-    let text = Text::of(rows)
+    let text = Table::of(rows)
         .column("scene", |(scene, _)| scene.name.clone())
         .column("collision", |(_, line)| line.label.clone())
         .column("time_s", |(_, line)| line.time)
         .column("label_s", |(_, line)| line.time + label_offset)
         .column(format!("force_on_{}_kn", names[0]), |(_, line)| -line.force / 1e3)
         .column(format!("force_on_{}_kn", names[1]), |(_, line)| line.force / 1e3);
-    Ok(Table::new(&text, values))
+    Ok(StudyTable::new(&text, values))
 }
 
-fn lines(scene: &Scene, outcome: &RunResult, n_collisions: usize) -> Vec<Line> {
+fn lines(scene: &Scene, outcome: &RunResult, n_collisions: usize) -> Vec<PrintedLine> {
     let collisions = outcome.collisions.all().iter().take(n_collisions).zip(1..);
     let mut lines = Vec::new();
     for (collision, number) in collisions {
         if collision.peak_force.is_none() {
             // The paper's pounding force of an impact is its impulse over the time step.
             let force = collision.impulse / scene.method.step();
-            lines.push(Line {
+            lines.push(PrintedLine {
                 label: format!("{number}"),
                 time: collision.start,
                 force,
@@ -222,7 +222,7 @@ fn lines(scene: &Scene, outcome: &RunResult, n_collisions: usize) -> Vec<Line> {
         } else {
             let histories = outcome.histories.as_ref().expect("this table asks for histories");
             for ((time, force), step) in steps(collision, histories).zip(1..) {
-                lines.push(Line {
+                lines.push(PrintedLine {
                     label: format!("{number}.{step}"),
                     time,
                     force,

@@ -1,27 +1,27 @@
-//! What equations (1) to (4) of the paper leave open, as its numbers show its program to have chosen, and as the paper describes it.
+//! The choices that equations (1) to (4) of the paper leave open: as its numbers show its program to make them, and as the paper describes
+//! them.
 
 use crate::listed::listed;
 use pounding_motion::Record;
 use pounding_solver::Clock;
 
 listed! {
-    /// A choice: its name in tables; what the program does, and what the paper describes, in words.
+    /// A choice: its name in tables, the program's value and the described value in words.
     pub(crate) enum Choice { texts: [&'static str; 3];
-        /// How the first step begins: a [`Start`].
+        /// How the first step begins; the values are those of [`Start`].
         Start = ["start", "", "consistent"],
         /// Whether loads are rounded to five decimals of m/s².
         Loads = ["loads", "rounded", "as recorded"],
-        /// Whether the load at the end of the record acts: only where steps are those of the record, or always.
+        /// When the load at the end of the record acts: only if the steps are those of the record, or always.
         LastLoad = ["last_load", "of whole steps", "used"],
-        /// How long a run lasts: the loads end, and it goes on for as long again, until the motion has died out; or as long as the loads.
+        /// How long a run lasts: twice as long as the loads, until the motion has died out; or as long as the loads.
         Length = ["length", "runs on", "of loads"],
-        /// Which overlaps of impulsive pairs are impacts: all, so that a pair that parts is pulled together; or those of pairs that
-        /// approach.
+        /// Which overlaps of impulsive pairs are impacts: all, which pulls a parting pair together; or only those of approaching pairs.
         Impacts = ["impacts", "of any overlap", "on approach"],
-        /// The velocity of a structure that two pairs hit in one step, as the second pair sees it: after the impact of the first, or before
+        /// Which velocity the second pair sees if two pairs hit a structure in one step: the one after the first impact, or the one before
         /// both.
         Velocities = ["velocities", "handed on", "before both"],
-        /// The force on a structure that two pairs touch in one step: that of the second alone, which replaces the other; or the sum.
+        /// Which force acts if two pairs touch a structure in one step: the second one, which replaces the first; or the sum.
         Forces = ["forces", "replaced", "added"],
     }
 }
@@ -42,7 +42,7 @@ listed! {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Program {
     pub(crate) start: Start,
-    /// Which of [`Choice::ALL`] are as the paper describes them; the first is said by `start`.
+    /// Which of [`Choice::ALL`] are as the paper describes them. The first entry follows from `start`.
     pub(crate) described: [bool; Choice::ALL.len()],
 }
 
@@ -53,7 +53,7 @@ impl Program {
         described: [true; Choice::ALL.len()],
     };
 
-    /// What gives the printed numbers, with one of the two starts.
+    /// The choices behind the printed numbers, with a given start.
     pub(crate) const fn printed(start: Start) -> Self {
         Self {
             start,
@@ -61,12 +61,12 @@ impl Program {
         }
     }
 
-    /// Whether a choice, except the start, is as the paper describes it.
+    /// Whether a choice is as the paper describes it; not for the start.
     pub(crate) const fn is_described(self, choice: Choice) -> bool {
         self.described[choice as usize]
     }
 
-    /// The same with a choice as the paper describes it.
+    /// Replaces one choice by the one that the paper describes.
     pub(crate) fn with_described(mut self, choice: Choice) -> Self {
         if choice == Choice::Start {
             self.start = Self::DESCRIBED.start;
@@ -75,7 +75,7 @@ impl Program {
         self
     }
 
-    /// What it chooses, in words.
+    /// The value of a choice in words.
     pub(crate) fn words(self, choice: Choice) -> &'static str {
         match choice.texts() {
             _ if choice == Choice::Start => self.start.words(),
@@ -84,7 +84,7 @@ impl Program {
         }
     }
 
-    /// The accelerations \[m/s²\] of the steps that are loaded, from t = 0 on: samples of the record, and means of them between.
+    /// The accelerations of the loaded steps, from t = 0 \[m/s²\]: samples of the record, and means of them in between.
     pub(crate) fn accelerations(self, record: &Record, clock: Clock) -> Vec<f64> {
         let as_recorded = self.is_described(Choice::Loads);
         let load = |sample: &f64| if as_recorded { *sample } else { (sample * 1e5).round() / 1e5 };

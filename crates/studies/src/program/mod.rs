@@ -1,4 +1,4 @@
-//! The program that gave the paper's numbers: a model of somebody's program, and no method to choose.
+//! The program behind the paper's numbers: a model of another program, not a method for users.
 
 mod choices;
 mod stepping;
@@ -10,9 +10,9 @@ use pounding_solver::{Clock, Hysteretic, OnRow, Pair, Recorder, Recorders, Row, 
 use serde::{Deserialize, Serialize};
 
 pub(crate) use choices::{Choice, Program, Start};
-use stepping::Run;
+use stepping::Stepping;
 
-/// The choice of the paper's program for a study: it runs those scenes that name the central difference method.
+/// Makes a study run by the paper's program: it runs the scenes that name the central difference method.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PapersProgram {
@@ -22,7 +22,7 @@ pub struct PapersProgram {
 }
 
 impl PapersProgram {
-    /// The program that gives the printed numbers of a scene; nothing where another method is named.
+    /// The program that gives the printed numbers of a scene; `None` if the scene names another method.
     pub(crate) fn of(&self, scene: &Scene) -> Option<Program> {
         let is_used = self.first_load_used.contains(&scene.name);
         let start = if is_used { Start::FirstLoadUsed } else { Start::FirstLoadSkipped };
@@ -30,7 +30,7 @@ impl PapersProgram {
         stepped.then(|| Program::printed(start))
     }
 
-    /// What the program cannot run, or does not know, of a study: what was found, and what is allowed.
+    /// A part of a study that the program cannot run or does not know: the value found, and the values allowed.
     pub(crate) fn refusal(&self, scenes: &[Scene], prepared: &[Simulation]) -> Option<(String, &'static str)> {
         for name in &self.first_load_used {
             let runs = |scene: &Scene| scene.name == *name && self.of(scene).is_some();
@@ -70,11 +70,11 @@ fn can_run(scene: &Scene, prepared: &Simulation) -> bool {
 }
 
 impl Program {
-    /// Runs a scene at the time step of its method; histories with a state every `interval` \[s\] where asked for. It says nothing of
-    /// accelerations of floors.
+    /// Runs a scene at the time step of its method, with histories at every `interval` \[s\] if there is one. Accelerations of floors are
+    /// not recorded.
     ///
     /// # Errors
-    /// [`pounding_scene::Error::Run`] when the run diverges.
+    /// [`pounding_scene::Error::Run`] if the run diverges.
     pub(crate) fn run(self, prepared: &Simulation, interval: Option<f64>) -> Result<RunResult, pounding_scene::Error> {
         prepared.recorded(interval, |recorders| {
             let Recorders {
@@ -102,11 +102,11 @@ impl Program {
 struct ProgramRun<'a, R> {
     program: Program,
     record: &'a Record,
-    /// The steps that are loaded.
+    /// The loaded steps.
     clock: Clock,
-    /// Is told what pairs do, each for itself.
+    /// The recorder of the pairs' actions, each pair by itself.
     seen: R,
-    /// Is told the forces that act.
+    /// The recorder of the forces that act.
     momentum: &'a mut TransferredMomentum,
 }
 
@@ -114,7 +114,7 @@ impl<R: Recorder> OnRow for ProgramRun<'_, R> {
     type Output = Result<(), RunError>;
 
     fn on<Column: Hysteretic>(mut self, row: &Row<Column>) -> Self::Output {
-        let run = Run::new(self.program, row, self.clock.time_step);
-        run.run(self.record, self.clock, (&mut self.seen, self.momentum))
+        let run = Stepping::new(self.program, row, self.clock.time_step);
+        run.run(self.record, self.clock, &mut self.seen, self.momentum)
     }
 }

@@ -1,7 +1,10 @@
 //! The steps of the paper's [`Program`].
 //!
-//! Structures have one storey and begin at rest. Order of a step i: forces of compliant pairs from the displacements of i and i − 1;
-//! equation (3) for i + 1; overlaps at i + 1, whose impacts are forces of step i + 1.
+//! Structures have one storey and begin at rest. A step i has three parts, in this order:
+//!
+//! 1. Forces of compliant pairs, from the displacements of steps i and i − 1.
+//! 2. Equation (3) for the displacements of step i + 1.
+//! 3. Overlaps at step i + 1. Their impacts are forces of step i + 1.
 
 use pounding_contact::{Overlap, reduced_mass};
 use pounding_motion::Record;
@@ -11,21 +14,21 @@ use pounding_solver::{
 
 use super::choices::{Choice, Program, Start};
 
-/// What the program carries of a structure from step to step.
+/// State of a structure between steps.
 struct Body<Memory> {
     mass: f64,
-    /// Displacements of the step before, of this one and of the next \[m\].
+    /// Displacements at the previous, the current and the next step \[m\].
     displacements: [f64; 3],
     memory: Memory,
     /// Forces of compliant neighbours at this step \[N\].
     from_left: f64,
     from_right: f64,
-    /// Net pounding force that acts at this step, and what impacts add at the next \[N\].
+    /// Net pounding force at this step, and the force of impacts at the next one \[N\].
     force: f64,
     next_force: f64,
-    /// Velocities before the impacts of this step, and after those so far \[m/s\].
+    /// Velocities at this step: before its impacts, and after the impacts so far \[m/s\].
     velocities: [f64; 2],
-    /// The step before, to be reported, and the force that acted at it.
+    /// State at the previous step, not yet reported, and the force that acted then \[N\].
     last: State,
     last_force: f64,
 }
@@ -38,18 +41,18 @@ impl<Memory> Body<Memory> {
 }
 
 /// A run of the program over a row.
-pub(super) struct Run<'a, Column: RestoringForce> {
+pub(super) struct Stepping<'a, Column: RestoringForce> {
     program: Program,
     row: &'a Row<Column>,
     time_step: f64,
     bodies: Vec<Body<Column::Memory>>,
-    /// Impacts that are forces of the next step.
+    /// Impacts that act as forces in the next step.
     hits: Vec<Impact>,
-    /// What pairs do to a structure over a step.
+    /// Actions of pairs on a structure over a step.
     pushes: Vec<Push<'static>>,
 }
 
-impl<'a, Column: RestoringForce> Run<'a, Column> {
+impl<'a, Column: RestoringForce> Stepping<'a, Column> {
     pub(super) fn new(program: Program, row: &'a Row<Column>, time_step: f64) -> Self {
         let body = |node: &pounding_solver::Node<Column>| Body {
             mass: 1.0 / node.inverse_mass,
@@ -77,7 +80,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         mut self,
         record: &Record,
         loaded: Clock,
-        (seen, momentum): (&mut R, &mut TransferredMomentum),
+        seen: &mut R,
+        momentum: &mut TransferredMomentum,
     ) -> Result<(), RunError> {
         let accelerations = self.program.accelerations(record, loaded);
         let times_loads = if self.program.is_described(Choice::Length) { 1 } else { 2 };
@@ -104,7 +108,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         Ok(())
     }
 
-    /// Whether all displacements of the next step, which ends at a time \[s\], are finite.
+    /// Checks that all displacements of the next step are finite; `time` \[s\] is the end of that step.
     fn check(&self, time: f64) -> Result<(), RunError> {
         let diverged = |body: &Body<_>| !body.displacements[2].is_finite();
         match self.bodies.iter().position(diverged) {
@@ -201,7 +205,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         }
     }
 
-    /// The velocity of a structure that a pair sees at this step \[m/s\].
+    /// The velocity of a structure at this step as a pair sees it \[m/s\].
     fn seen(&self, structure: usize) -> f64 {
         let [before, after] = self.bodies[structure].velocities;
         if self.program.is_described(Choice::Velocities) {
@@ -211,7 +215,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         }
     }
 
-    /// Gives the neighbours of a pair its force; one that the pair to its left has pushed already gets both or this one alone.
+    /// Applies the force of a pair to both neighbours. The left one may already have a force of the pair to its left: that force is added
+    /// or replaced.
     fn add_force(&mut self, pair: &Pair, force: f64, on: impl Fn(&mut Body<Column::Memory>) -> &mut f64) {
         *on(&mut self.bodies[pair.right()]) += force;
         let left = on(&mut self.bodies[pair.left()]);
@@ -219,7 +224,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         *left = kept - force;
     }
 
-    /// Deformation of a pair \[m\] at the step before, at this one or at the next.
+    /// Deformation of a pair at the previous, the current or the next step \[m\].
     fn deformation(&self, pair: &Pair, at: usize) -> f64 {
         let of = |structure: usize| self.bodies[structure].displacements[at];
         of(pair.left()) - of(pair.right()) - pair.gap()
@@ -230,7 +235,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         reduced_mass(left, right)
     }
 
-    /// Reports the motion since the step before, and the impacts of this step.
+    /// Reports the motion since the previous step, and the impacts of this step.
     fn report<R: Recorder>(&mut self, [start_time, end_time]: [f64; 2], seen: &mut R, momentum: &mut TransferredMomentum) {
         let (dt, row) = (self.time_step, self.row);
         for (structure, (body, node)) in self.bodies.iter_mut().zip(row.nodes()).enumerate() {
@@ -239,7 +244,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 displacement: here,
                 velocity: body.velocity(dt),
                 acceleration: (next - 2.0 * here + before) / (dt * dt),
-                // What the columns remember is of this step: they answer the same once more.
+                // The memory of the columns is already that of this step, so this call gives the force of the step again.
                 restoring_force: node.column.respond(here, body.memory).force,
                 force_from_left: body.from_left,
                 force_from_right: body.from_right,
@@ -247,7 +252,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let start = body.last;
             if end_time > start_time {
                 let mean = |one: f64, other: f64| 0.5 * dt * (one + other);
-                list_pushes(&mut self.pushes, row, structure, ([start, end], dt));
+                list_pushes(&mut self.pushes, row, structure, [start, end], dt);
                 let span = Span {
                     structure,
                     start_time,
@@ -283,13 +288,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 }
 
-/// Lists what the pairs of a structure do to it between the ends of a step \[s\]: one on each side at most.
-fn list_pushes<Column: RestoringForce>(
-    pushes: &mut Vec<Push<'_>>,
-    row: &Row<Column>,
-    structure: usize,
-    (ends, time_step): ([State; 2], f64),
-) {
+/// Lists the actions of the pairs on a structure over a step, at most one on each side.
+fn list_pushes<Column: RestoringForce>(pushes: &mut Vec<Push<'_>>, row: &Row<Column>, structure: usize, ends: [State; 2], time_step: f64) {
     pushes.clear();
     for (pair, of) in row.pairs().iter().enumerate() {
         if ![of.left(), of.right()].contains(&structure) {
@@ -323,7 +323,7 @@ mod tests {
         Simulation::new(&file.study.scenes[scene], file.base()).expect("a good scene")
     }
 
-    /// Without its slips the program is the central difference method wherever forces are compliant.
+    /// Without its slips the program equals the central difference method if all forces are compliant.
     #[test]
     fn limit_as_described_it_is_the_central_difference_method() {
         for (study, scene) in [("table-4", 0), ("table-4", 1), ("table-7", 0), ("table-7", 4)] {
@@ -354,7 +354,7 @@ mod tests {
         assert_eq!(loads(used, clock(0.005, 4)).last(), Some(&0.000_004));
     }
 
-    /// Layout A elastic, stereomechanical: a pair that parts is pulled together, and the middle structure gets one force of two.
+    /// Layout A elastic, stereomechanical: a parting pair is pulled together, and the middle structure gets one of its two forces.
     #[test]
     fn reference_slips_show_in_impacts_and_forces() {
         let prepared = prepared("table-6", 0);

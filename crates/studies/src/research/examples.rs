@@ -1,4 +1,4 @@
-//! Scenes with a page of explanation: their figures and tables, made anew with every reproduction.
+//! Example scenes that have a page of explanation: every reproduction makes their figures and tables again.
 
 use crate::StudyError;
 use crate::drivers::each;
@@ -9,17 +9,17 @@ use pounding_assess::{Effects, Suite};
 use pounding_report::Report;
 use pounding_scene::{Scene, Simulation};
 
-/// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
+/// The scenes of a folder that have a page: `row.md` explains `row.toml` or `row.json`.
 #[derive(Debug)]
 pub struct Examples {
     scenes: Vec<(PathBuf, Scene)>,
 }
 
 impl Examples {
-    /// Reads the scenes of a folder whose names have a page.
+    /// Reads the scenes of a folder that have a page of the same name.
     ///
     /// # Errors
-    /// [`StudyError`] naming the file that cannot be read.
+    /// [`StudyError`] with the file that cannot be read.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let ends = |path: &Path, end: &str| path.extension().is_some_and(|found| found == end);
         let is_scene = |path: &PathBuf| (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists();
@@ -30,13 +30,13 @@ impl Examples {
         })
     }
 
-    /// Number of times that [`Self::files`] calls `done`.
+    /// Number of calls of `done` by [`Self::files`].
     pub fn n_units(&self) -> usize {
         self.scenes.len()
     }
 
-    /// What a run with its effects leaves, but histories and what speaks of versions: `NAME/impacts.csv`, `NAME/effects.csv`,
-    /// `NAME/animation.svg` and the figures, by path; `done` is called after each scene.
+    /// The files of a run with its effects, by path: `NAME/impacts.csv`, `NAME/effects.csv`, `NAME/animation.svg` and the figures.
+    /// Histories, and files that contain versions, are left out. Calls `done` after each scene.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of names.

@@ -1,4 +1,4 @@
-//! What a scene is pushed along: one change of it, by a number.
+//! Axes of the extremes: each changes a scene by one number.
 
 use super::laws::free_pair;
 use crate::listed::listed;
@@ -9,15 +9,15 @@ use serde::{Deserialize, Serialize};
 use pounding_scene::{Certificate, Damping, Method, Scene, Sdof, Structure};
 
 listed! {
-    /// A change of a scene of two structures, by a number: its name in tables, and in figures.
+    /// A change of a scene of two structures by one number. The texts are its names in tables and in figures.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "snake_case")]
     pub enum Axis { texts: (&'static str, &'static str);
-        /// Time step over the critical one of the central difference method, 2/ω of the stiffest structure.
+        /// Time step over the critical time step of the central difference method, 2/ω of the stiffest structure \[–\].
         TimeStep = ("time_step_over_critical", "Time step / (2/ω)"),
-        /// Mass of the left structure over that of the right one; the periods stay.
+        /// Mass of the left structure over mass of the right one; the periods stay.
         MassRatio = ("mass_ratio", "Mass ratio"),
-        /// Period of the left structure over that of the right one; the masses stay.
+        /// Period of the left structure over period of the right one; the masses stay.
         PeriodRatio = ("period_ratio", "Period ratio"),
         /// Damping ratio of both structures.
         DampingRatio = ("damping_ratio", "Damping ratio"),
@@ -25,8 +25,8 @@ listed! {
         Gap = ("gap_m", "Gap (m)"),
         /// Coefficient of restitution, exactly calibrated.
         Restitution = ("restitution", "Coefficient of restitution"),
-        /// Number of the contact law in `pounding laws`, from 1 on, exactly calibrated to 0.65, springs without damping as they
-        /// are; with the usual impact stiffness.
+        /// Number of the contact law in `pounding laws`, counted from 1, with the usual impact stiffness. The law is exactly calibrated to
+        /// 0.65; a spring without damping is not calibrated.
         Law = ("law", "Contact law"),
         /// Factor on the impact stiffness of the nonlinear viscoelastic element, with its own damping ratio.
         ImpactStiffness = ("impact_stiffness_factor", "Impact stiffness, times"),
@@ -36,20 +36,20 @@ listed! {
         RecordScale = ("record_scale", "Record, times"),
         /// Ground acceleration of one sample, at a fifth of the run \[m/s²\].
         Spike = ("spike_m_per_s2", "Spike (m/s²)"),
-        /// Ground acceleration that is added from a fifth of the run on \[m/s²\].
+        /// Ground acceleration added to all samples after a fifth of the run \[m/s²\].
         Step = ("step_m_per_s2", "Step (m/s²)"),
-        /// Number of time steps, without damping.
+        /// Number of time steps; the structures have no damping.
         LongRun = ("undamped_steps", "Undamped steps"),
         /// Gap \[m\] between two structures like the left one.
         IdenticalNeighbours = ("gap_of_identical_neighbours_m", "Gap of identical neighbours (m)"),
-        /// Number of structures, left and right ones in turn.
+        /// Number of structures, alternately left and right ones.
         Row = ("structures_in_a_row", "Structures in a row"),
-        /// Number of structures like the left one without gaps; the first moves towards them at 0.5 m/s, nothing shakes.
+        /// Number of structures like the left one, without gaps and without shaking. The first one moves towards the others at 0.5 m/s.
         Cradle = ("structures_all_touching", "Structures, all touching"),
     }
 }
 
-/// A scene with its record, on its way to the edge.
+/// A scene with its record while changes are made.
 #[derive(Debug, Clone)]
 pub(crate) struct Pushed {
     pub(crate) scene: Scene,
@@ -58,7 +58,7 @@ pub(crate) struct Pushed {
     pub(crate) time_step: f64,
 }
 
-/// Approach speed at which a restitution is calibrated, of laws that need one \[m/s\].
+/// Approach speed for the calibration of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
 
 impl Axis {
@@ -70,7 +70,7 @@ impl Axis {
     /// Changes a scene.
     ///
     /// # Errors
-    /// What cannot be changed so, in words.
+    /// A message that names the change and the value that the scene does not allow.
     pub(crate) fn push(self, pushed: &mut Pushed, value: f64) -> Result<(), String> {
         let scene = &mut pushed.scene;
         let contacts = scene.contacts.iter().flatten().count();
@@ -124,7 +124,7 @@ impl Axis {
 }
 
 impl Pushed {
-    /// A scene with a record, before any change.
+    /// A scene with its record, unchanged.
     pub(crate) fn new(scene: &Scene, record: &Record, time_step: f64) -> Self {
         Self {
             scene: scene.clone(),
@@ -133,7 +133,7 @@ impl Pushed {
         }
     }
 
-    /// Makes the duration a whole number of time steps, as a user has to.
+    /// Rounds the duration to a whole number of time steps, as a user must.
     pub(crate) fn rounded(mut self) -> Self {
         let n_steps = (self.scene.duration() / self.time_step).round().max(1.0);
         self.scene.duration_s = Some(n_steps * self.time_step);
@@ -141,7 +141,7 @@ impl Pushed {
         self
     }
 
-    /// Changes samples, given their index and that of a fifth of the run.
+    /// Changes every sample by a function of its index, of the index at a fifth of the run, and of its value.
     fn shake(&mut self, change: impl Fn(usize, usize, f64) -> f64) -> Result<(), String> {
         let step = self.record.time_step();
         let fifth = 0.2 * self.scene.duration();
@@ -188,7 +188,7 @@ fn gaps(scene: &mut Scene, gap: f64) {
     }
 }
 
-/// A row of so many structures, each a copy of one of the two.
+/// Makes a row of `n` structures; `which` chooses one of the two originals for each.
 fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
     let n = n as usize;
@@ -199,7 +199,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
     }
 }
 
-/// Gives the contacts another restitution.
+/// Calibrates the contacts to another restitution.
 fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
     let pair = free_pair(&scene.structures, SPEED);
     for contact in scene.contacts.iter_mut().flatten() {
@@ -224,7 +224,7 @@ fn stiffen(scene: &mut Scene, factor: f64) -> Result<(), String> {
     Ok(())
 }
 
-/// Puts another law between the structures.
+/// Replaces the contact law by another.
 fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
     let law = LawName::ALL.into_iter().zip(1_u32..).find(|(_, other)| f64::from(*other) >= number);
     let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;

@@ -1,4 +1,4 @@
-//! What is changed in the paper's scenes besides the ground motion.
+//! Changes of the paper's scenes besides the ground motion.
 
 use std::fmt;
 
@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 
 use pounding_scene::{Building, Columns, Damping, Scene, Sdof, Storey, Structure};
 
-/// A change under which the paper's claims are asked once more.
+/// A change under which the paper's claims are tested again.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Change {
-    /// Buildings of so many storeys in place of the structures, 2 to 20.
+    /// Replaces the structures by buildings with this number of storeys, 2 to 20.
     Storeys(usize),
-    /// Every motion multiplied by this \[–\], between 0 and 1; gaps, yield forces and contact laws stay.
+    /// Multiplies every motion by this factor \[–\], between 0 and 1. Gaps, yield forces and contact laws stay.
     Weaker(f64),
 }
 
@@ -26,11 +26,11 @@ impl fmt::Display for Change {
     }
 }
 
-/// Most storeys: more would take long and tell nothing of the paper's structures.
+/// Largest number of storeys: more would take long and say nothing about the paper's structures.
 const MOST_STOREYS: usize = 20;
 
 impl Change {
-    /// Its own folder, and the end of its columns; a list has one change of a kind.
+    /// Name of the change's folder, and end of its column names. A list has at most one change of a kind.
     pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Storeys(_) => "storeys",
@@ -38,12 +38,12 @@ impl Change {
         }
     }
 
-    /// Whether it takes so long that `reproduce` leaves it to `cargo xtask beyond`, whose results are known by their hashes.
+    /// Whether the change takes too long for `reproduce`. `cargo xtask beyond` then runs it, and hashes identify its results.
     pub(crate) fn is_long(self) -> bool {
         matches!(self, Self::Storeys(_))
     }
 
-    /// What was found and what is allowed, where it is not allowed.
+    /// The value found and the values allowed; `None` if the change is allowed.
     pub(crate) fn fault(self) -> Option<(String, &'static str)> {
         match self {
             Self::Storeys(count) if !(2..=MOST_STOREYS).contains(&count) => Some((format!("storeys: {count}"), "2 to 20")),
@@ -52,7 +52,7 @@ impl Change {
         }
     }
 
-    /// The scene that runs in place of a scene of the paper. Its name stays: by it the claims find their scenes.
+    /// The changed scene. Its name stays, because the claims find scenes by name.
     pub(crate) fn of_scene(self, mut scene: Scene) -> Scene {
         if let Self::Storeys(count) = self {
             for structure in &mut scene.structures {
@@ -64,7 +64,7 @@ impl Change {
         scene
     }
 
-    /// The motion that shakes it.
+    /// The changed ground motion.
     pub(crate) fn of_record(self, record: Record) -> Record {
         match self {
             Self::Storeys(_) => record,
@@ -73,19 +73,18 @@ impl Change {
     }
 }
 
-/// The twin of a structure: a building of several storeys in its place.
+/// A building of several storeys in place of a structure: its twin.
 ///
-/// A twin has the structure's total mass M, natural period, damping ratio and yield force, now of its first storey, so that
-/// it yields at the same base shear. Floors are equal. Stiffness and yield force of the storeys follow the shear of forces
-/// that grow with the height, as codes of design have them: Vᵢ = i + … + n. Then the first mode is a straight line, and all
-/// storeys reach yielding at one drift: no storey is soft or weak by chance. With floors of M/n and K the structure's
-/// stiffness, kᵢ = (K/n) Vᵢ has exactly its period.
+/// A twin has the structure's total mass M, natural period, damping ratio and yield force. The yield force is that of its first storey, so
+/// the twin yields at the same base shear. All floors are equal. Stiffness and yield force of the storeys follow the shear of forces that
+/// grow with height, as in design codes: Vᵢ = i + … + n. The first mode is then a straight line, and all storeys yield at one drift: no
+/// storey is soft or weak by chance. With floors of M/n and the structure's stiffness K, kᵢ = (K/n) Vᵢ gives exactly its period.
 ///
-/// Damping is Rayleigh's with the structure's ratio in the first two modes. Gaps and contact laws stay, and hold between all
-/// floors of one level. What differs besides: in the first mode the roof moves 3n/(2n + 1) times as far as the structure
-/// (three storeys: 9/7), and this mode carries 3(n + 1)/(2(2n + 1)) of the mass (6/7).
+/// Damping is Rayleigh's with the structure's ratio in the first two modes. Gaps and contact laws stay, and hold between all floors of one
+/// level. Two numbers differ from the structure's. In the first mode the roof moves 3n/(2n + 1) times as far as the structure (three
+/// storeys: 9/7). This mode carries 3(n + 1)/(2(2n + 1)) of the mass (6/7).
 fn building(sdof: &Sdof, count: usize) -> Building {
-    // Whole numbers below 1000: exact.
+    // The sums are whole numbers below 1000, hence exact.
     let shear = |storey: usize| (storey..=count).sum::<usize>() as f64;
     let columns = |storey: usize| Columns {
         stiffness_n_per_m: sdof.stiffness_n_per_m * shear(storey) / count as f64,
@@ -155,7 +154,7 @@ mod tests {
             for storey in &twin.storeys {
                 same(drift(&storey.columns), drift(first));
             }
-            // The shares that the description of a twin states.
+            // The two numbers in the description of a twin.
             let n = count as f64;
             let share = modes[0].effective_mass() / sdof.mass_kg;
             same(share, 3.0 * (n + 1.0) / (2.0 * (2.0 * n + 1.0)));

@@ -5,19 +5,20 @@ use crate::program::Program;
 use crate::{StudyError, StudyFile};
 use pounding_scene::{RunResult, Scene, Simulation};
 
-/// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`](crate::Output::Beyond).
+/// A study whose scenes have run, in the order of the study. There is at least one scene, except for
+/// [`Output::Beyond`](crate::Output::Beyond).
 #[derive(Debug)]
 pub struct Completed {
     /// The study.
     pub file: StudyFile,
-    /// Its scenes, prepared.
+    /// Its prepared scenes.
     pub prepared: Vec<Simulation>,
-    /// What each scene left behind.
+    /// The result of each scene.
     pub outcomes: Vec<RunResult>,
 }
 
 impl Completed {
-    /// Runs every scene of a study; `done` is called after each.
+    /// Runs every scene of a study. Calls `done` after each scene.
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be prepared or run.
@@ -26,7 +27,7 @@ impl Completed {
         if let Some(scene) = file.study.scenes.iter().find(stepless)
             && file.study.output.shows_steps()
         {
-            let allowed = "methods with a time step, of which this output shows something";
+            let allowed = "methods with a time step, because this output shows single steps";
             return Err(file.refuse("scenes.method", format!("\"{}\" without a time step", scene.name), allowed));
         }
         let prepare = |scene| Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path));
@@ -36,7 +37,7 @@ impl Completed {
         if let Some((found, allowed)) = refusal {
             return Err(file.refuse("program", found, allowed));
         }
-        // Where a scene asks for an accuracy, tables and figures show the method found for it.
+        // If a scene asks for an accuracy, tables and figures show the method that was found for it.
         for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
             scene.method = prepared.method();
             scene.duration_s = prepared.scene().duration_s;
@@ -44,7 +45,7 @@ impl Completed {
         Self::of_prepared(file, prepared, |program| program, done)
     }
 
-    /// The same study with another program wherever one runs a scene.
+    /// Runs the study again with the program replaced by `change` of it, in the scenes that a program runs.
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be run.
@@ -73,7 +74,7 @@ impl Completed {
         Ok(Self { file, prepared, outcomes })
     }
 
-    /// Scenes with what they left behind.
+    /// The scenes with their results.
     pub fn runs(&self) -> impl Iterator<Item = (&Scene, &RunResult)> {
         self.file.study.scenes.iter().zip(&self.outcomes)
     }

@@ -1,4 +1,4 @@
-//! A study: scenes, and what to print of them. One JSON file per table or figure.
+//! Studies: scenes and the output to print of them. Each table or figure has one JSON file.
 
 pub(crate) mod axis;
 pub(crate) mod change;
@@ -21,40 +21,40 @@ use crate::program::{PapersProgram, Program};
 use crate::{BeyondSettings, StudyError};
 pub use output::Output;
 
-/// Scenes and what to print of them.
+/// Scenes and the output to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Study {
-    /// What the table or figure shows.
+    /// Contents of the table or figure, in words.
     pub title: String,
-    /// Choices the paper does not state, and where they come from.
+    /// Choices that the paper does not state, with their origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notes: Option<String>,
-    /// The paper's program, which then runs the scenes that name the central difference method.
+    /// The paper's program. If set, it runs the scenes that name the central difference method.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<PapersProgram>,
-    /// The scenes, in the order of the table or figure; none for [`Output::Beyond`], which takes those of other studies.
+    /// The scenes, in the order of the table or figure. [`Output::Beyond`] has none: it takes those of other studies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub scenes: Vec<Scene>,
-    /// What to print.
+    /// The output.
     pub output: Output,
 }
 
 impl Study {
-    /// The program that runs a scene of it instead of the scene's method, where there is one.
+    /// The program that runs a scene in place of the scene's method, if any.
     pub(crate) fn program_of(&self, scene: &Scene) -> Option<Program> {
         self.program.as_ref()?.of(scene)
     }
 }
 
-/// A study with the file it came from.
+/// A study with its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudyFile {
-    /// Name of the file without ending, for example `table-2`.
+    /// Name of the file without its extension, for example `table-2`.
     pub id: String,
     /// The file.
     pub path: PathBuf,
-    /// What it holds.
+    /// The contents of the file.
     pub study: Study,
 }
 
@@ -62,7 +62,7 @@ impl StudyFile {
     /// Reads one study.
     ///
     /// # Errors
-    /// [`StudyError`] naming the file and the field.
+    /// [`StudyError`] with the file and the field.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let study: Study = file::read(path)?;
         let refuse = |found, allowed| StudyError::refused(path, "scenes", found, allowed);
@@ -100,17 +100,17 @@ impl StudyFile {
         paths.iter().map(|path| Self::read(path)).collect()
     }
 
-    /// The study of some that lists ground motions: its file, and the list.
+    /// The path and the list of the first study that lists ground motions.
     pub(crate) fn listing<'a>(files: impl IntoIterator<Item = &'a Self>) -> Option<(&'a Path, &'a BeyondSettings)> {
         files.into_iter().find_map(|file| Some((&*file.path, file.study.output.beyond()?)))
     }
 
-    /// An error about it.
+    /// An error about this study's file.
     pub(crate) fn refuse(&self, place: &'static str, found: String, allowed: &'static str) -> StudyError {
         StudyError::refused(&self.path, place, found, allowed)
     }
 
-    /// Folder that the files named in its scenes are relative to.
+    /// Folder that file names in the scenes are relative to.
     pub fn base(&self) -> &Path {
         self.path.parent().unwrap_or_else(|| Path::new(""))
     }

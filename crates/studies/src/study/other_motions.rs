@@ -1,23 +1,23 @@
-//! What the paper's scenes are shaken with beyond its own record and direction.
+//! Ground motions beyond the paper's record and direction.
 
 use serde::{Deserialize, Serialize};
 
 use super::change::Change;
 use pounding_scene::RecordUse;
 
-/// Ground motions, each of which shakes the paper's scenes in both directions.
+/// Ground motions for the paper's scenes; each runs in both directions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BeyondSettings {
     /// The ground motions; the first is the paper's.
     pub motions: Vec<ListedMotion>,
-    /// Strength in which all are scaled to the first; without it they are as their records say.
+    /// Measure by which all motions are scaled to the strength of the first. By default they are not scaled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scaled_by: Option<Strength>,
-    /// Changes of the scenes under which all is asked once more, one of a kind.
+    /// Changes of the scenes under which all runs are repeated, at most one of a kind.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub changes: Vec<Change>,
-    /// How long a run goes on after the end of a record without a duration of its own \[s\], ≥ 0.
+    /// Length of a run after the end of the record \[s\], ≥ 0. A motion with `duration_s` ignores it.
     pub rest_s: f64,
 }
 
@@ -25,16 +25,16 @@ pub struct BeyondSettings {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ListedMotion {
-    /// Name for tables and figures.
+    /// Name in tables and figures.
     pub name: String,
-    /// The record in the words of a scene, not reversed: both directions run.
+    /// The record as in a scene, not reversed: both directions run.
     pub record: RecordUse,
-    /// Duration of the runs \[s\], > 0, where they are not to last until the ground has been at rest.
+    /// Duration of the runs \[s\], > 0. By default a run lasts until the ground has been at rest for a while.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub duration_s: Option<f64>,
 }
 
-/// How strong a ground motion is, in one number.
+/// A measure of the strength of a ground motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Strength {
@@ -50,14 +50,13 @@ pub enum Strength {
 }
 
 impl BeyondSettings {
-    /// Number of cases that are usually run: motions in both directions, for the paper's scenes and every change of them that
-    /// does not take long.
+    /// Number of cases that usually run: every motion in both directions, for the paper's scenes and for every change that is not long.
     pub(crate) fn n_usual_cases(&self) -> usize {
         let usual = self.changes.iter().filter(|change| !change.is_long());
         2 * self.motions.len() * (1 + usual.count())
     }
 
-    /// What is not allowed: field, what was found, and what is allowed.
+    /// The first fault: field, value found, and values allowed. `None` if all is allowed.
     pub(crate) fn fault(&self) -> Option<(&'static str, String, &'static str)> {
         let motions = &self.motions;
         for (index, motion) in motions.iter().enumerate() {

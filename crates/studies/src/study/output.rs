@@ -1,4 +1,4 @@
-//! What a study prints.
+//! Outputs of studies.
 
 use pounding_scene::Ladder;
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use super::other_motions::BeyondSettings;
 use super::stress::Edges;
 use super::surveys::Survey;
 
-/// What a study prints of its scenes.
+/// The output of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Output {
@@ -16,10 +16,10 @@ pub enum Output {
     StructuresTable,
     /// Time and force of every impact, or of every step in contact, one block per scene.
     PoundingForcesTable {
-        /// Only the first collisions, where the paper prints no more.
+        /// Number of collisions to print, if the paper prints only the first ones.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         n_collisions: Option<usize>,
-        /// Added to every printed time \[s\].
+        /// Offset added to every printed time \[s\].
         #[serde(default)]
         label_offset_s: f64,
     },
@@ -29,35 +29,35 @@ pub enum Output {
     TransferredMomentumTable,
     /// Single numbers of the running text.
     TextTable {
-        /// Scenes of which the transferred momentum of the first structure is printed.
+        /// Scenes whose first structure's transferred momentum is printed.
         transferred_momentum: Vec<String>,
-        /// Scenes of which the peak forces of the first two collisions are printed.
+        /// Scenes whose first two collisions' peak forces are printed.
         peak_forces: Vec<String>,
     },
-    /// Nothing of its own: the scenes are needed to test the paper's claims.
+    /// No file. The scenes serve to test the paper's claims.
     Claims,
-    /// Error against work of every method on every scene; a folder of its own.
+    /// A folder with the error against the work of every method on every scene.
     Trade(Ladder),
-    /// What every contact law delivers, and what it does in every scene; a folder of its own.
+    /// A folder with the restitution that every contact law delivers, and its results in every scene.
     Laws(AtlasSettings),
-    /// What becomes of the scenes at the edge; a folder of its own.
+    /// A folder with the results of extreme scenes.
     Extremes(Edges),
-    /// The paper's scenes under other ground motions, and its claims; a folder of its own.
+    /// A folder with the paper's scenes and claims under other ground motions.
     Beyond(BeyondSettings),
-    /// One question asked of thousands of runs of which the scenes are templates; a folder of its own, which
-    /// [`SurveyStudy`](crate::SurveyStudy) makes and `reproduce` does not.
+    /// A folder with the answers of thousands of runs to one question; the scenes are templates. [`SurveyStudy`](crate::SurveyStudy) makes
+    /// it, not `reproduce`.
     Survey(Survey),
     /// The record of the first scene.
     RecordFigure,
-    /// Displacements of the structures of the first scene, a panel each.
+    /// Displacements of the structures of the first scene, one panel each.
     DisplacementFigure,
-    /// Displacements of the structures above, pounding forces below, of the first scene.
+    /// Displacements above pounding forces, for the structures of the first scene.
     PoundingFigure,
-    /// Pounding force of the first collision, a panel per scene.
+    /// Pounding force of the first collision, one panel per scene.
     FirstCollisionFigure,
-    /// The rows of all scenes, drawn.
+    /// Drawings of the rows of all scenes.
     LayoutFigure,
-    /// Shear force of the structure of this name in every scene.
+    /// Shear force of one structure in every scene.
     ShearForceFigure {
         /// Name of the structure.
         structure: String,
@@ -65,22 +65,22 @@ pub enum Output {
 }
 
 impl Output {
-    /// The ladder of a trade study.
+    /// The ladder of a trade study, else `None`.
     pub(crate) fn ladder(&self) -> Option<&Ladder> {
         if let Self::Trade(ladder) = self { Some(ladder) } else { None }
     }
 
-    /// The ground motions beyond the paper's.
+    /// The list of other ground motions, else `None`.
     pub(crate) fn beyond(&self) -> Option<&BeyondSettings> {
         if let Self::Beyond(settings) = self { Some(settings) } else { None }
     }
 
-    /// Whether the output shows what happened step by step.
+    /// Whether the output shows step-by-step histories.
     pub(crate) fn needs_histories(&self) -> bool {
         self.shows_steps() || matches!(self, Self::DisplacementFigure | Self::ShearForceFigure { .. })
     }
 
-    /// Whether the output shows what a method did in a step, such as the force of an impact as impulse over time step.
+    /// Whether the output shows details of a method's steps, such as the force of an impact as impulse over time step.
     pub(crate) fn shows_steps(&self) -> bool {
         matches!(
             self,

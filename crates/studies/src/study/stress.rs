@@ -1,47 +1,47 @@
-//! Which scenes are pushed where.
+//! Extremes: scenes and the changes that push them to their limits.
 
 use serde::{Deserialize, Serialize};
 
 use super::axis::{Axis, Pushed};
 use pounding_scene::{Scene, Simulation};
 
-/// What is pushed to the edge.
+/// Scenes and the changes that push them to their limits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Edges {
-    /// Time step of the methods where no axis changes it \[s\].
+    /// Time step of the methods \[s\], unless an axis changes it.
     pub time_step_s: f64,
-    /// Two changes at once.
+    /// Grids of two changes at once.
     pub maps: Vec<Map>,
-    /// One change.
-    pub lines: Vec<Line>,
+    /// Series of one change.
+    pub lines: Vec<ChangeSeries>,
 }
 
-/// Two changes of one scene at once.
+/// A grid of two changes of one scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Map {
-    /// Name of its figure.
+    /// Name of the map's figure.
     pub name: String,
     /// Name of the scene.
     pub scene: String,
-    /// Along the figure.
+    /// The change along the horizontal axis of the figure.
     pub x: Values,
-    /// Up the figure.
+    /// The change along the vertical axis of the figure.
     pub y: Values,
 }
 
-/// One change of some scenes.
+/// A series of one change, for some scenes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Line {
+pub struct ChangeSeries {
     /// Names of the scenes.
     pub scenes: Vec<String>,
     /// The change.
     pub change: Values,
 }
 
-/// A change, and by how much.
+/// A change and its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Values {
@@ -54,36 +54,36 @@ pub struct Values {
 /// How much of the grid is run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Extent {
-    /// Every fourth value of every axis, from the first on.
+    /// The first and then every fourth value of every axis.
     #[default]
     Part,
-    /// All of it.
+    /// All values.
     Whole,
 }
 
-/// One scene at the edge.
+/// One changed scene.
 #[derive(Debug, Clone)]
-pub(crate) struct Cell {
-    /// Name of the map, or "line".
+pub(crate) struct ExtremeScene {
+    /// Name of the map, or "line" for a series.
     pub(crate) place: String,
     /// Name of the scene.
     pub(crate) scene: String,
-    /// The changes.
+    /// The changes with their values.
     pub(crate) changes: Vec<(Axis, f64)>,
-    /// Whether the usual part of the grid holds it.
+    /// Whether the usual part of the grid contains it.
     pub(crate) in_part: bool,
 }
 
-/// A value of an axis, and whether the usual part of the grid holds it.
+/// A value of an axis, and whether the usual part of the grid contains it.
 type Taken = (f64, bool);
 
 impl Edges {
-    /// Every scene at the edge, maps before lines.
-    pub(crate) fn cells(&self, extent: Extent) -> Vec<Cell> {
+    /// Every changed scene, maps before series.
+    pub(crate) fn cells(&self, extent: Extent) -> Vec<ExtremeScene> {
         let mut cells = Vec::new();
         for map in &self.maps {
             for (y, in_part) in map.y.taken(extent) {
-                cells.extend(map.x.taken(extent).map(|(x, also)| Cell {
+                cells.extend(map.x.taken(extent).map(|(x, also)| ExtremeScene {
                     place: map.name.clone(),
                     scene: map.scene.clone(),
                     changes: vec![(map.x.axis, x), (map.y.axis, y)],
@@ -93,7 +93,7 @@ impl Edges {
         }
         for line in &self.lines {
             for scene in &line.scenes {
-                cells.extend(line.change.taken(extent).map(|(value, in_part)| Cell {
+                cells.extend(line.change.taken(extent).map(|(value, in_part)| ExtremeScene {
                     place: "line".into(),
                     scene: scene.clone(),
                     changes: vec![(line.change.axis, value)],
@@ -112,8 +112,8 @@ impl Values {
     }
 }
 
-impl Cell {
-    /// The scene with its changes; the time step comes last, since it follows from the structures.
+impl ExtremeScene {
+    /// The changed scene. The time step is changed last, because it depends on the structures.
     pub(crate) fn pushed(&self, base: &Simulation, scene: &Scene, time_step: f64) -> Result<Pushed, String> {
         let mut pushed = Pushed::new(scene, base.record(), time_step);
         let (last, first): (Vec<_>, Vec<_>) = self.changes.iter().copied().partition(|(axis, _)| *axis == Axis::TimeStep);

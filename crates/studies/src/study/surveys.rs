@@ -1,45 +1,45 @@
-//! What surveys ask.
+//! Questions of the surveys, with their settings.
 
 use crate::listed::listed;
 use serde::{Deserialize, Serialize};
 
-/// What a survey asks.
+/// The question of a survey.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Survey {
-    /// The width of a gap against the rules for it, and what wider gaps do.
+    /// Widths of gaps against design rules, and the effect of wider gaps.
     RequiredGap(RequiredGap),
     /// Pounding forces, impulses and amplifications over both periods.
     PoundingSpectra(PoundingSpectra),
-    /// Probability of touching, and of larger drifts, over gap and intensity.
+    /// Probability of touching and of larger drifts, over gap and intensity.
     Fragility(Fragility),
-    /// What pounding does to the middle of three structures, over the stiffness of the others.
+    /// Effect of pounding on the middle one of three structures, over the stiffness of the others.
     StiffnessRatio(StiffnessRatio),
-    /// Which inputs matter.
+    /// Influence of uncertain inputs.
     Sensitivity(Sensitivity),
 }
 
-/// Pairs of elastic structures that stand side by side, under every motion in both directions.
+/// Pairs of neighbouring elastic structures under every motion in both directions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RequiredGap {
     /// Natural periods of the left structure, the longer ones \[s\], > 0.
     pub longer_periods_s: Vec<f64>,
-    /// Natural periods of the right one over those \[–\], > 0, other than 1: equal neighbours need no gap.
+    /// Natural period of the right structure over that of the left one \[–\], > 0, not 1: equal neighbours need no gap.
     pub period_ratios: Vec<f64>,
-    /// Where wider gaps are looked at that still are too narrow.
+    /// Pairs for which gaps narrower than required are compared.
     pub scan: Scan,
 }
 
-/// Gaps from 0 to the required one.
+/// A series of gaps from 0 to the required one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
     /// Natural periods of the left structure \[s\], > 0.
     pub longer_periods_s: Vec<f64>,
-    /// Natural periods of the right one over those \[–\].
+    /// Natural period of the right structure over that of the left one \[–\].
     pub period_ratios: Vec<f64>,
-    /// Number of gaps, at equal distances from 0 to just below the required one.
+    /// Number of gaps, equally spaced from 0 to just below the required one.
     pub n_gaps: usize,
 }
 
@@ -47,21 +47,21 @@ pub struct Scan {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sensitivity {
-    /// Rows of either matrix of samples; a power of two is the most even.
+    /// Number of rows of each sample matrix; powers of two spread most evenly.
     pub samples: usize,
     /// Repetitions of the bootstrap.
     pub bootstrap: usize,
-    /// Gap \[m\], uniform.
+    /// Gap \[m\], uniformly distributed.
     pub gap_m: Range,
-    /// Coefficient of restitution e \[–\], uniform.
+    /// Coefficient of restitution e \[–\], uniformly distributed.
     pub restitution: Range,
-    /// Impact stiffness β̄ \[N/m^1.5\], its logarithm uniform.
+    /// Impact stiffness β̄ \[N/m^1.5\] with a uniformly distributed logarithm.
     pub impact_stiffness_n_per_m1_5: Range,
-    /// Damping ratio of both structures \[–\], uniform.
+    /// Damping ratio of both structures \[–\], uniformly distributed.
     pub damping_ratio: Range,
-    /// Factor on the ground acceleration \[–\], uniform.
+    /// Factor on the ground acceleration \[–\], uniformly distributed.
     pub intensity: Range,
-    /// Whether the motion is one of the list of `beyond.json` by chance, too, all equally likely; else it is the first.
+    /// Whether the motion varies too: each of the list of `beyond.json` is equally likely. Otherwise the first one is used.
     pub vary_motion: bool,
 }
 
@@ -85,40 +85,40 @@ impl Range {
     }
 }
 
-/// Two elastic structures of every pair of periods, under some motions in both directions.
+/// Two elastic structures with every pair of periods, under some motions in both directions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PoundingSpectra {
-    /// Natural periods of either structure \[s\], > 0, rising at equal ratios.
+    /// Natural periods of either structure \[s\], > 0, rising by a constant ratio.
     pub periods_s: Vec<f64>,
-    /// Gaps over the root of the sum of squares of both peak displacements alone \[–\].
+    /// Gap over the root of the sum of squares of both peak displacements without a neighbour \[–\].
     pub gaps_over_srss: Vec<f64>,
     /// Mass of the right structure over that of the left one \[–\], > 0.
     pub mass_ratios: Vec<f64>,
-    /// Names of the motions, of the list of `beyond.json`.
+    /// Names of motions from the list of `beyond.json`.
     pub motions: Vec<String>,
-    /// How many runs, chosen at random, are made once more to see what their digits are worth.
+    /// Number of randomly chosen runs that are repeated to test how many of their digits are reliable.
     pub checked: usize,
 }
 
-/// Layouts of three structures, the stiffness of some of which varies.
+/// Layouts of three structures in which the stiffness of some varies.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StiffnessRatio {
     /// Name of the structures whose stiffness varies; their yield displacement stays.
     pub stiff: String,
-    /// Name of the structures by whose stiffness theirs is counted.
+    /// Name of the structures whose stiffness is the unit of the ratio.
     pub weak: String,
-    /// Stiffness of the stiff over that of the weak ones \[–\], > 0, rising.
+    /// Stiffness of the stiff structures over that of the weak ones \[–\], > 0, rising.
     pub stiffness_ratios: Vec<f64>,
-    /// What of the stiff structures stays as the scenes have it.
+    /// Properties of the stiff structures that stay as in the scenes.
     pub keeps: Vec<HeldConstant>,
-    /// The case of the paper among the motions: its name, and whether it is reversed.
+    /// The paper's case among the motions: its name, and whether it is reversed.
     pub papers: (String, bool),
 }
 
 listed! {
-    /// What stays as stiffness varies.
+    /// A property that stays while the stiffness varies.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "snake_case")]
     pub enum HeldConstant { word: &'static str;
@@ -133,12 +133,12 @@ listed! {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fragility {
-    /// Number of motions; their seeds count from that of the scene's own motion.
+    /// Number of motions. Their seeds count up from the seed of the scene's own motion.
     pub motions: u64,
-    /// Peak ground accelerations to which each is scaled \[m/s²\], > 0.
+    /// Peak ground accelerations to which each motion is scaled \[m/s²\], > 0.
     pub pga_m_per_s2: Vec<f64>,
     /// Gaps \[m\], ≥ 0.
     pub gaps_m: Vec<f64>,
-    /// Peak displacements over those alone that are exceeded \[–\].
+    /// Thresholds for the peak displacement over that without a neighbour \[–\].
     pub amplifications: Vec<f64>,
 }

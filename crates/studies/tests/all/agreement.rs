@@ -1,6 +1,6 @@
-//! The agreement with the published numbers: what is reproduced, what is not, and what is told of a change.
+//! Agreement with the published numbers: reproduced and other numbers, and messages about changes.
 
-use pounding_studies::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, Table, Value, Verdict};
+use pounding_studies::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, StudyTable, Value, Verdict};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ static COMPUTED: LazyLock<Values> = LazyLock::new(|| {
             let path = studies().join(id).with_extension("json");
             let study = StudyFile::read(&path).expect("a readable study");
             let completed = Completed::run(study, &|| ()).expect("a study that runs");
-            let table = Table::of(&completed).expect("scenes that give the table");
+            let table = StudyTable::of(&completed).expect("scenes that give the table");
             let values = table.expect("a study that prints a table").values;
             (id.trim_start_matches("table-").to_string(), values)
         })
@@ -34,7 +34,7 @@ fn comparisons() -> Vec<Comparison> {
     published().compare(&COMPUTED)
 }
 
-/// What is told of a change of one computed number.
+/// The messages after a change of one computed number.
 fn surprises(table: &str, row: &str, quantity: &str, change: impl Fn(&mut f64)) -> Vec<String> {
     let mut computed = COMPUTED.clone();
     let values = computed.get_mut(table).expect("a table");
@@ -68,7 +68,7 @@ fn limit_every_unlike_number_has_a_reason() {
     }
 }
 
-/// The paper prints 131 numbers of its own runs, and two of another work, by a comparison of its own: no verdict is asked.
+/// The paper prints 131 numbers of its runs. It compares two further numbers, of another work, itself: they get no verdict.
 #[test]
 fn issue_every_number_of_the_paper_s_own_runs_is_reproduced() {
     let own: Vec<_> = comparisons()
@@ -97,7 +97,7 @@ fn issue_a_new_disagreement_is_a_surprise() {
     );
 }
 
-/// A reason for numbers that are reproduced.
+/// A listed reason for numbers that are reproduced.
 #[test]
 fn issue_a_disagreement_that_vanished_is_a_surprise() {
     let known = |reason: &str| {
@@ -142,7 +142,7 @@ fn issue_a_number_that_is_no_longer_computed_is_a_surprise() {
     assert!(told.iter().all(|surprise| surprise.starts_with("table 5, ")), "{told:?}");
 }
 
-/// A number in another unit is not the published one.
+/// A number in another unit is not the published number.
 #[test]
 fn issue_a_number_in_another_unit_is_a_surprise() {
     let mut computed = COMPUTED.clone();

@@ -1,4 +1,4 @@
-//! The paper's scenes under other ground motions: what is told of them, and what claims say where nothing touches.
+//! The paper's scenes under other ground motions: tables, messages, and claims where nothing touches.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,13 +12,13 @@ use pounding_text::digits;
 use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;
-type Row = BTreeMap<String, String>;
+type TableRow = BTreeMap<String, String>;
 
 fn studies() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
 }
 
-/// The studies, with another list of motions; the paper's scenes alone, unless the list says otherwise.
+/// The studies with a changed list of motions. Changed scenes run only if the list adds them.
 fn listing(change: impl FnOnce(&mut BeyondSettings)) -> Vec<StudyFile> {
     let mut files = StudyFile::read_all(&studies()).expect("readable studies");
     let settings = files.iter_mut().find_map(|file| {
@@ -59,7 +59,7 @@ fn text<'a>(files: &'a Files, table: &str) -> &'a str {
 }
 
 /// Rows of a table as columns by name.
-fn rows(files: &Files, table: &str) -> Vec<Row> {
+fn rows(files: &Files, table: &str) -> Vec<TableRow> {
     let mut reader = csv::Reader::from_reader(text(files, table).as_bytes());
     let rows = reader.deserialize();
     rows.map(|row| row.expect("a row of text")).collect()
@@ -104,7 +104,7 @@ fn limit_the_papers_case_is_the_paper_run_exactly() {
     }
 }
 
-/// The paper's record alone, weaker.
+/// Runs the paper's record alone, multiplied by `scale`.
 fn weakened(scale: f64) -> Beyond {
     run(&listing(|settings| {
         settings.motions.truncate(1);
@@ -123,12 +123,12 @@ fn limit_claims_about_nothing_do_not_apply() {
         assert_eq!((tally.holds, tally.does_not_apply), (0, 2), "{claim}");
         assert_eq!(tally.words(), "in 0 of 2 cases; 2 do not apply");
     }
-    let touch = |row: &Row| row["collisions"] != "0" || !row["first_touch_s"].is_empty();
+    let touch = |row: &TableRow| row["collisions"] != "0" || !row["first_touch_s"].is_empty();
     assert!(!rows(&files(&made), "scenes.csv").iter().any(touch));
 }
 
-/// In one direction two elastic structures touch and two nonlinear ones do not: what is said of both does not hold, what is
-/// said of each is said of those that touch.
+/// In one direction two elastic structures touch and two nonlinear ones do not. A claim about both does not hold; a claim about each is
+/// tested on the touching ones.
 #[test]
 fn limit_claims_about_something_and_nothing() {
     assert_snapshot!(text(&files(&weakened(0.35)), "verdicts.csv"));
@@ -153,8 +153,8 @@ fn committed(name: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// `reproduce` does not make them: they take longer than all else beyond the paper's record. What runs here is their part under
-/// that record.
+/// `reproduce` does not make these files: they take longer than all else beyond the paper's record. This test runs their part under that
+/// record.
 #[test]
 fn reference_buildings_of_storeys_are_what_their_command_made() {
     for table in ["claims.csv", "direction.csv", "scenes.csv", "verdicts.csv"] {
@@ -195,7 +195,7 @@ fn limit_a_mirrored_row_under_the_reversed_motion_mirrors() {
     let plain = rows(&TWO, "scenes.csv");
     assert_eq!(mirrored.len(), plain.len());
     for row in &plain {
-        let same = |other: &&Row| ["table", "scene", "motion"].iter().all(|key| other[*key] == row[*key]);
+        let same = |other: &&TableRow| ["table", "scene", "motion"].iter().all(|key| other[*key] == row[*key]);
         let in_scene: Vec<_> = mirrored.iter().filter(same).collect();
         let n_structures = in_scene.len() / 2;
         let number: usize = row["structure"].parse().expect("a number");
@@ -228,12 +228,12 @@ fn limit_motions_scaled_by_a_spectrum_share_it() {
             damping_ratio: 0.05,
         });
         for motion in &mut settings.motions {
-            // All of the record counts in the scaling.
+            // The scaling uses the whole record.
             motion.duration_s = None;
         }
     }));
     let rows = rows(&files(&made), "motions.csv");
-    let number = |row: &Row, column: &str| row[column].parse::<f64>().expect("a number");
+    let number = |row: &TableRow, column: &str| row[column].parse::<f64>().expect("a number");
     let [one, other] = [0, 1].map(|index| number(&rows[index], "sa_0.30_s_m_per_s2"));
     assert!((one / other - 1.0).abs() < 1e-3, "{one}, {other}");
     assert!(number(&rows[1], "scaled_by") > 1.5, "{:?}", rows[1]);
@@ -268,7 +268,7 @@ fn extreme_lists_that_are_refused() {
     assert_snapshot!(messages.join("\n"));
 }
 
-/// A folder with a record, its vertical twin, and a file that is none.
+/// A folder with a record, its vertical twin, and a file that is not a record.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     drop(fs::remove_dir_all(&folder));

@@ -1,12 +1,12 @@
-//! The same bytes however often and on however many threads; of the studies with a folder of their own see
-//! `trade.rs`, `laws.rs` and `beyond.rs`.
+//! Results have the same bytes after every run and on any number of threads. Studies with a separate folder are tested in `trade.rs`,
+//! `laws.rs` and `beyond.rs`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pounding_studies::Studies;
 
-/// Every file of a reproduction on so many threads.
+/// Every file of a reproduction on `n_threads` threads.
 fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
@@ -37,7 +37,7 @@ fn limit_bytes_do_not_depend_on_threads_or_on_the_run() {
         let again = files(n_threads);
         assert!(once.keys().eq(again.keys()), "{n_threads} threads make the same files");
         for (path, bytes) in &once {
-            // No assert_eq: it would print the picture.
+            // An `assert_eq` would print the picture.
             assert!(*bytes == again[path], "{} with {n_threads} threads", path.display());
         }
     }

@@ -1,11 +1,11 @@
-//! Both routes against a solution with 36 digits: studies/digits/towers.csv, made by towers.py beside it.
+//! Both routes against a solution with 36 digits, `studies/digits/towers.csv`, which `towers.py` makes.
 
 use std::path::Path;
 
 use pounding_reference::Fineness;
 use pounding_scene::{Scene, Simulation};
 
-/// Largest distance of a start \[s\], and of an impulse as a part of the largest.
+/// Largest distance of a start \[s\], and of an impulse relative to the largest \[–\].
 const CLOSE: f64 = 1e-13;
 
 #[test]

@@ -1,4 +1,4 @@
-//! Scenes in which an independent check found the exact method wrong, without end, or ended by an error: both routes agree now.
+//! Scenes in which an independent check found a wrong, endless or failed run of the exact method. Both routes agree on them now.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ fn issue_scenes_that_the_exact_method_got_wrong_agree_by_both_routes() {
 
 #[test]
 fn issue_the_peak_of_a_force_that_jumps_at_an_impact() {
-    // 8.950 MN were printed; the check's own integrator has 11.494 MN.
+    // The method printed 8.950 MN; the check's own integrator has 11.494 MN.
     let scene = Scene::read(&folder().join("peak_force_missed_at_jump.json")).expect("a scene");
     let run = Simulation::new(&scene, &*folder())
         .and_then(|scene| scene.run(None))

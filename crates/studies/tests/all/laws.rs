@@ -16,7 +16,7 @@ fn read() -> StudyFile {
     StudyFile::read(&studies.join("laws.json")).expect("a readable study")
 }
 
-/// The study with two of its scenes, and with few questions.
+/// The study with two of its scenes and few settings.
 fn study() -> (Completed, AtlasSettings) {
     let mut file = read();
     let Output::Laws(settings) = file.study.output.clone() else {
@@ -65,10 +65,10 @@ fn limit_every_table_names_every_law() {
     ] {
         let mut named: Vec<_> = rows(&FILES, table).iter().map(|row| row["law"].clone()).collect();
         named.dedup();
-        // One scene after the other.
+        // The rows of one scene follow those of another.
         assert_eq!(named[..laws.len()], laws, "{table}");
     }
-    // Springs alone lose nothing, the impulsive law has no force, and four names share one.
+    // Springs alone lose nothing, the impulsive law has no force, and four names share one force.
     let mut compared: Vec<_> = LawName::ALL.into_iter().filter(|law| !law.is_elastic()).collect();
     compared.retain(|law| law.stiffness().is_some());
     compared.dedup_by_key(|law| law.about().force);
@@ -170,7 +170,7 @@ fn reference_a_second_route_gives_the_same_scenes_under_every_law() {
         let second = pounding_studies::second_route(&prepared, Fineness::FINE).expect("a second run");
         let met: usize = second.collisions.iter().map(Vec::len).sum();
         assert_eq!(exact.collisions.all().len(), met, "{what}: collisions");
-        // As the study of accuracy allows, which knows the condition of every result.
+        // The allowed distance is that of the study of accuracy, which knows the condition of every result.
         let allowed = if law == LawName::Stereomechanical { 1e-12 } else { 1e-9 };
         for (index, other) in second.structures.iter().enumerate() {
             let close = |one: f64, other: f64| (one - other).abs() <= allowed * other.abs();

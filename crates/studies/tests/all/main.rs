@@ -1,4 +1,4 @@
-//! Tests of the studies; the kind of each is in its name.
+//! Tests of the studies; the name of a test tells its kind.
 
 mod agreement;
 mod beyond;

@@ -1,8 +1,8 @@
-//! What is said of studies that do not fit together, and that what is read is what is written.
+//! Messages about studies that do not fit together, and round trips of study files.
 
 use pounding_scene::{Advice, Goal, Method, QuantityGroup, Simulation};
 use pounding_solver::{LedgerError, Rk4};
-use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
+use pounding_studies::{Completed, Study, StudyError, StudyFile, StudyTable, figure_png};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ fn studies() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
 }
 
-/// A study of the paper as JSON, its record by a path that holds from anywhere.
+/// A study of the paper as JSON, with an absolute path to its record.
 fn study(id: &str) -> Value {
     let text = fs::read_to_string(studies().join(id).with_extension("json")).expect("a study");
     let mut study: Value = serde_json::from_str(&text).expect("JSON");
@@ -31,12 +31,12 @@ fn make(test: &str, study: &Value) -> Result<(), StudyError> {
     let path = folder.join("study.json");
     fs::write(&path, serde_json::to_string_pretty(study).expect("JSON")).expect("the study can be written");
     let completed = Completed::run(StudyFile::read(&path)?, &|| ())?;
-    Table::of(&completed)?;
+    StudyTable::of(&completed)?;
     figure_png(&completed)?;
     Ok(())
 }
 
-/// The message for a study that is refused, from the name of its file on.
+/// The message about a refused study, from the name of its file.
 fn refused(test: &str, study: &Value) -> String {
     let message = make(test, study).expect_err("a study that is refused").to_string();
     let message = message.replace('\\', "/");
@@ -129,8 +129,8 @@ fn extreme_scene_that_diverges_is_named() {
 
 #[test]
 fn extreme_time_step_at_the_limit() {
-    // T/π = 2/ω of the stiff structure; linear acceleration T√3/π; average acceleration and its relatives none. The
-    // Runge–Kutta method's, near 2√2/ω, depends on the damping.
+    // The limits are T/π = 2/ω of the stiff structure, T√3/π for linear acceleration, and none for average acceleration and its relatives.
+    // The limit of the Runge–Kutta method, near 2√2/ω, depends on the damping.
     let limit = 2.0 * (3e6_f64 / 1.316e9).sqrt();
     let damping = (0.5712 * 3e6 + 0.001_447 * 1.316e9) / (2.0 * (3e6_f64 * 1.316e9).sqrt());
     let newmark = |beta: f64| json!({"newmark": {"time_step_s": 0, "beta": beta, "gamma": 0.5}});
@@ -183,7 +183,7 @@ fn extreme_the_first_error_is_the_first_scene_on_any_number_of_threads() {
     }
 }
 
-/// A table shows the method found for an accuracy, the same that is advised.
+/// A table shows the method that was found for an accuracy, which is the advised one.
 #[test]
 fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     let mut study = study("table-7");
@@ -203,7 +203,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     named.study.scenes[0].method = advice.best().method;
     assert_eq!(asked.file.study.scenes[0].method, advice.best().method);
     let named = Completed::run(named, &|| ()).expect("a good study");
-    let csv = |completed| Table::of(completed).expect("a table").expect("one").to_csv();
+    let csv = |completed| StudyTable::of(completed).expect("a table").expect("one").to_csv();
     assert_eq!(csv(&asked), csv(&named));
 }
 
@@ -227,7 +227,7 @@ fn extreme_scenes_that_the_papers_program_cannot_run() {
     }
 }
 
-/// A misspelt name gave the other start without a word.
+/// A misspelt name gave the other start silently.
 #[test]
 fn issue_a_start_of_a_scene_that_is_not_there() {
     let mut study = study("table-6");
@@ -239,7 +239,7 @@ fn issue_a_start_of_a_scene_that_is_not_there() {
 fn extreme_an_accuracy_where_steps_are_shown() {
     let mut study = study("table-2");
     study["scenes"][0]["method"] = json!({"accuracy": 0.2});
-    assert_snapshot!(refused("steps", &study), @r#"study.json: scenes.method: found "elastic" without a time step, allowed methods with a time step, of which this output shows something"#);
+    assert_snapshot!(refused("steps", &study), @r#"study.json: scenes.method: found "elastic" without a time step, allowed methods with a time step, because this output shows single steps"#);
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn difference(one: &Response, other: &Response) -> f64 {
     pairs
         .map(|(one, other)| {
             let [one, other] = [one.transferred_momentum, other.transferred_momentum];
-            // A structure that nobody hits has none.
+            // A structure without hits has no momentum to divide by.
             (one - other).abs() / other.max(f64::MIN_POSITIVE)
         })
         .fold(0.0, f64::max)
@@ -80,7 +80,7 @@ fn limit_the_yield_force_is_the_largest_restoring_force() {
     }
 }
 
-/// Asserts that a number is the wanted one within `tolerance` of it.
+/// Asserts that a number is within `tolerance` of the wanted one.
 #[track_caller]
 fn close(found: f64, wanted: f64, tolerance: f64, what: &str) {
     assert!(

@@ -1,16 +1,16 @@
-//! Every table as text, the agreement and the claims: a snapshot that changes is a result that changed.
+//! Snapshots of every table, of the agreement and of the claims: a changed snapshot is a changed result.
 
 use std::path::Path;
 
 use insta::{assert_snapshot, glob};
-use pounding_studies::{Completed, Studies, StudyFile, Table};
+use pounding_studies::{Completed, Studies, StudyFile, StudyTable};
 
 #[test]
 fn reference_tables() {
     glob!("../../../../studies", "{table-*,text}.json", |path| {
         let study = StudyFile::read(path).expect("a readable study");
         let completed = Completed::run(study, &|| ()).expect("a study that runs");
-        let table = Table::of(&completed).expect("scenes that give the table");
+        let table = StudyTable::of(&completed).expect("scenes that give the table");
         assert_snapshot!(table.expect("a study that prints a table").to_csv());
     });
 }
@@ -20,9 +20,9 @@ fn reference_agreement_claims_and_converged_tables() {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let made = Studies::read(&studies)
         .expect("readable studies")
-        // Of which nothing is in these files.
+        // These studies write none of the snapshot files.
         .only(|file| !["trade", "laws", "beyond", "extremes"].contains(&file.id.as_str()))
-        // The committed results have 200; three show the same columns in a fraction of the time.
+        // The committed results use 200; three runs give the same columns in a fraction of the time.
         .with_noisy_runs(3)
         .reproduce(&|| ());
     let files = made.expect("studies that run").files;
@@ -40,7 +40,8 @@ fn reference_agreement_claims_and_converged_tables() {
     }
 }
 
-/// Totals \[kN·s\] without one choice of the paper's program, by others who found it: table, scene, column, and the three structures.
+/// Totals \[kN·s\] without one choice of the paper's program, by an independent finder of that choice: table, scene, column, and the three
+/// structures.
 const KNOWN: [(&str, &str, &str, [f64; 3]); 17] = [
     ("6", "layout A elastic", "papers_program", [456.95, 1170.77, 725.36]),
     ("6", "layout C elastic", "papers_program", [1694.59, 3397.04, 1702.45]),

@@ -1,4 +1,4 @@
-//! Surveys: parts of them, against the committed whole where its rows stand for themselves, else as snapshots.
+//! Parts of the surveys. Rows that do not depend on others are compared with the committed tables; others are snapshots.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -41,7 +41,7 @@ fn committed(path: &str) -> String {
     std::fs::read_to_string(top().join("results").join(path)).expect("a committed table")
 }
 
-/// Every row of a part stands in the committed table.
+/// Asserts that every row of a part is in the committed table.
 fn hold(files: &Files, path: &str) {
     let whole = committed(path);
     let whole: BTreeSet<&str> = whole.lines().collect();

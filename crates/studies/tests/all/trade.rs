@@ -1,4 +1,4 @@
-//! The trade of error against work on a short ladder: same bytes however it runs, counts and errors as a snapshot.
+//! The trade of error against work on a short ladder: equal bytes in every run, with counts and errors as a snapshot.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use insta::assert_snapshot;
 use pounding_scene::Ladder;
 use pounding_studies::{Completed, Output, StudyFile, Trade};
 
-/// The trade study on a ladder of its own.
+/// Runs the trade study on another ladder.
 fn trade(time_steps_s: &[f64], tolerances: &[f64]) -> Trade {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let mut file = StudyFile::read(&studies.join("trade.json")).expect("a readable study");

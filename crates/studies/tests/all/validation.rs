@@ -17,7 +17,7 @@ fn record() -> Record {
 
 /// Peak displacement of a structure of unit mass \[m\], read every 0.02 s as in the book.
 ///
-/// That matters once: at 0.5 s and 2 % the peak between the samples is 2.69 in, the book has 2.67.
+/// The reading matters once: at 0.5 s and 2 % the peak between the samples is 2.69 in; the book has 2.67.
 fn peak(period: f64, ratio: f64, yield_force: f64) -> f64 {
     let record = record();
     let omega = 2.0 * std::f64::consts::PI / period;
@@ -99,7 +99,7 @@ fn limit_the_solver_samples_as_the_record_does() {
             .expect("the run ends");
         histories
     };
-    // Not bit for bit: the two count the place between samples in other units, and round it.
+    // The two are not equal bit for bit: they count time between samples in different units and round it.
     let (there, here) = (run(&record), run(&fine));
     for (a, b) in there.of(0).states.iter().zip(&here.of(0).states) {
         let apart = (a.displacement - b.displacement).abs();

@@ -15,14 +15,14 @@ fn campaign(seed: u64) -> Campaign {
     }
 }
 
-/// Scenes by their numbers on so many threads.
+/// Runs scenes by their numbers on `n_threads` threads.
 fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
     pool.install(|| campaign(7).run(scenes, &|_| ()))
 }
 
-/// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, and number 44 takes
-/// more pieces than its budget; the rest are further apart than is allowed, most by what the second route differs from itself.
+/// The scenes that agree among the first 84 of the seed. Three others end by a documented limit, and number 44 takes more pieces than its
+/// budget. The rest are further apart than allowed, mostly by the second route's distance from itself.
 const AGREE: [usize; 63] = [
     0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 39, 40, 43, 45, 47, 48,
     49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 80, 81, 82, 83,
@@ -39,15 +39,23 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
     assert!(touches > 1000, "enough that touches\n{summary}");
 }
 
-/// Scenes by seed and number that found faults. 3/4: the approach speed of a touch 3e-13 s after another one of its building was 1e-5
-/// off. 1/54, 3/44, 3/50: floors caught between two neighbours, which a parting one passed impacts on to. 2/17: a drift that turned
-/// again and again. 1/202: an energy that the ledger could not explain, over pieces of 1e-18 s. 1/225: equal Bouc–Wen columns at rest
-/// against each other made no progress. 1/354, 2/350: Bouc–Wen columns that were displaced at the start had a force 2.2e-8 of their
-/// yield force off. 2/380: a floor caught between two neighbours bounced once more from the elastic one. 2/201: the exact method's clock
-/// told samples up to 1e-15 s late, and a rest under a travelling motion had 2.4e-12 too little impulse. In the second route: 2/341, 2/392
-/// had a force that an impact lets press or push anew; 2/164 had samples that arrive 1e-15 s late;
-/// 1/103, 1/172 gaps that drifted over travelling grounds, and floors at rest there with velocities of their own; 3/301 had grounds that
-/// one motion moved apart by 2e-16 m.
+/// Scenes, by seed and number, that found faults of the exact method:
+///
+/// - 3/4: the approach speed of a touch was 1e-5 off, 3e-13 s after another touch of its building.
+/// - 1/54, 3/44, 3/50: a floor between two neighbours passed impacts on to one that was parting.
+/// - 2/17: a drift turned again and again.
+/// - 1/202: the ledger could not explain an energy over pieces of 1e-18 s.
+/// - 1/225: equal Bouc–Wen columns at rest against each other made no progress.
+/// - 1/354, 2/350: the force of displaced Bouc–Wen columns was 2.2e-8 of their yield force off at the start.
+/// - 2/380: a floor between two neighbours bounced once more from the elastic one.
+/// - 2/201: samples were up to 1e-15 s late, and a rest under a travelling motion had 2.4e-12 too little impulse.
+///
+/// Others found faults of the second route:
+///
+/// - 2/341, 2/392: a force that an impact lets press or push anew.
+/// - 2/164: samples that arrive 1e-15 s late.
+/// - 1/103, 1/172: gaps that drifted over travelling grounds, and floors at rest there that kept a velocity.
+/// - 3/301: grounds under one motion that moved apart by 2e-16 m.
 #[test]
 fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     for (seed, scenes) in [
@@ -56,7 +64,7 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
         (3, vec![4, 44, 50, 301]),
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
-        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
+        // 3/44 is 2.0e-12 off after 301 touches; its rounding is as large.
         let found = |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds);
         let apart: Vec<String> = checked.iter().filter(found).flat_map(Checked::lines).collect();
         assert!(apart.is_empty(), "seed {seed}: {apart:#?}");
@@ -74,7 +82,7 @@ fn limit_a_campaign_does_not_depend_on_threads() {
 
 #[test]
 fn limit_no_force_of_a_history_is_larger_than_its_peak() {
-    // The peak of a force that jumps at an impact was 22 % too low, and its own history showed it.
+    // The peak of a force that jumps at an impact was 22 % too low, as the run's own history showed.
     let campaign = campaign(7);
     let other = Method::Newmark {
         time_step_s: 0.002,
@@ -86,7 +94,7 @@ fn limit_no_force_of_a_history_is_larger_than_its_peak() {
         let scene = campaign.scene(index);
         let exact = Simulation::new(&scene, campaign.studies.as_path()).expect("a scene");
         for scene in [exact.with_method(other), Ok(exact)].into_iter().flatten() {
-            // What a stepping method breaks is refused, as most runs of impulsive towers at this step.
+            // A run whose ledger a stepping method breaks is refused, like most runs of impulsive towers at this step.
             let Ok(run) = scene.run(Some(0.002)) else {
                 continue;
             };
@@ -125,8 +133,8 @@ fn limit_a_scene_is_its_file() {
     }
 }
 
-/// 3/33: after a pulse floors that rest move by rounding alone, and two pairs of a building touched in turn at one instant without end,
-/// since the rounding of the instant overwrote the zero that an impact leaves.
+/// 3/33: after a pulse, floors at rest moved by rounding alone, and two pairs of a building touched in turn at one instant without end. The
+/// rounding of the instant had overwritten the zero that an impact leaves.
 #[test]
 fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
     let scene = campaign(3).scene(33);
@@ -135,8 +143,8 @@ fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
     assert!(outcome.work.events < 10_000, "{:?}", outcome.work);
 }
 
-/// What no route can decide is told from what one does wrong: 1/67 loses touches with the last digits of its data, and changes of
-/// its data by 1e-15 move 2/197.
+/// Undecidable differences do not count as faults: 1/67 loses touches with the last digits of its data, and changes of its data by
+/// 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;

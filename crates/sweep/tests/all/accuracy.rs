@@ -2,7 +2,7 @@
 
 use pounding_scene::Method;
 use pounding_sweep::Sweep;
-use pounding_text::Kind;
+use pounding_text::RefusalKind;
 use serde_json::{Value, json};
 
 use crate::{STOPPED, folder, read, scene, sweep, table};
@@ -135,7 +135,7 @@ fn issue_a_stop_while_a_method_is_chosen_is_told() {
     let words = with_periods(&scene);
     let refused = read(&folder("accuracy_stopped"), &words, Some(&STOPPED));
     let refused = refused.expect_err("somebody said stop");
-    assert!(refused.is_kind(Kind::Stopped), "{refused}");
+    assert!(refused.is_kind(RefusalKind::Stopped), "{refused}");
 }
 
 /// The chosen steps cost more than exact runs, after a search that cost even more. If there are fewer runs than measure a method, only the

@@ -1,21 +1,20 @@
-//! The header: what the values are, how many there are, and how far apart.
+//! The header: quantity, number and spacing of the values.
 
 use super::super::identity::text;
 use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Direction, Identity, Place, Refused};
-use pounding_text::{Kind, Spot};
+use crate::{Direction, FilePlace, Identity, Refused};
+use pounding_text::{RefusalKind, Spot};
 
-/// Lines in which NPTS and DT are looked for. PEER has them on line 4, rotated and matched records
-/// on line 7.
+/// Number of lines in which NPTS and DT are searched. PEER has them on line 4, rotated and matched records on line 7.
 const HEADER_LINES: usize = 10;
 
 /// Line, from 1, that may have NPTS and DT without their names.
 const COUNT_LINE: usize = 4;
 
-/// Whether a text has a line with NPTS and DT, or at least says that it is a record of PEER.
+/// Whether a text has a line with NPTS and DT, or names itself a record of PEER.
 pub(super) fn is_at2(lines: &[Line<'_>]) -> bool {
     count_line(lines).is_some()
         || lines.first().is_some_and(|line| {
@@ -29,11 +28,11 @@ pub(super) struct Header<'l, 't> {
     pub(super) titles: &'l [Line<'t>],
     /// The line with NPTS and DT.
     pub(super) line: Line<'t>,
-    /// What follows it, from the first number on.
+    /// The lines after it, from the first number.
     pub(super) data: &'l [Line<'t>],
 }
 
-/// Splits a file at its line with NPTS and DT; a line such as `*** Begin data ***` below it is passed over.
+/// Splits a file at its line with NPTS and DT. A line such as `*** Begin data ***` below it is skipped.
 pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, Refused> {
     let index = count_line(lines).ok_or(
         Refused::that(format!(
@@ -77,33 +76,33 @@ pub(super) fn identity(lines: &[Line<'_>]) -> Identity {
     }
 }
 
-/// The direction that PEER writes behind the last comma of the line of earthquake and station, which is the second above
-/// the numbers: `EL CENTRO ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
+/// The direction that PEER writes after the last comma of the line of earthquake and station, the second line above the numbers: `EL CENTRO
+/// ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
 pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     let titles = split(lines).ok()?.titles;
-    // `FN component, azimuth =   233.0` of a rotated record.
+    // A rotated record has `FN component, azimuth =   233.0`.
     if let Some(line) = title::line_with(titles, "COMPONENT, AZIMUTH") {
         let name = line.pieces().next().map(String::from_utf8_lossy)?;
-        return Some(Component::new(name, Place::Line(line.number)));
+        return Some(Component::new(name, FilePlace::Line(line.number)));
     }
     let line = titles.get(titles.len().checked_sub(2)?)?;
     let text = line.text();
     let (_, behind) = text.rsplit_once(',')?;
     let word = behind.split('(').next().unwrap_or_default().trim();
     Direction::of_component(word)?;
-    // The number of a channel may stand before it; other words are the name of a station.
+    // A channel number may precede the direction; other words belong to the name of a station.
     let mut words = word.split_whitespace().rev().skip(1);
     if !words.all(|word| word.bytes().all(|byte| byte.is_ascii_digit())) {
         return None;
     }
-    Some(Component::new(word.to_owned(), Place::Line(line.number)))
+    Some(Component::new(word.to_owned(), FilePlace::Line(line.number)))
 }
 
 /// Index of the line with NPTS and DT.
 fn count_line(lines: &[Line<'_>]) -> Option<usize> {
     let header = &lines[..lines.len().min(HEADER_LINES)];
     let named = |line: &Line<'_>| !line.is_comment() && named(*line).len() == 2;
-    // The last one: matched records repeat the header of the record they were made from.
+    // The last one counts: matched records repeat the header of their original record.
     header.iter().rposition(named).or_else(|| {
         let titles = header.get(..COUNT_LINE - 1)?;
         let bare = header.get(COUNT_LINE - 1)?;
@@ -114,7 +113,7 @@ fn count_line(lines: &[Line<'_>]) -> Option<usize> {
     })
 }
 
-/// The names NPTS and DT in the order in which a line has them.
+/// The names NPTS and DT in the order of a line.
 fn named(line: Line<'_>) -> Vec<String> {
     let mut names = words(line);
     names.retain(|word| word == "NPTS" || word == "DT");
@@ -122,12 +121,12 @@ fn named(line: Line<'_>) -> Vec<String> {
     names
 }
 
-/// The number of samples and the time step, as a line gives them.
+/// The number of samples and the time step of a line.
 pub(super) struct Stated<'t> {
     pub(super) line: Line<'t>,
-    /// Above zero.
+    /// Number of samples, above zero.
     pub(super) count: usize,
-    /// Above zero \[s\].
+    /// Time step, above zero \[s\].
     pub(super) step: f64,
 }
 
@@ -150,15 +149,15 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, Refused> {
         return Err(refused());
     }
     if !(step.is_finite() && step > 0.0) {
-        return Err(refusals::time_step(Place::Line(line.number), step));
+        return Err(refusals::time_step(FilePlace::Line(line.number), step));
     }
     Ok(Stated { line, count, step })
 }
 
 /// The numbers of NPTS and DT in a line in capitals.
 ///
-/// Each stands behind its name, and behind both may follow a filter, `0 POLE @ 30. HZ`; or names and numbers are in one order,
-/// and there are no others.
+/// Either each number follows its name, possibly with a filter after both, `0 POLE @ 30. HZ`; or names and numbers have one order, and
+/// there are no other numbers.
 fn printed(text: &str) -> Option<[&str; 2]> {
     let words: Vec<&str> = text
         .split(|letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':'))
@@ -186,7 +185,7 @@ fn printed(text: &str) -> Option<[&str; 2]> {
     Some(if names == Some(&"DT") { [second, first] } else { [first, second] })
 }
 
-/// What a title such as `1559 points at equal spacing of 0.02 sec` gives.
+/// The statement of a title such as `1559 points at equal spacing of 0.02 sec`.
 pub(super) fn points<'t>(titles: &[Line<'t>]) -> Option<Stated<'t>> {
     let line = title::line_with(titles, "POINTS AT EQUAL SPACING OF")?;
     let text = line.text();
@@ -196,8 +195,7 @@ pub(super) fn points<'t>(titles: &[Line<'t>]) -> Option<Stated<'t>> {
     (count > 0 && step.is_finite() && step > 0.0).then_some(Stated { line, count, step })
 }
 
-/// The title line that says acceleration in g, the one next to the numbers first; none where no
-/// line names a unit.
+/// The title line that states acceleration in g, searched upwards from the numbers; `None` if no line names a unit.
 pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, Refused> {
     let mut other: Option<Line<'t>> = None;
     for line in titles.iter().rev() {
@@ -227,13 +225,14 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, Refused>
 
 /// A line that names another quantity or unit than acceleration in g.
 fn quantity(line: Line<'_>) -> Refused {
-    let read = Refused::at(Spot::Line(line.number)).reads(line.excerpt()).kind(Kind::OtherQuantity);
+    let read = Refused::at(Spot::Line(line.number))
+        .reads(line.excerpt())
+        .kind(RefusalKind::OtherQuantity);
     read.but(", but ", "only acceleration in units of g is read")
         .help("take the .AT2 file of the record")
 }
 
-/// The words of a line in capitals. A unit such as `CM/S` is one word; its `S` alone would say
-/// nothing.
+/// The words of a line in capitals. A unit such as `CM/S` is one word; its `S` alone would have no meaning.
 fn words(line: Line<'_>) -> Vec<String> {
     let text = line.text().to_ascii_uppercase();
     let separates = |letter: char| !(letter.is_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'));

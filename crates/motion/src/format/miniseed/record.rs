@@ -1,10 +1,10 @@
-//! One record: what its header says of stream, start, step and packing.
+//! One record: stream, start, step and packing in its header.
 
 use super::super::numbers::at_most;
 use super::super::stamp::Stamp;
 use super::samples;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
 /// Bytes of the fixed headers.
 const HEADER_2: usize = 48;
@@ -20,7 +20,7 @@ pub(super) struct Record<'t> {
     pub(super) length: usize,
     /// Network, station, location and channel.
     pub(super) stream: String,
-    /// Start \[s\] since some day long ago, and as a date with a time of day.
+    /// Start \[s\] after a fixed day in the past, and as a date with a time of day.
     pub(super) start: f64,
     pub(super) time: Stamp,
     /// Step \[s\], above zero.
@@ -44,7 +44,7 @@ pub(super) fn begins(bytes: &[u8]) -> bool {
         && year(bytes, 20).is_some()
 }
 
-/// The year at this place and whether its first byte is the higher one.
+/// The year at an offset, and whether its first byte is the higher one.
 fn year(bytes: &[u8], at: usize) -> Option<(u16, bool)> {
     let pair = [*bytes.get(at)?, *bytes.get(at + 1)?];
     let known = 1900..=2200;
@@ -71,7 +71,7 @@ impl<'t> Record<'t> {
         if record.time_step.is_finite() && record.time_step > 0.0 {
             Ok(record)
         } else {
-            Err(refusals::time_step(Place::Byte(at + 1), record.time_step))
+            Err(refusals::time_step(FilePlace::Byte(at + 1), record.time_step))
         }
     }
 
@@ -90,7 +90,7 @@ impl<'t> Record<'t> {
         let (factor, multiplier) = signed(32).zip(signed(34)).ok_or_else(cut)?;
         let (packing, exact) =
             blockettes(bytes, &short).ok_or_else(|| header(at, &bytes[..8], "a record with blockettes that are whole"))?;
-        // Old records have no blockette 1000, which tells their packing: it is Steim 1.
+        // Old records have no blockette 1000 with the packing: theirs is Steim 1.
         let packing = packing.or_else(|| Some([10, u8::from(big_endian), power(bytes)?]));
         let packing = packing.ok_or_else(|| {
             header(
@@ -148,7 +148,7 @@ impl<'t> Record<'t> {
             stream: stream_of(&name),
             time: time(year, day, of_day),
             start: seconds + f64::from(long(4)) * 1e-9,
-            // Above zero samples a second, below it the step with its sign turned.
+            // A positive rate is samples per second, a negative one a step with its sign changed.
             time_step: if rate > 0.0 { 1.0 / rate } else { -rate },
             n_samples: usize::try_from(long(24)).map_err(|_| cut())?,
             encoding,
@@ -157,7 +157,7 @@ impl<'t> Record<'t> {
         })
     }
 
-    /// Unpacks the values behind others; whether they are whole numbers.
+    /// Unpacks the values after others. Returns whether they are whole numbers.
     pub(super) fn append(&self, values: &mut Vec<f64>) -> Result<bool, Refused> {
         let before = values.len();
         if !matches!(self.encoding, 1 | 3 | 4 | 5 | 10 | 11) {
@@ -173,7 +173,7 @@ impl<'t> Record<'t> {
         values.extend(found);
         if values.len() - before != self.n_samples {
             return Err(refusals::sample_count(
-                Place::Byte(self.at + 1),
+                FilePlace::Byte(self.at + 1),
                 values.len() - before,
                 self.n_samples,
             ));
@@ -196,11 +196,11 @@ impl<'t> Record<'t> {
     }
 
     pub(super) fn refused(&self, found: String, allowed: &'static str) -> Refused {
-        refusals::header(Place::Byte(self.at + 1), found, allowed)
+        refusals::header(FilePlace::Byte(self.at + 1), found, allowed)
     }
 }
 
-/// The length of a record as a power of 2, by where the next begins or the file ends.
+/// The length of a record as a power of 2, from the beginning of the next record or the end of the file.
 fn power(bytes: &[u8]) -> Option<u8> {
     let ends = |power: &u8| {
         let rest = bytes.get(1 << power..);
@@ -209,8 +209,7 @@ fn power(bytes: &[u8]) -> Option<u8> {
     (7..=LONGEST).find(ends)
 }
 
-/// Packing from blockette 1000 and step from blockette 100, where there are such. The chain must
-/// lead on, so it ends.
+/// Packing from blockette 1000 and step from blockette 100, if they exist. The chain must move forwards, so it ends.
 fn blockettes(bytes: &[u8], short: &impl Fn(usize) -> Option<u16>) -> Option<(Option<[u8; 3]>, Option<f64>)> {
     let mut at = usize::from(short(46)?);
     let (mut packing, mut exact) = (None, None);
@@ -221,7 +220,7 @@ fn blockettes(bytes: &[u8], short: &impl Fn(usize) -> Option<u16>) -> Option<(Op
             }
             100 => {
                 let (high, low) = (short(at + 4)?, short(at + 6)?);
-                // The halves of a word stand in the order of the bytes.
+                // The halves of a word have the order of the bytes.
                 let big_endian = short(20) == Some(u16::from_be_bytes([bytes[20], bytes[21]]));
                 let (high, low) = if big_endian { (high, low) } else { (low, high) };
                 let rate = f32::from_bits(u32::from(high) << 16 | u32::from(low));
@@ -238,7 +237,7 @@ fn blockettes(bytes: &[u8], short: &impl Fn(usize) -> Option<u16>) -> Option<(Op
     Some((packing, exact))
 }
 
-/// The step of a rate that is given as factor and multiplier, where a negative one divides.
+/// The step of a rate with factor and multiplier; negative ones divide.
 fn step(factor: f64, multiplier: f64) -> f64 {
     let part = |value: f64| if value < 0.0 { -value } else { 1.0 / value };
     part(factor) * part(multiplier)
@@ -252,14 +251,14 @@ fn clock([hour, minute, second]: [u8; 3]) -> f64 {
     (f64::from(hour) * 60.0 + f64::from(minute)) * 60.0 + f64::from(second)
 }
 
-/// A year and a day in it, from 1.
+/// A year and a day of the year, from 1.
 struct Day {
     year: u16,
     day: u16,
 }
 
 impl Day {
-    /// Seconds from the beginning of year 1 of the calendar of today.
+    /// Seconds from the beginning of year 1 of the present calendar.
     fn seconds(self) -> f64 {
         let before = u32::from(self.year).saturating_sub(1);
         let days = 365 * before + before / 4 - before / 100 + before / 400 + u32::from(self.day);
@@ -279,9 +278,9 @@ fn stream_of(name: &str) -> String {
 }
 
 fn header(at: usize, found: &[u8], allowed: &'static str) -> Refused {
-    refusals::header(Place::Byte(at + 1), found.escape_ascii().to_string(), allowed)
+    refusals::header(FilePlace::Byte(at + 1), found.escape_ascii().to_string(), allowed)
 }
 
 fn truncated(at: usize, bytes: &[u8]) -> Refused {
-    refusals::truncated(Place::Byte(at + bytes.len()), "the end of its last record")
+    refusals::truncated(FilePlace::Byte(at + bytes.len()), "the end of its last record")
 }

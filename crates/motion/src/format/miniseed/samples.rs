@@ -1,7 +1,7 @@
 //! Unpacking the values of a record.
 //!
-//! Steim 1 and 2 keep differences in frames of 16 words. The first word of a frame has two bits for each word that define its division; in
-//! the first frame the next two words are the first value and the last. SEED manual 2.4, appendix B.
+//! Steim 1 and 2 store differences in frames of 16 words. The first word of a frame has two bits for each word, which define its division.
+//! In the first frame the next two words are the first and the last value. Source: SEED manual 2.4, appendix B.
 //!
 //! Some loggers write words in the other byte order. Differences of one byte are then in the order of the file, and those of two bytes are
 //! swapped separately. All other data are swapped as words of four bytes.
@@ -62,7 +62,7 @@ fn steim(data: &[u8], big_endian: bool, n_samples: usize, parts: impl Fn(u32, u3
                             break 'frames;
                         }
                         let difference = signed(word >> (part * bits), bits);
-                        // The first difference leads here from the record before.
+                        // The first difference leads here from the previous record.
                         value = if values.is_empty() { first } else { value.wrapping_add(difference) };
                         values.push(f64::from(value));
                     }

@@ -1,15 +1,15 @@
-//! Numbers above the rows that are none of them: how many values follow, their step, a scale of one.
+//! Numbers above the rows that are not values: their number, their step, a scale.
 
 use super::super::Stated;
 use super::rows::Rows;
 use crate::line::{Line, number};
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 
-/// Most that is a plausible step above values \[s\].
+/// Longest plausible step above values \[s\].
 const LONGEST: f64 = 0.1;
 
-/// Factors that turn g into other units: what stands above values may be one, and then nobody tells whether it was used.
+/// Factors that turn g into other units. One above the values may be a scale, and nothing shows whether it was applied.
 const FACTORS: [f64; 8] = [9.81, 9.806, 9.806_65, 981.0, 980.0, 980.6, 980.665, 386.4];
 
 /// A line with the number of values or rows below it and their time step, such as `11800  0.005`, or two lines.
@@ -17,14 +17,14 @@ pub(super) struct Above<'t> {
     /// The line with the step.
     line: Line<'t>,
     pub(super) count: Option<usize>,
-    /// Above zero \[s\]; nothing above rows with times.
+    /// Time step, above zero \[s\]; `None` above rows with times.
     pub(super) step: Option<f64>,
-    /// Rows that it takes.
+    /// Number of rows that it occupies.
     pub(super) n_rows: usize,
 }
 
 impl<'t> Above<'t> {
-    /// The first of these rows, or the first two, where they are numbers of a header.
+    /// The first row, or the first two, if they are numbers of a header.
     pub(super) fn new(rows: &Rows<'_, 't>) -> Result<Option<Self>, Refused> {
         match rows.n_columns {
             2 => Ok(Self::of_one_line(rows)),
@@ -58,7 +58,7 @@ impl<'t> Above<'t> {
         let step = positive(fields.next()?)?;
         let second = rows.iter().nth(1)?;
         let in_pairs = second.fields().count() == 2;
-        // Were it the first row of times and values, the next time would be above the number.
+        // In the first row of times and values, the next time would be larger than this number.
         let is_time_above = in_pairs && number(second.fields().next()?)? > count as f64;
         let counts = count == rows.n_numbers - 2 || (count == rows.len - 1 && in_pairs);
         (counts && !is_time_above).then_some(Self {
@@ -91,7 +91,7 @@ impl<'t> Above<'t> {
         if counts(other) && is_step(one) {
             return Ok(Some(above(first, true, one)));
         }
-        // Values of many digits, or in another style, are no numbers of a header by chance.
+        // Values with many digits, or in another style, do not look like header numbers by chance.
         let (of_step, of_values) = (digits(second.bytes), digits(third.bytes));
         let is_apart = of_values >= 5 || of_values > of_step + 1;
         let is_one = (one - 1.0).abs() <= 0.0;
@@ -115,7 +115,7 @@ impl<'t> Above<'t> {
     pub(super) fn stated<T>(&self, value: T) -> Stated<T> {
         Stated {
             value,
-            place: Place::Line(self.line.number),
+            place: FilePlace::Line(self.line.number),
             text: self.line.excerpt(),
         }
     }
@@ -126,7 +126,7 @@ fn positive(field: &[u8]) -> Option<f64> {
     number(field).filter(|value| value.is_finite() && *value > 0.0)
 }
 
-/// Whether a number is a step that recorders and programs have: of two digits, or a whole part of a second.
+/// Whether a number is a typical step of recorders and programs: two digits, or one over a whole number of samples per second.
 fn is_step(value: f64) -> bool {
     let rate = 1.0 / value;
     let is_whole = (rate - rate.round()).abs() <= 1e-6 * rate;

@@ -1,4 +1,4 @@
-//! The column of times: which one it is, and in what unit.
+//! The column of times: its index and its unit.
 
 use super::super::stamp::Stamp;
 use super::super::time_column::{self, TimeColumn};
@@ -12,16 +12,16 @@ use crate::refusals;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock {
     pub(super) column: usize,
-    kind: Kind,
-    /// Whether the unit is told.
+    kind: TimeKind,
+    /// Whether the unit is known.
     pub(super) labelled: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum TimeKind {
     /// Dates with a time of day.
     Stamps,
-    /// Numbers in a unit of so many decimals of a second.
+    /// Numbers in a unit with this many decimals of a second.
     Numbers { decimals: usize },
 }
 
@@ -29,12 +29,12 @@ enum Kind {
 const SINCE_1970: [(f64, usize); 4] = [(1e9, 0), (1e12, 3), (1e15, 6), (1e18, 9)];
 
 impl Clock {
-    /// The times of columns with these names, by their name or by their values.
+    /// The times of columns with these names, found by name or by values.
     pub(super) fn named(names: &[Name<'_>], rows: &Rows<'_, '_>) -> Option<Self> {
         let fields: Vec<&[u8]> = rows.first().fields().take(names.len()).collect();
         let is_number = |column: &usize| number(fields[*column]).is_some();
         let times = (0..names.len()).filter(|column| names[*column].is_time());
-        // A moment to the second may stand before the time since the first.
+        // A date to the second may precede the time after the first sample.
         let column = times.clone().rfind(is_number).or_else(|| times.clone().next());
         let (column, name) = match column {
             Some(column) => (column, Some(&names[column])),
@@ -50,14 +50,14 @@ impl Clock {
         !name.tells_direction() && !name.says_acceleration() && name.acceleration_unit().is_none()
     }
 
-    /// The first column, where it is one of times by its values.
+    /// The first column, if its values are times.
     pub(super) fn first(rows: &Rows<'_, '_>) -> Option<Self> {
         let field = rows.first().fields().next()?;
         let is_time = stamp(field).is_some() || rows.is_time();
         is_time.then(|| Self::of(0, field, None))
     }
 
-    /// The first column, whatever its values are.
+    /// The first column, whatever its values.
     pub(super) fn assumed(rows: &Rows<'_, '_>) -> Self {
         let field = rows.first().fields().next();
         Self::of(0, field.unwrap_or_default(), None)
@@ -75,9 +75,9 @@ impl Clock {
         Self {
             column,
             kind: if value.is_some() {
-                Kind::Numbers { decimals }
+                TimeKind::Numbers { decimals }
             } else {
-                Kind::Stamps
+                TimeKind::Stamps
             },
             labelled: unit.is_some() || value.is_none(),
         }
@@ -90,13 +90,13 @@ impl Clock {
         for row in rows.iter() {
             let field = row.fields().nth(self.column).unwrap_or_default();
             match self.kind {
-                Kind::Stamps => {
+                TimeKind::Stamps => {
                     let moment = stamp(field).ok_or_else(|| refusals::not_a_number(row.number, self.column + 1, excerpt(field)))?;
                     let first: &Stamp = first.get_or_insert_with(|| moment.clone());
                     times.push_time(row, moment.since(first), moment.n_decimals());
                 }
-                Kind::Numbers { decimals: 0 } => times.push(row, field)?,
-                Kind::Numbers { decimals } => {
+                TimeKind::Numbers { decimals: 0 } => times.push(row, field)?,
+                TimeKind::Numbers { decimals } => {
                     let printed = time_column::decimals(field);
                     times.push_time(row, self.scaled(row, field, decimals)?, decimals + printed);
                 }

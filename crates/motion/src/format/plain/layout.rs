@@ -1,4 +1,4 @@
-//! How the numbers of a plain text stand: one after the other, or in columns.
+//! The arrangement of the numbers in a plain text: one after the other, or in columns.
 
 use super::super::File;
 use super::super::said::{Other, Said};
@@ -8,33 +8,33 @@ use super::names::{Name, of_columns, spectrum};
 use super::rows::{Rows, first_row};
 use crate::line::Line;
 use crate::refusals;
-use crate::{Place, Refused};
+use crate::{FilePlace, Refused};
 use pounding_text::{Knob, Spot};
 
-/// Rows of numbers and what is known of them.
+/// Rows of numbers with their properties.
 pub(super) struct Layout<'l, 't> {
     /// The lines above the first numbers.
     pub(super) titles: &'l [Line<'t>],
-    /// What they say.
+    /// The statements of the titles.
     pub(super) said: Said,
-    /// Numbers of a header, where they stand above the rows.
+    /// Numbers of a header above the rows, if any.
     pub(super) above: Option<Above<'t>>,
     pub(super) rows: Rows<'l, 't>,
-    pub(super) kind: Kind<'t>,
+    pub(super) kind: Arrangement<'t>,
 }
 
-/// How values stand in rows.
-pub(super) enum Kind<'t> {
-    /// One after the other, any number to a row; perhaps below a name.
+/// The arrangement of values in rows.
+pub(super) enum Arrangement<'t> {
+    /// One after the other, with any number per row, and possibly a name above.
     Values(Option<Name<'t>>),
-    /// A time in each row, perhaps, and a value of each component.
+    /// One value of each component per row, possibly with a time.
     Table {
         clock: Option<Clock>,
         /// The columns of components.
         columns: Vec<usize>,
         names: Option<Vec<Name<'t>>>,
     },
-    /// That is not known; the reason.
+    /// Unknown, for this reason.
     Unknown(&'static str),
 }
 
@@ -53,7 +53,7 @@ impl<'l, 't> Layout<'l, 't> {
             && let Some(instead) = spectrum(names)
         {
             return Err(refusals::not_acceleration(
-                Place::Line(names[0].line.number),
+                FilePlace::Line(names[0].line.number),
                 names[0].line.excerpt(),
                 instead,
             ));
@@ -72,14 +72,14 @@ impl<'l, 't> Layout<'l, 't> {
         })
     }
 
-    fn kind(rows: &Rows<'_, '_>, names: Option<Vec<Name<'t>>>, counts: &[usize], in_rows: bool) -> Result<Kind<'t>, Refused> {
+    fn kind(rows: &Rows<'_, '_>, names: Option<Vec<Name<'t>>>, counts: &[usize], in_rows: bool) -> Result<Arrangement<'t>, Refused> {
         let n_columns = rows.n_columns;
         if n_columns == 1 {
             let name = names.and_then(|mut names| names.pop());
             return Ok(if rows.is_full() {
-                Kind::Values(name)
+                Arrangement::Values(name)
             } else {
-                Kind::Unknown("the rows below have others")
+                Arrangement::Unknown("the rows below have others")
             });
         }
         let not_in_rows = |line: Line<'_>| -> Refused {
@@ -101,19 +101,19 @@ impl<'l, 't> Layout<'l, 't> {
         let is_list = counts.iter().any(counted) || (n_columns > 2 && rows.is_short());
         match clock {
             Some(_) if in_rows => Err(not_in_rows(rows.first())),
-            Some(_) if !rows.is_full() => Ok(Kind::Unknown("the rows below have others")),
-            Some(clock) => Ok(Kind::Table {
+            Some(_) if !rows.is_full() => Ok(Arrangement::Unknown("the rows below have others")),
+            Some(clock) => Ok(Arrangement::Table {
                 columns: (1..n_columns).collect(),
                 clock: Some(clock),
                 names: None,
             }),
-            None if in_rows || is_list => Ok(Kind::Values(None)),
-            None if n_columns == 2 && rows.is_full() && rows.mostly_rises() => Ok(Kind::Table {
+            None if in_rows || is_list => Ok(Arrangement::Values(None)),
+            None if n_columns == 2 && rows.is_full() && rows.mostly_rises() => Ok(Arrangement::Table {
                 clock: Some(Clock::assumed(rows)),
                 columns: vec![1],
                 names: None,
             }),
-            None => Ok(Kind::Unknown(if rows.touch {
+            None => Ok(Arrangement::Unknown(if rows.touch {
                 "numbers of fixed width that touch"
             } else if rows.is_full() {
                 "column 1 is no time, and nothing names the columns"
@@ -123,11 +123,11 @@ impl<'l, 't> Layout<'l, 't> {
         }
     }
 
-    /// Columns with names: those of times, of sums and of numbers of rows are no components, nor are those of velocities and
-    /// displacements beside accelerations.
-    fn named(rows: &Rows<'_, '_>, names: Vec<Name<'t>>) -> Kind<'t> {
+    /// Columns with names. Columns of times, sums and row numbers are not components, nor are velocities and displacements next to
+    /// accelerations.
+    fn named(rows: &Rows<'_, '_>, names: Vec<Name<'t>>) -> Arrangement<'t> {
         if !rows.is_full() {
-            return Kind::Unknown("the rows below have others");
+            return Arrangement::Unknown("the rows below have others");
         }
         let clock = Clock::named(&names, rows);
         let is_clock = |column: usize| clock.is_some_and(|clock| clock.column == column);
@@ -142,9 +142,9 @@ impl<'l, 't> Layout<'l, 't> {
             columns = all;
         }
         if columns.is_empty() {
-            return Kind::Unknown("none of the named columns is a component");
+            return Arrangement::Unknown("none of the named columns is a component");
         }
-        Kind::Table {
+        Arrangement::Table {
             clock,
             columns,
             names: Some(names),

@@ -6,15 +6,15 @@ use super::super::title::{self, unit_in, unit_of};
 use crate::line::Line;
 use crate::{AccelerationUnit, Direction};
 
-/// The name of a column, and what stands behind it in brackets.
+/// The name of a column, with the text after it in brackets.
 pub(super) struct Name<'t> {
     pub(super) line: Line<'t>,
     pub(super) text: String,
-    /// The unit, as it is written; may be empty.
+    /// The unit as written; may be empty.
     pub(super) unit: String,
 }
 
-/// Words that begin the name of a spectral value, in capitals and without what is not a letter.
+/// Words that begin the name of a spectral value, in capitals without characters other than letters.
 const SPECTRAL: [&str; 12] = [
     "SA", "PSA", "SE", "SV", "PSV", "SD", "PSD", "FAS", "FOURIER", "SPECTRAL", "SPECTRUM", "RESPONSE",
 ];
@@ -46,7 +46,7 @@ impl Name<'_> {
         words.contains(&word) || name.starts_with("time") || name.ends_with("time")
     }
 
-    /// Of how many decimals of a second the times are whole numbers, where the name has their unit: 3 for milliseconds.
+    /// Number of decimals of a second if the times are whole numbers in the unit of the name: 3 for milliseconds.
     pub(super) fn decimals_of_time(&self) -> Option<usize> {
         let name = self.text.to_ascii_lowercase();
         let (_, end) = name.rsplit_once(['_', ' ']).unwrap_or(("", ""));
@@ -76,12 +76,12 @@ impl Name<'_> {
         name.starts_with("ACC") || name.contains("ACCEL") || matches!(name.as_str(), "A" | "AG")
     }
 
-    /// Another quantity than an acceleration, by the unit or by the name.
+    /// Another quantity than acceleration, from the unit or the name.
     pub(super) fn other(&self) -> Option<Other> {
         Other::of_unit(&self.unit.to_ascii_lowercase()).or_else(|| other_by_name(&self.text))
     }
 
-    /// Whether it is a sensor in a borehole: KiK-net numbers it 1, and the one above it at the ground 2.
+    /// Whether it is a sensor in a borehole: KiK-net numbers it 1, and the one at the ground 2.
     pub(super) fn is_below(&self, names: &[Self]) -> bool {
         let (below, at_ground) = (["NS1", "EW1", "UD1"], ["NS2", "EW2", "UD2"]);
         let is = |at: usize| names.iter().any(|name| name.capitals() == at_ground[at]);
@@ -89,13 +89,13 @@ impl Name<'_> {
         at.is_some_and(is)
     }
 
-    /// Whether the column counts rows, or holds no component.
+    /// Whether the column counts rows or does not hold a component.
     pub(super) fn is_no_component(&self) -> bool {
         let name = self.text.to_ascii_lowercase();
         is_sum(&self.text) || matches!(name.as_str(), "no" | "no." | "nr" | "index" | "date")
     }
 
-    /// Whether it is the axis of a spectrum. A capital `T` is a period if spectral values are next to it.
+    /// Whether it is the axis of a spectrum. A capital `T` is a period if it is next to spectral values.
     fn is_axis(&self) -> bool {
         let name = self.capitals();
         ["FREQ", "HZ"].iter().any(|start| name.starts_with(start))
@@ -125,7 +125,7 @@ pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
     ["A", "AG", "ACC", "ACCEL", "ACCELERATION"].contains(&first).then_some(unit)
 }
 
-/// Another quantity than an acceleration, by the beginning of the name.
+/// Another quantity than acceleration, from the beginning of the name.
 pub(super) fn other_by_name(name: &str) -> Option<Other> {
     let name = name.to_ascii_uppercase();
     let others = [("VEL", Other::Velocity), ("DIS", Other::Displacement)];
@@ -139,7 +139,7 @@ pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let (first, values) = names.split_first()?;
     let is_history = first.text.to_ascii_lowercase().starts_with("time") || first.text == "t";
     let is_short = ["T", "F", "TN"].contains(&first.capitals().as_str());
-    // A word such as `SA` may be the name of a station; a unit behind it tells.
+    // A word such as `SA` may be the name of a station; a unit after it decides.
     let tells = |name: &Name<'_>| name.is_spectral() && (is_short || !name.unit.is_empty());
     let is_spectrum = if values.is_empty() {
         first.is_spectral() && !first.unit.is_empty()
@@ -158,16 +158,16 @@ pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     })
 }
 
-/// The names of so many columns, in their order, by the titles above them.
+/// The names of `n_columns` columns, in their order, from the titles above them.
 ///
-/// A title of as many words counts only where one of them is a time, a direction, has a unit or speaks of accelerations or spectra.
+/// A title with as many words counts only if one of them is a time or a direction, has a unit, or names accelerations or spectra.
 pub(super) fn of_columns<'t>(titles: &[Line<'t>], n_columns: usize) -> Option<Vec<Name<'t>>> {
     let last = titles.iter().rfind(|line| !line.is_blank());
     let above = last.map(|line| named_in(*line, &line.text()));
     let tells = |name: &Name<'_>| {
         let is_history = name.is_time() || name.tells_direction() || name.says_acceleration();
         let is_spectrum = name.is_axis() || name.is_spectral();
-        // A velocity without its unit may be a word of a title.
+        // A velocity without a unit may be a word of a title.
         let is_other = !name.unit.is_empty() && name.other().is_some();
         is_history || is_spectrum || is_other || name.acceleration_unit().is_some()
     };
@@ -192,7 +192,7 @@ fn named_in<'t>(line: Line<'t>, text: &str) -> Vec<Name<'t>> {
     let fields: Vec<String> = if text.contains([',', '\t']) {
         text.split([',', '\t']).map(str::to_owned).collect()
     } else {
-        // A unit belongs to the word before it.
+        // A unit belongs to the preceding word.
         let glued = text.replace(" (", "(").replace(" [", "[");
         glued.split_whitespace().map(str::to_owned).collect()
     };

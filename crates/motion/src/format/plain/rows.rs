@@ -1,4 +1,4 @@
-//! Lines of numbers, and what their shape tells.
+//! Lines of numbers and their shape.
 
 use super::super::stamp::Stamp;
 use super::super::time_column::TimeColumn;
@@ -6,25 +6,25 @@ use crate::Refused;
 use crate::line::{Line, number};
 use pounding_text::Spot;
 
-/// Rows of numbers, at least one; between them may stand blank lines and comments.
+/// Rows of numbers, at least one, possibly with blank lines and comments between them.
 pub(super) struct Rows<'l, 't> {
     lines: &'l [Line<'t>],
     /// Number of rows, of the numbers in them, and of those in the first.
     pub(super) len: usize,
     pub(super) n_numbers: usize,
     pub(super) n_columns: usize,
-    /// The first row with another number of numbers.
+    /// The first row with a different number of numbers.
     pub(super) other: Option<Line<'t>>,
-    /// Whether numbers touch somewhere, so that they have a fixed width.
+    /// Whether numbers touch somewhere, which means that they have a fixed width.
     pub(super) touch: bool,
 }
 
-/// Index of the first line of numbers alone; above it stand titles.
+/// Index of the first line with only numbers; the lines above it are titles.
 pub(super) fn first_row(lines: &[Line<'_>]) -> Option<usize> {
     lines.iter().position(|line| is_row(*line))
 }
 
-/// Numbers alone, perhaps behind a date and a time of day; numbers may touch.
+/// Whether a line has only numbers, possibly after a date and a time of day; numbers may touch.
 fn is_row(line: Line<'_>) -> bool {
     let is_number = |field: &[u8]| number(field).is_some() || is_touching(field);
     let mut fields = line.fields();
@@ -40,12 +40,12 @@ fn is_row(line: Line<'_>) -> bool {
 
 /// A moment at the start of a row.
 pub(super) fn stamp(field: &[u8]) -> Option<Stamp> {
-    // No moment is printed in more letters.
+    // No date is printed in more letters.
     let text = field.get(..field.len().min(40))?;
     Stamp::new(std::str::from_utf8(text).ok()?)
 }
 
-/// Whether a piece is several numbers of fixed width: it has a sign behind a digit, and two points.
+/// Whether a piece is several numbers of fixed width: a sign follows a digit, and there are two points.
 pub(super) fn is_touching(piece: &[u8]) -> bool {
     let of_numbers = |byte: &u8| byte.is_ascii_digit() || b"+-.EeDd".contains(byte);
     let signs = piece.windows(2);
@@ -53,14 +53,14 @@ pub(super) fn is_touching(piece: &[u8]) -> bool {
     super::super::values::touches(piece) && piece.iter().all(of_numbers) && signs.next().is_some()
 }
 
-/// Whether a line behind the last row says that they end: `*** End Data ***`, `/&`.
+/// Whether a line after the last row marks the end: `*** End Data ***`, `/&`.
 fn is_end(line: Line<'_>) -> bool {
     let text = line.bytes.trim_ascii();
     let word = text.split(|byte| !byte.is_ascii_alphabetic()).next();
     text.starts_with(b"***") || text == b"/&" || word.is_some_and(|word| word.eq_ignore_ascii_case(b"END"))
 }
 
-/// Whether decimal commas may cut the numbers of a line: they are whole, in pairs, the second of each without a sign.
+/// Whether decimal commas may have cut the numbers of a line: they are whole and in pairs, the second of each pair without a sign.
 pub(in super::super) fn may_be_cut(line: Line<'_>) -> bool {
     let is_whole = |field: &[u8]| !field.is_empty() && field.iter().all(u8::is_ascii_digit);
     let mut n_fields = 0;
@@ -72,7 +72,7 @@ pub(in super::super) fn may_be_cut(line: Line<'_>) -> bool {
     whole && n_fields % 2 == 0 && line.bytes.contains(&b',')
 }
 
-/// The refusal of such a line.
+/// The refusal of a line that decimal commas may have cut.
 pub(in super::super) fn cut_by_commas(line: Line<'_>) -> Refused {
     Refused::at(Spot::Line(line.number)).reads(line.excerpt()).so(": ", "its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas")
 }
@@ -83,7 +83,7 @@ fn rows_in<'t>(lines: &[Line<'t>]) -> impl Iterator<Item = Line<'t>> {
 }
 
 impl<'l, 't> Rows<'l, 't> {
-    /// The rows of these lines, the first of which is a row; `None` if there are none.
+    /// The rows of these lines, from the first row; `None` if there are none.
     pub(super) fn new(lines: &'l [Line<'t>]) -> Option<Self> {
         let is_some = |line: &Line<'_>| !line.is_blank() && !line.is_comment() && !is_end(*line);
         let end = lines.iter().rposition(is_some)? + 1;
@@ -123,19 +123,19 @@ impl<'l, 't> Rows<'l, 't> {
         self.lines[self.lines.len() - 1]
     }
 
-    /// The rows behind the first ones.
+    /// The rows after the first ones.
     pub(super) fn behind(&self, n_rows: usize) -> Option<Self> {
         let first = self.iter().nth(n_rows)?;
         let at = self.lines.iter().position(|line| line.number == first.number)?;
         Self::new(&self.lines[at..])
     }
 
-    /// Whether all rows have as many numbers as the first.
+    /// Whether all rows have as many numbers as the first one.
     pub(super) fn is_full(&self) -> bool {
         self.other.is_none()
     }
 
-    /// Whether the last row alone has fewer numbers than the first.
+    /// Whether only the last row has fewer numbers than the first one.
     pub(super) fn is_short(&self) -> bool {
         let last = self.last();
         let ends = self.other.is_some_and(|other| other.number == last.number);

@@ -57,7 +57,7 @@ const COUNT: [&str; 15] = [
     "nombre de points",
 ];
 
-/// Short keys, which count only in front of `:` or `=`: of a step, a rate and a number of samples.
+/// Short keys, which count only before `:` or `=`: of a step, a rate and a number of samples.
 const SHORT_STEP: [&str; 2] = ["delta", "ts"];
 const SHORT_RATE: [&str; 3] = ["fs", "sps", "rate"];
 const SHORT_COUNT: [&str; 7] = ["samples", "no. of samples", "count", "points", "npt", "total points", "n"];
@@ -65,7 +65,7 @@ const SHORT_COUNT: [&str; 7] = ["samples", "no. of samples", "count", "points", 
 /// Words of a number that was true before the file was processed.
 const BEFORE: [&str; 5] = ["original", "raw", "decimat", "before", "downsampled from"];
 
-/// Words in front of a unit that are part of the same phrase, such as `acceleration time history in units of`.
+/// Words before a unit that belong to the phrase, such as `acceleration time history in units of`.
 const BETWEEN: [&str; 15] = [
     "in",
     "units",
@@ -94,13 +94,13 @@ pub(super) fn around<'t>(text: &'t str, key: &str) -> impl Iterator<Item = (&'t 
     })
 }
 
-/// A number and the unit before or behind it.
+/// A number with the unit before or after it.
 struct Printed<'t> {
     value: f64,
     unit: &'t str,
 }
 
-/// The number that a key states: between them may stand a unit and signs, as in ` (Hz) = 200`, ` is 0.005 s` or `s: 0.005`.
+/// The number of a key. A unit and signs may be in between, as in ` (Hz) = 200`, ` is 0.005 s` or `s: 0.005`.
 fn printed(behind: &str) -> Option<Printed<'_>> {
     let mut rest = behind;
     let mut unit = "";
@@ -228,7 +228,7 @@ pub(super) fn counts(text: &str) -> Vec<usize> {
         .collect()
 }
 
-/// Whether a key is followed by the sign of a value, with its unit before that at most: `fs = 200`, `rate (Hz): 200`.
+/// Whether the sign of a value follows a key, with at most its unit in between: `fs = 200`, `rate (Hz): 200`.
 fn is_stated(behind: &str) -> bool {
     let behind = behind.trim_start();
     let behind = match behind.strip_prefix(['(', '[']) {
@@ -238,12 +238,12 @@ fn is_stated(behind: &str) -> bool {
     behind.trim_start().starts_with([':', '='])
 }
 
-/// Whether a line tells what was before the file was processed.
+/// Whether a line describes the record before it was processed.
 fn is_of_before(text: &str) -> bool {
     BEFORE.iter().any(|word| text.contains(word))
 }
 
-/// The numbers of a line that stand by themselves, each with the words behind it.
+/// The separate numbers of a line, each with the words after it.
 fn words_behind_numbers(text: &str) -> impl Iterator<Item = (f64, &str)> {
     let starts = text.match_indices(|letter: char| letter.is_ascii_digit());
     starts.filter_map(|(at, _)| {
@@ -275,7 +275,7 @@ pub(super) fn other_quantity(text: &str) -> Option<Other> {
     })
 }
 
-/// The unit behind a word for accelerations, as in `acceleration in cm/s2` or `acc (g)`.
+/// The unit after a word for accelerations, as in `acceleration in cm/s2` or `acc (g)`.
 pub(super) fn unit_of_accelerations(text: &str) -> Option<(AccelerationUnit, &str)> {
     let mut starts = text.match_indices("acc").chain(text.match_indices("acel"));
     starts.find_map(|(at, _)| {

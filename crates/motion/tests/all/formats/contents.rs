@@ -5,7 +5,7 @@ use pounding_motion::{AccelerationUnit, Declared, Direction, Site, contents};
 
 use super::{accelerogram, component, file, readings, refusal, rows_of, wave, with};
 
-/// Components, how they lie and where their sensors are, then what tells the record, a line each.
+/// Components with their directions and the places of their sensors, then the identity of the record, one per line.
 fn told(bytes: impl AsRef<[u8]>) -> String {
     let found = contents(bytes.as_ref()).expect("contents");
     assert!(!found.channels.is_empty(), "at least one");
@@ -152,7 +152,7 @@ fn issue_boreholes() {
     assert_eq!(contents(shallow.as_bytes()).unwrap().channels[0].site, Site::Ground);
 }
 
-/// Roofs, decks and crests of dams shook rows.
+/// Components recorded on roofs, decks and crests of dams shook rows.
 #[test]
 fn issue_sensors_on_structures() {
     let site = |text: String| contents(text.as_bytes()).expect("contents").channels.remove(0).site;
@@ -184,7 +184,7 @@ fn issue_sensors_on_structures() {
     assert_eq!(site(usgs.to_owned()), Site::Structure("10TH FLOOR".to_owned()));
 }
 
-/// Such verticals shook rows: the channel line of COSMOS said `Other`.
+/// Vertical components shook rows if the channel line of COSMOS said `Other`.
 #[test]
 fn issue_verticals_that_other_places_of_a_file_tell() {
     let text = file("cosmos.v2");
@@ -208,7 +208,7 @@ fn issue_verticals_that_other_places_of_a_file_tell() {
     }
 }
 
-/// The order of columns of CWB stands in a key that was not read: a vertical component shook rows.
+/// The order of columns of CWB is in a key that was not read: a vertical component shook rows.
 #[test]
 fn issue_cwb_in_another_order_and_without_its_first_line() {
     let names = |text: &str| {
@@ -241,7 +241,7 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
     assert!((up.values()[1] - 3.0 * wave(2)[1]).abs() < 1e-3);
     let usual = of_1999.replace("#DataSequence: Time N(+); E(+); U(+)\n", "");
     assert_eq!(names(&usual), ["U", "N", "E"]);
-    // Words were passed over, and the order of other files was taken: the true vertical shook the row.
+    // Words were skipped and the order of other files was assumed: the vertical component shook the row.
     for sequence in ["Time, North, East, Up", "Time NS EW UD"] {
         let said = of_1999.replace("Time N(+); E(+); U(+)", sequence);
         let found: Vec<_> = names(&said).iter().map(|name| name.chars().next()).collect();
@@ -251,7 +251,7 @@ fn issue_cwb_in_another_order_and_without_its_first_line() {
     assert_snapshot!(refusal(&other, &Declared::default()), @"line 6 reads \"Time, A, B, C\", but a time and three directions, such as `Time U(+); N(+); E(+)`, should stand there; fetch the file again");
 }
 
-/// A row that is missing was passed over.
+/// A missing row was not noticed.
 #[test]
 fn issue_cwb_with_one_row_missing() {
     let rows: String = rows_of(39, |step, value| {
@@ -263,7 +263,7 @@ fn issue_cwb_with_one_row_missing() {
     );
 }
 
-/// Pairs some of whose times are printed alike were told to lack a rate.
+/// The message about pairs with some equal times asked for a rate.
 #[test]
 fn issue_smc_of_pairs_with_ties() {
     let text = file("usgs.smc");
@@ -286,7 +286,7 @@ fn issue_smc_of_pairs_with_ties() {
     );
 }
 
-/// A sum of components was one, and volumes of another kind were of no known format.
+/// A sum of components counted as a component, and other volumes of a known format were refused as unknown.
 #[test]
 fn issue_other_files_are_named() {
     let refused = |text: &str| refusal(text, &Declared::default());
@@ -295,7 +295,7 @@ fn issue_other_files_are_named() {
     assert_snapshot!(refused(table), @"the file is PEER's table of selected records, allowed is a record as text, SAC or miniSEED; take the .AT2 files that it lists");
 }
 
-/// JSON was of no known format.
+/// JSON was refused as an unknown format.
 #[test]
 fn issue_json_of_the_simcenter() {
     let list = |factor: f64| {
@@ -323,7 +323,7 @@ fn issue_json_of_the_simcenter() {
     assert_eq!((found.values().len(), found.time_step()), (30, 0.005));
     assert_eq!(found.values()[1].to_string(), (0.5 * wave(2)[1]).to_string());
     refusal(text.replace("0.005", "\"\""), &declared);
-    // The header of another program in a unit that is known.
+    // The header of another program, in a known unit.
     let other = "time_s,acceleration_ms2\n0.00,0.5\n0.01,-0.25\n";
     assert_eq!(
         accelerogram(other, &Declared::default()).unit(),

@@ -1,11 +1,11 @@
-//! Whatever is declared, no file is read against what it says itself.
+//! A declaration never overrides a statement of the file.
 
 use pounding_motion::{AccelerationUnit, Accelerogram, Declared, read_declared};
 use proptest::prelude::*;
 
 use super::{file, rows_of};
 
-/// A small text, and which unit and step \[s\] it states itself.
+/// A small text with the unit and step \[s\] that it states.
 #[derive(Clone, Debug)]
 struct Case {
     text: String,
@@ -112,7 +112,7 @@ proptest! {
         let Some(found) = read(&case.text, &declared) else {
             return Ok(());
         };
-        // What was read is what the file says, and nothing else was declared.
+        // The values read are those of the file, and nothing else was declared.
         if let Some(stated) = case.unit {
             prop_assert_eq!(found.unit(), stated, "{}", case.text);
             prop_assert!(unit.is_none_or(|unit| unit == stated), "{:?} taken for {:?}", unit, stated);

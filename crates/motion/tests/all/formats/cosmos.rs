@@ -38,7 +38,7 @@ fn reference_counts_become_what_the_caller_says() {
     };
     let found = accelerogram(file("cosmos.v0"), &declared);
     assert_eq!(found.values()[..2], [-8865.5, -25811.5]);
-    // In counts, the mark of what is unknown is a value like others.
+    // In counts the mark of unknown values is a valid value.
     assert_eq!(found.values()[7..=7], [-249.75]);
     assert_snapshot!(readings(&found), @r"
     format: COSMOS 1.2
@@ -85,7 +85,7 @@ fn limit_a_step_that_the_header_leaves_out_may_be_declared() {
     assert_eq!(accelerogram(text, &declared).time_step().to_string(), "0.01");
 }
 
-/// A channel of these fields, so many to a line, without header numbers.
+/// A channel with these fields, `per_line` on each line, without header numbers.
 fn channel(format: &str, per_line: usize, fields: &[String]) -> String {
     let rows: Vec<String> = fields.chunks(per_line).map(<[String]>::concat).collect();
     format!(
@@ -107,7 +107,7 @@ proptest! {
         let declared = Declared { time_step: Some(0.01), ..Declared::default() };
         let scale: f64 = format!("1e-{decimals}").parse().unwrap();
         let values: Vec<f64> = numbers.iter().map(|number| f64::from(*number) * scale).collect();
-        // No wider than the widest number, so that numbers touch.
+        // The columns are no wider than the widest number, so numbers touch.
         let fields: Vec<String> = values.iter().map(|value| format!("{value:.decimals$}")).collect();
         let width = fields.iter().map(String::len).max().unwrap();
         let padded: Vec<String> = fields.iter().map(|field| format!("{field:>width$}")).collect();

@@ -96,7 +96,7 @@ fn reference_volume_1_of_pairs() {
 
 #[test]
 fn issue_pairs_without_a_title_of_their_unit() {
-    // They were refused as if the file ended too early.
+    // Such files were refused as ending too early.
     let text = with("csmip-old.v1", "Units are sec and g/10", "");
     assert_snapshot!(refusal(&text, &NOTHING), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
     let declared = Declared {
@@ -105,7 +105,7 @@ fn issue_pairs_without_a_title_of_their_unit() {
     };
     let found = accelerogram(&text, &declared);
     assert_eq!(found.values()[..3], [-2.807, -8.174, -6.988]);
-    // The peak of the header still tells a wrong unit.
+    // The peak of the header still reveals a wrong unit.
     let wrong = Declared {
         unit: Some(AccelerationUnit::StandardGravity),
         ..NOTHING

@@ -1,4 +1,4 @@
-//! Declarations of the caller: filled in, repeated, contradicted; and the units.
+//! Declarations of the caller: added, repeated, contradicted; and the units.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, Format, components};
@@ -58,7 +58,7 @@ fn extreme_contradictions() {
 
 #[test]
 fn reference_units_and_their_powers_of_ten() {
-    // 12.3 of each in m/s², with one g worth 10 m/s².
+    // The value 12.3 in each unit in m/s², with one g equal to 10 m/s².
     let expected = ["123", "12.3", "0.123", "0.0123", "0.123", "12.3"];
     for (unit, expected) in AccelerationUnit::ALL.into_iter().zip(expected) {
         let declared = Declared {

@@ -24,7 +24,7 @@ fn reference_three_components_in_millimetres() {
     unit (line 14): mm/s² (mm/s/s)
     peak in the header (line 14): Acceleration:  peak -83518.1 mm/s/s at   0.04 sec     rms   …
     ");
-    // Tenths of a millimetre to the last digit.
+    // Tenths of a millimetre, exact to the last digit.
     let record = found.into_record(9.81).unwrap();
     assert_eq!(record.samples()[0].to_string(), "-65.4476");
 }

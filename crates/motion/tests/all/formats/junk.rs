@@ -1,4 +1,4 @@
-//! Damaged files: read or refused, never a panic.
+//! Damaged files are read or refused and never cause a panic.
 
 use pounding_motion::{AccelerationUnit, Declared, components, read_declared};
 use proptest::prelude::*;
@@ -20,7 +20,7 @@ const FILES: [&str; 12] = [
     "usgs.smc",
 ];
 
-/// The first component, and what a file may leave to the caller.
+/// The first component, and the information that a file may leave to the caller.
 fn declared(per_count: Option<f64>) -> Declared {
     Declared {
         unit: Some(AccelerationUnit::CentimetrePerSecondSquared),
@@ -32,7 +32,7 @@ fn declared(per_count: Option<f64>) -> Declared {
     }
 }
 
-/// Refused, or read as numbers that can be used.
+/// Asserts that the file is refused, or read as usable numbers.
 fn check(bytes: &[u8], declared: &Declared) {
     let names = components(bytes);
     let Ok(found) = read_declared(bytes, declared) else {
@@ -62,7 +62,7 @@ fn extreme_every_cut_of_a_file_is_refused_or_loses_nothing_of_the_channel() {
         for length in (0..text.len()).step_by(7) {
             let _ = components(&text.as_bytes()[..length]);
             if let Ok(found) = read_declared(&text.as_bytes()[..length], &declared) {
-                // All but the last digits of the last value, which a cut may take.
+                // A cut may remove only the last digits of the last value.
                 let n_values = whole.values().len();
                 assert_eq!(found.values().len(), n_values, "{name} cut at {length}");
                 assert_eq!(found.values()[..n_values - 1], whole.values()[..n_values - 1]);

@@ -1,4 +1,4 @@
-//! Formats of a value to a line: ESM, eqsig.
+//! Formats with one value per line: ESM, eqsig.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, Format};

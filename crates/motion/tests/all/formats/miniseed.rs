@@ -1,4 +1,4 @@
-//! miniSEED, as another program writes it.
+//! miniSEED as another program writes it.
 
 use insta::assert_snapshot;
 use miniseed_rs::{EncodingFormat, MseedRecord, NanoTime, Samples, encode};
@@ -17,7 +17,7 @@ fn in_milli_g() -> Declared {
     }
 }
 
-/// A record of 100 samples a second that starts at this hundredth of a second.
+/// A record at 100 samples per second that starts at this hundredth of a second.
 fn record(version: u8, channel: &str, start: u32, encoding: EncodingFormat, samples: Samples) -> Vec<u8> {
     let record = if version == 2 { MseedRecord::new() } else { MseedRecord::new_v3() };
     let time = NanoTime {
@@ -123,7 +123,7 @@ fn extreme_records() {
 proptest! {
     #[test]
     fn reference_what_steim_packed_comes_back(samples in prop::collection::vec(-200_000_000..200_000_000_i32, 1..90), small in 0..24_u32) {
-        // Small differences take other splits of a word than large ones.
+        // Small differences are packed differently from large ones.
         let samples: Vec<i32> = samples.into_iter().map(|sample| sample >> small).collect();
         let expected: Vec<f64> = samples.iter().map(|sample| f64::from(*sample) * 0.5).collect();
         for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2] {
@@ -134,7 +134,7 @@ proptest! {
     }
 }
 
-/// Records without a blockette 1000 were refused: their packing is Steim 1, and their length is where the next begins.
+/// Records without a blockette 1000 were refused: their packing is Steim 1, and they end where the next one begins.
 #[test]
 fn issue_records_without_a_blockette_1000() {
     let bare = |start: u32| {
@@ -151,8 +151,8 @@ fn issue_records_without_a_blockette_1000() {
     assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
 }
 
-/// The record of version 2 with its packed words in the other byte order: differences of one byte stay, those of two bytes are swapped
-/// separately, all other data by four bytes.
+/// The record of version 2 with its packed words in the other byte order. Differences of one byte stay, those of two bytes are swapped
+/// separately, and all other data are swapped as four bytes.
 fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
     let blockette = usize::from(u16::from_be_bytes([bytes[46], bytes[47]]));
     bytes[blockette + 5] = 0;
@@ -174,7 +174,7 @@ fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
     bytes
 }
 
-/// Differences of one and two bytes came out in reversed order, silently or as damage: loggers of Kelunji and SEISAN write so.
+/// Differences of one and two bytes came out in reversed order, silently or as damage, in files of Kelunji and SEISAN loggers.
 #[test]
 fn issue_steim_in_the_other_order_of_bytes() {
     let small: Vec<i32> = vec![0, 1, 3, 6, 10, 15, 21, 28];

@@ -1,4 +1,4 @@
-//! Every format besides CSV and AT2: what is read of a small file, and what each refusal says.
+//! Every format except CSV and AT2: the readings of a small file, and the message of each refusal.
 //!
 //! The files are made by hand in the layouts of the networks, with invented values.
 
@@ -46,7 +46,7 @@ fn refusal(bytes: impl AsRef<[u8]>, declared: &Declared) -> String {
         .to_string()
 }
 
-/// A declaration of the component alone.
+/// A declaration of only the component.
 fn component(name: &str) -> Declared {
     Declared {
         component: Some(name.to_owned()),
@@ -54,7 +54,7 @@ fn component(name: &str) -> Declared {
     }
 }
 
-/// What was read, a line each.
+/// The readings, one per line.
 fn readings(found: &Accelerogram) -> String {
     let lines = found.readings().iter().map(|reading| match reading.line {
         Some(line) => format!("{} (line {line}): {}", reading.what, reading.found),
@@ -63,7 +63,7 @@ fn readings(found: &Accelerogram) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Values that shake to and fro, the largest below one.
+/// Values with changing signs, the largest below one.
 fn wave(n_values: usize) -> Vec<f64> {
     let value = |step: usize| {
         let step = f64::from(u32::try_from(step).expect("few values"));
@@ -72,7 +72,7 @@ fn wave(n_values: usize) -> Vec<f64> {
     (0..n_values).map(value).collect()
 }
 
-/// A row for each value of a [wave], of its number and the value.
+/// One row per value of a [wave], made from its number and the value.
 fn rows_of(n_values: usize, row: impl Fn(f64, f64) -> String) -> String {
     let values = wave(n_values).into_iter();
     let numbered = (0..).map(f64::from).zip(values);

@@ -1,4 +1,4 @@
-//! Numbers that are no history of accelerations: spectra, sums, numbers of a header; and what looks like them.
+//! Numbers that are not histories of accelerations: spectra, sums, numbers of a header; and similar numbers that are.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Accelerogram, Declared, Unusual, components};
@@ -24,7 +24,7 @@ const TURNED: Declared = Declared {
     ..LIST
 };
 
-/// A table below a header, of values that rise and fall above zero.
+/// A table below a header, with values that rise and fall above zero.
 fn spectrum(header: &str, separator: &str) -> String {
     let rows = (0..40).map(|step| {
         let (period, value) = (f64::from(step) * 0.02, 0.2 + 0.01 * f64::from(step.min(40 - step)));
@@ -64,7 +64,7 @@ fn issue_spectra_are_no_motion() {
     assert!(refusal(of_fourier, &IN_G).contains("this is a Fourier spectrum"));
     let of_program = "Period [sec]\tAcceleration [g]\tVelocity [cm/sec]\tDisplacement [cm]\n0.00\t0.25\t1.0\t0.1\n0.02\t0.3\t1.0\t0.1\n0.04\t0.3\t1.0\t0.1\n";
     assert!(refusal(of_program, &IN_G).contains("this is a response spectrum"));
-    // A time in capitals and the axis of a direction are none.
+    // A time in capitals and the axis of a direction are not spectra.
     let titled: String = "Station SA\n".to_owned() + &rows_of(20, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
     assert_eq!(accelerogram(titled, &IN_G).values().len(), 20);
     for header in ["T (s),acc (g)", "time,SE (g)", "t,a"] {
@@ -79,7 +79,7 @@ fn issue_spectra_are_no_motion() {
     }
 }
 
-/// Spectra without headings, times and sums were motions.
+/// Spectra without headings, times and sums counted as motions.
 #[test]
 fn issue_values_of_one_sign_are_asked_about() {
     let bare = spectrum("a spectrum of the code", " ");
@@ -88,7 +88,7 @@ fn issue_values_of_one_sign_are_asked_about() {
     assert_snapshot!(refusal(&rising, &LIST), @"the 20 values that end at line 20 only rise, like a spectrum and unlike shaking, and the file does not call them accelerations; take the record itself, or declare `acceleration` if they are accelerations");
     let declared = Declared { time_step: None, ..TURNED };
     assert_snapshot!(unusual(&accelerogram(&bare, &declared)), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
-    // Where the file says that they are accelerations they may be a pulse.
+    // If the file calls them accelerations, they may be a pulse.
     let pulse = spectrum("time_s,acceleration_g", ",");
     assert_snapshot!(unusual(&accelerogram(&pulse, &Declared::default())), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
     // The unit of a spectrum made its values accelerations.
@@ -114,7 +114,7 @@ fn issue_values_of_one_sign_are_asked_about() {
     assert_eq!(components(sums.as_bytes()).unwrap(), ["NS", "EW"]);
 }
 
-/// A scale and a step above the values were the first two of them: the peak was 1.000 g at 0 s.
+/// A scale and a step above the values became the first two values: the peak was 1.000 g at 0 s.
 #[test]
 fn issue_numbers_of_a_header_are_no_samples() {
     let values: String = rows_of(40, |_, value| format!("{:.6}\n", 0.3 * value));
@@ -182,7 +182,7 @@ fn issue_what_resampling_takes_off_the_peak_is_told() {
     assert_eq!(unusual(&kept), "");
 }
 
-/// Weak peaks, such as those of a wrong unit, were passed over.
+/// Weak peaks, such as those of a wrong unit, had no warning.
 #[test]
 fn issue_peaks_that_no_strong_motion_has() {
     let peak = |peak: f64| {

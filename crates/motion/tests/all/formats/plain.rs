@@ -89,7 +89,7 @@ fn extreme_lines() {
     assert_snapshot!(refusal("0.1\nNaN\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "NaN" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @"line 2 has 1 column(s), allowed are 2 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
     assert_snapshot!(refusal("3\n0.1\n0.2\n0.3\n", &in_g_with_step(0.1)), @r#"line 1 reads "3", which is how many values follow; put # before it, or it would be taken for the first"#);
-    // A comma for a point makes two columns of one.
+    // A decimal comma makes two columns of one.
     assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @r#"line 1 reads "0,00123": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
 }
 
@@ -100,7 +100,7 @@ fn extreme_unknown_format() {
     assert_snapshot!(refusal(b"\xff\xfe\x00\x01 binary", &IN_G), @r#"the file is text in UTF-16, allowed is a record as text, SAC or miniSEED; save it again as UTF-8 (an editor's "Save as", or `iconv -f UTF-16 -t UTF-8`)"#);
 }
 
-/// 100 MB of line ends took 2.4 GB.
+/// A file with 100 MB of line ends took 2.4 GB of memory.
 #[test]
 fn extreme_too_many_lines_are_refused() {
     let empty = "\n".repeat(1_000_001);
@@ -109,7 +109,7 @@ fn extreme_too_many_lines_are_refused() {
     assert_snapshot!(refusal(&short, &IN_G), @"found 20000001 lines, allowed are 20000000; cut the record to the shaking that matters");
 }
 
-/// Spreadsheets end every line with the commas of empty columns: the list of formats was the answer.
+/// Spreadsheets end every line with the commas of empty columns. The refusal was a list of formats.
 #[test]
 fn issue_empty_columns_of_a_spreadsheet_are_left_out() {
     let text = "time (s),acc_g,,\n0.00,0.1,,\n0.02,-0.25,,\n";
@@ -118,7 +118,7 @@ fn issue_empty_columns_of_a_spreadsheet_are_left_out() {
     assert_eq!(found.unit(), AccelerationUnit::StandardGravity);
 }
 
-/// The number of rows above times and values was a line with too few columns.
+/// The number of rows above times and values was refused as a line with too few columns.
 #[test]
 fn issue_the_number_of_the_rows_may_stand_above_them() {
     let rows = "0.00 0.1\n0.02 -0.25\n0.04 0.05\n";
@@ -137,7 +137,7 @@ fn issue_decimal_commas_of_four_columns_are_named() {
     assert!(!refusal("12,34,56,78\n90,12,34,56\n", &IN_G).contains("decimal comma"));
 }
 
-/// A unit in Latin-1, as spreadsheets save it, was not read, and a declaration that contradicts it taken.
+/// A unit in Latin-1, as spreadsheets save it, was not read, and a contradicting declaration was accepted.
 #[test]
 fn issue_units_in_latin_1_are_read() {
     let text = b"Zeit [s];Beschleunigung [m/s\xb2]\n0,00;0,1\n0,02;-0,25\n0,04;0,05\n";
@@ -147,7 +147,7 @@ fn issue_units_in_latin_1_are_read() {
     assert_snapshot!(refusal(text, &IN_G), @"line 1 says that the values are in m_per_s2, but g is declared as `unit`; leave the declaration away");
 }
 
-/// To put the header of an acceleration above velocities was the advice.
+/// The message about velocities advised to put the header of an acceleration above them.
 #[test]
 fn issue_velocities_are_named_as_such() {
     let rows = "0.00,0.1\n0.02,-0.25\n0.04,0.05\n";

@@ -46,7 +46,7 @@ fn directions(text: impl AsRef<[u8]>) -> Vec<Option<Direction>> {
 const SIDEWAYS: Option<Direction> = Some(Direction::Horizontal);
 const UPRIGHT: Option<Direction> = Some(Direction::Vertical);
 
-/// Of such files the vertical component shook rows: the last word of a name was looked at alone, or the word was not looked at.
+/// The vertical component of such files shook rows: only the last word of a name was checked, or the word was not known.
 #[test]
 fn issue_vertical_components_wherever_a_format_puts_the_word() {
     let at2 = |title: &str| {
@@ -64,18 +64,18 @@ fn issue_vertical_components_wherever_a_format_puts_the_word() {
     assert_eq!(csmip("CHAN  1: V       (STA CHN:  2)")[0], UPRIGHT);
     assert_eq!(csmip("CHAN  1: L       (STA CHN:  1)")[0], SIDEWAYS);
     assert_eq!(csmip("COMP  1 UP")[0], UPRIGHT);
-    // A word of a place is no direction.
+    // A word of a place is not a direction.
     assert_eq!(csmip("CHAN  1:  90 DEG (STA CHN: 1)  LOCATION: UP THE HILL")[0], SIDEWAYS);
     let smc = |to| directions(with("usgs.smc", "component=     27", to));
     assert_eq!(smc("component=   1 Up"), [UPRIGHT]);
 }
 
-/// No step was too short or too long, and no peak too large.
+/// Any step and any large peak were accepted.
 #[test]
 fn issue_steps_and_peaks_that_no_record_has() {
     let impossible = with("usgs.smc", "0.1000000E+03", "0.1000000E+13");
     assert_snapshot!(refusal(&impossible, &NOTHING), @"line 18 gives a time step of 1e-12 s, allowed are 1e-6 to 10 s: the header lacks it, or is damaged; if it is right, declare the same as `time_step`");
-    // Whoever repeats it means it.
+    // A user who repeats the value means it.
     let found = accelerogram(&impossible, &with_step(1e-12));
     assert_eq!(found.unusual(), [Unusual::TimeStep { found: 1e-12 }]);
     assert_snapshot!(refusal("time_s,acceleration_g\n0,1\n3600,2\n", &NOTHING), @"line 2 gives a time step of 3600.0 s, allowed are 1e-6 to 10 s: the header lacks it, or is damaged; if it is right, declare the same as `time_step`");
@@ -89,7 +89,7 @@ fn issue_steps_and_peaks_that_no_record_has() {
     assert!(usual.unusual().is_empty(), "{:?}", usual.unusual());
 }
 
-/// Velocities were taken for accelerations once their unit was declared.
+/// Velocities became accelerations once their unit was declared.
 #[test]
 fn issue_velocities_of_the_broadband_platform() {
     let text = "# LP Sim NGAH, stat=s01\n#    time(sec)      N-S(cm/s)      E-W(cm/s)      U-D(cm/s)\n\
@@ -108,7 +108,7 @@ fn issue_velocities_of_the_broadband_platform() {
     assert!(matches!(found.unusual(), [Unusual::Peak { .. }, Unusual::Velocity { .. }]));
 }
 
-/// Such files were refused: the columns are named on a line each.
+/// Files that name each column on a separate line were refused.
 #[test]
 fn issue_broadband_columns_in_comments() {
     let text = "# Strong motion recording\n# Column 1: Time (s)\n# Column 2: East-west acceleration (cm/s/s) (+ is eastward)\n\
@@ -128,7 +128,7 @@ fn issue_cwb_with_a_blank_line_in_its_header() {
     assert_eq!(directions(text), [UPRIGHT, SIDEWAYS, SIDEWAYS]);
 }
 
-/// The poles of filters behind the time step were taken for numbers too many.
+/// The poles of filters after the time step were refused as excess numbers.
 #[test]
 fn issue_at2_with_poles_of_filters() {
     let text = |line: &str| format!("PEER\nSomewhere, UP\nACCELERATION IN UNITS OF G\n{line}\n.1 .2\n");
@@ -138,7 +138,7 @@ fn issue_at2_with_poles_of_filters() {
     assert_snapshot!(line(&accelerogram(text(filter), &NOTHING)), @"PEER AT2, UP, 0.01 s, g, [0.1, 0.2]");
 }
 
-/// The NPTS of another record, which had stayed in a title, was believed.
+/// The NPTS of another record, in a title, was believed.
 #[test]
 fn issue_at2_with_the_count_of_another_record() {
     let text = "El Somewhere\n3 points at equal spacing of 0.02 sec\nThe units are (g) NPTS=  7818, DT= .0200 SEC\n\
@@ -155,7 +155,7 @@ fn issue_at2_with_the_count_of_another_record() {
     assert_snapshot!(refusal(text.replace("0.75\n", ""), &NOTHING), @"the values end at line 6 after 2 of them, but the header declares 7818; fetch the file again, or correct the header if the values are complete");
 }
 
-/// A type 0, `UNKNOWN`, was refused, and so were columns of 14 bytes.
+/// Type 0, `UNKNOWN`, and columns of 14 bytes were refused.
 #[test]
 fn issue_smc_of_unknown_type() {
     let text = file("usgs.smc");
@@ -175,7 +175,7 @@ fn issue_smc_of_unknown_type() {
     assert_snapshot!(refusal(format!("{header}{wide}"), &NOTHING), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
 }
 
-/// Columns began one byte late, and pieces of two numbers were read as one.
+/// Columns began one byte late, and pieces with two numbers were read as one.
 #[test]
 fn issue_usc_volume_1_in_columns_behind_a_blank() {
     let text = file("csmip-old.v1");
@@ -196,7 +196,7 @@ fn issue_usc_volume_1_in_columns_behind_a_blank() {
     assert_eq!(read(&behind).expect("a record").values(), read(&text).expect("a record").values());
 }
 
-/// The unit stands with the peak alone, and could not be declared either.
+/// Only the peak has a unit in these files, and a declaration was refused too.
 #[test]
 fn issue_usc_volume_2_with_the_unit_of_the_peak() {
     let text = file("usc.s0a");
@@ -214,7 +214,7 @@ fn issue_usc_volume_2_with_the_unit_of_the_peak() {
     );
 }
 
-/// `EQUALLY SPACED AT` was not looked for in volume 1.
+/// `EQUALLY SPACED AT` was not searched in volume 1.
 #[test]
 fn issue_csmip_volume_1_with_its_step() {
     let text = file("csmip-new.v1");
@@ -227,7 +227,7 @@ fn issue_csmip_volume_1_with_its_step() {
     assert_eq!(found.time_step().to_string(), "0.005");
 }
 
-/// One row more than declared was refused.
+/// A file with one row more than declared was refused.
 #[test]
 fn issue_unam_with_one_row_more() {
     let text = "INSTITUTO DE INGENIERIA, UNAM\nARCHIVO ESTANDAR DE ACELERACION\nORIENTACION C1-C6 (rumbo;orientacion) : /V;+/N90E;-\n\
@@ -304,7 +304,7 @@ fn issue_formats_of_other_networks() {
     assert_snapshot!(refusal(block("VL"), &NOTHING), @r#"line 6 reads "SAMPLES/SEC=200 FILTER TYPE=BUTTERWORTH DATA TYPE=VL", but only histories of acceleration are read; take the file with DATA TYPE=AC"#);
 }
 
-/// Columns behind words were refused whatever was declared.
+/// Columns after words were refused under any declaration.
 #[test]
 fn issue_components_in_columns() {
     let csv = "time,acc_NS(gal),acc_EW(gal),acc_UD(gal)\n0.00,1.5,2.5,3.5\n0.01,-1.5,-2.5,-3.5\n";
@@ -318,7 +318,7 @@ fn issue_components_in_columns() {
         ..IN_GAL
     };
     assert_snapshot!(line(&accelerogram(words, &declared)), @"plain text, Z, 0.005 s, cm/s², [2.5, -2.5]");
-    // Without names the first column may be a time, and nothing tells how the others lie.
+    // Without names the first column may be a time, and the directions of the others are unknown.
     let bare = "0.00 1 2 3\n0.01 4 5 6\n0.02 7 8 9\n";
     assert_eq!(components(bare.as_bytes()).expect("columns"), ["column 2", "column 3", "column 4"]);
     assert_eq!(directions(bare), [None, None, None]);
@@ -348,8 +348,8 @@ fn issue_bare_values_line_after_line() {
     assert_eq!(counted.time_step().to_string(), "0.02");
 }
 
-/// A line with the number of pairs was taken for the first time, times in single precision for uneven ones, and a first time
-/// that is not zero was refused.
+/// A line with the number of pairs became the first time. Times in single precision counted as uneven, and a first time other than zero was
+/// refused.
 #[test]
 fn issue_pairs_behind_a_count_in_single_precision_and_from_anywhere() {
     let counted = accelerogram(" 3  0.005\n 0.005 1.5\n 0.01 -2.5\n 0.015 3.5\n", &IN_GAL);

@@ -1,4 +1,4 @@
-//! How numbers stand in a text: in rows, behind semicolons, above marks of an end.
+//! The arrangement of numbers in a text: in rows, after semicolons, above end marks.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, components};
@@ -17,14 +17,14 @@ fn in_rows() -> Declared {
     Declared { in_rows: true, ..list() }
 }
 
-/// The values with so many to a row.
+/// The values in rows of `per_row`.
 fn rows(n_values: usize, per_row: usize, separator: &str) -> String {
     let values: Vec<String> = wave(n_values).iter().map(|value| format!("{value:.6}")).collect();
     let rows = values.chunks(per_row).map(|row| row.join(separator) + "\n");
     rows.collect()
 }
 
-/// Several values a line without names could be declared in no way.
+/// Several values per line without names could not be declared in any way.
 #[test]
 fn issue_values_in_rows() {
     let expected = accelerogram(rows(40, 1, ""), &list());
@@ -36,15 +36,15 @@ fn issue_values_in_rows() {
     }
     assert_snapshot!(refusal(rows(40, 5, " "), &list()), @"line 1 has 5 numbers: column 1 is no time, and nothing names the columns; if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `NS EW UD …` or `time NS EW UD`");
     assert_snapshot!(refusal(format!("# dt = 0.01 s\n{}", rows(40, 2, " ")), &list()), @"line 2 has 2 numbers: column 1 is no time, and nothing names the columns; if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `NS EW` or `time NS`");
-    // Declared against the file.
+    // This declaration contradicts the file.
     assert_snapshot!(refusal("0.00 0.1\n0.01 -0.2\n0.02 0.1\n", &in_rows()), @r#"line 1 reads "0.00 0.1": the numbers stand in columns, but `in_rows` is declared; leave the declaration away"#);
     assert_snapshot!(refusal("NS EW\n0.3 0.1\n0.01 -0.2\n", &in_rows()), @r#"line 1 reads "NS EW": the numbers stand in columns, but `in_rows` is declared; leave the declaration away"#);
-    // A last row that is cut off was read as values in rows, times among them.
+    // A table with a cut last row was read as values in rows, including the times.
     assert_snapshot!(refusal("time NS EW\n0.00 0.1 0.2\n0.01 0.2 0.3\n0.02 0.1\n", &list()), @"line 2 has 3 numbers: the rows below have others; if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `NS EW UD` or `time NS EW`");
     assert_snapshot!(refusal("0.00 0.1 0.2\n0.01 0.2 0.3\n0.02 0.1 0.2\n0.03 0.1\n", &list()), @"line 1 has 3 numbers: the rows below have others; if they follow one another, declare `in_rows`; if they are columns, write their names above, such as `NS EW UD` or `time NS EW`");
 }
 
-/// Fixed columns of a program whose numbers touch were of no known format.
+/// Fixed columns of touching numbers were refused as an unknown format.
 #[test]
 fn issue_values_in_rows_that_touch() {
     let values = wave(40);
@@ -58,7 +58,7 @@ fn issue_values_in_rows_that_touch() {
     assert!(refusal(format!("A PROGRAM\n{touching}"), &list()).contains("declare `in_rows`"));
 }
 
-/// A mark behind the last line was refused as a row.
+/// An end mark after the last line was refused as a row.
 #[test]
 fn issue_marks_of_the_end() {
     let expected = accelerogram(rows(30, 1, ""), &list());
@@ -77,7 +77,7 @@ fn issue_marks_of_the_end() {
     }
 }
 
-/// Ctrl-Z at the end, a blank line above the first and rows of nothing but commas below the last hid most layouts.
+/// Ctrl-Z at the end, a blank line above the first row, or rows of only commas below the last hid most layouts.
 #[test]
 fn issue_blank_lines_above_and_ctrl_z_below() {
     for name in [
@@ -110,7 +110,7 @@ fn issue_blank_lines_above_and_ctrl_z_below() {
     }
 }
 
-/// Decimal commas were taken for a comma between a time and a value, or not recognised.
+/// Decimal commas were read as separators of a time and a value, or were not recognised.
 #[test]
 fn issue_decimal_commas() {
     let comma = |text: String| text.replace('.', ",");
@@ -132,7 +132,7 @@ fn issue_decimal_commas() {
     assert_snapshot!(refusal(comma(rows(20, 1, "")), &list()), @r#"line 1 reads "0,000000": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
 }
 
-/// A line of values as long as the file took 30 times its size in memory.
+/// A single line of values as long as the file took 30 times its size in memory.
 #[test]
 fn extreme_one_long_line() {
     let text = "0.1 -0.2 ".repeat(100_000);

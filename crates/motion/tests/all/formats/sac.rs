@@ -5,7 +5,7 @@ use pounding_motion::{AccelerationUnit, Declared, Format, components};
 
 use super::{accelerogram, readings, refusal};
 
-/// A file with this word at a place of its header, a number from 0, and others as usual.
+/// A usual file with one word of its header replaced, by index from 0.
 struct Sac {
     big_endian: bool,
     words: Vec<(usize, u32)>,
@@ -77,7 +77,7 @@ fn reference_both_byte_orders_are_one() {
     };
     let found = accelerogram(little.bytes(), &IN_SI);
     assert_eq!(found.format(), Format::Sac);
-    // The step is the decimal that was meant, not the nearest single precision.
+    // The step is the intended decimal, not the nearest single-precision number.
     assert_eq!(found.time_step().to_string(), "0.02");
     let expected: Vec<f64> = VALUES.iter().map(|value| f64::from(*value)).collect();
     assert_eq!(found.values(), expected);
@@ -119,7 +119,7 @@ fn limit_peak_and_quantity_may_be_unset() {
     assert_eq!(accelerogram(sac.bytes(), &IN_SI).values().len(), 4);
 }
 
-/// Of a file without the name of its channel nothing told the direction, though the header has the angle of the sensor.
+/// A file without a channel name had no direction although the header has the angle of the sensor.
 #[test]
 fn issue_upright_by_the_angle_of_the_sensor() {
     let names = |channel: &[u8; 8], angle: f32| {
@@ -134,7 +134,7 @@ fn issue_upright_by_the_angle_of_the_sensor() {
     assert_eq!(names(b"HNE     ", 0.0), ["HNE"]);
 }
 
-/// Channels of seismometers were taken for accelerations once their unit was declared.
+/// Channels of seismometers became accelerations once their unit was declared.
 #[test]
 fn issue_velocities_by_the_code_of_the_channel() {
     let with_channel = |code: &[u8; 3], quantity: u32| {
@@ -151,7 +151,7 @@ fn issue_velocities_by_the_code_of_the_channel() {
     let found = accelerogram(with_channel(b"BHE", unknown), &turned);
     let said: Vec<String> = found.unusual().iter().map(ToString::to_string).collect();
     assert_snapshot!(said.join("\n"), @r#"found "BHE" in the file, which speaks for velocities, declared to be accelerations, usual is the record of an accelerometer, such as channel HNE"#);
-    // What the header says counts more than the code, and accelerometers have codes of their own.
+    // The header counts more than the code, and accelerometers have different codes.
     for (code, quantity) in [(b"BHE", acceleration), (b"HNE", unknown), (b"ENZ", unknown)] {
         let found = accelerogram(with_channel(code, quantity), &IN_SI);
         assert!(found.unusual().is_empty(), "{code:?}");

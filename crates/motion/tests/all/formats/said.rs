@@ -17,7 +17,7 @@ fn declared(unit: AccelerationUnit, time_step: f64) -> Declared {
     }
 }
 
-/// Component, number, step and unit.
+/// Component, number, step and unit on one line.
 fn line(text: &str) -> String {
     let found = accelerogram(text, &nothing());
     format!(
@@ -29,12 +29,12 @@ fn line(text: &str) -> String {
     )
 }
 
-/// A value to a line.
+/// One value per line.
 fn column(n_values: usize) -> String {
     rows_of(n_values, |_, value| format!("{value:.6e}\n"))
 }
 
-/// Six values to a line.
+/// Six values per line.
 fn in_rows(n_values: usize) -> String {
     let values: Vec<String> = wave(n_values).iter().map(|value| format!("{value:.6e}")).collect();
     let rows = values.chunks(6).map(|row| row.join("  ") + "\n");
@@ -49,7 +49,7 @@ const GEO_CSV: &str = "# dataset: GeoCSV 2.0\n# delimiter: ,\n# SID: ZZ_STA_00_H
                        # start_time: 2020-01-01T00:00:00.000000Z\n# field_unit: M/S**2\n# field_type: FLOAT\nSample\n";
 const PROSE: &str = "# Station ABC component N, dt = 0.005 s, acceleration in cm/s2\n";
 
-/// Rate, unit, number and component of such headers were passed over, and what contradicted them was taken.
+/// Rate, unit, number and component of such headers were ignored, and contradicting declarations were accepted.
 #[test]
 fn issue_headers_in_comments_and_titles() {
     let csn = format!("{CSN}{}", column(120));
@@ -81,7 +81,7 @@ fn issue_headers_in_comments_and_titles() {
     }
 }
 
-/// Declarations that contradict such headers were taken.
+/// Declarations that contradict such headers were accepted.
 #[test]
 fn issue_declared_against_comments() {
     let in_mg = declared(AccelerationUnit::MilliG, 0.02);
@@ -99,7 +99,7 @@ fn issue_declared_against_comments() {
         refusal(&text, &right_step);
         refusal(&text, &declared(silent.unit(), 0.01));
     }
-    // Times and the header must agree, too; a caller may say which holds.
+    // Times and the header must agree, too; a caller may declare which one counts.
     let times: String = rows_of(30, |step, value| format!("{:.2} {value}\n", 0.01 * step));
     let both = format!("# dt = 0.02 s, acc in g\n{times}");
     assert_snapshot!(refusal(&both, &nothing()), @"the file gives more than one time step: 0.01 s (line 2), 0.02 s (line 1); declare the right one as `time_step`, or correct the file");
@@ -131,7 +131,7 @@ fn issue_fewer_values_than_comments_count() {
         let said = refusal(format!("{header}{values}"), &nothing());
         assert!(said.contains("the header declares 120"), "{said}");
     }
-    // One or two of many are told.
+    // One or two missing of many values are reported, not refused.
     let found = accelerogram(format!("{CSN}{}", column(119)), &nothing());
     assert_eq!(found.values().len(), 119);
     assert!(
@@ -139,7 +139,7 @@ fn issue_fewer_values_than_comments_count() {
         "{}",
         readings(&found)
     );
-    // A damaged last line is no end.
+    // A damaged last line does not end the values.
     let at2 = |last: &str| {
         format!(
             "A\nB, 180\nACCELERATION IN UNITS OF G\nNPTS= 121, DT= .02 SEC\n{}{last}\n",
@@ -152,7 +152,7 @@ fn issue_fewer_values_than_comments_count() {
     refusal(format!("{short}{}", column(19)), &nothing());
 }
 
-/// Such files were of no known format.
+/// Files with dates instead of times were refused as an unknown format.
 #[test]
 fn issue_dates_for_times() {
     let stamped = |separator: &str| {
@@ -183,7 +183,7 @@ fn issue_dates_for_times() {
     assert_eq!(found.unit(), AccelerationUnit::CentimetrePerSecondSquared);
 }
 
-/// Times since 1970 and times in milliseconds gave no step, or one of 5 s.
+/// Times since 1970 and times in milliseconds gave no step, or a step of 5 s.
 #[test]
 fn issue_times_in_other_units() {
     let rows = |time: &dyn Fn(usize) -> String| {
@@ -236,7 +236,7 @@ fn issue_times_in_other_units() {
     assert_eq!(step(format!("time,acc_g\n{in_milliseconds}")), "0.005");
 }
 
-/// Velocities and displacements that a title names were taken for accelerations.
+/// Velocities and displacements named in a title were read as accelerations.
 #[test]
 fn issue_other_quantities_in_titles() {
     let text = |unit: &str| format!("# units: {unit}\n# dt = 0.01 s\n{}", column(30));
@@ -254,12 +254,12 @@ fn issue_other_quantities_in_titles() {
     }
     let displacement = "Time (s),Displacement (cm)\n0.00,0.1\n0.01,-0.2\n0.02,0.1\n";
     assert_snapshot!(refusal(displacement, &nothing()), @r#"line 1 reads "Displacement (cm)", but only histories of acceleration are read; take the accelerations of the record, these are displacements"#);
-    // Beside accelerations they are no component.
+    // Next to accelerations they are not components.
     let table = "Time (s),Acceleration (g),Velocity (cm/s),Displacement (cm)\n0.00,0.1,1,1\n0.01,-0.2,2,2\n0.02,0.1,3,3\n";
     assert_snapshot!(line(table), @"no name, 3 values, 0.01 s, g");
 }
 
-/// Words that look like such statements and are none.
+/// Words that look like such statements but are not.
 #[test]
 fn limit_other_words_say_nothing() {
     let other = "# El Somewhere, 1940, magnitude 6.9, 8 points across in a row\n# shear wave velocity (m/s): 345, distance 12 km, PGA (g): 0.31\n\
@@ -270,7 +270,7 @@ fn limit_other_words_say_nothing() {
     assert_eq!(found.component(), None);
 }
 
-/// What was true before the file was processed, or of another number, was taken for the values, and the truth refused.
+/// Numbers from before processing, or of something else, were applied to the values, and correct declarations were refused.
 #[test]
 fn issue_numbers_of_something_else() {
     for (title, unit) in [
@@ -293,7 +293,7 @@ fn issue_numbers_of_something_else() {
     }
 }
 
-/// Such words were passed over: a file that was cut read silently, and a wrong step was taken.
+/// Such words were ignored: a cut file was read silently, and a wrong step was accepted.
 #[test]
 fn issue_short_words_for_numbers_and_steps() {
     for title in [
@@ -315,7 +315,7 @@ fn issue_short_words_for_numbers_and_steps() {
     }
 }
 
-/// Stations of one town, and records without a time, were taken for one.
+/// Stations of one town, and records without a time, counted as one record.
 #[test]
 fn issue_whole_names_of_stations() {
     let station = |title: &str| {

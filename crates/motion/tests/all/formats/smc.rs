@@ -47,7 +47,7 @@ fn extreme_values() {
     assert_snapshot!(refused(" 8.8053E+0", " 1.7000E38"), @r#"line 32, field 5: "1.7000E38" marks a missing value; cut the record before it or take another"#);
     assert_snapshot!(refused(" 8.8053E+0", "**********"), @r#"line 32, field 5: "**********" is not a number; a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"#);
     assert_snapshot!(refused(" 8.8053E+0", "        88"), @r#"line 32, field 5: "88" is not a number; write it like -0.00640 or -.6403182E-02"#);
-    // A byte lost in the line moves every field behind it.
+    // A byte lost in the line shifts every field after it.
     assert_snapshot!(refused("-4.1299E+1-3.4734E+1", "-4.129E+1-3.4734E+1"), @r#"line 31, field 1: "-4.129E+1-" is not a number; write it like -0.00640 or -.6403182E-02"#);
 }
 
@@ -75,7 +75,7 @@ fn smc_of_pairs(values: &str) -> String {
     format!("{header}{values}\n")
 }
 
-/// Such a file was read silently with a step of 5.9e-39 s, or was refused for the count of its values by luck.
+/// Such a file was read silently with a step of 5.9e-39 s, or was refused only because its count of values was wrong.
 #[test]
 fn issue_smc_of_uneven_pairs() {
     let uneven = smc_of_pairs(" 0.0000E+0 1.0000E+0 4.0000E-2 3.0000E+0 6.0000E-2 2.0000E+0 1.0000E-1-6.0000E+0");
@@ -94,7 +94,7 @@ fn issue_smc_of_uneven_pairs() {
     assert_eq!(accelerogram(&even, &Declared::default()).time_step().to_string(), "0.02");
 }
 
-/// Values alone are no pairs, whatever the header lacks.
+/// Values alone are not pairs, whatever the header lacks.
 #[test]
 fn extreme_smc_without_a_rate() {
     let text = with("usgs.smc", "0.1000000E+03", "0.1700000E+39");

@@ -1,4 +1,4 @@
-//! Formats of a column for each component: CWB, AFAD, UNAM, SCEC BBP.
+//! Formats with one column per component: CWB, AFAD, UNAM, SCEC BBP.
 
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, Format, components, read_declared};
@@ -31,7 +31,7 @@ fn unam() -> Vec<u8> {
     text
 }
 
-/// The refusal after a piece of a file is replaced.
+/// The refusal of a file with a replaced piece.
 fn refused(bytes: &[u8], from: &str, to: &str) -> String {
     let at = bytes.windows(from.len()).position(|piece| piece == from.as_bytes());
     let at = at.unwrap_or_else(|| panic!("no {from:?}"));
@@ -152,7 +152,7 @@ fn extreme_every_cut() {
         let whole = accelerogram(text, &declared);
         for length in 0..text.len() {
             if let Ok(found) = read_declared(&text[..length], &declared) {
-                // BBP has no number of values, CWB allows for one more or less.
+                // BBP has no number of values; CWB allows for one more or less.
                 assert!(whole.values().len() - found.values().len() <= 1, "cut at {length}");
             }
         }

@@ -1,6 +1,6 @@
 //! A record of one's own: how a scene names it, and what of it the scene has to say.
 
-use pounding::text::{Kind, Knob, Naming, Refused};
+use pounding::text::{Knob, Naming, RefusalKind, Refused};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
@@ -139,7 +139,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
                 let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
                 ("unit", "\"g\"", format!("one of {}", names.join(", ")))
             }
-            Some(Knob::TimeStep) if !refused.is_kind(Kind::Uneven) => {
+            Some(Knob::TimeStep) if !refused.is_kind(RefusalKind::Uneven) => {
                 declared.time_step = Some(1.0);
                 ("time_step_s", "0.01", "time between samples [s]".into())
             }
@@ -148,7 +148,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
                 let allowed = "what one count of the digitiser is worth, in `unit`";
                 ("per_count", "1e-6", allowed.into())
             }
-            Some(Knob::Acceleration) if refused.is_kind(Kind::Velocity) => {
+            Some(Knob::Acceleration) if refused.is_kind(RefusalKind::Velocity) => {
                 let found = refused.word().unwrap_or_default();
                 declared.acceleration = true;
                 let allowed = format!("only if the values are accelerations, though {found:?} speaks for velocities");

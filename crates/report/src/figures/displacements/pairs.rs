@@ -3,7 +3,7 @@
 use super::super::{Seen, around, brief, heights, name, unit};
 use super::{FORCE, IMPULSE, largest_apart};
 use crate::figures::shown::drawn;
-use pounding_plot::{Axis, Curve, Kind, Legend, Note, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Legend, Note, Panel, Shade};
 use pounding_solver::Collision;
 
 /// A panel for every shown pair: both floors, the right one offset by the gap, over one range.
@@ -28,8 +28,8 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
         title: title(seen, pair),
         y: Axis::auto("u (mm)"),
         curves: vec![
-            Curve::new(Kind::Line, Shade::Blue, curve(facing.left, 0.0)).named("left floor"),
-            Curve::new(Kind::Line, Shade::Vermilion, curve(facing.right, gap)).named("right floor, offset by the gap"),
+            Curve::new(CurveKind::Line, Shade::Blue, curve(facing.left, 0.0)).named("left floor"),
+            Curve::new(CurveKind::Line, Shade::Vermilion, curve(facing.right, gap)).named("right floor, offset by the gap"),
         ],
         legend: Legend::Shared,
         ..Panel::default()
@@ -61,7 +61,7 @@ pub(super) fn stems(seen: &Seen<'_>) -> Option<Panel> {
         let own = found.iter().filter(|(one, _)| one.pair == *pair);
         let points = own.map(|(one, value)| ((measure.at)(one), factor * value));
         let points = largest_apart(points, seen.prepared.duration());
-        (!points.is_empty()).then(|| Curve::new(Kind::Stems, Shade::nth(position), points).named(names(seen, *pair)))
+        (!points.is_empty()).then(|| Curve::new(CurveKind::Stems, Shade::nth(position), points).named(names(seen, *pair)))
     };
     let curves: Vec<Curve> = pairs.iter().enumerate().filter_map(curve).collect();
     let at = ((measure.at)(hardest), factor * largest);

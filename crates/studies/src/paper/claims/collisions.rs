@@ -4,10 +4,10 @@ use super::{Finding, Law, NOTHING, Outcome, Runs, change, first_collision, is_sl
 use crate::StudyError;
 use pounding_text::digits;
 
-/// Largest difference of two instants that counts as almost the same time \[s\].
+/// Largest difference between two instants that still counts as almost simultaneous \[s\].
 const SAME_TIME: f64 = 0.05;
 
-/// First collisions of two structures, elastic and nonlinear, in words, and whether they are nearly the same.
+/// Describes the first collisions of two structures, elastic and nonlinear, and judges whether they are nearly equal.
 fn side_by_side(first: [Option<(f64, f64)>; 2], unit: &str, decimals: usize) -> (String, Finding) {
     let words = |first: Option<(f64, f64)>| match first {
         Some((time, value)) => format!("{time:.2} s and {value:.decimals$} {unit}"),
@@ -26,7 +26,7 @@ fn side_by_side(first: [Option<(f64, f64)>; 2], unit: &str, decimals: usize) -> 
 
 pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let pair = runs.two_structures(Law::Stereomechanical)?;
-    // The force is an impulse over the time step; without one the impulses are compared.
+    // The paper's force of an impact is an impulse over the time step. A method without a time step compares impulses.
     let step = pair[0].scene.method.time_step();
     let first = |run| {
         let (time, impulse) = first_collision(run)?;
@@ -84,7 +84,7 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
 }
 
 pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
-    let count = |run: super::Run<'_>| run.outcome.collisions.all().len();
+    let count = |run: super::SceneRun<'_>| run.outcome.collisions.all().len();
     let (mut stated, mut touch, mut computed) = (true, false, Vec::new());
     for law in Law::ALL {
         let [elastic, nonlinear] = runs.two_structures(law)?.map(count);
@@ -100,7 +100,7 @@ pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyErro
             halved |= elastic.len() > 1;
             for (elastic, nonlinear) in elastic.into_iter().zip(nonlinear) {
                 let [elastic, nonlinear] = [elastic, nonlinear].map(count);
-                // Where nothing touches, neither is more.
+                // Two structures that never touch have equal counts: neither collides more often.
                 cases += usize::from(elastic + nonlinear > 0);
                 beyond += usize::from(elastic > nonlinear);
             }
@@ -120,7 +120,7 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Outcome, Stu
     let (mut holds, mut touch, mut computed) = (true, false, Vec::new());
     for law in Law::ALL {
         let pair = runs.two_structures(law)?;
-        touch |= pair.into_iter().any(super::Run::touches);
+        touch |= pair.into_iter().any(super::SceneRun::touches);
         let [elastic, nonlinear] = pair;
         let peaks = [elastic, nonlinear].map(|run| 1e3 * run.peak_displacement(0));
         let plastic = 1e3 * nonlinear.residual(0).unwrap_or(0.0);
@@ -160,7 +160,7 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let (mut first, mut total) = (Vec::new(), Vec::new());
     for (index, name) in ["elastic", "nonlinear"].into_iter().enumerate() {
         let pair = [stereo[index], visco[index]];
-        // Until the first touch the contact model does nothing: either both meet or none.
+        // The contact model does nothing before the first touch: either both runs touch or neither does.
         let [Some((_, hard)), Some((_, soft))] = pair.map(first_collision) else {
             continue;
         };

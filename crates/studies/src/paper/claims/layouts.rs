@@ -1,12 +1,12 @@
 //! Claims about three structures (sections 4 and 5).
 
-use super::{Finding, Law, NOTHING, Outcome, Run, Runs, change, is_slight, momentum, peak_force};
+use super::{Finding, Law, NOTHING, Outcome, Runs, SceneRun, change, is_slight, momentum, peak_force};
 use crate::StudyError;
 
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
 
-/// Layout C elastic at 10 ms and at the paper's 5 ms.
-fn coarse_and_fine<'a>(runs: &Runs<'a>) -> Result<[Run<'a>; 2], StudyError> {
+/// The elastic layout C at time steps of 10 ms and 5 ms; 5 ms is the paper's.
+fn coarse_and_fine<'a>(runs: &Runs<'a>) -> Result<[SceneRun<'a>; 2], StudyError> {
     Ok([
         runs.scene("claims", "layout C elastic, stereomechanical, 10 ms")?,
         runs.scene("figure-11a", "layout C elastic")?,
@@ -47,7 +47,7 @@ pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Outcome, S
 }
 
 /// Largest deformation of any pair over the history \[m\].
-fn largest_overlap(run: Run<'_>) -> f64 {
+fn largest_overlap(run: SceneRun<'_>) -> f64 {
     let histories = run.outcome.histories.as_ref().expect("the studies used here keep histories");
     let mut largest = 0.0_f64;
     for (left, contact) in run.scene.contacts.iter().flatten().enumerate() {
@@ -59,10 +59,10 @@ fn largest_overlap(run: Run<'_>) -> f64 {
     largest
 }
 
-/// In how many transferred momenta, over layouts and structures, a comparison of two runs is true; `is_true` gives nothing for two momenta
-/// that it is not about.
+/// Counts the transferred momenta, over layouts and structures, for which a comparison of two runs is true. `is_true` returns `None` if the
+/// claim is not about the two momenta.
 fn counted(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f64) -> Option<bool>) -> Result<Outcome, StudyError> {
-    // `[true, of how many]` at the paper's time step, and at half of it where the method has one.
+    // `[true, compared]` at the paper's time step, and at half of it if the method has a time step.
     let (mut counts, mut touch) = (Vec::new(), false);
     for layout in LAYOUTS {
         for [a, b] in sides {
@@ -91,7 +91,7 @@ fn counted(runs: &Runs<'_>, sides: &[[(&str, Law); 2]], is_true: impl Fn(f64, f6
     Ok((words, Finding::of(counts.iter().take(1).all(all), counts.iter().all(all))))
 }
 
-/// A comparison where something touches at least one of two structures; nothing is neither more nor less than nothing.
+/// The result of a comparison; `None` if neither structure is touched, because two zeros are neither more nor less.
 fn compared(one: f64, other: f64, truth: bool) -> Option<bool> {
     (one > 0.0 || other > 0.0).then_some(truth)
 }
@@ -108,13 +108,13 @@ pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Outcome,
 
 pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let sides = [Law::ALL.map(|law| ("nonlinear", law))];
-    // Nothing is the same as nothing.
+    // Two equal momenta count as the same, zeros too.
     let same = |stereo: f64, visco: f64| Some((stereo - visco).abs() == 0.0 || is_slight(stereo, visco));
     counted(runs, &sides, same)
 }
 
 pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
-    // Rounding of u − f/k is far below this, yielding far above.
+    // Rounding of u − f/k is far below this bound, yielding far above it.
     const YIELDS: f64 = 1e-9;
     let travelled = |scene: &str, weak: usize| -> Result<(f64, usize), StudyError> {
         let (mut travel, mut incursions) = (0.0, 0);
@@ -136,7 +136,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     for scene in ["layout C, stereomechanical", "layout C, viscoelastic"] {
         touch |= runs.scene("figure-15", scene)?.touches();
     }
-    // Columns that do not yield alone cannot yield less.
+    // Columns that do not yield without pounding cannot yield less with it.
     Ok((
         format!(
             "alone {}; in layout C {} (stereomechanical), {} (viscoelastic)",
@@ -153,7 +153,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
 }
 
 pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
-    let peak = |run: Run<'_>| {
+    let peak = |run: SceneRun<'_>| {
         let displacement = |index| 1e3 * run.peak_displacement(index).abs();
         (0..run.scene.structures.len()).map(displacement).fold(0.0, f64::max)
     };
@@ -163,7 +163,7 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
             let of_layout = |layout| runs.layout(layout, behaviour, law);
             let [a, b, c] = LAYOUTS.map(of_layout);
             let [a, b, c] = [a?, b?, c?];
-            // Layouts in which nothing touches are one layout.
+            // Without any touch the layouts do not differ.
             if !a.iter().chain(&b).chain(&c).any(|run| run.touches()) {
                 continue;
             }

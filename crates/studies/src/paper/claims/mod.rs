@@ -1,7 +1,7 @@
-//! The paper's findings, tested: what each sentence claims, what was computed, and whether it holds.
+//! The paper's findings, tested: the claim of each sentence, the computed numbers, and whether the claim holds.
 //!
-//! "Almost the same" and "slight" are read as within 20 %, which section 5 of the paper calls slight; "comparable" as
-//! within a factor of two; "an order of magnitude" as a factor of five or more.
+//! Words are read as numbers. "Almost the same" and "slight" mean within 20 %, which section 5 of the paper calls slight. The word
+//! "comparable" means within a factor of two. The words "an order of magnitude" mean a factor of five or more.
 
 mod collisions;
 mod layouts;
@@ -14,23 +14,23 @@ use crate::{Completed, StudyError};
 use pounding_text::Table;
 use std::collections::BTreeMap;
 
-pub(crate) use run::Run;
+pub(crate) use run::SceneRun;
 pub use survival::Survival;
 pub(crate) use survival::{asked, survivals, verdicts};
 
-/// Relative difference that still counts as almost the same.
+/// Largest relative difference that still counts as almost the same \[–\].
 const SLIGHT: f64 = 0.20;
 
 listed! {
     /// Whether a claim holds.
     pub enum Finding { words: &'static str;
-        /// In the paper's scenes, and in the further ones that `computed` names, if any.
+        /// The claim holds in the paper's scenes, and in the further ones that `computed` names, if any.
         Holds = "holds",
-        /// In the scenes, quantities and time steps of the paper, but not beyond them.
+        /// The claim holds in the scenes, quantities and time steps of the paper, but not beyond them.
         HoldsOnlyAsStated = "holds only as stated",
-        /// Not even in the paper's own scenes.
+        /// The claim fails even in the paper's own scenes.
         DoesNotHold = "does not hold",
-        /// Neither: it is about what does not happen in these runs, such as pounding where nothing touches.
+        /// The claim is about an event that these runs do not have, such as pounding where nothing touches.
         DoesNotApply = "does not apply",
     }
 }
@@ -44,12 +44,12 @@ impl Finding {
         }
     }
 
-    /// The same where something touches; else it does not apply.
+    /// The finding from two answers; [`Self::DoesNotApply`] if nothing touches.
     fn where_touching(touch: bool, as_stated: bool, beyond: bool) -> Self {
         if touch { Self::of(as_stated, beyond) } else { Self::DoesNotApply }
     }
 
-    /// Whether the claim holds, be it only as stated.
+    /// Whether the claim holds, at least as stated.
     pub fn holds(self) -> bool {
         match self {
             Self::Holds | Self::HoldsOnlyAsStated => true,
@@ -58,20 +58,20 @@ impl Finding {
     }
 }
 
-/// One sentence of findings and what became of it.
+/// One sentence of the paper's findings with its verdict.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Claim {
-    /// What the paper says, in our words.
+    /// The paper's statement in our words.
     pub claim: &'static str,
     /// Section of the paper.
     pub place: &'static str,
-    /// What was computed.
+    /// The computed numbers, in words.
     pub computed: String,
-    /// Whether it holds.
+    /// The verdict.
     pub finding: Finding,
 }
 
-/// What was computed for a claim, and whether it holds.
+/// The computed numbers of a claim in words, and the verdict.
 type Outcome = (String, Finding);
 
 /// A claim of the paper in our words, its section, whether exact runs can be asked, and what tests it.
@@ -90,20 +90,20 @@ impl Test {
     }
 }
 
-/// Whether exact runs have something to say to a claim.
+/// Whether a claim can be tested on exact runs.
 #[derive(Debug, Clone, Copy)]
 enum Asked {
-    /// Yes; the claim in few words, for figures.
+    /// It can; the text is the claim in few words, for figures.
     Exactly(&'static str),
-    /// No, for this reason.
+    /// It cannot; the text is the reason.
     Not(&'static str),
 }
 use Asked::{Exactly, Not};
 
-/// What the paper's own time step does cannot be asked of a method without one.
+/// The reason for claims about the paper's time step.
 const TIME_STEP: Asked = Not("it is about the time step, and the exact method has none");
 
-/// The claims, in few words what exact runs can be asked of them, and what tests each.
+/// The claims with their sections, their short names for exact runs, and their tests.
 #[rustfmt::skip]
 const TESTS: [Test; 20] = [
     Test("The stability limit T > πΔt is no constraint at a time step of 0.01 s", "2",
@@ -151,23 +151,23 @@ const TESTS: [Test; 20] = [
 /// Tests every claim on the completed studies.
 ///
 /// # Errors
-/// [`StudyError::MissingScene`] when a study or scene that a claim needs is not there.
+/// [`StudyError::MissingScene`] if a study or scene that a claim needs is missing.
 pub fn claims(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     let runs = Runs::new(completed);
     TESTS.iter().map(|test| test.run(&runs)).collect()
 }
 
-/// In how many cases of other ground motions, and changed scenes, claims hold: a column of a table.
+/// Counts of the cases in which each claim holds, for one column of a table: other ground motions, or changed scenes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ClaimCounts {
     /// Name of the column.
     pub column: String,
-    /// Of each claim, in their order; nothing, or too few, where it was not asked.
+    /// The count of each claim in their order. The list is short, or an entry `None`, if a claim was not tested.
     pub claims: Vec<Option<ClaimCount>>,
 }
 
 impl Default for ClaimCounts {
-    /// Of no other ground motions.
+    /// The empty column of a run without other ground motions.
     fn default() -> Self {
         Self {
             column: "holds_beyond".into(),
@@ -176,7 +176,7 @@ impl Default for ClaimCounts {
     }
 }
 
-/// The claims as CSV text: by the paper's program, and by the method that it describes, without slips.
+/// The claims as CSV text, with verdicts from the paper's program and from the method as the paper describes it, without slips.
 pub fn claims_csv(claims: &[Claim], without_slips: &[Claim], survivals: &[Survival], beyond: &[ClaimCounts]) -> String {
     let rows = claims.iter().zip(without_slips).zip(survivals).enumerate();
     let tally = |tallies: &ClaimCounts, index: usize| tallies.claims.get(index).copied().flatten();
@@ -211,7 +211,7 @@ impl<'a> Runs<'a> {
         self.0.get(study).copied().ok_or_else(|| StudyError::no_scene_of(study))
     }
 
-    fn scene(&self, study: &str, scene: &str) -> Result<Run<'a>, StudyError> {
+    fn scene(&self, study: &str, scene: &str) -> Result<SceneRun<'a>, StudyError> {
         let missing = || StudyError::MissingScene {
             study: study.into(),
             scene: scene.into(),
@@ -219,17 +219,18 @@ impl<'a> Runs<'a> {
         let study = self.study(study)?;
         let scenes = study.file.study.scenes.iter();
         let index = scenes.map(|one| &*one.name).position(|name| name == scene);
-        index.map(|index| Run::of(study, index)).ok_or_else(missing)
+        index.map(|index| SceneRun::of(study, index)).ok_or_else(missing)
     }
 
-    /// Two structures elastic and nonlinear, of Table 2 (stereomechanical) or 4 (viscoelastic).
-    fn two_structures(&self, law: Law) -> Result<[Run<'a>; 2], StudyError> {
+    /// Two structures, elastic and nonlinear, of Table 2 (stereomechanical) or Table 4 (viscoelastic).
+    fn two_structures(&self, law: Law) -> Result<[SceneRun<'a>; 2], StudyError> {
         let [_, study, _] = law.texts();
         Ok([self.scene(study, "elastic")?, self.scene(study, "nonlinear")?])
     }
 
-    /// A layout of Table 6 (stereomechanical) or 7 (viscoelastic); of a method with a time step the same with half of it too.
-    fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<Run<'a>>, StudyError> {
+    /// The runs of a layout of Table 6 (stereomechanical) or Table 7 (viscoelastic). If the method has a time step, a run at half of it
+    /// follows.
+    fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<SceneRun<'a>>, StudyError> {
         let name = format!("layout {layout} {behaviour}");
         let run = self.scene(law.texts()[2], &name)?;
         if run.scene.method.time_step().is_none() {
@@ -254,23 +255,23 @@ impl Law {
     }
 }
 
-/// What is computed where a claim does not apply.
+/// The text for a claim that does not apply because nothing touches.
 const NOTHING: &str = "nothing touches";
 
-/// Start \[s\] and impulse \[kN·s\] of the first collision; nothing where nothing touches.
-fn first_collision(run: Run<'_>) -> Option<(f64, f64)> {
+/// Start \[s\] and impulse \[kN·s\] of the first collision; `None` if nothing touches.
+fn first_collision(run: SceneRun<'_>) -> Option<(f64, f64)> {
     let first = run.outcome.collisions.all().first()?;
     Some((first.start, first.impulse / 1e3))
 }
 
-/// Largest pounding force of a run \[kN\]; of an impact the impulse over the time step.
-fn peak_force(run: Run<'_>) -> f64 {
+/// Largest pounding force of a run \[kN\]. The force of an impact is its impulse over the time step.
+fn peak_force(run: SceneRun<'_>) -> f64 {
     let force = |collision: &pounding_solver::Collision| collision.peak_force.unwrap_or(collision.impulse / run.scene.method.step()) / 1e3;
     run.outcome.collisions.all().iter().map(force).fold(0.0, f64::max)
 }
 
 /// Transferred momentum of a structure \[kN·s\].
-fn momentum(run: Run<'_>, structure: usize) -> f64 {
+fn momentum(run: SceneRun<'_>, structure: usize) -> f64 {
     run.momentum(structure) / 1e3
 }
 
@@ -283,16 +284,16 @@ fn is_slight(from: f64, to: f64) -> bool {
     (to / from - 1.0).abs() <= SLIGHT
 }
 
-/// In how many cases a claim holds.
+/// Number of cases in which a claim holds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct ClaimCount {
-    /// How many cases there are.
+    /// Number of cases.
     pub cases: usize,
-    /// In how many of them it holds, be it only as stated.
+    /// Number of cases in which the claim holds, at least as stated.
     pub holds: usize,
-    /// In how many of these only as stated.
+    /// Number of cases in which the claim holds only as stated.
     pub only_as_stated: usize,
-    /// In how many it does not apply.
+    /// Number of cases in which the claim does not apply.
     pub does_not_apply: usize,
 }
 
@@ -307,7 +308,7 @@ impl ClaimCount {
         })
     }
 
-    /// In how many cases it does not hold though it applies.
+    /// Number of cases in which the claim applies but fails.
     pub fn does_not_hold(&self) -> usize {
         self.cases - self.holds - self.does_not_apply
     }

@@ -1,18 +1,18 @@
-//! What a run says of a structure, be it of one storey or of several.
+//! Numbers of a structure in a run, for structures of one storey and for buildings.
 
 use crate::Completed;
 use pounding_scene::{Floors, RunResult, Scene, Simulation};
 
-/// A scene and what it left behind.
+/// A scene and its result.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Run<'a> {
+pub(crate) struct SceneRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) outcome: &'a RunResult,
     floors: &'a Floors,
 }
 
-impl<'a> Run<'a> {
-    /// The scene of a study at a place in its list.
+impl<'a> SceneRun<'a> {
+    /// The scene of a study at a position of its list.
     pub(crate) fn of(study: &'a Completed, index: usize) -> Self {
         Self {
             scene: &study.file.study.scenes[index],
@@ -21,7 +21,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Floors of a structure from the ground up, as its row counts them.
+    /// Indices of a structure's floors in the row, from the ground up.
     fn floors(self, structure: usize) -> &'a [usize] {
         self.floors.of_structure(structure)
     }
@@ -31,19 +31,19 @@ impl<'a> Run<'a> {
         !self.outcome.collisions.all().is_empty()
     }
 
-    /// Momentum that is transferred to a structure, on all its floors \[N·s\].
+    /// Momentum transferred to all floors of a structure \[N·s\].
     pub(crate) fn momentum(self, structure: usize) -> f64 {
         let of_floor = |floor: &usize| self.outcome.momentum.of(*floor);
         self.floors(structure).iter().map(of_floor).sum()
     }
 
-    /// Peak displacement of a structure, at its roof, with its sign \[m\].
+    /// Signed peak displacement of a structure's roof \[m\].
     pub(crate) fn peak_displacement(self, structure: usize) -> f64 {
         let roof = self.floors(structure).last();
         roof.map_or(0.0, |roof| self.outcome.peaks.of(*roof).displacement.value)
     }
 
-    /// Peak shear force of a structure, in its first storey, with its sign \[N\].
+    /// Signed peak shear force in a structure's first storey \[N\].
     pub(crate) fn peak_shear(self, structure: usize) -> f64 {
         let first = self.floors(structure).first();
         first.map_or(0.0, |first| self.outcome.peaks.of(*first).restoring_force.value)
@@ -62,14 +62,14 @@ impl<'a> Run<'a> {
         (own.count(), first.map(|first| (first.start, first.impulse)))
     }
 
-    /// Plastic drift of every storey of a structure at every instant of the history \[m\]; none of a wall.
+    /// Plastic drift of every storey of a structure at every instant of the history \[m\]; empty for a wall.
     pub(super) fn plastic_drifts(self, structure: usize) -> Vec<Vec<f64>> {
         let histories = self.outcome.histories.as_ref().expect("the studies used here keep histories");
         let storey = |floor: &usize| {
             let storey = &self.floors.all()[*floor];
             let stiffness = storey.made_of?.columns.stiffness_n_per_m;
             let peak = self.outcome.peaks.of(*floor).drift().value;
-            // Else the difference is what rounding leaves of zero.
+            // An elastic storey has no plastic drift; without this test rounding would give one.
             let yielded = storey.ductility(peak).is_some_and(|ductility| ductility.abs() > 1.0);
             let below = self.floors.below(*floor);
             let below = below.map(|below| &histories.of(below).states);
@@ -87,7 +87,7 @@ impl<'a> Run<'a> {
         self.floors(structure).iter().filter_map(storey).collect()
     }
 
-    /// Plastic displacement of a structure, at its roof, at the end of the history \[m\]; nothing of a wall.
+    /// Plastic displacement of a structure's roof at the end of the history \[m\]; `None` for a wall.
     pub(crate) fn residual(self, structure: usize) -> Option<f64> {
         let drifts = self.plastic_drifts(structure);
         let last = |drift: &Vec<f64>| drift.last().copied();

@@ -1,4 +1,4 @@
-//! Claims about what goes into the runs: time step, damping, restitution (sections 2 and 3, Table 1).
+//! Claims about inputs of the runs: time step, damping, restitution (sections 2 and 3, Table 1).
 
 use crate::StudyError;
 use pounding_contact::ContactLaw;
@@ -41,7 +41,7 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Outcome, StudyError> {
     let as_printed = runs.scene("claims", "Table 1 damping")?;
     let ratios = used.scene.structures.iter().filter_map(Structure::damping_ratio);
     let ratios: Vec<f64> = ratios.map(|ratio| 100.0 * ratio).collect();
-    let second = |run: super::Run<'_>| run.outcome.collisions.all().get(1).map_or(f64::NAN, |second| second.impulse);
+    let second = |run: super::SceneRun<'_>| run.outcome.collisions.all().get(1).map_or(f64::NAN, |second| second.impulse);
     let shift = change(second(used), second(as_printed));
     let coefficients = match Damping::rayleigh_from_ratios([1.0, 10.0], [0.05, 0.05]) {
         Ok(Damping::Rayleigh { alpha, beta }) => format!("α = {alpha:.4} 1/s, β = {beta:.6} s"),

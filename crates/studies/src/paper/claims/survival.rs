@@ -1,4 +1,4 @@
-//! Which claims hold of exact runs, and of exact runs under noisy records.
+//! Verdicts on the claims by exact runs, and by exact runs under noisy records.
 
 use super::{Asked, Claim, ClaimCount, Finding, Runs, TESTS, Test};
 use crate::files::yes_or_no;
@@ -7,26 +7,26 @@ use crate::{Completed, StudyError};
 /// Share of the noisy records in which a claim must hold to survive \[–\].
 const ENOUGH: f64 = 0.95;
 
-/// What exact runs say to a claim.
+/// The verdict of exact runs on a claim.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Survival {
-    /// Nothing, for this reason.
+    /// Exact runs cannot test the claim; the text is the reason.
     NotAsked(&'static str),
-    /// Something.
+    /// Exact runs test the claim.
     Asked {
-        /// What was computed under the paper's record.
+        /// The computed numbers under the paper's record, in words.
         computed: String,
-        /// Whether the claim holds there.
+        /// The verdict under the paper's record.
         finding: Finding,
-        /// Of how many noisy records it holds.
+        /// Number of noisy records under which the claim holds.
         n_holds: usize,
-        /// How many noisy records there were.
+        /// Number of noisy records.
         n_noisy: usize,
     },
 }
 
 impl Survival {
-    /// What was computed and found, and whether the claim survives perturbation, in words.
+    /// Table cells: the computed numbers, the verdict, and whether the claim survives perturbation.
     pub(super) fn cells(&self) -> [String; 3] {
         match self {
             Self::NotAsked(reason) => {
@@ -50,7 +50,7 @@ impl Survival {
         }
     }
 
-    /// In how many cases of other ground motions the claim holds, in words.
+    /// The table cell with the number of other ground motions under which the claim holds.
     pub(super) fn beyond(&self, tally: Option<ClaimCount>) -> String {
         match (self, tally) {
             (Self::NotAsked(reason), _) => format!("not asked: {reason}"),
@@ -60,7 +60,7 @@ impl Survival {
     }
 }
 
-/// The claims that exact runs can be asked: their places among all, and what they say in few words, in lines.
+/// The claims that exact runs can test: their index among all claims, and a short name with line breaks.
 pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
     let words = |(index, Test(_, _, asked, _)): (usize, &Test)| match *asked {
         Asked::Exactly(words) => Some((index, words)),
@@ -69,10 +69,10 @@ pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
     TESTS.iter().enumerate().filter_map(words)
 }
 
-/// The verdict of exact runs on every claim; nothing where they have nothing to say.
+/// The verdicts of exact runs on every claim; `None` for a claim that they cannot test.
 ///
 /// # Errors
-/// [`StudyError::MissingScene`] when a scene that a claim needs is not there.
+/// [`StudyError::MissingScene`] if a scene that a claim needs is missing.
 pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyError> {
     let runs = Runs::new(exact);
     let verdict = |test: &Test| match test.2 {
@@ -82,7 +82,7 @@ pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyE
     TESTS.iter().map(verdict).collect()
 }
 
-/// What became of every claim: of the exact runs, and of noisy ones.
+/// Combines the verdicts of the exact runs with those of the noisy runs.
 pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -> Vec<Survival> {
     let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].2) {
         (Some(verdict), _) => {

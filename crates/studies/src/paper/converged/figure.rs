@@ -5,10 +5,10 @@ use super::{Converged, LEVELS, TIME_STEPS};
 use crate::StudyError;
 use crate::files::drawn;
 use crate::paper::tables::Value;
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_text::digits;
 
-/// Which of the levels of noise is drawn: 1 %, as the bands of the smaller ones are narrower than the marks.
+/// Index of the drawn level of noise, 1 %: the bands of smaller levels are narrower than the marks.
 const LEVEL: usize = 4;
 
 /// Marks of the time steps, the coarsest first.
@@ -18,7 +18,7 @@ impl Converged {
     /// The figure as PNG.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] when it cannot be drawn.
+    /// [`StudyError::Plot`] if the figure cannot be drawn.
     pub(super) fn figure_png(&self, published: &Quantities) -> Result<Vec<u8>, StudyError> {
         let panels = TOTALS.map(|(table, title)| self.panel(table, title, published));
         let x = Axis::auto("Transferred momentum over the exact one");
@@ -26,7 +26,7 @@ impl Converged {
     }
 
     fn panel(&self, table: &'static str, title: &str, published: &Quantities) -> Panel {
-        // Nothing is a multiple of what structures transfer that nothing touches.
+        // Rows with zero momentum are left out: nothing can be divided by them.
         let rows = self.exact.get(table).into_iter().flatten().filter(|row| row.value > 0.0);
         let over = Over::new(table, rows.map(|row| (row, row.value)));
         let bar = |(y, (row, value)): (usize, &(&Value, f64))| {
@@ -48,7 +48,7 @@ impl Converged {
 /// Tables of totals, a panel each.
 pub(crate) const TOTALS: [(&str, &str); 2] = [("6", "Table 6, stereomechanical impact"), ("7", "Table 7, viscoelastic element")];
 
-/// Rows of a table, a line of a panel each, and the numbers by which theirs are divided.
+/// Rows of a table, each one line of a panel, with the numbers that divide theirs.
 pub(crate) struct Over<'a> {
     table: &'static str,
     rows: Vec<(&'a Value, f64)>,
@@ -62,14 +62,14 @@ impl<'a> Over<'a> {
         }
     }
 
-    /// Numbers of the rows as marks.
+    /// The quotients of all rows as marks.
     pub(crate) fn curve(&self, values: &Quantities, shade: Shade, mark: Mark, name: &str) -> Curve {
         let point = |(y, (row, over)): (usize, &(&Value, f64))| Some((find(values, self.table, row)? / over, y as f64));
         let points = self.rows.iter().enumerate().filter_map(point);
-        Curve::new(Kind::Points, shade, points.collect()).marked(mark).named(name)
+        Curve::new(CurveKind::Points, shade, points.collect()).marked(mark).named(name)
     }
 
-    /// A panel with a line for each row.
+    /// A panel with one line per row.
     pub(crate) fn panel(&self, title: &str, curves: Vec<Curve>) -> Panel {
         let names = self.rows.iter().map(|(row, _)| row.row.replace("layout ", ""));
         Panel::shared(title, Axis::names(names.collect()), curves)

@@ -1,9 +1,9 @@
-//! The paper's tables again by the exact method, and how far a little noise on the record moves them.
+//! The paper's tables by the exact method, and their sensitivity to a little noise on the record.
 //!
-//! Inputs are the paper's: the record linear between samples, its first sample at t = 0, structures at rest, 10 s of loads. Totals are of
-//! runs that go on for as long again, as those of the paper's program do; findings are asked of 10 s. How
-//! the paper's program begins has no counterpart: the exact method begins with the record. Left out: what a method does
-//! in a step, such as the stereomechanical force, an impulse over a time step, which has no limit.
+//! Inputs are the paper's: the record linear between samples, its first sample at t = 0, structures at rest, loads for 10 s. For totals the
+//! runs last twice as long, as in the paper's program; for findings they last 10 s. The start of the paper's program has no counterpart,
+//! because the exact method begins with the record. Numbers that depend on a time step are left out: the stereomechanical force is an
+//! impulse over a time step and has no limit.
 
 mod figure;
 mod quantities;
@@ -22,48 +22,51 @@ pub(crate) use scenes::Scenes;
 
 /// Standard deviations of the relative noise on the samples of the record \[–\].
 pub(crate) const LEVELS: [f64; 5] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2];
-/// Which of them the claims are about: 0.1 %, less than instruments and processing of 1940 leave.
+/// Index of the level that the claims are tested at: 0.1 %, less than the error of instruments and processing in 1940.
 pub(crate) const LEVEL: usize = 3;
-/// Runs per level of the committed results.
+/// Number of noisy runs per level in the committed results.
 pub(crate) const N_NOISY_RUNS: usize = 200;
 /// Time steps of the paper's program \[s\], the coarsest first.
 const TIME_STEPS: [f64; 4] = [0.01, 0.005, 0.0025, 0.00125];
-/// Studies that the tables and the claims are made of; Table 5 has the scenes of Tables 2 and 4.
+/// Studies with the numbers of the tables and of most claims. Table 5 uses the scenes of Tables 2 and 4.
 pub(crate) const STUDIES: [&str; 4] = ["table-2", "table-4", "table-6", "table-7"];
-/// Study that the claims alone look at.
+/// Study that only the claims need.
 pub(crate) const OF_CLAIMS: &str = "figure-15";
 
 /// The paper's scenes by the exact method, by the paper's program at several time steps, and under noisy records.
 #[derive(Debug)]
 pub(crate) struct Converged {
-    /// By the paper's program at its time steps.
+    /// Numbers by the paper's program at its own time steps.
     stepped: Quantities,
     /// Tables 6 and 7 by the paper's program at each of [`TIME_STEPS`].
     finer: Vec<Quantities>,
-    /// By the exact method.
+    /// Numbers by the exact method, with runs that go on after the loads.
     exact: Quantities,
-    /// The same in 10 s.
+    /// Numbers by the exact method within the 10 s of the loads.
     exact_of_loads: Quantities,
-    /// By the exact method under noisy records: for each of [`LEVELS`], a run each.
+    /// Numbers by the exact method under noisy records: one entry per run for each of [`LEVELS`].
     noisy: Vec<Vec<Quantities>>,
-    /// What became of the claims.
+    /// Verdicts on the claims.
     survivals: Vec<Survival>,
 }
 
-/// The numbers of one record, and the verdicts on the claims where they are asked.
-type MotionCase = (Quantities, Vec<Option<Claim>>);
+/// The numbers under one record, and the verdicts on the claims if they are tested.
+struct RecordCase {
+    quantities: Quantities,
+    verdicts: Vec<Option<Claim>>,
+}
 
 /// Numbers by the exact method.
 #[derive(Clone, Copy)]
 pub(crate) struct Exact<'a> {
-    /// In 10 s.
+    /// Numbers within the 10 s of the loads.
     pub of_loads: &'a Quantities,
-    /// Of runs that go on without loads, as those of the program.
+    /// Numbers of runs that go on without loads, as those of the paper's program do.
     pub running_on: &'a Quantities,
 }
 
 impl Converged {
-    /// Runs everything, `n_runs` noisy records for each of [`LEVELS`].
+    /// Runs all scenes by all methods, with `n_runs` noisy records for each of [`LEVELS`].
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the runs.
@@ -76,7 +79,7 @@ impl Converged {
             let runs = Scenes::of(&files, &["table-6", "table-7"], |method| method.with_time_step(*step))?;
             quantities(&runs.run(None)?)
         })?;
-        let world = |noise: Option<&Noise>, asks: bool| -> Result<MotionCase, StudyError> {
+        let world = |noise: Option<&Noise>, asks: bool| -> Result<RecordCase, StudyError> {
             let quantities = quantities(&whole.run(noise)?)?;
             let verdicts = if asks {
                 let mut runs = scenes.run(noise)?;
@@ -85,16 +88,16 @@ impl Converged {
             } else {
                 Vec::new()
             };
-            Ok((quantities, verdicts))
+            Ok(RecordCase { quantities, verdicts })
         };
-        let (exact, verdicts) = world(None, true)?;
+        let exact = world(None, true)?;
         let mut noisy = Vec::new();
         let mut noisy_verdicts = Vec::new();
         for (level, sigma) in LEVELS.into_iter().enumerate() {
             let asks = level == LEVEL;
             let one = |run: &usize| world(Some(&Noise::new(sigma, level, *run)), asks);
             let worlds = parallel::try_each(&(0..n_runs).collect::<Vec<_>>(), one)?;
-            let (values, verdicts): (Vec<_>, Vec<_>) = worlds.into_iter().unzip();
+            let (values, verdicts): (Vec<_>, Vec<_>) = worlds.into_iter().map(|case| (case.quantities, case.verdicts)).unzip();
             noisy.push(values);
             if asks {
                 noisy_verdicts = verdicts;
@@ -104,13 +107,13 @@ impl Converged {
             exact_of_loads: quantities(&scenes.run(None)?)?,
             stepped: quantities(completed)?,
             finer,
-            exact,
+            exact: exact.quantities,
             noisy,
-            survivals: survivals(&verdicts, &noisy_verdicts),
+            survivals: survivals(&exact.verdicts, &noisy_verdicts),
         })
     }
 
-    /// The numbers by the exact method.
+    /// Numbers by the exact method.
     pub(crate) fn exact(&self) -> Exact<'_> {
         Exact {
             of_loads: &self.exact_of_loads,
@@ -118,20 +121,20 @@ impl Converged {
         }
     }
 
-    /// What became of the claims, in their order.
+    /// Verdicts on the claims, in their order.
     pub(crate) fn survivals(&self) -> &[Survival] {
         &self.survivals
     }
 }
 
-/// The figure, from the results folder.
+/// Path of the figure in the results folder.
 const FIGURE: &str = "figures/converged-transferred-momentum.png";
 
 impl Converged {
     /// Tables and figure by their paths in the results folder.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] when the figure cannot be drawn.
+    /// [`StudyError::Plot`] if the figure cannot be drawn.
     pub(crate) fn files(&self, completed: &[Completed], published: &PublishedValues) -> Result<Files, StudyError> {
         let published = quantities::published(published.values(), late(completed));
         let name = |table: &str| format!("tables/converged-{table}.csv").into();
@@ -142,7 +145,7 @@ impl Converged {
     }
 }
 
-/// How late the times are that Table 2 prints \[s\].
+/// Delay of the times that Table 2 prints \[s\].
 fn late(completed: &[Completed]) -> f64 {
     let of_table = |study: &&Completed| study.file.id == "table-2";
     match completed.iter().find(of_table).map(|study| &study.file.study.output) {

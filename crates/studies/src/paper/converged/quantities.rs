@@ -1,21 +1,21 @@
-//! The numbers of the converged tables, from runs by any method.
+//! Numbers of the converged tables, from runs by any method.
 
 use crate::paper::tables::Value;
-use crate::{Completed, Published, StudyError, Table};
+use crate::{Completed, Published, StudyError, StudyTable};
 use std::collections::BTreeMap;
 
-/// Impacts of a pair that are no further apart than this are one meeting \[s\]: two time steps of the paper.
+/// Longest pause between impacts of one meeting \[s\]: two time steps of the paper.
 const ONE_MEETING: f64 = 0.0201;
-/// Time step by which the paper divides an impulse in Tables 2 and 4 \[s\].
+/// Time step that divides the paper's impulses in Tables 2 and 4 \[s\].
 const PRINTED_STEP: f64 = 0.01;
 
-/// Quantity that says how many meetings a scene has.
+/// Name of the quantity that counts the meetings of a scene.
 pub(super) const MEETINGS: &str = "number of meetings";
 
-/// Numbers of the tables by number of the table.
+/// Numbers by the number of their table.
 pub(crate) type Quantities = BTreeMap<&'static str, Vec<Value>>;
 
-/// The number with the same row and quantity, if there is one.
+/// The number with the row and quantity of `like`; `None` if there is none.
 pub(crate) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64> {
     let same = |value: &&Value| value.row == like.row && value.quantity == like.quantity;
     values.get(table)?.iter().find(same).map(|value| value.value)
@@ -24,7 +24,7 @@ pub(crate) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64
 /// The numbers of Tables 2 and 4 to 7 that these studies give.
 ///
 /// # Errors
-/// [`StudyError`] when scenes do not give what their table shows.
+/// [`StudyError`] if a study's scenes do not give the contents of its table.
 pub(crate) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyError> {
     let mut found = Quantities::new();
     for study in completed {
@@ -40,21 +40,21 @@ pub(crate) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyErr
 }
 
 fn values(study: &Completed) -> Result<Vec<Value>, StudyError> {
-    Ok(Table::of(study)?.map(|table| table.values).unwrap_or_default())
+    Ok(StudyTable::of(study)?.map(|table| table.values).unwrap_or_default())
 }
 
-/// Several impacts, or one contact.
+/// A group of impacts in quick succession, or one contact.
 #[derive(Debug, Clone, Copy)]
 struct Meeting {
     start: f64,
     end: f64,
     /// \[kN·s\]
     impulse: f64,
-    /// \[kN\]; nothing for impacts.
+    /// Peak force \[kN\]; `None` for impacts.
     peak_force: Option<f64>,
 }
 
-/// Joins what is less than [`ONE_MEETING`] apart.
+/// Joins parts that follow each other within [`ONE_MEETING`].
 fn joined(parts: impl Iterator<Item = Meeting>) -> Vec<Meeting> {
     let mut meetings: Vec<Meeting> = Vec::new();
     for part in parts {
@@ -70,7 +70,7 @@ fn joined(parts: impl Iterator<Item = Meeting>) -> Vec<Meeting> {
     meetings
 }
 
-/// The first impulse (Table 5), and the meetings of two structures (Tables 2 and 4).
+/// Adds the first impulse (Table 5) and the meetings of two structures (Tables 2 and 4).
 fn two_structures(study: &Completed, table: &'static str, law: &str, found: &mut Quantities) {
     for (scene, outcome) in study.runs() {
         let parts = outcome.collisions.all().iter().map(|collision| Meeting {
@@ -108,7 +108,8 @@ fn of_meetings(scene: &str, meetings: &[Meeting], values: &mut Vec<Value>) {
     }
 }
 
-/// The printed numbers in the same form: of Tables 2 and 4 the printed forces make meetings, of Table 2 `late` \[s\] late.
+/// The printed numbers in the form of [`quantities`]. The printed forces of Tables 2 and 4 become meetings; the times of Table 2 are `late`
+/// \[s\] too late.
 pub(super) fn published(printed: &[Published], late: f64) -> Quantities {
     let mut found = Quantities::new();
     for (table, late, compliant) in [("2", late, false), ("4", 0.0, true)] {

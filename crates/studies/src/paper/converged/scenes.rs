@@ -1,4 +1,4 @@
-//! The scenes of some studies by another method, under the paper's record, a noisy one or any other.
+//! Scenes of the paper's studies by another method, under the paper's record, a noisy one or any other.
 
 use crate::noise::Noise;
 use crate::{Completed, StudyError, StudyFile};
@@ -7,18 +7,18 @@ use pounding_scene::{Error, Extras, Method, Scene, Simulation};
 
 /// Scenes of the paper by another method, ready to run under any record.
 #[derive(Debug)]
-pub(crate) struct Scenes(Vec<Part>);
+pub(crate) struct Scenes(Vec<StudyScenes>);
 
 /// The scenes of one study.
 #[derive(Debug)]
-struct Part {
+struct StudyScenes {
     file: StudyFile,
     prepared: Vec<Simulation>,
-    /// Interval of the histories that are kept, if anybody looks at them \[s\]; at most a run.
+    /// Interval of the recorded histories \[s\], at most the length of a run. `None` if no claim reads them.
     looked_at: Option<f64>,
 }
 
-/// Interval of the histories that the claims need of a study's scenes \[s\]: of Tables 2 and 4 the end alone, of Fig. 15 every step.
+/// Interval of the histories that the claims read \[s\]. Claims on Tables 2 and 4 read only the end, claims on Fig. 15 every step.
 fn looked_at(file: &StudyFile) -> Option<f64> {
     match &*file.id {
         "table-2" | "table-4" => Some(AT_THE_END),
@@ -31,43 +31,43 @@ fn looked_at(file: &StudyFile) -> Option<f64> {
 const AT_THE_END: f64 = f64::INFINITY;
 
 impl Scenes {
-    /// The scenes of the studies of these names, with the method that `method` makes of theirs.
+    /// The scenes of the named studies, each with its method replaced by `method`.
     ///
     /// # Errors
-    /// [`StudyError`] when a study is missing or a scene cannot be prepared.
+    /// [`StudyError`] if a study is missing or a scene cannot be prepared.
     pub(crate) fn of(files: &[&StudyFile], studies: &[&str], method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
         let part = |id: &&str| {
             let file = files.iter().find(|file| file.id == **id);
             let file = file.ok_or_else(|| StudyError::no_scene_of(id))?;
-            Part::of((*file).clone(), &method)
+            StudyScenes::of((*file).clone(), &method)
         };
         studies.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
 
-    /// Each scene turned into another of the same name, under another record; the end of every run is kept.
+    /// Replaces each scene by `turned` of it, with the same name, and puts it under another record. The end of every run is kept.
     ///
     /// # Errors
-    /// [`StudyError`] when a scene cannot be modelled.
+    /// [`StudyError`] if a scene cannot be modelled.
     pub(crate) fn shaken(&self, record: &Record, turned: impl Fn(&Scene) -> Scene) -> Result<Self, StudyError> {
-        let part = |part: &Part| part.shaken(record, &turned);
+        let part = |part: &StudyScenes| part.shaken(record, &turned);
         self.0.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
 
-    /// The same with loads that end when the scenes do, and runs that go on for as long again: totals of the paper are of such runs.
+    /// Doubles the length of every run; the loads end where the scenes did. The paper's totals are of such runs.
     ///
     /// # Errors
-    /// [`StudyError`] when a scene cannot be modelled.
+    /// [`StudyError`] if a scene cannot be modelled.
     pub(crate) fn running_on(&self) -> Result<Self, StudyError> {
-        let parts = self.0.iter().map(Part::running_on);
+        let parts = self.0.iter().map(StudyScenes::running_on);
         parts.collect::<Result<_, _>>().map(Self)
     }
 
-    /// The scenes, prepared.
+    /// All prepared scenes.
     pub(crate) fn prepared(&self) -> impl Iterator<Item = &Simulation> {
         self.0.iter().flat_map(|part| &part.prepared)
     }
 
-    /// Runs every scene, under its record or with noise on it.
+    /// Runs every scene under its record, or under its record with noise.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
@@ -76,8 +76,8 @@ impl Scenes {
     }
 }
 
-impl Part {
-    /// The scenes of a study, prepared in their order.
+impl StudyScenes {
+    /// Prepares the scenes of a study in their order.
     fn prepared(
         file: StudyFile,
         looked_at: Option<f64>,
@@ -132,7 +132,7 @@ impl Part {
             if let Some(program) = self.file.study.program_of(scene.scene()) {
                 return program.run(scene, interval);
             }
-            // Of thousands of noisy runs the ledger would take nearly half of the time: its verdict is asked on the record.
+            // The ledger would take nearly half the time of thousands of noisy runs, so only the run without noise is judged.
             if noise.is_none() {
                 return scene.run(interval);
             }
@@ -152,7 +152,7 @@ impl Part {
     }
 }
 
-/// A record that ends after so long \[s\], and is zero a sample later.
+/// The record cut at `duration` \[s\], with one zero sample after it.
 fn ended(record: &Record, duration: f64) -> Result<Record, Refused> {
     let step = record.time_step();
     let is_shaken = |(index, _): &(usize, &f64)| *index as f64 * step <= duration * (1.0 + 1e-9);

@@ -6,11 +6,11 @@ use crate::paper::tables::Value;
 use crate::statistics::{quantile, sorted};
 use pounding_text::{Cell, Table, digits};
 
-/// Share of the noisy runs below the lower end of a band, and above the upper one.
+/// Share of the noisy runs below a band, and share above it \[–\].
 const TAIL: f64 = 0.05;
 
 impl Converged {
-    /// The rows of a table as CSV text, beside the published ones.
+    /// The rows of a table with the published numbers, as CSV text.
     pub(super) fn table(&self, table: &str, published: &Quantities) -> String {
         let steps = TIME_STEPS
             .into_iter()
@@ -45,8 +45,8 @@ impl Converged {
         text.csv()
     }
 
-    /// Lower and upper end of a band; nothing when some runs do not have the row, or have more or fewer meetings: the
-    /// fifth may then be another one.
+    /// Lower and upper end of a band. `None` if a run lacks the row, or has more or fewer meetings: its fifth meeting may then be another
+    /// one.
     pub(super) fn band(&self, level: usize, table: &str, row: &Value) -> Option<(f64, f64)> {
         let values = self
             .noisy
@@ -57,7 +57,7 @@ impl Converged {
         Some((quantile(&values, TAIL)?, quantile(&values, 1.0 - TAIL)?))
     }
 
-    /// Whether a run has as many meetings as the exact one in the scene of a row that is one of its meetings.
+    /// Whether a run has as many meetings as the exact run. Only rows of a single meeting are tested; every other row passes.
     fn meet_alike(&self, values: &Quantities, table: &str, row: &Value) -> bool {
         let counts = self
             .exact
@@ -70,7 +70,7 @@ impl Converged {
     }
 }
 
-/// Rows of any of these, in the order of the first that has more.
+/// The distinct rows of all sources, in the order in which they first appear.
 fn rows<'a>(sources: &[&'a Quantities], table: &str) -> Vec<&'a Value> {
     let mut rows: Vec<&Value> = Vec::new();
     for value in sources.iter().filter_map(|source| source.get(table)).flatten() {

@@ -1,4 +1,4 @@
-//! Figures of collisions: displacements above, pounding forces below; the first collision in several models.
+//! Figures of collisions: displacements above pounding forces, and the first collision in several models.
 
 use std::collections::BTreeMap;
 
@@ -8,11 +8,11 @@ use super::histories::time_axis;
 use super::{label, points};
 use crate::Completed;
 use crate::files::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, minus, sparse_markers};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Note, Panel, Shade, minus, sparse_markers};
 use pounding_scene::{RunResult, Scene};
 use pounding_text::digits;
 
-/// Part of the height of a panel that one line of text needs.
+/// Share of a panel's height that one line of text needs.
 const ROOM: f64 = 0.08;
 
 /// Displacements with the gaps between the rest positions, and the net pounding force on every structure.
@@ -31,9 +31,9 @@ pub(super) fn pounding(completed: &Completed) -> Figure {
     Figure::grid(4.6, 1, time_axis(scene), vec![above, below])
 }
 
-/// Displacements, each structure shifted by the gaps to its left: curves that meet are structures that touch.
+/// Displacements, each structure shifted by the gaps to its left, so that curves meet where structures touch.
 ///
-/// The gap is written between the curves at rest where there is room.
+/// The gap is written between the curves at rest if there is room.
 fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     let mut shift = 0.0;
     let (mut curves, mut notes) = (Vec::new(), Vec::new());
@@ -49,7 +49,7 @@ fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
             0 => label(structure),
             _ => format!("{} + {:.0} mm", label(structure), 1e3 * shift),
         };
-        curves.push(Curve::new(Kind::Line, Shade::nth(index), history).named(name));
+        curves.push(Curve::new(CurveKind::Line, Shade::nth(index), history).named(name));
     }
     let heights = curves.iter().flat_map(|curve: &Curve| &curve.points).map(|point| point.1);
     let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
@@ -67,7 +67,7 @@ fn displacement_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     }
 }
 
-/// Net pounding force on every structure; for impacts the impulse over the time step, as the paper has it.
+/// Net pounding force on every structure. The force of an impact is its impulse over the time step, as in the paper.
 fn force_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     let forces = forces(scene, outcome);
     let peak = forces.iter().flatten().copied().fold((0.0, 0.0), largest);
@@ -87,7 +87,7 @@ fn force_panel(scene: &Scene, outcome: &RunResult) -> Panel {
     }
 }
 
-/// What the axis of forces shows: for impacts, whose force has no limit, impulse over the time step.
+/// Label of the force axis. For impacts, whose force has no limit, it names impulse over time step.
 fn force_label(scene: &Scene, unit: &str) -> String {
     if scene.is_impulsive() {
         let step = digits(1e3 * scene.method.step());
@@ -97,11 +97,11 @@ fn force_label(scene: &Scene, unit: &str) -> String {
     }
 }
 
-fn kind(scene: &Scene) -> Kind {
-    if scene.is_impulsive() { Kind::Stems } else { Kind::Area }
+fn kind(scene: &Scene) -> CurveKind {
+    if scene.is_impulsive() { CurveKind::Stems } else { CurveKind::Area }
 }
 
-/// The point farther from zero; a positive one wins a tie, so that the label stands above.
+/// The point farther from zero. The positive one wins a tie, so that its label is above the curve.
 fn largest(peak: (f64, f64), point: (f64, f64)) -> (f64, f64) {
     let reached = peak.1.abs();
     if point.1.abs() > reached || (point.1 > 0.0 && point.1 >= reached) {
@@ -120,7 +120,7 @@ fn in_unit(points: &[(f64, f64)], factor: f64) -> Vec<(f64, f64)> {
     points.iter().map(|(time, force)| (*time, factor * force)).collect()
 }
 
-/// Collisions of the time that is drawn: the paper's program runs on after it.
+/// Collisions within the drawn time; the paper's program runs on after it.
 fn collisions<'a>(scene: &Scene, outcome: &'a RunResult) -> impl Iterator<Item = &'a Collision> {
     let end = scene.duration();
     let all = outcome.collisions.all().iter();
@@ -134,7 +134,7 @@ fn forces(scene: &Scene, outcome: &RunResult) -> Vec<Vec<(f64, f64)>> {
         return (0..n).map(|index| points(outcome, index, State::pounding_force)).collect();
     }
     let dt = scene.method.step();
-    // Impacts of one instant are summed; the key is the number of the step.
+    // Impacts at one instant are summed; the key is the number of the step.
     let mut net = vec![BTreeMap::new(); n];
     for collision in collisions(scene, outcome) {
         #[expect(clippy::cast_possible_truncation, reason = "a step number is small")]
@@ -147,7 +147,7 @@ fn forces(scene: &Scene, outcome: &RunResult) -> Vec<Vec<(f64, f64)>> {
     net.into_iter().map(points).collect()
 }
 
-/// Pounding force of the first collision of every scene, in panels of equal scales.
+/// Pounding force of the first collision of every scene, in panels with equal scales.
 pub(super) fn first_collisions(completed: &Completed) -> Figure {
     let (mut from, mut to, mut peak) = (f64::INFINITY, 0.0_f64, 0.0_f64);
     for (scene, outcome) in completed.runs() {

@@ -4,7 +4,7 @@ use super::{label, points};
 use crate::files::capital;
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
-use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Note, Panel, Shade, minus};
 use pounding_scene::{RunResult, Scene, Structure};
 
 /// The axis of time of a scene.
@@ -12,7 +12,7 @@ pub(super) fn time_axis(scene: &Scene) -> Axis {
     Axis::over("Time (s)", 0.0, scene.duration())
 }
 
-/// The title of a study over its first panel, nothing over the others.
+/// The study's title for its first panel, an empty text for the others.
 fn title(completed: &Completed, panel: usize) -> String {
     match panel {
         0 => completed.file.study.title.clone(),
@@ -20,7 +20,7 @@ fn title(completed: &Completed, panel: usize) -> String {
     }
 }
 
-/// The record as its file has it: in g, not reversed.
+/// The record as in its file: in g, not reversed.
 pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let sign = if scene.record.reversed { -1.0 } else { 1.0 };
     let in_g = |acceleration: f64| sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2);
@@ -31,8 +31,8 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let peak = shown.iter().copied().fold((0.0, 0.0), farther);
     let text = minus(&format!("{:.3} g at {:.2} s", peak.1, peak.0));
     let curves = vec![
-        Curve::new(Kind::Thin, Shade::Blue, shown),
-        Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
+        Curve::new(CurveKind::Thin, Shade::Blue, shown),
+        Curve::new(CurveKind::Points, Shade::Vermilion, vec![peak]),
     ];
     let panel = over_time(String::new(), "Ground acceleration (g)", curves, vec![Note::new(peak, text)]);
     Figure::grid(2.8, 1, time_axis(scene), vec![panel])
@@ -50,7 +50,7 @@ fn over_time(title: String, label: &str, curves: Vec<Curve>, notes: Vec<Note>) -
     }
 }
 
-/// Displacements of structures that stand apart, a panel each, their peaks marked.
+/// Displacements of separate structures, one panel each, with marks at the peaks.
 pub(super) fn displacements(completed: &Completed) -> Figure {
     let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
     let panel = |(index, structure)| {
@@ -59,8 +59,8 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
         let text = minus(&format!("{:.1} mm at {:.2} s", at.1, at.0));
         let history = points(outcome, index, |state| 1e3 * state.displacement);
         let curves = vec![
-            Curve::new(Kind::Line, Shade::nth(index), history).named(label(structure)),
-            Curve::new(Kind::Points, Shade::nth(index), vec![at]),
+            Curve::new(CurveKind::Line, Shade::nth(index), history).named(label(structure)),
+            Curve::new(CurveKind::Points, Shade::nth(index), vec![at]),
         ];
         over_time(title(completed, index), "Displacement (mm)", curves, vec![Note::new(at, text)])
     };
@@ -71,15 +71,15 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
     }
 }
 
-/// Shear force of one structure: the first scene behind, each further scene in a panel of its own.
+/// Shear force of one structure. The first scene is in the background; each further scene has its own panel.
 pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Figure, StudyError> {
     let curve = |((scene, outcome), index): ((&Scene, &RunResult), usize)| {
         let mut names = scene.structures.iter().map(Structure::name);
         let position = names.position(|name| name == structure)?;
         let history = points(outcome, position, |state| state.restoring_force / 1e3);
         let (kind, shade) = match index {
-            0 => (Kind::Dashed, Shade::Ink),
-            _ => (Kind::Line, Shade::nth(index - 1)),
+            0 => (CurveKind::Dashed, Shade::Ink),
+            _ => (CurveKind::Line, Shade::nth(index - 1)),
         };
         Some(Curve::new(kind, shade, history).named(capital(&scene.name)))
     };

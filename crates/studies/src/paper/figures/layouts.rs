@@ -1,4 +1,4 @@
-//! The rows of scenes, drawn: masses on columns, gaps between them.
+//! Drawings of rows: masses on columns with gaps between them.
 
 use crate::files::capital;
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape};
@@ -12,12 +12,12 @@ const HEIGHT: f64 = 62.0;
 const GROUND: f64 = 19.0;
 /// Height of the columns \[mm\].
 const COLUMN: f64 = 22.0;
-/// Drawn gap \[mm\]; far from true to scale.
+/// Drawn gap \[mm\], far from true to scale.
 const GAP: f64 = 4.5;
 /// Size of the letters in points.
 const TEXT: f64 = 8.5;
 
-/// Every scene as a row of drawn structures, side by side.
+/// Every scene as a drawn row, next to each other.
 pub(super) fn drawing(scenes: &[Scene]) -> Drawing {
     let mut shapes = Vec::new();
     for (index, scene) in scenes.iter().enumerate() {
@@ -30,7 +30,7 @@ pub(super) fn drawing(scenes: &[Scene]) -> Drawing {
     }
 }
 
-/// Half the width of a drawn structure and the height of its mass \[mm\]: heavier is larger.
+/// Half the width of a drawn structure and the height of its mass \[mm\]; a heavy structure is larger.
 fn size(structure: &Sdof) -> (f64, f64) {
     if is_heavy(structure) { (7.0, 9.0) } else { (5.0, 5.0) }
 }
@@ -51,7 +51,7 @@ fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
     shapes.push(Shape::text((middle, HEIGHT - 4.0), capital(&scene.name), TEXT + 1.0, Align::Middle));
     for (index, (structure, half)) in scene.structures.iter().zip(&halves).enumerate() {
         if let Structure::Sdof(sdof) = structure {
-            storey(sdof, (x + half, Shade::nth(index)), shapes);
+            storey(sdof, x + half, Shade::nth(index), shapes);
         }
         x += 2.0 * half + GAP;
         if let Some(contact) = scene.contacts.as_ref().and_then(|contacts| contacts.get(index)) {
@@ -70,10 +70,10 @@ fn ground(from: f64, to: f64, shapes: &mut Vec<Shape>) {
     }
 }
 
-/// One structure: two columns, a mass, its name and characteristics below.
+/// Draws one structure: two columns, a mass, and its name and data below.
 ///
-/// The colours are those of the histories: by place in the row.
-fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
+/// The colour follows the position in the row, as in the histories.
+fn storey(structure: &Sdof, x: f64, shade: Shade, shapes: &mut Vec<Shape>) {
     let (half, mass) = size(structure);
     let pen = if is_heavy(structure) { 3.0 } else { 1.2 };
     let leg = half - 1.6;
@@ -94,7 +94,7 @@ fn storey(structure: &Sdof, (x, shade): (f64, Shade), shapes: &mut Vec<Shape>) {
     shapes.push(line(2.0, format!("T = {:.1} s", structure.period()), TEXT - 1.5));
 }
 
-/// The gap right of `from`: a dimension above the masses.
+/// Draws the gap to the right of `from` as a dimension above the masses.
 fn gap(from: f64, gap: f64, shapes: &mut Vec<Shape>) {
     let (top, pen) = (GROUND + COLUMN + 8.0, Pen::solid(Shade::Ink, 0.5));
     for x in [from, from + GAP] {

@@ -1,4 +1,4 @@
-//! Figures: what a study draws.
+//! Figures that studies draw.
 
 mod collisions;
 mod histories;
@@ -9,10 +9,10 @@ use crate::{Completed, Output, StudyError};
 use pounding_scene::{RunResult, Structure};
 use pounding_solver::State;
 
-/// The figure of a study as PNG; nothing for a study that prints a table.
+/// The figure of a study as PNG; `None` if the study prints a table.
 ///
 /// # Errors
-/// [`StudyError`] when the scenes do not give what the figure shows.
+/// [`StudyError`] if the scenes do not give the contents of the figure.
 pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> {
     let (output, scenes) = (&completed.file.study.output, &completed.file.study.scenes);
     let figure = if let Output::RecordFigure = output {

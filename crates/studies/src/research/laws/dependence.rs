@@ -1,20 +1,20 @@
-//! Which numbers of a scene depend on the law, and which do not.
+//! Sorts the numbers of a scene into those that depend on the contact law and those that do not.
 
 use super::entry::{Entry, label, mark, shade};
 use super::scenes::{Item, Played, items};
 use crate::files::capital;
 use crate::research::work_precision::MethodQuantity;
 use crate::study::laws::is_linear;
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 use pounding_text::Table;
 
-/// One number of a scene under all laws that deliver the same e.
+/// One number of a scene under all laws that are calibrated to one e.
 struct Compared<'a> {
     played: &'a Played,
     item: Item,
-    /// Under the compliant laws, in their order; springs without damping deliver another e.
+    /// Values under the compliant laws, in their order. Springs without damping are left out: they deliver another e.
     compliant: Vec<(&'a Entry, f64)>,
-    /// Under the impulsive law.
+    /// Value under the impulsive law.
     impulsive: Option<f64>,
 }
 
@@ -24,7 +24,7 @@ impl Compared<'_> {
         sum / self.compliant.len() as f64
     }
 
-    /// Least and largest with their laws, of some of the laws.
+    /// The least and the largest value with their laws, among the laws that pass a test.
     fn extremes(&self, wanted: impl Fn(&Entry) -> bool) -> Option<[(&Entry, f64); 2]> {
         let values = || self.compliant.iter().copied().filter(|(entry, _)| wanted(entry));
         let least = values().min_by(|one, other| one.1.total_cmp(&other.1))?;
@@ -32,7 +32,7 @@ impl Compared<'_> {
         Some([least, largest])
     }
 
-    /// Largest over smallest, less one; nothing where the smallest is zero and the largest is not.
+    /// Largest over smallest value, minus one. `None` if the smallest is zero and the largest is not.
     fn spread(&self, wanted: impl Fn(&Entry) -> bool) -> Option<f64> {
         let [(_, least), (_, largest)] = self.extremes(wanted)?;
         match (least > 0.0, largest > 0.0) {
@@ -43,7 +43,7 @@ impl Compared<'_> {
     }
 }
 
-/// Every number of every scene.
+/// Compares every number of every scene.
 fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> {
     let of_scene = |scene: &'a Played| {
         let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())));
@@ -71,14 +71,14 @@ fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> 
         numbers
     };
     let all = played.iter().flat_map(of_scene);
-    // An impulsive law has a peak of its own.
+    // The peak of an impulsive law is not comparable with the others.
     all.filter(|compared| !compared.compliant.is_empty()).collect()
 }
 
-/// Spreads up to which a number does not depend on the law, or a little.
+/// Largest spread of a number that does not depend on the law, and of one that depends on it a little \[–\].
 const LIMITS: [f64; 2] = [0.01, 0.1];
 
-/// Whether a number depends on the law.
+/// The words for a spread: whether the number depends on the law.
 fn depends(spread: Option<f64>) -> &'static str {
     let [no, little] = LIMITS;
     match spread {
@@ -88,10 +88,10 @@ fn depends(spread: Option<f64>) -> &'static str {
     }
 }
 
-/// How far apart the laws are in every number of every scene.
+/// Table of the spread over the laws, for every number of every scene.
 pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
     let linear = |entry: &Entry| is_linear(entry.name());
-    // Where all give one number, none of them stands out.
+    // If all laws give one number, no law is named as the least or the largest.
     let law = |compared: &Compared<'_>, which: usize| {
         let differ = compared.spread(|_| true).is_none_or(|spread| spread > 0.0);
         compared
@@ -119,7 +119,7 @@ pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
         .csv()
 }
 
-/// Panels, and their heights.
+/// Quantities of the panels, with the relative heights of the panels.
 const SHOWN: [(MethodQuantity, f64); 4] = [
     (MethodQuantity::FirstImpulse, 8.0),
     (MethodQuantity::ContactPeak, 8.0),
@@ -127,7 +127,7 @@ const SHOWN: [(MethodQuantity, f64); 4] = [
     (MethodQuantity::Displacement, 22.0),
 ];
 
-/// Every law over the mean of the compliant laws.
+/// Figure of every law's number over the mean of the compliant laws.
 pub(super) fn figure(played: &[Played], entries: &[Entry]) -> Figure {
     let all = compare(played, entries);
     let panel = |(quantity, weight): (MethodQuantity, f64)| {
@@ -154,16 +154,16 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
             }
         };
         let point = |(y, compared): (usize, &&Compared<'_>)| {
-            // Nothing is a multiple of nothing.
+            // Zeros are left out: they have no ratio.
             let ratio = value(compared)? / compared.mean();
             ratio.is_finite().then_some((ratio, y as f64))
         };
         let points = rows.iter().enumerate().filter_map(point).collect();
-        let curve = Curve::new(Kind::Points, shade(entry.name()), points);
+        let curve = Curve::new(CurveKind::Points, shade(entry.name()), points);
         curve.marked(mark(entry.name())).named(label(entry.name()))
     };
     let mut shown: Vec<_> = entries.iter().filter(|entry| !entry.name().is_elastic()).collect();
-    // Hollow marks over solid ones, so that both are seen.
+    // Hollow marks are drawn over solid ones, so both stay visible.
     shown.sort_by_key(|entry| (!entry.is_compliant(), is_linear(entry.name())));
     shown.into_iter().map(curve).collect()
 }

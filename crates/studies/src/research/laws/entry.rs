@@ -1,4 +1,4 @@
-//! The laws under comparison, and how figures show them.
+//! The compared laws, with their looks in figures.
 
 use pounding_contact::{ContactLaw, LawName};
 
@@ -6,14 +6,14 @@ use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Mark, Shade};
 use pounding_scene::{Certificate, Refused};
 
-/// A law calibrated exactly, with all names that lead to it: four formulas choose the damping of one force.
+/// An exactly calibrated law with all its names. Four formulas choose the damping of one force, so this force has four names.
 #[derive(Debug)]
 pub(super) struct Entry {
     pub(super) names: Vec<LawName>,
     pub(super) certificate: Certificate,
 }
 
-/// Number of laws that differ once they are calibrated exactly: four names share the force of Hertz-damp.
+/// Number of laws that still differ after exact calibration: four names share the force of Hertz-damp.
 pub(super) const N_LAWS: usize = LawName::ALL.len() - 3;
 
 impl Entry {
@@ -38,7 +38,7 @@ impl Entry {
         self.names[0]
     }
 
-    /// The law.
+    /// The calibrated law.
     pub(super) fn law(&self) -> ContactLaw {
         self.certificate.law
     }
@@ -49,7 +49,7 @@ impl Entry {
     }
 }
 
-/// Rows of a table, one for each name of a law: the name, the law and the row.
+/// Pairs every name of a law with its entry and its row.
 pub(super) fn by_name<T: Clone>(entry: &Entry, rows: impl IntoIterator<Item = T>) -> Vec<(LawName, &Entry, T)> {
     let rows: Vec<T> = rows.into_iter().collect();
     let of_name = |name: &LawName| rows.iter().map(|row| (*name, entry, row.clone())).collect::<Vec<_>>();
@@ -61,7 +61,7 @@ pub(super) fn label(law: LawName) -> &'static str {
     law.named().label
 }
 
-/// Colour of a law: one for linear springs, one for Hertz springs.
+/// Colour of a law: one for linear springs, another for Hertz springs.
 pub(super) fn shade(law: LawName) -> Shade {
     if law == LawName::Stereomechanical {
         Shade::Ink
@@ -72,7 +72,7 @@ pub(super) fn shade(law: LawName) -> Shade {
     }
 }
 
-/// Mark of a law, among those of its colour; laws beyond the list share the last one.
+/// Mark of a law among those of its colour; laws beyond the list share the last mark.
 pub(super) fn mark(law: LawName) -> Mark {
     const MARKS: [Mark; 14] = [
         Mark::Stroke,

@@ -1,29 +1,29 @@
-//! Free impacts of the laws at one e: forces over deformation and time, and their extremes.
+//! Free impacts under each law at one e: forces over deformation and time, with their extremes.
 
 use pounding_contact::{Clamp, ContactLaw, LawName};
 use pounding_solver::{Clock, Exact, Excitation, Histories, Integrator, Recorders, State};
 
 use super::entry::{Entry, by_name, label, shade};
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_scene::{Error, FreeCollision, Refused, parallel};
 use pounding_text::Table;
 
-/// Points of a history, from touch to parting.
+/// Number of points of a history, from touch to parting.
 const N_POINTS: u32 = 500;
-/// Intervals before the touch and after the parting.
+/// Number of intervals before the touch, and again after the parting.
 const BESIDE: u32 = 2;
 
 /// A free impact of a compliant law over time.
 #[derive(Debug)]
 pub(super) struct Impact {
-    /// Time since the touch \[s\], deformation \[m\], force \[N\].
+    /// Time after the touch \[s\], deformation \[m\] and force \[N\].
     points: Vec<[f64; 3]>,
     /// Time from the touch to the end of the force \[s\].
     force_duration: f64,
 }
 
-/// Lets the free pair collide under every law; nothing for an impulsive one.
+/// The collision of the free pair under every law; `None` for an impulsive law.
 pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec<Option<Impact>>, Refused> {
     let collision = settings.collision();
     parallel::try_each(entries, |entry| match entry.certificate.impact {
@@ -33,7 +33,7 @@ pub(super) fn collide(entries: &[Entry], settings: &AtlasSettings) -> Result<Vec
 }
 
 impl Impact {
-    /// The exact method.
+    /// Follows the impact by the exact method.
     fn new(law: ContactLaw, collision: &FreeCollision, duration: f64) -> Result<Self, Refused> {
         let interval = duration / f64::from(N_POINTS);
         let touch = f64::from(BESIDE) * interval;
@@ -63,7 +63,7 @@ impl Impact {
         };
         let pair = collision.free_pair();
         let form = law.form(pair.reduced_mass, pair.approach_speed);
-        // A linear dashpot begins with a jump.
+        // The force of a linear dashpot begins with a jump.
         let jump = form.map_or(0.0, |form| form.unclamped(0.0, pair.approach_speed));
         let mut points = vec![[0.0; 3], [0.0, 0.0, jump]];
         let after = states(0).zip(states(1)).enumerate().skip(BESIDE as usize + 1);
@@ -77,14 +77,14 @@ impl Impact {
     }
 }
 
-/// Duration, extremes and clamp of every law.
+/// Table of the duration, the extremes and the clamp of every law.
 pub(super) fn table(entries: &[Entry], impacts: &[Option<Impact>], settings: &AtlasSettings) -> String {
     let rows = entries
         .iter()
         .zip(impacts)
         .flat_map(|(entry, impact)| by_name(entry, [impact.as_ref()]));
     let free = |entry: &Entry| entry.certificate.impact;
-    // From there on the pair flies apart at e v₀.
+    // Once the force is clamped, the pair flies apart at e v₀.
     let clamped = |entry: &Entry, impact: Option<&Impact>| {
         let (impact, free) = impact.zip(free(entry)).filter(|_| entry.law().clamp() == Clamp::EveryCollision)?;
         let flight = free.duration - impact.force_duration;
@@ -112,11 +112,11 @@ pub(super) fn table(entries: &[Entry], impacts: &[Option<Impact>], settings: &At
         .csv()
 }
 
-/// Force over deformation.
+/// Figure of force over deformation.
 pub(super) fn loops(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
     let point = |[_, deformation, force]: [f64; 3]| (1e3 * deformation, 1e-6 * force);
     figure(entries, impacts, "Deformation (mm)", |entry, impact| {
-        // A spring returns on the way it came, and dashes would fill the gaps of dashes.
+        // The force of a spring returns along the same curve, where dashes would fill each other's gaps.
         let turns = entry.name().is_elastic();
         let deeper = |pair: &&[[f64; 3]]| !turns || pair[1][1] >= pair[0][1];
         let steps = impact.points.windows(2).take_while(deeper);
@@ -124,7 +124,7 @@ pub(super) fn loops(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
     })
 }
 
-/// Force over time.
+/// Figure of force over time.
 pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
     let point = |[time, _, force]: &[f64; 3]| (1e3 * time, 1e-6 * force);
     figure(entries, impacts, "Time since the touch (ms)", |_, impact| {
@@ -132,11 +132,12 @@ pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure
     })
 }
 
-/// A panel for each law with damping, linear springs on the left, behind it its spring without; at the end both springs.
+/// A panel for each law with damping, with its spring alone in the background; linear springs are on the left. The last panel shows both
+/// springs.
 fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>) -> Figure {
     let met = entries.iter().zip(impacts);
     let met = met.filter_map(|(entry, impact)| {
-        let curve = Curve::new(Kind::Line, shade(entry.name()), points(entry, impact.as_ref()?));
+        let curve = Curve::new(CurveKind::Line, shade(entry.name()), points(entry, impact.as_ref()?));
         Some((entry.name(), curve))
     });
     let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| law.is_elastic());
@@ -146,7 +147,7 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
     let of_law = |(law, curve): &(LawName, Curve)| {
         let same = springs.iter().filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
         let behind = same.map(|(_, spring)| Curve {
-            kind: Kind::Dashed,
+            kind: CurveKind::Dashed,
             shade: Shade::Ink,
             ..spring.clone().named("The same spring without damping")
         });

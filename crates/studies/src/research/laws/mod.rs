@@ -1,8 +1,8 @@
-//! The atlas of contact laws: what each delivers to a free impact, by every method, and what it does in the paper's
+//! The atlas of contact laws: the restitution that each law delivers in a free impact, by every method, and its results in the paper's
 //! scenes.
 //!
-//! Laws are compared at one e, calibrated exactly, and at one stiffness for linear springs and one for Hertz springs.
-//! What is called delivered is that of the exact method, or of the law's own relation, which agrees with it to 1e-9.
+//! Laws are compared at one e, exactly calibrated, with one stiffness for linear springs and one for Hertz springs. The delivered e is that
+//! of the exact method or of the law's own relation; the two agree within 1e-9.
 
 mod dependence;
 mod entry;
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 use entry::Entry;
 
-/// All that the laws were asked, and their answers.
+/// The atlas: all questions to the laws, with their answers.
 #[derive(Debug)]
 pub struct Atlas {
     settings: AtlasSettings,
@@ -33,12 +33,12 @@ pub struct Atlas {
 }
 
 impl Atlas {
-    /// Asks every law; `done` is called after each run of a scene, and after each method with each law.
+    /// Makes the atlas. Calls `done` after each run of a scene, and after each method with each law.
     ///
-    /// The laws that the scenes name play no part. A run that fails is kept with its reason.
+    /// The laws that the scenes name are ignored. A run that fails is kept with its reason.
     ///
     /// # Errors
-    /// [`StudyError::Study`] for settings with which no law can be calibrated or no impact followed.
+    /// [`StudyError::Study`] if a law cannot be calibrated with these settings, or its impact cannot be followed.
     pub fn draw(completed: &Completed, settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let refuse = |error: Refused| {
             let allowed = "masses, speed, stiffness and restitution that every law takes";
@@ -57,15 +57,15 @@ impl Atlas {
         })
     }
 
-    /// Number of times that [`Self::draw`] calls `done`.
+    /// Number of calls of `done` by [`Self::draw`].
     pub(crate) fn n_runs(scenes: &[Scene]) -> usize {
         scenes::n_runs(scenes) + time_step::n_ladders()
     }
 
-    /// Tables and figures by their path in the results folder.
+    /// Tables and figures by their paths in the results folder.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    /// [`StudyError::Plot`] if a figure cannot be drawn.
     pub fn files(&self) -> Result<Files, StudyError> {
         let figures = self
             .figures()

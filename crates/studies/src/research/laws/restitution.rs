@@ -1,24 +1,24 @@
-//! The e that laws deliver to the free pair against the e asked of them, and against the approach speed.
+//! The e that laws deliver to the free pair, against the requested e and against the approach speed.
 
 use pounding_contact::{FreeImpact, FreePair, LawName};
 
 use super::entry::{Entry, by_name, label, mark, shade};
 use crate::drivers::pairs;
 use crate::study::laws::{AtlasSettings, is_linear};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_scene::{Certificate, parallel};
 use pounding_text::{Cell, Table};
 
-/// What a law delivers when it is asked for an e.
+/// A law with a requested e.
 #[derive(Debug)]
 pub(super) struct Asked {
     law: LawName,
     restitution: f64,
-    /// The certificate of the exact calibration, or why there is none.
+    /// The certificate of the exact calibration, or the reason why there is none.
     outcome: Result<Certificate, String>,
 }
 
-/// Asks every law for every e.
+/// Calibrates every law to every e.
 pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
     let answer = |&(law, restitution): &(&LawName, &f64)| {
         let certificate = settings.certificate(*law, *restitution);
@@ -31,7 +31,7 @@ pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
     parallel::each(&pairs(&LawName::ALL, &settings.restitutions), answer)
 }
 
-/// e asked for, and delivered by either calibration.
+/// Table of the requested e, and of the e delivered after either calibration.
 pub(super) fn table(asked: &[Asked]) -> String {
     let found = |asked: &Asked| asked.outcome.as_ref().ok().map(|found| (found.by_formula, found.by_exact));
     Table::of(asked)
@@ -47,7 +47,7 @@ pub(super) fn table(asked: &[Asked]) -> String {
         .csv()
 }
 
-/// e delivered at other approach speeds, with the damping that is exact at one of them.
+/// Table of the e delivered at other approach speeds, with the damping that is exact at one of them.
 pub(super) fn speeds(entries: &[Entry], settings: &AtlasSettings) -> String {
     let of_entry = |entry| {
         let law = &Entry::law(entry);
@@ -68,14 +68,14 @@ pub(super) fn speeds(entries: &[Entry], settings: &AtlasSettings) -> String {
         .csv()
 }
 
-/// How far off is shown: what is further off is told apart above.
+/// Range of deviations in the lower panel \[–\]; larger ones show in the upper panel.
 const OFF: (f64, f64) = (-0.06, 0.18);
 
-/// e delivered by the literature's formulas against e asked for; below, how far that is off.
+/// Figure of the e delivered by the literature's formulas over the requested e, with the deviation in a lower panel.
 pub(super) fn figure(asked: &[Asked]) -> Figure {
     let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [("Linear springs", &is_linear), ("Hertz springs", &|law| !is_linear(law))];
     let delivered = families.map(|(title, wanted)| {
-        let diagonal = Curve::new(Kind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
+        let diagonal = Curve::new(CurveKind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
         let curves = [diagonal].into_iter().chain(curves(asked, wanted, |_, found| found));
         Panel {
             weight: 1.6,
@@ -90,7 +90,7 @@ pub(super) fn figure(asked: &[Asked]) -> Figure {
     Figure::grid(6.6, 2, Axis::over("Restitution asked for", 0.0, 1.0), panels).labelled_at_left()
 }
 
-/// A curve for each law that has a formula, of e asked for and delivered.
+/// A curve for each law with a formula; `value` computes its y from the requested and the delivered e.
 fn curves(asked: &[Asked], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64, f64) -> f64) -> Vec<Curve> {
     let curve = |law: LawName| {
         let point = |asked: &Asked| {
@@ -99,7 +99,7 @@ fn curves(asked: &[Asked], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64,
             (asked.law == law).then_some((e, value(e, found)))
         };
         let points: Vec<_> = asked.iter().filter_map(point).collect();
-        let curve = Curve::new(Kind::Line, shade(law), points).marked(mark(law));
+        let curve = Curve::new(CurveKind::Line, shade(law), points).marked(mark(law));
         curve.named(label(law))
     };
     let laws = LawName::ALL.into_iter().filter(|law| wanted(*law));

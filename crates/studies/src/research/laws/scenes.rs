@@ -9,19 +9,19 @@ use pounding_contact::Calibration;
 use pounding_scene::{Scene, Simulation};
 use pounding_text::Table;
 
-/// What a scene gives under every law, in their order.
+/// The results of a scene under every law, in their order.
 #[derive(Debug)]
 pub(super) struct Played {
     pub(super) scene: String,
     pub(super) n_structures: usize,
-    /// What came out, or why nothing did.
+    /// The numbers of each run, or the reason why it failed.
     pub(super) outcomes: Vec<Result<Quantities, String>>,
 }
 
-/// Runs every scene under every law; `done` is called after each run.
+/// Runs every scene under every law. Calls `done` after each run.
 pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
-    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, (entry, settings));
+    let run = |&(scene, entry): &(&Scene, &Entry)| run(completed, scene, entry, settings);
     let mut outcomes = each(&pairs(scenes, entries), done, run).into_iter();
     let played = |scene: &Scene| Played {
         scene: scene.name.clone(),
@@ -31,13 +31,13 @@ pub(super) fn play(completed: &Completed, entries: &[Entry], settings: &AtlasSet
     scenes.iter().map(played).collect()
 }
 
-/// How often [`play`] calls `done`.
+/// Number of calls of `done` by [`play`].
 pub(super) fn n_runs(scenes: &[Scene]) -> usize {
     scenes.len() * N_LAWS
 }
 
-/// A scene under a law that is calibrated for every pair.
-fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasSettings)) -> Result<Quantities, String> {
+/// Runs a scene under a law that is calibrated for every pair.
+fn run(completed: &Completed, scene: &Scene, entry: &Entry, settings: &AtlasSettings) -> Result<Quantities, String> {
     let mut scene = scene.clone();
     let name = entry.name();
     let neighbours = scene.structures.windows(2);
@@ -56,24 +56,24 @@ fn run(completed: &Completed, scene: &Scene, (entry, settings): (&Entry, &AtlasS
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Item {
     pub(super) quantity: &'static str,
-    /// Number of the structure from the left; nothing for a number of the whole row.
+    /// Number of the structure from the left; `None` for a number of the whole row.
     pub(super) structure: Option<usize>,
     pub(super) unit: &'static str,
     pub(super) value: f64,
 }
 
 impl Item {
-    /// Whether both are the same number of a scene, under whatever law.
+    /// Whether both are the same number of the scene, under any law.
     pub(super) fn is_as(&self, other: &Self) -> bool {
         let keys = |item: &Self| (item.quantity, item.structure, item.unit);
         keys(self) == keys(other)
     }
 }
 
-/// Key of the one number that is no [`MethodQuantity`].
+/// Key of the only number that is not a [`MethodQuantity`].
 const COUNT: &str = "number_of_collisions";
 
-/// The numbers of a scene under a law, in the order of tables.
+/// The numbers of a run, in the order of tables.
 pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
     let of_quantity = |quantity: MethodQuantity| {
         let values = found.values(quantity);
@@ -93,7 +93,7 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
     MethodQuantity::ALL.into_iter().flat_map(of_quantity).chain([count]).collect()
 }
 
-/// Every number of every scene under every law.
+/// Table of every number of every scene under every law.
 pub(super) fn table<'a>(played: &'a [Played], entries: &'a [Entry]) -> String {
     let of_run = |(scene, entry, outcome): (&'a Played, &'a Entry, &Result<Quantities, String>)| {
         let items: Vec<Result<Item, String>> = match outcome {

@@ -6,31 +6,31 @@ use super::entry::{Entry, N_LAWS, by_name, label};
 use crate::drivers::each;
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 use pounding_scene::{Delivered, StepMethod};
 use pounding_text::{Cell, Table};
 
-/// What a method delivers under a law at every time step.
+/// The results of a method under one law at every time step.
 #[derive(Debug)]
 pub(super) struct Ladder {
-    /// Which of the laws.
+    /// Index of the law.
     entry: usize,
     method: StepMethod,
     rungs: Vec<Rung>,
 }
 
-/// What it delivers at one of them.
+/// The result at one time step.
 #[derive(Debug)]
 struct Rung {
     steps_per_contact: f64,
     time_step: f64,
-    /// What came out, or why nothing did.
+    /// The delivered e, or the reason why the run failed.
     outcome: Result<Delivered, String>,
 }
 
-/// Runs every method with every law; `done` is called after each.
+/// Runs every method with every law. Calls `done` after each combination.
 pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Ladder> {
-    // An impulsive contact has no duration: its steps are those of the first law that has one.
+    // An impulsive contact has no duration: its time steps are those of the first law with a duration.
     let durations = || entries.iter().filter_map(|entry| Some(entry.certificate.impact?.duration));
     let usual = durations().next().unwrap_or(1.0);
     let of_entry = |(index, entry): (usize, &Entry)| StepMethod::differing(!entry.is_compliant()).map(move |method| (index, method));
@@ -56,13 +56,13 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
     each(&races, done, ladder)
 }
 
-/// How often [`climb`] calls `done`.
+/// Number of calls of `done` by [`climb`].
 pub(super) fn n_ladders() -> usize {
     let [impulsive, compliant] = [true, false].map(|kind| StepMethod::differing(kind).count());
     impulsive + (N_LAWS - 1) * compliant
 }
 
-/// Least and largest e of every method at every time step.
+/// Table of the least and the largest e of every method at every time step.
 pub(super) fn table(entries: &[Entry], ladders: &[Ladder]) -> String {
     let of_entry = |(index, entry)| {
         let own = ladders.iter().filter(move |ladder| ladder.entry == index);
@@ -88,7 +88,7 @@ pub(super) fn table(entries: &[Entry], ladders: &[Ladder]) -> String {
         .csv()
 }
 
-/// Laws of the figure: one of each kind of damper.
+/// Laws of the figure, one per kind of damper.
 const SHOWN: [LawName; 4] = [
     LawName::KelvinVoigt,
     LawName::NonlinearViscoelastic,
@@ -96,10 +96,10 @@ const SHOWN: [LawName; 4] = [
     LawName::PantWijeyewickrema,
 ];
 
-/// Errors below this are at the edge.
+/// Smaller errors are drawn at the edge \[–\].
 const LEAST: f64 = 1e-8;
 
-/// e delivered at the phase where it is furthest off, and its error.
+/// Figure of the delivered e at the phase with the largest error, and of that error.
 pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSettings) -> Figure {
     let mut panels = Vec::new();
     for law in SHOWN {
@@ -129,7 +129,7 @@ fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&Delivered) -> f64) -
         Some(curve.named(ladder.method.label()))
     };
     let mut curves: Vec<_> = own.filter_map(curve).collect();
-    // Hollow marks over solid ones, so that both are seen.
-    curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
+    // Hollow marks are drawn over solid ones, so both stay visible.
+    curves.sort_by_key(|curve| curve.kind == CurveKind::Dashed);
     curves
 }

@@ -1,25 +1,26 @@
-//! Figures: peak displacements with pounding over those without, under every motion in both directions; response spectra of the motions.
+//! Figures of peak displacements with pounding over those without, under every motion in both directions, and of response spectra of the
+//! motions.
 
 use std::ops::Range;
 
 use super::shaking::{DAMPING, Shaking};
-use super::world::{MotionCase, Row};
+use super::world::{MotionCase, StructureResult};
 use super::{Beyond, Group, short};
 use crate::files::capital;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade};
 use pounding_scene::{periods_between, response_spectrum};
 
 /// Tables of the layouts with the names of their contact laws.
 const TABLES: [(&str, &str); 2] = [("6", "stereomechanical"), ("7", "viscoelastic")];
 
-/// The layouts, a column each.
+/// The layouts, one column each.
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
 const COLUMNS: usize = LAYOUTS.len();
 
-/// Motions for which there is room at least: less would be too little for the words beside the panels.
+/// Least number of motions to leave room for: with fewer, the labels beside the panels would not fit.
 const LEAST: usize = 8;
 
-/// How far from the line of its motion a direction stands, and from the line of that a kind of structure, in lines.
+/// Distance of a direction from the line of its motion, and of a kind of structure from the line of its direction, in lines.
 const APART: [f64; 2] = [0.2, 0.09];
 
 /// Colours and marks of structures by their names, as recorded and reversed.
@@ -29,7 +30,7 @@ const LOOKS: [(Shade, [Mark; 2]); 3] = [
     (Shade::Ink, [Mark::Triangle, Mark::HollowTriangle]),
 ];
 
-/// A panel per layout, behaviour and contact law.
+/// Figure with one panel per layout, behaviour and contact law.
 pub(super) fn response(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Figure {
     let worlds = &group.worlds[motions.clone()];
     let names: Vec<String> = beyond.motions[motions].iter().map(|motion| short(&motion.name)).collect();
@@ -38,7 +39,7 @@ pub(super) fn response(beyond: &Beyond, group: &Group, motions: Range<usize>) ->
         for (table, law) in TABLES {
             for layout in LAYOUTS {
                 let scene = format!("layout {layout} {behaviour}");
-                let of_scene = |row: &&Row| row.table == table && row.scene == scene;
+                let of_scene = |row: &&StructureResult| row.table == table && row.scene == scene;
                 let y = Axis {
                     label: format!("{}, {law}", capital(behaviour)),
                     ..Axis::names(names.clone())
@@ -59,8 +60,8 @@ pub(super) fn response(beyond: &Beyond, group: &Group, motions: Range<usize>) ->
     Figure::grid(height_in, COLUMNS, Axis::auto("Displacement over alone"), panels).labelled_at_left()
 }
 
-/// Of every kind of structure the one that pounding drives furthest beyond what it does alone.
-fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<Curve> {
+/// Curves with, for every kind of structure, the largest peak displacement over the one without pounding.
+fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&StructureResult) -> bool) -> Vec<Curve> {
     let mut kinds: Vec<&str> = Vec::new();
     for row in worlds.iter().take(1).flat_map(|[world, _]| world.rows.iter().filter(&of_scene)) {
         if !kinds.contains(&&*row.structure) {
@@ -74,7 +75,7 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             let point = |(line, both): (usize, &[MotionCase; 2])| {
                 let rows = both[direction].rows.iter().filter(&of_scene);
                 let own = rows.filter(|row| row.structure == kind);
-                let largest = own.filter_map(Row::amplification).max_by(f64::total_cmp)?;
+                let largest = own.filter_map(StructureResult::amplification).max_by(f64::total_cmp)?;
                 let aside = |index: usize, apart: f64| if index == 0 { -apart } else { apart };
                 let [of_direction, of_kind] = APART;
                 let line = line as f64 + aside(direction, of_direction) + aside(rank, of_kind);
@@ -82,34 +83,34 @@ fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<C
             };
             let points = worlds.iter().enumerate().filter_map(point).collect();
             let name = format!("{}, {}", capital(kind), crate::files::direction(direction == 1));
-            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
+            curves.push(Curve::new(CurveKind::Points, shade, points).marked(mark).named(name));
         }
     }
     curves
 }
 
-/// Periods shown \[s\], and how many.
+/// First and last period of the spectra \[s\], and the number of periods.
 const PERIODS: (f64, f64, u32) = (0.1, 5.0, 100);
 
 /// Colours of the motions of a panel.
 const SHADES: [Shade; 3] = [Shade::Ink, Shade::Blue, Shade::Vermilion];
 
-/// Most panels in a row.
+/// Largest number of panels in a row.
 const SPECTRA_IN_A_ROW: usize = 2;
 
 /// Room above the lowest and the highest value, as a factor.
 const ROOM: f64 = 1.15;
 
-/// Pseudo-acceleration of every motion that has a spectrum, with marks at the periods of the structures \[s\].
+/// Figure of the pseudo-acceleration of every motion with a spectrum, with marks at the periods of the structures \[s\].
 pub(super) fn spectra(motions: &[Shaking], structures: &[f64]) -> Figure {
     let (from, to, count) = PERIODS;
     let periods = periods_between(from, to, count);
     let curve = |(motion, shade): (&Shaking, Shade)| {
         let spectrum = response_spectrum(&motion.heard(), &periods, DAMPING).ok()?;
         let points: Vec<_> = spectrum.iter().map(|values| (values.period, values.pseudo_acceleration)).collect();
-        // What does not move has no place on a logarithmic axis.
+        // A logarithmic axis cannot show the zeros of a motion without shaking.
         let moves = points.iter().all(|(_, value)| *value > 0.0);
-        moves.then(|| Curve::new(Kind::Line, shade, points).named(short(&motion.name)))
+        moves.then(|| Curve::new(CurveKind::Line, shade, points).named(short(&motion.name)))
     };
     let panels: Vec<Vec<Curve>> = motions
         .chunks(SHADES.len())

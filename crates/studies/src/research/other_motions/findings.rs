@@ -9,7 +9,7 @@ use pounding_text::Table;
 
 /// A claim under every motion in both directions, as recorded and reversed.
 pub(super) struct Asked<'a> {
-    /// The claim; what was computed is that of the first case.
+    /// The claim, with the computed numbers of the first case.
     pub(super) claim: &'a Claim,
     pub(super) findings: Vec<[Finding; 2]>,
 }
@@ -19,14 +19,14 @@ impl Asked<'_> {
         ClaimCount::of(self.findings.iter().flatten().copied())
     }
 
-    /// The finding in the paper's case, or in its other direction.
+    /// The finding in the paper's case, or in the case of its other direction.
     fn of_paper(&self, papers: Option<Case>, other: bool) -> Option<&'static str> {
         let case = papers?;
         let both = self.findings.get(case.motion)?;
         Some(both[usize::from(case.reversed != other)].words())
     }
 
-    /// The cases with a finding, in words.
+    /// The cases with a finding, as text.
     fn under(&self, motions: &[Shaking], wanted: Finding) -> String {
         let words = |(motion, both): (&Shaking, &[Finding; 2])| {
             let directions = match both.map(|finding| finding == wanted) {
@@ -41,7 +41,7 @@ impl Asked<'_> {
     }
 }
 
-/// The claims that were asked, in their order.
+/// The tested claims in their order.
 pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<Asked<'_>> {
     let first = worlds.first().map_or(&[][..], |[world, _]| &world.claims);
     let asked = |(index, claim): (usize, _)| {
@@ -54,9 +54,9 @@ pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<Asked<'_>> {
     first.iter().enumerate().map(asked).collect()
 }
 
-/// A row per claim: in how many cases it holds, what it does in the paper's own, and where it fails; of changed scenes also in
-/// how many cases it holds of the `plain` ones.
-pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], (plain, papers): (Option<Vec<Asked<'_>>>, Option<Case>)) -> String {
+/// Table with one row per claim: the number of cases in which it holds, its finding in the paper's case, and the cases in which it fails.
+/// For changed scenes a column adds the number of `plain` cases in which it holds.
+pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], plain: Option<&[Asked<'_>]>, papers: Option<Case>) -> String {
     let mut table = Table::of(all.iter().enumerate())
         .column("claim", |(_, one)| one.claim.claim)
         .column("where", |(_, one)| one.claim.place)
@@ -69,13 +69,13 @@ pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], (plain, papers): (Op
         .column("papers_record_other_direction", |(_, one)| one.of_paper(papers, true))
         .column("does_not_hold_under", |(_, one)| one.under(motions, Finding::DoesNotHold))
         .column("does_not_apply_under", |(_, one)| one.under(motions, Finding::DoesNotApply));
-    if let Some(plain) = &plain {
+    if let Some(plain) = plain {
         table = table.column("holds_of_papers_scenes", |(index, _)| plain[*index].tally().holds);
     }
     table.csv()
 }
 
-/// A row per claim, motion and direction, with what was computed.
+/// Table with one row per claim, motion and direction, with the computed numbers.
 pub(super) fn verdicts(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
     let cases = || {
         motions

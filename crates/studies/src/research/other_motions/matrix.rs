@@ -1,34 +1,34 @@
-//! Claims against cases: what holds where, readable in grey.
+//! Drawings of claims against cases, readable in grey.
 
 use std::ops::Range;
 
 use super::{Beyond, Case, Group, findings, short};
 use crate::files::capital;
 use crate::paper::claims::{Finding, asked as claims_asked};
-use pounding_plot::{Align, Drawing, Fill, Pen, Point, Shade, Shape};
+use pounding_plot::{Align, Drawing, Fill, PaperPoint, Pen, Shade, Shape};
 
-/// Width and height of a cell, and the distance of two motions \[mm\].
+/// Width and height of a cell, and distance between two motions \[mm\].
 const CELL: (f64, f64) = (4.6, 7.6);
 const APART: f64 = 1.5;
-/// Room for the claims in words, and right of the cells for how often they hold \[mm\].
+/// Width for the claims in words, and for the counts right of the cells \[mm\].
 const WORDS: f64 = 62.0;
 const COUNT: f64 = 17.0;
-/// Room above the cells for the directions, and for each letter of the names of motions \[mm\].
+/// Height for the directions above the cells, and per letter of a motion's name \[mm\].
 const ARROWS: f64 = 5.2;
 const LETTER: f64 = 1.55;
-/// Room below the cells for the legend \[mm\].
+/// Height for the legend below the cells \[mm\].
 const FOOT: f64 = 14.0;
-/// Least width of the paper, which the legend takes \[mm\].
+/// Least width of the paper, needed by the legend \[mm\].
 const LEAST: f64 = 152.0;
 /// Free margin \[mm\].
 const MARGIN: f64 = 2.0;
 /// Size of letters in points.
 const TEXT: f64 = 8.0;
 const SMALL: f64 = 7.0;
-/// Distance of two lines of words \[mm\].
+/// Distance between two lines of text \[mm\].
 const LINE: f64 = 3.3;
 
-/// The cells of some motions; the counts are of all.
+/// Drawing of the cells of some motions. The counts at the right are of all motions.
 pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Drawing {
     let claims = findings::all(&group.worlds);
     let right = left_of(motions.len()) - APART;
@@ -78,8 +78,8 @@ fn left_of(column: usize) -> f64 {
     MARGIN + WORDS + column as f64 * (2.0 * CELL.0 + APART)
 }
 
-/// Name of a motion, upright, and arrows for its directions.
-fn heading(name: &str, (left, top): Point, shapes: &mut Vec<Shape>) {
+/// Draws the name of a motion, upright, with arrows for its directions.
+fn heading(name: &str, (left, top): PaperPoint, shapes: &mut Vec<Shape>) {
     for (direction, arrow) in ["→", "←"].into_iter().enumerate() {
         let x = left + (direction as f64 + 0.5) * CELL.0;
         shapes.push(Shape::text((x, top + 2.4), arrow, TEXT, Align::Middle));
@@ -87,7 +87,7 @@ fn heading(name: &str, (left, top): Point, shapes: &mut Vec<Shape>) {
     shapes.push(Shape::upright((left + CELL.0, top + ARROWS), short(name), TEXT, Align::Start));
 }
 
-/// The words of a claim, in lines about a height.
+/// Draws the words of a claim as lines centred at a height.
 fn lines(words: &str, middle: f64, shapes: &mut Vec<Shape>) {
     let count = words.lines().count() as f64;
     for (index, line) in words.lines().enumerate() {
@@ -97,8 +97,8 @@ fn lines(words: &str, middle: f64, shapes: &mut Vec<Shape>) {
     }
 }
 
-/// A cell with a sign, so that it is read in grey too.
-fn cell(finding: Finding, corner: Point, shapes: &mut Vec<Shape>) {
+/// Draws a cell with a sign that can be read in grey.
+fn cell(finding: Finding, corner: PaperPoint, shapes: &mut Vec<Shape>) {
     let (shade, opacity, sign) = match finding {
         Finding::Holds => (Shade::Blue, 0.85, ""),
         Finding::HoldsOnlyAsStated => (Shade::Blue, 0.3, "•"),
@@ -111,7 +111,7 @@ fn cell(finding: Finding, corner: Point, shapes: &mut Vec<Shape>) {
     shapes.push(Shape::text(middle, sign, TEXT, Align::Middle));
 }
 
-/// What the cells and arrows mean.
+/// Draws the meaning of the cells and arrows.
 fn legend(words: String, shapes: &mut Vec<Shape>) {
     let mut x = MARGIN + 2.0;
     for (finding, width) in Finding::ALL.into_iter().zip([20.0, 42.0, 32.0, 0.0]) {

@@ -1,14 +1,13 @@
-//! The paper's future work for its own scenes: other ground motions, in both directions, and its claims under them.
+//! The future work that the paper names, for its own scenes: other ground motions in both directions, and the paper's claims under them.
 //!
-//! The scenes are those of Tables 2, 4, 6 and 7 and of Fig. 15 with the paper's structures, gaps and contact laws, by the
-//! exact method. A run lasts until the ground has been at rest for a while, so that no collision is cut off; only
-//! where a motion has a duration of its own does it end earlier, as the paper's does after 10 s.
+//! The scenes are those of Tables 2, 4, 6 and 7 and of Fig. 15 with the paper's structures, gaps and contact laws, by the exact method. A
+//! run lasts until the ground has been at rest for a while, so no collision is cut off. A motion with its own duration ends earlier: the
+//! paper's ends after 10 s.
 //!
-//! All of it is asked once more of changed scenes ([`Change`]): with buildings of several storeys in place of the structures, and
-//! under weaker shaking.
+//! All runs are repeated with changed scenes ([`Change`]): with buildings of several storeys instead of the structures, and under weaker
+//! shaking.
 //!
-//! A case is a motion in one direction. A claim of the paper is asked in every case; where nothing touches it does not
-//! apply.
+//! A case is a motion in one direction. Every claim of the paper is tested in every case; it does not apply if nothing touches.
 
 mod figures;
 mod findings;
@@ -32,41 +31,41 @@ pub use study::BeyondStudy;
 pub(crate) use study::motions_of;
 use world::MotionCase;
 
-/// A motion, by its place in the list, in one direction.
+/// A motion, by its index in the list, in one direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Case {
     motion: usize,
     reversed: bool,
 }
 
-/// What the scenes did under every motion in both directions.
+/// Results of the scenes under every motion in both directions.
 #[derive(Debug)]
 pub struct Beyond {
     path: PathBuf,
     motions: Vec<Shaking>,
-    /// The paper's scenes first, then each change of them.
+    /// The paper's scenes first, then one group per change.
     groups: Vec<Group>,
     papers: Option<Case>,
     periods: Vec<f64>,
     left_out: Vec<(String, String)>,
 }
 
-/// What the scenes did under every motion in both directions, as the paper has them or with one change.
+/// Results under every motion in both directions, of the paper's scenes or of one change of them.
 #[derive(Debug)]
 struct Group {
     change: Option<Change>,
-    /// For each motion as recorded and reversed.
+    /// For each motion the results as recorded and reversed.
     worlds: Vec<[MotionCase; 2]>,
 }
 
-/// A claim, and in how many cases it holds.
+/// A claim in few words, with its counts.
 pub type Counted = (&'static str, ClaimCount);
 
-/// Motions in a figure; of more there are several.
+/// Number of motions in one figure; further motions get further figures.
 const MOTIONS_PER_FIGURE: usize = 12;
 
 impl Beyond {
-    /// In how many cases each of the paper's claims holds, a column for the paper's scenes and one for each change of them.
+    /// Counts for each of the paper's claims: one column for the paper's scenes, and one per change.
     pub fn tallies(&self) -> Vec<ClaimCounts> {
         let of = |(change, counted): (Option<Change>, Vec<Counted>)| {
             let mut claims = Vec::new();
@@ -81,8 +80,7 @@ impl Beyond {
         self.claims().into_iter().map(of).collect()
     }
 
-    /// The claims that exact runs can be asked, and in how many cases each holds: of the paper's scenes, and of each change
-    /// of them.
+    /// Counts for the claims that exact runs can test, for the paper's scenes and for each change of them.
     pub fn claims(&self) -> Vec<(Option<Change>, Vec<Counted>)> {
         let of = |group: &Group| {
             let claims = findings::all(&group.worlds);
@@ -92,15 +90,15 @@ impl Beyond {
         self.groups.iter().map(of).collect()
     }
 
-    /// Records that shook nothing, and why.
+    /// Names of the records that could not be used, with the reasons.
     pub fn left_out(&self) -> &[(String, String)] {
         &self.left_out
     }
 
-    /// Tables and figures by their path in the results folder.
+    /// Tables and figures by their paths in the results folder.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    /// [`StudyError::Plot`] if a figure cannot be drawn.
     pub fn files(&self) -> Result<Files, StudyError> {
         let motions = shaking::table(&self.motions, &self.periods);
         let mut files = Files::from([("motions.csv".into(), motions.into_bytes())]);
@@ -137,13 +135,13 @@ impl Beyond {
         Ok(files)
     }
 
-    /// The claims of a group; of changed scenes beside those of the paper's.
+    /// Table of the claims of a group; for changed scenes it includes the counts of the paper's scenes.
     fn findings(&self, group: &Group) -> String {
         let plain = group.change.is_some().then(|| findings::all(&self.groups[0].worlds));
-        findings::table(&self.motions, &findings::all(&group.worlds), (plain, self.papers))
+        findings::table(&self.motions, &findings::all(&group.worlds), plain.as_deref(), self.papers)
     }
 
-    /// The motions of every page of a figure.
+    /// The range of motions on every page of a figure.
     fn pages(&self) -> impl Iterator<Item = Range<usize>> {
         let all = self.motions.len();
         let starts = (0..all).step_by(MOTIONS_PER_FIGURE);
@@ -151,7 +149,7 @@ impl Beyond {
     }
 }
 
-/// Name of a figure of some of the motions.
+/// File name of a figure of some of the motions.
 fn page_name(figure: &str, motions: &Range<usize>) -> PathBuf {
     match motions.start / MOTIONS_PER_FIGURE {
         0 => format!("{figure}.png").into(),
@@ -159,7 +157,7 @@ fn page_name(figure: &str, motions: &Range<usize>) -> PathBuf {
     }
 }
 
-/// A name that fits into a figure.
+/// The name, shortened to fit into a figure.
 fn short(name: &str) -> String {
     const LONGEST: usize = 22;
     let name = writable(name);

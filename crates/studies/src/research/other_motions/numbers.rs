@@ -1,16 +1,16 @@
-//! The numbers of every scene, and what the direction alone changes in them.
+//! Tables of the numbers of every scene, and of the effect of the direction alone.
 
 use super::shaking::Shaking;
-use super::world::{MotionCase, Row};
+use super::world::{MotionCase, StructureResult};
 use crate::files::direction;
 use pounding_text::Table;
 
-/// A structure of a scene under a motion.
+/// The keys of a table row: a structure of a scene under a motion.
 trait Keys {
-    fn keys(&self) -> (&Row, &Shaking);
+    fn keys(&self) -> (&StructureResult, &Shaking);
 }
 
-/// A table with the columns that say which structure of which scene under which motion.
+/// A table whose first columns name the motion, scene and structure of a row.
 fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
     Table::of(rows)
         .column("table", |one: &One| one.keys().0.table.clone())
@@ -20,55 +20,71 @@ fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
         .column("motion", |one| one.keys().1.name.clone())
 }
 
-/// Under a motion in one direction.
-struct Directed<'a>(&'a Row, &'a Shaking, bool);
+/// Results under a motion in one direction.
+struct Directed<'a> {
+    result: &'a StructureResult,
+    motion: &'a Shaking,
+    reversed: bool,
+}
 
 impl Keys for Directed<'_> {
-    fn keys(&self) -> (&Row, &Shaking) {
-        (self.0, self.1)
+    fn keys(&self) -> (&StructureResult, &Shaking) {
+        (self.result, self.motion)
     }
 }
 
-/// Under a motion as recorded and reversed.
-struct Both<'a>([&'a Row; 2], &'a Shaking);
+/// Results under a motion, as recorded and reversed.
+struct Both<'a> {
+    results: [&'a StructureResult; 2],
+    motion: &'a Shaking,
+}
 
 impl Keys for Both<'_> {
-    fn keys(&self) -> (&Row, &Shaking) {
-        (self.0[0], self.1)
+    fn keys(&self) -> (&StructureResult, &Shaking) {
+        (self.results[0], self.motion)
     }
 }
 
-/// Rows of the same structure under every motion stand together.
+/// Pairs the rows of both directions; rows of one structure under every motion follow each other.
 fn both<'a>(motions: &'a [Shaking], worlds: &'a [[MotionCase; 2]]) -> impl Iterator<Item = Both<'a>> {
     let structures = 0..worlds.first().map_or(0, |[world, _]| world.rows.len());
     structures.flat_map(move |structure| {
-        let of_motion = move |(motion, both): (_, &'a [MotionCase; 2])| Both(both.each_ref().map(|world| &world.rows[structure]), motion);
+        let of_motion = move |(motion, both): (_, &'a [MotionCase; 2])| Both {
+            results: both.each_ref().map(|world| &world.rows[structure]),
+            motion,
+        };
         motions.iter().zip(worlds).map(of_motion)
     })
 }
 
-/// A row per scene, structure, motion and direction.
+/// Table with one row per scene, structure, motion and direction.
 pub(super) fn table(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
-    let directed = both(motions, worlds)
-        .flat_map(|Both([recorded, reversed], motion)| [Directed(recorded, motion, false), Directed(reversed, motion, true)]);
+    let directed = both(motions, worlds).flat_map(|Both { results, motion }| {
+        let of_direction = |reversed| Directed {
+            result: results[usize::from(reversed)],
+            motion,
+            reversed,
+        };
+        [false, true].map(of_direction)
+    });
     keyed(directed)
-        .column("direction", |one| direction(one.2))
-        .column("transferred_momentum_kn_s", |one| one.0.momentum / 1e3)
-        .column("collisions", |one| one.0.collisions)
-        .column("first_touch_s", |one| one.0.first.map(|(start, _)| start))
-        .column("first_impulse_kn_s", |one| one.0.first.map(|(_, impulse)| impulse / 1e3))
-        .column("peak_displacement_mm", |one| 1e3 * one.0.displacement)
-        .column("alone_mm", |one| 1e3 * one.0.alone)
-        .column("over_alone", |one| one.0.amplification())
-        .column("residual_displacement_mm", |one| one.0.residual.map(|residual| 1e3 * residual))
-        .column("peak_shear_kn", |one| one.0.shear / 1e3)
+        .column("direction", |one| direction(one.reversed))
+        .column("transferred_momentum_kn_s", |one| one.result.momentum / 1e3)
+        .column("collisions", |one| one.result.collisions)
+        .column("first_touch_s", |one| one.result.first.map(|(start, _)| start))
+        .column("first_impulse_kn_s", |one| one.result.first.map(|(_, impulse)| impulse / 1e3))
+        .column("peak_displacement_mm", |one| 1e3 * one.result.displacement)
+        .column("alone_mm", |one| 1e3 * one.result.alone)
+        .column("over_alone", |one| one.result.amplification())
+        .column("residual_displacement_mm", |one| one.result.residual.map(|residual| 1e3 * residual))
+        .column("peak_shear_kn", |one| one.result.shear / 1e3)
         .csv()
 }
 
-/// A number of a row, if it has it.
-type Number = fn(&Row) -> Option<f64>;
+/// A number of a row; `None` if the row does not have it.
+type Number = fn(&StructureResult) -> Option<f64>;
 
-/// Numbers whose two directions are compared.
+/// Numbers to compare between the two directions.
 const COMPARED: [(&str, Number); 7] = [
     ("transferred_momentum", |row| Some(row.momentum)),
     ("collisions", |row| Some(row.collisions as f64)),
@@ -79,10 +95,11 @@ const COMPARED: [(&str, Number); 7] = [
     ("peak_shear", |row| Some(row.shear)),
 ];
 
-/// Every number under the reversed motion over the one under the motion as recorded, without signs; empty if there is nothing to divide by.
+/// Table of every number under the reversed motion over the number under the motion as recorded, without signs. A cell is empty if the
+/// divisor is zero.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
     let ratio = |one: &Both<'_>, (_, number): (&str, Number)| {
-        let [recorded, reversed] = one.0.map(number);
+        let [recorded, reversed] = one.results.map(number);
         Some((reversed? / recorded?).abs())
     };
     keyed(both(motions, worlds)).columns(COMPARED, |(name, _)| name.into(), ratio).csv()

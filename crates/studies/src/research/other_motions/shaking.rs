@@ -1,4 +1,4 @@
-//! The ground motions as they shake the scenes, and what each of them is.
+//! Ground motions as they shake the scenes, with a table of their properties.
 
 use crate::StudyError;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
@@ -9,31 +9,31 @@ use pounding_scene::{GroundMotion, Method, RecordUse, Refused, Scene, response_s
 use pounding_text::Table;
 use std::path::Path;
 
-/// Damping ratio of the spectral accelerations that are shown \[–\].
+/// Damping ratio of the spectral accelerations in tables and figures \[–\].
 pub(super) const DAMPING: f64 = 0.05;
 
-/// A ground motion as it shakes the scenes, but for its direction.
+/// A ground motion as it shakes the scenes, in the direction of its record.
 #[derive(Debug, Clone)]
 pub(crate) struct Shaking {
     pub(crate) name: String,
-    /// File or formula.
+    /// The motion's file or formula.
     origin: String,
     pub(super) record: Record,
-    /// By what it was multiplied to be as strong as the first \[–\].
+    /// Factor that made the motion as strong as the first \[–\].
     factor: f64,
     /// Duration of the runs \[s\].
     pub(crate) duration: f64,
 }
 
-/// A strength that motions are scaled to, and its value in the first of them \[m/s²\].
+/// A measure of strength with its value for the first motion \[m/s²\]; the other motions are scaled to it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Target(Strength, f64);
 
 impl Target {
-    /// The strength of the first motion, where a study scales by one.
+    /// The strength of the first motion; `None` if the study does not scale.
     ///
     /// # Errors
-    /// Refuses a spectral acceleration that cannot be computed.
+    /// [`Refused`] if the spectral acceleration cannot be computed.
     pub(super) fn of(settings: &BeyondSettings, first: &Shaking) -> Result<Option<Self>, Refused> {
         let value = |strength| match strength {
             Strength::Pga => Ok(first.record.peak().1.abs()),
@@ -43,7 +43,7 @@ impl Target {
         target.transpose()
     }
 
-    /// In the words of a scene; `gravity` is what one g is worth \[m/s²\].
+    /// The target in the form of a scene; `gravity` is the value of one g \[m/s²\].
     fn scale_to(self, gravity: f64) -> ScaleTo {
         let Self(strength, value) = self;
         match strength {
@@ -56,7 +56,7 @@ impl Target {
         }
     }
 
-    /// The record scaled to this, unless it says itself what it is scaled to.
+    /// The record scaled to this target, unless it names its own target.
     fn on(self, record: &RecordUse) -> RecordUse {
         let mut record = record.clone();
         let scale_to = self.scale_to(record.gravity_m_per_s2);
@@ -66,7 +66,7 @@ impl Target {
 }
 
 impl Shaking {
-    /// A motion of a list; `base` is the folder that its file is named from.
+    /// A motion of a list; `base` is the folder that its file name is relative to.
     ///
     /// # Errors
     /// Those of [`GroundMotion::of`].
@@ -80,14 +80,14 @@ impl Shaking {
         let plain = read(&motion.record)?;
         let scaled = target.map(|target| read(&target.on(&motion.record)));
         let origin = motion.record.source.to_string();
-        let mut shaking = Self::of((motion.name.clone(), origin), plain, scaled, settings)?;
+        let mut shaking = Self::of(motion.name.clone(), origin, plain, scaled, settings)?;
         if let Some(duration) = motion.duration_s {
             shaking.duration = duration;
         }
         Ok(shaking)
     }
 
-    /// A motion of a folder; what one g is worth, and what a file leaves out, says the record of a scene.
+    /// A motion of a folder. `like` gives the value of one g, and everything that a file leaves out.
     ///
     /// # Errors
     /// Those of [`SuiteMotion::shake`].
@@ -107,11 +107,12 @@ impl Shaking {
         };
         let plain = read(like.record.clone())?;
         let scaled = target.map(|target| read(target.on(&like.record)));
-        Self::of((motion.name.clone(), motion.name.clone()), plain, scaled, settings)
+        Self::of(motion.name.clone(), motion.name.clone(), plain, scaled, settings)
     }
 
     fn of(
-        (name, origin): (String, String),
+        name: String,
+        origin: String,
         plain: Record,
         scaled: Option<Result<Record, StudyError>>,
         settings: &BeyondSettings,
@@ -121,19 +122,19 @@ impl Shaking {
         Ok(Self {
             name,
             origin,
-            // Nothing is nothing, however it is scaled.
+            // A motion without shaking has no factor.
             factor: if peak == 0.0 { 1.0 } else { record.peak().1 / peak },
             duration: record.duration() + settings.rest_s,
             record,
         })
     }
 
-    /// The record in a direction.
+    /// The record in one direction.
     pub(crate) fn directed(&self, reversed: bool) -> Record {
         if reversed { self.record.reversed() } else { self.record.clone() }
     }
 
-    /// What of the record shakes: it may last longer than the runs.
+    /// The part of the record within the duration of the runs.
     pub(super) fn heard(&self) -> Record {
         let record = &self.record;
         let step = record.time_step();
@@ -150,7 +151,7 @@ fn sa(record: &Record, period: f64, damping: f64) -> Result<f64, Refused> {
     Ok(values[0].pseudo_acceleration)
 }
 
-/// What each motion is, with its spectral accelerations at some periods \[s\]; what cannot be computed stays empty.
+/// Table of each motion's properties, with its spectral accelerations at some periods \[s\]. A value that cannot be computed stays empty.
 pub(super) fn table(motions: &[Shaking], periods: &[f64]) -> String {
     let measured = |motion| {
         let heard = Shaking::heard(motion);

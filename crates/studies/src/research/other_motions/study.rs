@@ -1,4 +1,4 @@
-//! What is run: the paper's scenes, and the ground motions of a list or of a folder.
+//! The paper's scenes together with the ground motions of a list or of a folder.
 
 use super::shaking::{Shaking, Target};
 use super::world::MotionCase;
@@ -10,43 +10,43 @@ use pounding_assess::Suite;
 use pounding_scene::{Method, Scene, Simulation, Structure, parallel};
 use std::path::{Path, PathBuf};
 
-/// The paper's scenes and the ground motions that are to shake them.
+/// The paper's scenes and the ground motions for them.
 #[derive(Debug)]
 pub struct BeyondStudy {
-    /// The study, or the folder of records.
+    /// Path of the study, or of the folder of records.
     path: PathBuf,
     scenes: Scenes,
     motions: Vec<Shaking>,
     changes: Vec<Change>,
-    /// The paper's case, where it is one of them.
+    /// The paper's case; `None` if it is not among the motions.
     papers: Option<Case>,
-    /// Motions that shake nothing, with the reason; nothing where every motion has to.
+    /// Unusable motions with the reasons; `None` if every motion must be usable.
     left_out: Option<Vec<(String, String)>>,
 }
 
 impl BeyondStudy {
-    /// The motions that a study lists, and the scenes of the others; nothing where no study lists motions.
+    /// The ground motions that a study lists, with the scenes of the other studies. `None` if no study lists ground motions.
     ///
     /// # Errors
-    /// [`StudyError`] for a study that is missing, and for a motion that is not allowed or cannot be read.
+    /// [`StudyError`] if a study is missing, or if a motion is not allowed or cannot be read.
     pub fn listed(files: &[&StudyFile]) -> Result<Option<Self>, StudyError> {
         let Some((path, settings)) = StudyFile::listing(files.iter().copied()) else {
             return Ok(None);
         };
-        Self::of(files, (path, settings), usize::MAX).map(|(study, _)| Some(study))
+        Self::of(files, path, settings, usize::MAX).map(|(study, _)| Some(study))
     }
 
-    /// The scenes of a folder of studies under the records of another folder, instead of those that a study lists.
+    /// The scenes of a folder of studies under the records of another folder, which replace the listed motions.
     ///
-    /// `scaled` says whether they are scaled as that study does. Records that cannot be read, vertical components, and motions
-    /// under which a run fails are [left out](Beyond::left_out).
+    /// `scaled` applies the scaling of the study that lists motions. Records that cannot be read, vertical components, and motions under
+    /// which a run fails are [left out](Beyond::left_out).
     ///
     /// # Errors
-    /// [`StudyError`] for studies that cannot be read, for a folder that cannot be, and where no motion is left.
+    /// [`StudyError`] if a study or the folder cannot be read, or if no usable motion is left.
     pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
         let files = StudyFile::read_all(studies)?;
         let (path, settings) = StudyFile::listing(&files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
-        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), (path, settings), 1)?;
+        let (study, target) = Self::of(&files.iter().collect::<Vec<_>>(), path, settings, 1)?;
         let target = target.filter(|_| scaled);
         let like = papers_scene(&study.scenes)?;
         let suite = Suite::of(&[records.to_path_buf()], &like.record.declared())?;
@@ -68,8 +68,8 @@ impl BeyondStudy {
         .any_left()
     }
 
-    /// The first motions of a list, and the strength to which all are scaled.
-    fn of(files: &[&StudyFile], (path, settings): (&Path, &BeyondSettings), most: usize) -> Result<(Self, Option<Target>), StudyError> {
+    /// The first `most` motions of a list, and the target strength of the scaling.
+    fn of(files: &[&StudyFile], path: &Path, settings: &BeyondSettings, most: usize) -> Result<(Self, Option<Target>), StudyError> {
         let (motions, target) = read(settings, path, most)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
@@ -84,7 +84,7 @@ impl BeyondStudy {
         Ok((study, target))
     }
 
-    /// Refuses where no motion is left.
+    /// Refuses a study without a usable motion.
     fn any_left(self) -> Result<Self, StudyError> {
         if !self.motions.is_empty() {
             return Ok(self);
@@ -100,29 +100,29 @@ impl BeyondStudy {
         ))
     }
 
-    /// Without the changes of the scenes that take long.
+    /// Drops the changes that take long.
     #[must_use]
     pub fn usual(mut self) -> Self {
         self.changes.retain(|change| !change.is_long());
         self
     }
 
-    /// Number of times that [`Self::run`] calls `done`.
+    /// Number of calls of `done` by [`Self::run`].
     pub fn n_cases(&self) -> usize {
         2 * self.motions.len() * (1 + self.changes.len())
     }
 
-    /// Runs every scene, also changed, under every motion in both directions; `done` is called after each case.
+    /// Runs every scene and every changed scene under every motion in both directions. Calls `done` after each case.
     ///
     /// # Errors
-    /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
+    /// The first [`StudyError`] in the order of the cases. For a folder of records only if no motion is left.
     pub fn run(mut self, done: &(dyn Fn() + Sync)) -> Result<Beyond, StudyError> {
         let motions = std::mem::take(&mut self.motions);
         let changes: Vec<_> = std::iter::once(None).chain(self.changes.iter().copied().map(Some)).collect();
         let of_motion = |motion: &Shaking| {
             parallel::try_each(&changes, |change| {
                 let world = |reversed: &bool| {
-                    let world = MotionCase::new(&self.scenes, (motion, *reversed), *change);
+                    let world = MotionCase::new(&self.scenes, motion, *reversed, *change);
                     done();
                     world
                 };
@@ -133,7 +133,7 @@ impl BeyondStudy {
         let ran = parallel::each(&motions, of_motion);
         let worlds = Vec::new;
         let mut groups: Vec<_> = changes.iter().map(|&change| Group { change, worlds: worlds() }).collect();
-        // Collected first: of several errors, the first in order is reported, not the first in time.
+        // All results are collected first, so the reported error is the first in order, not the first in time.
         for (motion, worlds) in motions.into_iter().zip(ran) {
             match (worlds, &mut self.left_out) {
                 (Ok(worlds), _) => {
@@ -158,15 +158,15 @@ impl BeyondStudy {
     }
 }
 
-/// The motions of a list, all as strong as the first where it scales them.
+/// The motions of a list; if the list scales them, all are as strong as the first.
 ///
 /// # Errors
-/// [`StudyError`] for a motion that is not allowed or cannot be read.
+/// [`StudyError`] if a motion is not allowed or cannot be read.
 pub(crate) fn motions_of(settings: &BeyondSettings, path: &Path) -> Result<Vec<Shaking>, StudyError> {
     read(settings, path, usize::MAX).map(|(motions, _)| motions)
 }
 
-/// The first motions of a list, and the strength of the first, to which others are scaled.
+/// The first `most` motions of a list, and the strength of the first, to which the others are scaled.
 fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
     if let Some((place, found, allowed)) = settings.fault() {
         return Err(StudyError::refused(path, place, found, allowed));
@@ -175,10 +175,10 @@ fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shak
     let (mut motions, mut target) = (Vec::new(), None);
     for motion in settings.motions.iter().take(most) {
         motions.push(Shaking::listed(motion, base, settings, target).map_err(|error| error.in_file(path))?);
-        // To scale the first to itself would cost its last digits.
+        // The first motion is not scaled to itself: that would change its last digits.
         if let [first] = &motions[..] {
             target = Target::of(settings, first).map_err(|error| {
-                let allowed = "a period and damping of which the first motion has a spectrum";
+                let allowed = "a period and a damping ratio for which the first motion has a spectrum";
                 StudyError::refused(path, "output.beyond.scaled_by", error.to_string(), allowed)
             })?;
         }
@@ -186,13 +186,13 @@ fn read(settings: &BeyondSettings, path: &Path, most: usize) -> Result<(Vec<Shak
     Ok((motions, target))
 }
 
-/// A scene of the paper, under its record.
+/// The first scene of the paper's studies.
 fn papers_scene(scenes: &Scenes) -> Result<&Scene, StudyError> {
     let first = scenes.prepared().next().map(Simulation::scene);
     first.ok_or_else(|| StudyError::no_scene_of(STUDIES[0]))
 }
 
-/// The listed motion and the direction that are those of the paper's scenes.
+/// The motion and direction of the paper's scenes, if the list has that motion.
 fn papers(settings: &BeyondSettings, scenes: &Scenes) -> Option<Case> {
     let record = &papers_scene(scenes).ok()?.record;
     let mut as_recorded = record.clone();
@@ -209,7 +209,7 @@ fn periods(scenes: &Scenes) -> Vec<f64> {
     let structures = scenes.prepared().flat_map(|scene| &scene.scene().structures);
     let mut periods: Vec<f64> = structures.filter_map(Structure::period).collect();
     periods.sort_by(f64::total_cmp);
-    // Two that the table would print alike are one.
+    // Two periods that the table would print alike are merged.
     periods.dedup_by(|one, other| (*one - *other).abs() < 0.005);
     periods
 }

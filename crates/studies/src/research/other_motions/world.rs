@@ -1,66 +1,66 @@
-//! What the scenes do under one ground motion in one direction.
+//! Results of the scenes under one ground motion in one direction.
 
 use super::Change;
 use super::shaking::Shaking;
-use crate::paper::claims::{Claim, Run, verdicts};
+use crate::paper::claims::{Claim, SceneRun, verdicts};
 use crate::paper::converged::{OF_CLAIMS, Scenes};
 use crate::{Completed, StudyError};
 use pounding_motion::Record;
 use pounding_scene::{Scene, Simulation, Structure};
 
-/// Numbers and verdicts of one motion in one direction.
+/// Numbers and verdicts under one motion in one direction.
 #[derive(Debug)]
 pub(super) struct MotionCase {
-    /// A row per structure of every scene.
-    pub(super) rows: Vec<Row>,
-    /// Those of the paper's claims that exact runs can be asked, in their order.
+    /// One row per structure of every scene.
+    pub(super) rows: Vec<StructureResult>,
+    /// The claims of the paper that exact runs can test, in their order.
     pub(super) claims: Vec<Claim>,
 }
 
-/// What one structure of one scene does.
+/// Results of one structure of one scene.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
+pub(super) struct StructureResult {
     /// Number of the paper's table.
     pub(super) table: String,
     pub(super) scene: String,
-    /// Number from the left, from 1.
+    /// Number of the structure from the left, counted from 1.
     pub(super) number: usize,
     pub(super) structure: String,
     /// Transferred momentum \[N·s\].
     pub(super) momentum: f64,
-    /// Peak displacement with its sign, of a building that of its roof \[m\].
+    /// Signed peak displacement \[m\]; for a building that of its roof.
     pub(super) displacement: f64,
-    /// Peak displacement of the structure standing alone, without sign \[m\].
+    /// Peak displacement of the structure without neighbours, without sign \[m\].
     pub(super) alone: f64,
-    /// Peak shear force with its sign, of a building that of its first storey \[N\].
+    /// Signed peak shear force \[N\]; for a building that of its first storey.
     pub(super) shear: f64,
-    /// Displacement that stays at the end, with its sign \[m\]; nothing for one that cannot yield.
+    /// Signed displacement that remains at the end \[m\]; `None` if the structure cannot yield.
     pub(super) residual: Option<f64>,
-    /// How often it collides.
+    /// Number of collisions of the structure.
     pub(super) collisions: usize,
-    /// Start \[s\] and impulse \[N·s\] of its first collision.
+    /// Start \[s\] and impulse \[N·s\] of the structure's first collision.
     pub(super) first: Option<(f64, f64)>,
 }
 
-impl Row {
-    /// Peak displacement over that without pounding; nothing for what does not move alone.
+impl StructureResult {
+    /// Peak displacement over the one without neighbours; `None` if the structure does not move without them.
     pub(super) fn amplification(&self) -> Option<f64> {
         (self.alone > 0.0).then(|| self.displacement.abs() / self.alone)
     }
 }
 
 impl MotionCase {
-    /// Runs every scene, as the paper has it or changed.
+    /// Runs every scene, unchanged or with a change.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
-    pub(super) fn new(scenes: &Scenes, (shaking, reversed): (&Shaking, bool), change: Option<Change>) -> Result<Self, StudyError> {
+    pub(super) fn new(scenes: &Scenes, shaking: &Shaking, reversed: bool, change: Option<Change>) -> Result<Self, StudyError> {
         let directed = shaking.directed(reversed);
         let record = match change {
             None => directed,
             Some(change) => change.of_record(directed),
         };
-        // The one place where the row, or what it is built of, may become another one.
+        // Only this place replaces the row or its structures.
         let turned = |scene: &Scene| {
             let mut scene = scene.clone();
             scene.duration_s = Some(shaking.duration);
@@ -72,10 +72,10 @@ impl MotionCase {
             known: Vec::new(),
         };
         let mut rows = Vec::new();
-        // The scenes of the claims' own study are those of Tables 6 and 7 once more.
+        // The scenes of the claims' own study repeat those of Tables 6 and 7.
         for study in runs.iter().filter(|study| study.file.id != OF_CLAIMS) {
-            for (index, prepared) in study.prepared.iter().enumerate() {
-                rows.extend(of_scene((study, index), prepared, &mut alone)?);
+            for index in 0..study.prepared.len() {
+                rows.extend(of_scene(study, index, &mut alone)?);
             }
         }
         Ok(Self {
@@ -85,20 +85,21 @@ impl MotionCase {
     }
 }
 
-fn of_scene((study, index): (&Completed, usize), prepared: &Simulation, alone: &mut Alone<'_>) -> Result<Vec<Row>, StudyError> {
-    let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
+/// Results of the structures of a study's scene at an index of its list.
+fn of_scene(study: &Completed, index: usize, alone: &mut Alone<'_>) -> Result<Vec<StructureResult>, StudyError> {
+    let (scene, run) = (&study.file.study.scenes[index], SceneRun::of(study, index));
     let id = &study.file.id;
     let row = |(place, structure): (usize, &Structure)| {
         let (collisions, first) = run.collisions(place);
         let yields = structure.yield_forces().iter().any(Option::is_some);
-        Ok(Row {
+        Ok(StructureResult {
             table: id.strip_prefix("table-").unwrap_or(id).into(),
             scene: scene.name.clone(),
             number: place + 1,
             structure: structure.name().into(),
             momentum: run.momentum(place),
             displacement: run.peak_displacement(place),
-            alone: alone.displacement(prepared, structure)?,
+            alone: alone.displacement(&study.prepared[index], structure)?,
             shear: run.peak_shear(place),
             residual: run.residual(place).filter(|_| yields),
             collisions,
@@ -108,14 +109,14 @@ fn of_scene((study, index): (&Completed, usize), prepared: &Simulation, alone: &
     scene.structures.iter().enumerate().map(row).collect()
 }
 
-/// Structures standing alone, each run once.
+/// Runs of structures without neighbours; each structure runs once.
 struct Alone<'a> {
     record: &'a Record,
     known: Vec<(Structure, f64)>,
 }
 
 impl Alone<'_> {
-    /// Peak displacement of a structure of a scene without neighbours, without sign \[m\].
+    /// Peak displacement of a structure without neighbours, without sign \[m\].
     fn displacement(&mut self, prepared: &Simulation, structure: &Structure) -> Result<f64, StudyError> {
         let known = self.known.iter().find(|(known, _)| known == structure);
         if let Some((_, displacement)) = known {
@@ -130,7 +131,7 @@ impl Alone<'_> {
         };
         let alone = prepared.variant(&scene, self.record.clone())?;
         let outcome = alone.run(None)?;
-        // Its roof; a wall has the only place of its own.
+        // The last floor is the roof; a wall has just one node.
         let roof = alone.floors().all().len() - 1;
         let displacement = outcome.peaks.of(roof).displacement.value.abs();
         self.known.push((structure.clone(), displacement));

@@ -1,4 +1,4 @@
-//! What becomes of a number at the edge.
+//! Classes of a number in an extreme scene.
 
 use crate::listed::listed;
 use pounding_plot::{Fill, Shade};
@@ -6,32 +6,31 @@ use pounding_scene::Review;
 
 /// Error up to which a number is exact to tolerance \[–\].
 const EXACT: f64 = 1e-6;
-/// Error up to which it is accurate \[–\]; a warning of such a number is a false alarm.
+/// Error up to which a number is accurate \[–\]; a warning about such a number is a false alarm.
 pub(super) const ACCURATE: f64 = 0.01;
 /// Error above which a number without a warning is silently wrong \[–\].
 pub(super) const WRONG: f64 = 0.1;
 
-// Between a false alarm and a silent fault there is room for a threshold.
+// A threshold for warnings must fit between a false alarm and a silent fault.
 const _: () = assert!(
     ACCURATE < Review::DOUBTFUL && Review::DOUBTFUL < WRONG,
     "a threshold of warnings between what is good and what is wrong"
 );
 
-/// How a class is shown.
+/// The appearance of a class.
 pub(super) struct Look {
     /// Name in tables.
     pub(super) key: &'static str,
     /// Name in figures.
     pub(super) words: &'static str,
     pub(super) fill: Fill,
-    /// A letter by which it is read in grey.
+    /// Letter that identifies the class in grey.
     pub(super) letter: &'static str,
-    /// Place from good to bad.
+    /// Rank from good to bad.
     pub(super) rank: usize,
 }
 
-const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, opacity): (Shade, f64), letter: &'static str) -> Look {
-    let fill = Fill { shade, opacity };
+const fn look(rank: usize, key: &'static str, words: &'static str, fill: Fill, letter: &'static str) -> Look {
     Look {
         key,
         words,
@@ -41,32 +40,36 @@ const fn look(rank: usize, (key, words): (&'static str, &'static str), (shade, o
     }
 }
 
+const fn fill(shade: Shade, opacity: f64) -> Fill {
+    Fill { shade, opacity }
+}
+
 listed! {
-    /// What becomes of a number.
+    /// The class of a number.
     pub(super) enum Class { look: Look;
         /// Within 1e-6 of the exact run.
-        ExactToTolerance = look(1, ("exact_to_tolerance", "exact to 1e-6"), (Shade::Blue, 0.75), ""),
+        ExactToTolerance = look(1, "exact_to_tolerance", "exact to 1e-6", fill(Shade::Blue, 0.75), ""),
         /// Within 1 %.
-        Accurate = look(2, ("accurate", "within 1 %"), (Shade::Blue, 0.3), ""),
-        /// Further off, but by less than 10 % or with a warning.
-        Degraded = look(3, ("degraded", "degraded"), (Shade::Amber, 0.6), "d"),
+        Accurate = look(2, "accurate", "within 1 %", fill(Shade::Blue, 0.3), ""),
+        /// Between 1 % and 10 % off, or further off with a warning.
+        Degraded = look(3, "degraded", "degraded", fill(Shade::Amber, 0.6), "d"),
         /// The scene is refused before it runs.
-        Refused = look(4, ("refused", "refused"), (Shade::Mist, 1.0), "r"),
+        Refused = look(4, "refused", "refused", fill(Shade::Mist, 1.0), "r"),
         /// The run ends with an error, or its verdict is that a law of mechanics is broken.
-        Caught = look(5, ("diverged_and_caught", "diverged, caught"), (Shade::Vermilion, 0.7), "c"),
-        /// More than 10 % off without a word.
-        SilentlyWrong = look(8, ("silently_wrong", "silently wrong"), (Shade::Ink, 1.0), ""),
-        /// There is no exact run to compare with; the program says so, where it measures errors.
-        NoReference = look(6, ("no_reference", "no exact run"), (Shade::White, 1.0), "–"),
-        /// A number of the exact run that the second route cannot follow.
-        NotVerified = look(7, ("not_verified", "not verified"), (Shade::White, 1.0), "?"),
-        /// Neither run has the number: nothing touches.
-        Nothing = look(0, ("nothing_touches", "nothing touches"), (Shade::White, 1.0), ""),
+        Caught = look(5, "diverged_and_caught", "diverged, caught", fill(Shade::Vermilion, 0.7), "c"),
+        /// More than 10 % off without a warning.
+        SilentlyWrong = look(8, "silently_wrong", "silently wrong", fill(Shade::Ink, 1.0), ""),
+        /// There is no exact run for a comparison. The program prints that, if it measures errors.
+        NoReference = look(6, "no_reference", "no exact run", fill(Shade::White, 1.0), "–"),
+        /// A number of the exact run that the second route cannot confirm.
+        NotVerified = look(7, "not_verified", "not verified", fill(Shade::White, 1.0), "?"),
+        /// Neither run has the number because nothing touches.
+        Nothing = look(0, "nothing_touches", "nothing touches", fill(Shade::White, 1.0), ""),
     }
 }
 
 impl Class {
-    /// The class of a number that a run printed, with or without a warning.
+    /// The class of a number that a run printed, from its error and whether there was a warning.
     pub(super) fn of(error: Option<f64>, warned: bool) -> Self {
         match error {
             None => Self::Nothing,

@@ -1,14 +1,14 @@
-//! A map of a grid: a panel per method, a square per scene, in the colour of the worst number of the run.
+//! Maps of grids: one panel per method, one square per scene in the colour of the worst number of the run.
 
 use super::class::Class;
-use super::measure::{Measured, Run};
-use crate::study::stress::{Cell, Map};
+use super::measure::{JudgedRun, Measured};
+use crate::study::stress::{ExtremeScene, Map};
 use pounding_plot::{Align, Drawing, Pen, Shade, Shape};
 use pounding_scene::ComparedMethod;
 
 /// Side of a square \[mm\].
 const SIDE: f64 = 4.2;
-/// Panels in a row.
+/// Number of panels in a row.
 const COLUMNS: usize = 3;
 /// Space left of a panel, below and above it \[mm\].
 const MARGIN: (f64, f64, f64) = (13.0, 12.0, 6.0);
@@ -16,14 +16,14 @@ const MARGIN: (f64, f64, f64) = (13.0, 12.0, 6.0);
 const LEGEND: f64 = 12.0;
 /// Size of letters in points.
 const TEXT: f64 = 7.5;
-/// Size of the letters in squares, and of those at the axes, in points.
+/// Size of the letters in squares and at the axes, in points.
 const SMALL: f64 = 6.0;
 
-/// The map on paper.
-pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawing {
+/// Drawing of a map.
+pub(super) fn drawing(map: &Map, cells: &[ExtremeScene], measured: &[Measured]) -> Drawing {
     let own = cells.iter().zip(measured).filter(|(cell, _)| cell.place == map.name);
     let own: Vec<&Measured> = own.map(|(_, measured)| measured).collect();
-    let methods: &[Run] = own.first().map_or(&[], |measured| &measured.runs);
+    let methods: &[JudgedRun] = own.first().map_or(&[], |measured| &measured.runs);
     let (n_x, n_y) = (map.x.values.len() as f64, map.y.values.len() as f64);
     let (left, below, above) = MARGIN;
     let (width, height) = (left + n_x * SIDE + 3.0, below + n_y * SIDE + above);
@@ -33,13 +33,13 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
     for (index, run) in methods.iter().enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
         let corner = (column as f64 * width + left, paper.1 - LEGEND - (row + 1) as f64 * height + below);
-        let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
+        let runs: Vec<&JudgedRun> = own.iter().map(|measured| &measured.runs[index]).collect();
         let title = match run.method {
             ComparedMethod::REFERENCE => "Exact, by the second route".into(),
-            // The panels are narrow.
+            // The panels are too narrow for the whole name.
             method => ComparedMethod::label_of(method).replace(" in contact", ""),
         };
-        panel(map, (corner, &title), &runs, &mut shapes);
+        panel(map, corner, &title, &runs, &mut shapes);
     }
     Drawing {
         width: paper.0,
@@ -48,8 +48,8 @@ pub(super) fn drawing(map: &Map, cells: &[Cell], measured: &[Measured]) -> Drawi
     }
 }
 
-/// One method: squares row by row from below, numbers at the axes.
-fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: &mut Vec<Shape>) {
+/// Draws one method: squares row by row from below, numbers at the axes.
+fn panel(map: &Map, corner: (f64, f64), title: &str, runs: &[&JudgedRun], shapes: &mut Vec<Shape>) {
     let (n_x, n_y) = (map.x.values.len(), map.y.values.len());
     for (index, run) in runs.iter().enumerate() {
         let at = (corner.0 + (index % n_x) as f64 * SIDE, corner.1 + (index / n_x) as f64 * SIDE);
@@ -77,12 +77,12 @@ fn panel(map: &Map, (corner, title): ((f64, f64), &str), runs: &[&Run], shapes: 
 }
 
 /// The worst class of a run's numbers.
-fn worst(run: &Run) -> Class {
+fn worst(run: &JudgedRun) -> Class {
     let classes = run.numbers.iter().map(|number| number.class);
     classes.max_by_key(|class| class.look().rank).unwrap_or(Class::Nothing)
 }
 
-/// A square with the letter of its class.
+/// Draws a square with the letter of its class.
 fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
     let look = class.look();
     shapes.push(Shape::boxed(corner, (SIDE, SIDE), look.fill, Pen::solid(Shade::White, 0.5)));
@@ -90,7 +90,7 @@ fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
     shapes.push(Shape::text(middle, look.letter, SMALL, Align::Middle));
 }
 
-/// The classes in two rows, from good to bad.
+/// The legend of the classes in two rows, from good to bad.
 fn legend(width: f64, height: f64) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let column = (width - 6.0) / 5.0;
@@ -106,7 +106,7 @@ fn legend(width: f64, height: f64) -> Vec<Shape> {
     shapes
 }
 
-/// A value at an axis: plain, or as a power of ten.
+/// A value at an axis: a plain number, or a power of ten.
 fn number(value: f64) -> String {
     if value == 0.0 || (1e-2..=1e3).contains(&value) {
         format!("{value}")

@@ -1,4 +1,4 @@
-//! The runs of one scene at the edge: every method, the exact one, and the second route.
+//! Runs of one extreme scene: by every method, by the exact method, and by the second route.
 
 use super::class::{ACCURATE, Class};
 use crate::research::work_precision::{MethodQuantity, Quantities};
@@ -7,67 +7,67 @@ use pounding_reference::Fineness;
 use pounding_scene::{Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation, StepMethod, Values, Warning};
 use pounding_solver::Collision;
 
-/// Longest row that the second route, which steps all structures together, is asked for.
+/// Largest number of structures for the second route, which steps them all together.
 const MOST_OF_SECOND_ROUTE: usize = 10;
 
-/// What becomes of a scene.
+/// Results of a scene under all methods.
 #[derive(Debug)]
 pub(super) struct Measured {
-    /// The exact method by the second route, then every stepping method by the exact one.
-    pub(super) runs: Vec<Run>,
+    /// First the exact method, measured by the second route; then every stepping method, measured by the exact one.
+    pub(super) runs: Vec<JudgedRun>,
 }
 
-/// What becomes of a scene under one method.
+/// Results of a scene under one method.
 #[derive(Debug)]
-pub(super) struct Run {
+pub(super) struct JudgedRun {
     /// Name of the method.
     pub(super) method: &'static str,
-    /// Time step \[s\]; nothing for the exact method.
+    /// Time step \[s\]; `None` for the exact method.
     pub(super) time_step: Option<f64>,
-    /// Of every quantity.
+    /// A judgement of every quantity.
     pub(super) numbers: [Judged; MethodQuantity::ALL.len()],
-    /// Largest part of the energy that the balance of the run leaves unexplained \[–\].
+    /// Largest share of the energy that the balance of the run cannot explain \[–\].
     pub(super) residual: Option<f64>,
-    /// Why it was refused or caught.
+    /// Reason why the run was refused or caught; else empty.
     pub(super) reason: String,
 }
 
-/// What becomes of one number of a run.
+/// Judgement of one number of a run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Judged {
     pub(super) class: Class,
-    /// Relative error \[–\]; of a refused run, that of the same run forced.
+    /// Relative error \[–\]. For a refused run it is that of the run when forced.
     pub(super) error: Option<f64>,
-    /// Whether the program warns of it, as it does by default.
+    /// Whether the program warns about the number by default.
     pub(super) warned: bool,
-    /// Class had the program not measured the errors (`--no-error`).
+    /// Class of the number if the program does not measure errors (`--no-error`).
     pub(super) unmeasured: Class,
-    /// Whether it then warns.
+    /// Whether the program warns about the number with `--no-error`.
     pub(super) warned_unmeasured: bool,
 }
 
 impl Judged {
-    /// A warning of a number that is within 1 %.
+    /// Whether the program warns about a number that is within 1 %.
     pub(super) fn is_false_alarm(&self) -> bool {
         self.warned && self.is_good() && self.is_printed()
     }
 
-    /// The same without measured errors.
+    /// Whether the program warns with `--no-error` about a number that is within 1 %.
     pub(super) fn is_false_alarm_unmeasured(&self) -> bool {
         self.warned_unmeasured && self.is_good() && self.is_printed()
     }
 
-    /// A refusal of a run that would have been within 1 %.
+    /// Whether the run was refused although the number would have been within 1 %.
     pub(super) fn is_wrong_refusal(&self) -> bool {
         matches!(self.class, Class::Refused | Class::Caught) && self.is_good()
     }
 
-    /// A refusal of a run that ends early when forced, so that nobody knows.
+    /// Whether the run was refused, and the number stays unknown because the forced run ends early.
     pub(super) fn is_unchecked_refusal(&self) -> bool {
         matches!(self.class, Class::Refused | Class::Caught) && self.error.is_none()
     }
 
-    /// A number that is printed, and compared.
+    /// Whether the number is printed and has an error.
     pub(super) fn is_compared(&self) -> bool {
         self.error.is_some() && self.is_printed()
     }
@@ -92,18 +92,18 @@ impl Judged {
     }
 }
 
-/// Runs every method on a scene; `base` lends what does not change.
+/// Runs every method on a scene; `base` lends the unchanged parts.
 pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
-    let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> Run| {
+    let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> JudgedRun| {
         let methods = StepMethod::differing(impulsive).map(of_method);
         let runs = std::iter::once(first).chain(methods).collect();
         Measured { runs }
     };
     let exact = match base.variant(&pushed.scene, pushed.record.clone()) {
         Ok(prepared) => prepared,
-        // The scene is refused whatever the method.
+        // The scene is refused whatever its method.
         Err(error) => {
-            let run = |method| Run::all(method, None, Class::Refused, error.to_string());
+            let run = |method| JudgedRun::all(method, None, Class::Refused, error.to_string());
             return all(run("exact"), is_impulsive(base), &|method| run(method.name()));
         }
     };
@@ -113,13 +113,13 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
             broken: None,
             balance,
         }) => {
-            let by_second_route = Run {
+            let by_second_route = JudgedRun {
                 residual: Some(balance.residual),
                 ..of_exact(&exact, &outcome)
             };
             (by_second_route, Some(outcome))
         }
-        Ok(Audited { broken: Some(error), .. }) | Err(error) => (Run::all("exact", None, Class::Caught, error.to_string()), None),
+        Ok(Audited { broken: Some(error), .. }) | Err(error) => (JudgedRun::all("exact", None, Class::Caught, error.to_string()), None),
     };
     all(first, is_impulsive(&exact), &|method| {
         of_method(&exact, method.name(), method.at(pushed.time_step), reference.as_ref())
@@ -130,10 +130,10 @@ fn is_impulsive(prepared: &Simulation) -> bool {
     prepared.pairs().iter().any(|pair| !pair.law.is_compliant())
 }
 
-/// The exact run by the second route.
-fn of_exact(exact: &Simulation, reference: &RunResult) -> Run {
+/// Measures the exact run by the second route.
+fn of_exact(exact: &Simulation, reference: &RunResult) -> JudgedRun {
     let n = exact.scene().structures.len();
-    let not_verified = |reason: String| Run::all("exact", None, Class::NotVerified, reason);
+    let not_verified = |reason: String| JudgedRun::all("exact", None, Class::NotVerified, reason);
     if n > MOST_OF_SECOND_ROUTE {
         return not_verified(format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}"));
     }
@@ -142,18 +142,18 @@ fn of_exact(exact: &Simulation, reference: &RunResult) -> Run {
     }
     let own = Quantities::of(reference, n);
     match crate::second_route(exact, Fineness::FINE) {
-        Ok(second) => Run {
+        Ok(second) => JudgedRun {
             numbers: MethodQuantity::ALL.map(|quantity| {
                 let error = own.distance(&Quantities::of_second_route(&second), quantity);
                 Judged::plain(Class::of(error, false), error)
             }),
-            ..Run::all("exact", None, Class::Nothing, String::new())
+            ..JudgedRun::all("exact", None, Class::Nothing, String::new())
         },
         Err(error) => not_verified(error.to_string()),
     }
 }
 
-/// Whether impacts of different pairs are apart by rounding alone: together and one by one they end otherwise.
+/// Whether impacts of different pairs coincide up to rounding: their order then changes the result.
 fn hits_at_once(outcome: &RunResult) -> bool {
     let all = outcome.collisions.all();
     let impulsive = |one: &&Collision| one.peak_force.is_none();
@@ -162,10 +162,10 @@ fn hits_at_once(outcome: &RunResult) -> bool {
         .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < Values::AT_ONCE)
 }
 
-/// A stepping method by the exact run.
-fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: Option<&RunResult>) -> Run {
+/// Measures a stepping method by the exact run.
+fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: Option<&RunResult>) -> JudgedRun {
     let time_step = method.time_step();
-    let stopped = |class, reason| Run::all(name, time_step, class, reason);
+    let stopped = |class, reason| JudgedRun::all(name, time_step, class, reason);
     let prepared = match exact.with_any_method(method) {
         Ok(prepared) => prepared,
         Err(error) => return stopped(Class::Refused, error.to_string()),
@@ -184,14 +184,14 @@ fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: 
         (None, None) => None,
     };
     let reason = refusal.or(broken.map(|error| error.to_string()));
-    Run {
+    JudgedRun {
         numbers: judge(&prepared, &outcome, reference, wrong),
         residual: Some(balance.residual),
         ..stopped(Class::Nothing, reason.unwrap_or_default())
     }
 }
 
-/// What becomes of every number of a run that ends; `wrong` where none of them is printed.
+/// Judges every number of a run that ended. `wrong` is the class of all numbers of a run that prints none.
 fn judge(
     prepared: &Simulation,
     outcome: &RunResult,
@@ -225,7 +225,7 @@ fn judge(
     })
 }
 
-/// The printed number that a quantity is.
+/// The printed number that belongs to a quantity.
 fn number(quantity: MethodQuantity, compliant: bool) -> Quantity {
     match quantity {
         MethodQuantity::FirstTime => PairQuantity::FirstStartS.into(),
@@ -238,8 +238,8 @@ fn number(quantity: MethodQuantity, compliant: bool) -> Quantity {
     }
 }
 
-impl Run {
-    /// A run without numbers of its own.
+impl JudgedRun {
+    /// A run whose numbers all have one class, and no errors.
     fn all(method: &'static str, time_step: Option<f64>, class: Class, reason: String) -> Self {
         Self {
             method,

@@ -1,8 +1,7 @@
-//! Scenes pushed to the edge, each number of each run classified: what is exact, what is refused, what is wrong, and
-//! whether the program says so.
+//! Extreme scenes: every number of every run is exact, refused or wrong, with or without a warning of the program.
 //!
-//! Stepping methods are measured by the exact one, and the exact one by the second route. "Silently wrong" is a number
-//! that is more than 10 % off in a run that ends, is not refused, and warns of nothing that concerns it.
+//! Stepping methods are measured by the exact one, and the exact one by the second route. A number is "silently wrong" if it is more than
+//! 10 % off in a run that ends, is not refused, and has no warning about that number.
 
 mod class;
 mod map;
@@ -11,27 +10,27 @@ mod table;
 
 use crate::drivers::each;
 use crate::files::{Files, drawn, in_folder, made_by};
-use crate::study::stress::{Cell, Edges, Extent};
+use crate::study::stress::{Edges, Extent, ExtremeScene};
 use crate::{Completed, StudyError};
 use std::path::{Path, PathBuf};
 
 use measure::{Measured, measure};
 
-/// What becomes of every scene at the edge.
+/// Results of all extreme scenes.
 #[derive(Debug)]
 pub struct Extremes {
     edges: Edges,
     extent: Extent,
-    cells: Vec<Cell>,
+    cells: Vec<ExtremeScene>,
     measured: Vec<Measured>,
     path: PathBuf,
 }
 
 impl Extremes {
-    /// Runs every method on every scene at the edge; `done` is called after each scene.
+    /// Runs every method on every extreme scene. Calls `done` after each scene.
     ///
     /// # Errors
-    /// [`StudyError::Study`] for a scene or change that does not exist.
+    /// [`StudyError::Study`] if a scene or change does not exist.
     pub fn measure(completed: &Completed, edges: &Edges, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let cells = edges.cells(extent);
         let measured = each(&cells, done, |cell| {
@@ -53,10 +52,10 @@ impl Extremes {
         })
     }
 
-    /// Tables and figures by their path in the results folder; of a part of the grid its cells alone.
+    /// Tables and figures by their paths in the results folder; for a part of the grid only its cells.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    /// [`StudyError::Plot`] if a figure cannot be drawn.
     pub fn files(&self) -> Result<Files, StudyError> {
         let (cells, measured) = (&self.cells, &self.measured);
         let part = table::cells(cells, measured, |cell| cell.in_part).into_bytes();
@@ -70,7 +69,7 @@ impl Extremes {
                 files.insert(Path::new(&map.name).with_extension("png"), png);
             }
         }
-        // The table of the part of the grid that is usually run.
+        // The table of the part of the grid that usually runs.
         files.insert("part/cells.csv".into(), part);
         Ok(in_folder("extremes", files))
     }

@@ -1,20 +1,20 @@
-//! Cells and their counts as CSV.
+//! Tables of the extreme scenes and of their counts as CSV.
 
 use super::class::Class;
-use super::measure::{Judged, Measured, Run};
+use super::measure::{Judged, JudgedRun, Measured};
 use crate::research::work_precision::MethodQuantity;
-use crate::study::stress::Cell;
-use pounding_text::{Cell as Text, Table};
+use crate::study::stress::ExtremeScene;
+use pounding_text::{Cell, Table};
 
-/// A row per scene and method, of the scenes that pass the test.
-pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) -> bool) -> String {
+/// One row per scene and method, for the scenes that pass a test.
+pub(super) fn cells(cells: &[ExtremeScene], measured: &[Measured], test: impl Fn(&ExtremeScene) -> bool) -> String {
     let own = cells.iter().zip(measured).filter(|(cell, _)| test(cell));
     let rows = own.flat_map(|(cell, measured)| measured.runs.iter().map(move |run| (cell, run)));
     let mut table = Table::of(rows)
         .column("place", |(cell, _)| cell.place.clone())
         .column("scene", |(cell, _)| cell.scene.clone());
     for index in 0..2 {
-        let change = move |cell: &Cell| cell.changes.get(index).copied();
+        let change = move |cell: &ExtremeScene| cell.changes.get(index).copied();
         table = table
             .column(format!("axis_{}", index + 1), move |(cell, _)| {
                 change(cell).map(|(axis, _)| axis.key())
@@ -31,7 +31,7 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
             .column(quantity.key(), move |(_, run)| run.numbers[index].class.look().key)
             .column(format!("{}_error", quantity.key()), move |(_, run)| short(run.numbers[index].error));
     }
-    let warned = |run: &Run, of: Test| {
+    let warned = |run: &JudgedRun, of: Test| {
         let quantities = MethodQuantity::ALL.iter().zip(&run.numbers);
         let warned = quantities.filter(|(_, number)| of(number));
         warned.map(|(quantity, _)| quantity.key()).collect::<Vec<_>>().join(" ")
@@ -44,15 +44,15 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
         .csv()
 }
 
-/// Two digits: what an error is worth.
-fn short(value: Option<f64>) -> Text {
-    Text::number(value, |value| format!("{value:.1e}"))
+/// Errors get two digits: more are not reliable.
+fn short(value: Option<f64>) -> Cell {
+    Cell::number(value, |value| format!("{value:.1e}"))
 }
 
-/// Whether a number is counted.
+/// A test of a number that is counted.
 type Test = fn(&Judged) -> bool;
 
-/// Counts of the summary, with their columns.
+/// Columns of the summary with the test that each counts.
 const COUNTS: [(&str, Test); 6] = [
     ("compared", Judged::is_compared),
     ("false_alarms", Judged::is_false_alarm),
@@ -62,7 +62,7 @@ const COUNTS: [(&str, Test); 6] = [
     ("false_alarms_unmeasured", Judged::is_false_alarm_unmeasured),
 ];
 
-/// How many numbers of all runs are of each class: by method, by quantity, and in all.
+/// Numbers of each class over all runs: by method, by quantity, and in all.
 pub(super) fn summary(measured: &[Measured]) -> String {
     let numbers = || {
         let runs = measured.iter().flat_map(|measured| &measured.runs);

@@ -1,11 +1,11 @@
-//! Scenes of a survey and the ground motions that shake them.
+//! Scenes of a survey with their ground motions.
 
 use crate::research::other_motions::motions_of;
 use crate::{BeyondSettings, StudyError, StudyFile};
 use pounding_scene::{GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure};
 use std::path::Path;
 
-/// A ground motion in one direction, and how long it shakes \[s\].
+/// A ground motion in one direction, with the duration of its runs \[s\].
 #[derive(Debug, Clone)]
 pub(super) struct Case {
     pub(super) name: String,
@@ -15,10 +15,10 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// The motions of a list in both directions, as recorded and then reversed.
+    /// The motions of a list in both directions, as recorded before reversed.
     ///
     /// # Errors
-    /// [`StudyError`] for a motion that cannot be read.
+    /// [`StudyError`] if a motion cannot be read.
     pub(super) fn listed(settings: &BeyondSettings, path: &Path) -> Result<Vec<Self>, StudyError> {
         let cases = motions_of(settings, path)?.into_iter().flat_map(|shaking| {
             [false, true].map(|reversed| {
@@ -38,10 +38,10 @@ impl Case {
         Ok(cases.collect())
     }
 
-    /// The same, every acceleration multiplied by a factor.
+    /// The motion with every acceleration multiplied by a factor.
     ///
     /// # Errors
-    /// Names the scene, for a factor that leaves no finite numbers.
+    /// [`StudyError`] if the factor makes a sample infinite. It names the scene.
     pub(super) fn scaled(&self, factor: f64) -> Result<Self, StudyError> {
         let motion = self.motion.scaled(factor);
         let motion = motion.map_err(|mut refused| {
@@ -51,10 +51,10 @@ impl Case {
         Ok(Self { motion, ..self.clone() })
     }
 
-    /// A scene under this motion, by the exact method.
+    /// A scene under this motion, prepared for the exact method.
     ///
     /// # Errors
-    /// Those of [`Simulation::new`] but of reading.
+    /// Those of [`Simulation::new`], except errors of reading.
     pub(super) fn prepared(&self, scene: &Scene) -> Result<Simulation, pounding_scene::Error> {
         let scene = Scene {
             duration_s: Some(self.duration),
@@ -64,7 +64,7 @@ impl Case {
         Simulation::shaken(&scene, self.motion.clone())
     }
 
-    /// The run of a scene under this motion, by the exact method.
+    /// Runs a scene under this motion by the exact method.
     ///
     /// # Errors
     /// Those of [`Self::prepared`] and [`Simulation::run`].
@@ -74,14 +74,14 @@ impl Case {
     }
 }
 
-/// What a survey wants of a run of structures of one storey.
+/// The numbers of a run of one-storey structures that surveys use.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Response {
     /// Peak displacement of every structure, without sign \[m\].
     pub(super) peaks: Vec<f64>,
     /// Sum of the impulses of all collisions \[N·s\].
     pub(super) impulse: f64,
-    /// Largest pounding force \[N\]; 0 where contact is impulsive.
+    /// Largest pounding force \[N\]; 0 if the contacts are impulsive.
     pub(super) force: f64,
     /// Number of collisions.
     pub(super) collisions: usize,
@@ -100,10 +100,10 @@ impl Response {
     }
 }
 
-/// A structure of one storey of a scene.
+/// A one-storey structure of a scene.
 ///
 /// # Panics
-/// On another kind of structure: [`rows`] refuses it.
+/// Panics on another kind of structure, which [`rows`] refuses.
 pub(super) fn sdof(scene: &mut Scene, index: usize) -> &mut Sdof {
     match &mut scene.structures[index] {
         Structure::Sdof(sdof) => sdof,
@@ -111,16 +111,16 @@ pub(super) fn sdof(scene: &mut Scene, index: usize) -> &mut Sdof {
     }
 }
 
-/// A structure with another natural period \[s\] at the same mass.
+/// Sets the natural period \[s\] at constant mass.
 pub(super) fn set_period(sdof: &mut Sdof, period: f64) {
     let omega = std::f64::consts::TAU / period;
     sdof.stiffness_n_per_m = sdof.mass_kg * omega * omega;
 }
 
-/// The scenes of a study where all are rows of so many structures of one storey, with contacts.
+/// The scenes of a study, if all are rows of `n_structures` one-storey structures with contacts.
 ///
 /// # Errors
-/// [`StudyError::Study`] for another scene.
+/// [`StudyError::Study`] for any other scene.
 pub(super) fn rows(file: &StudyFile, n_structures: usize) -> Result<&[Scene], StudyError> {
     let scenes = &file.study.scenes;
     let of_one_storey = |structure: &Structure| matches!(structure, Structure::Sdof(_));
@@ -133,7 +133,7 @@ pub(super) fn rows(file: &StudyFile, n_structures: usize) -> Result<&[Scene], St
     }
 }
 
-/// A scene with all gaps of one width \[m\].
+/// The scene with a width for all gaps \[m\].
 pub(super) fn with_gap(scene: &Scene, gap: f64) -> Scene {
     let mut scene = scene.clone();
     for contact in scene.contacts.iter_mut().flatten() {

@@ -1,4 +1,4 @@
-//! Fragility of pounding: in how many of many random motions structures touch, and drift further than alone.
+//! Fragility of pounding: the share of many random motions under which structures touch, and drift further than without neighbours.
 
 use super::cases::{Case, rows, with_gap};
 use crate::drivers::pairs;
@@ -6,18 +6,18 @@ use crate::files::{Files, capital, drawn};
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
 use pounding_assess::{Separation, wilson};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, parallel};
 use pounding_text::{Table, digits};
 
-/// What one motion does at one intensity and gap: peak displacements over those alone, where the pair touches.
+/// Peak displacements over those without neighbours, for one motion, intensity and gap. `None` if the pair does not touch.
 type Excess = Option<[f64; 2]>;
 
-/// An event whose probability is asked for.
+/// An event with a probability.
 #[derive(Debug, Clone, Copy)]
 enum Event {
     Touch,
-    /// A structure, by its place, drifts so much further than alone.
+    /// The structure with this index drifts further than without neighbours, by at least this factor.
     Drift(usize, f64),
 }
 
@@ -43,7 +43,7 @@ impl Event {
     }
 }
 
-/// In how many motions an event happens at a gap \[m\] and an intensity \[m/s²\].
+/// Number of motions under which an event happens, at a gap \[m\] and an intensity \[m/s²\].
 struct Count {
     event: String,
     gap: f64,
@@ -84,7 +84,7 @@ pub(super) fn files(settings: &Fragility, file: &StudyFile) -> Result<Files, Stu
     ]))
 }
 
-/// The motions with a peak of 1 m/s².
+/// The motions, scaled to a peak of 1 m/s².
 fn suite(settings: &Fragility, scene: &Scene, file: &StudyFile) -> Result<Vec<Case>, StudyError> {
     let Source::Generated(Generated::Stochastic(motion)) = &scene.record.source else {
         let allowed = "`generated`, `stochastic`, whose seed makes further motions";
@@ -100,15 +100,15 @@ fn suite(settings: &Fragility, scene: &Scene, file: &StudyFile) -> Result<Vec<Ca
         Ok(Case {
             name,
             reversed: false,
-            // Two of the longest periods of the scene are waited for.
+            // The run waits for two of the longest periods of the scene after the motion.
             duration: scene.duration_under(motion.record.duration()),
             motion: motion.into(),
         })
     })
 }
 
-/// What a motion does at every gap. Until they touch first, structures move as if they were alone: where the gap is wider
-/// than the largest closing of both alone nothing else is run.
+/// The results of a motion at every gap. Until their first touch structures move as without neighbours. A gap wider than their largest
+/// closing therefore needs no run.
 fn outcomes(case: &Case, scene: &Scene, gaps: &[f64]) -> Result<Vec<Excess>, StudyError> {
     let separation = Separation::of(&case.prepared(scene)?)?[0];
     let outcome = |gap: &f64| {
@@ -121,7 +121,7 @@ fn outcomes(case: &Case, scene: &Scene, gaps: &[f64]) -> Result<Vec<Excess>, Stu
     gaps.iter().map(outcome).collect()
 }
 
-/// Every event at every gap and intensity; `found` has the outcomes of all gaps for every motion and intensity.
+/// Counts every event at every gap and intensity. `found` has the results at all gaps for every motion and intensity.
 fn counts(settings: &Fragility, scene: &Scene, found: &[Vec<Excess>]) -> Vec<Count> {
     let n_pga = settings.pga_m_per_s2.len();
     let mut counts = Vec::new();
@@ -151,7 +151,7 @@ const LOOKS: [(Shade, Mark); 5] = [
     (Shade::Grey, Mark::Inverted),
 ];
 
-/// A panel per event: curves of gaps over intensity, with bounds.
+/// Figure with one panel per event: one curve per gap over intensity, with bounds.
 fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
     let n_pga = settings.pga_m_per_s2.len().max(1);
     let of_gap = |(counts, (shade, mark)): (&[Count], (Shade, Mark))| {
@@ -161,16 +161,16 @@ fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
         };
         let name = format!("gap {} mm", digits(1e3 * counts[0].gap));
         [
-            curve(Kind::Thin, |one| one.bounds().0),
-            curve(Kind::Thin, |one| one.bounds().1),
-            curve(Kind::Line, Count::share).marked(mark).named(name),
+            curve(CurveKind::Thin, |one| one.bounds().0),
+            curve(CurveKind::Thin, |one| one.bounds().1),
+            curve(CurveKind::Line, Count::share).marked(mark).named(name),
         ]
     };
     let panel = |counts: &[Count]| {
         let curves = counts.chunks(n_pga).zip(LOOKS).flat_map(of_gap).collect();
         Panel::shared(capital(&counts[0].event), Axis::over("Probability (–)", 0.0, 1.0), curves)
     };
-    // What hardly ever happens has no panel.
+    // An event under less than 1 % of the motions gets no panel.
     let happens = |counts: &&[Count]| counts.iter().any(|one| 100 * one.happens >= one.motions);
     let events = counts.chunks((n_pga * settings.gaps_m.len()).max(1));
     let panels: Vec<Panel> = events.filter(happens).map(panel).collect();

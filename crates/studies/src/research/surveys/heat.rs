@@ -1,32 +1,32 @@
-//! Maps over two logarithmic axes: panels of coloured cells, a row of panels for each quantity with its scale beside it.
+//! Maps over two logarithmic axes: coloured cells in panels, with one row of panels and one scale per quantity.
 
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape};
 use pounding_text::digits;
 
 /// Width of the paper \[mm\]: two columns of a journal.
 const WIDTH: f64 = 177.8;
-/// Room left of the panels, between them, above each, and below the last row \[mm\].
+/// Room left of the panels, between them, above each panel, and below the last row \[mm\].
 const MARGIN: (f64, f64, f64, f64) = (13.0, 4.0, 5.4, 9.0);
 /// Room for the scale beside the panels \[mm\].
 const SCALE: f64 = 27.0;
-/// Width and height of a step of the scale \[mm\].
+/// Width and height of one step of the scale \[mm\].
 const STEP: (f64, f64) = (4.2, 4.6);
-/// Radius of the dot that marks a class in grey, too \[mm\].
+/// Radius of the dot that marks a class in grey \[mm\].
 const DOT: f64 = 0.3;
 /// Sizes of letters in points.
 const TEXT: f64 = 8.0;
 const SMALL: f64 = 7.0;
 
-/// A map of all quantities.
+/// A map of several quantities.
 pub(super) struct Heat {
-    /// Values along both axes, rising, at equal ratios.
+    /// Values along both axes, rising by a constant ratio.
     pub(super) axis: Vec<f64>,
     pub(super) x: String,
     pub(super) y: String,
     /// Titles of the columns of panels.
     pub(super) titles: Vec<String>,
     pub(super) rows: Vec<HeatRow>,
-    /// Values with a number at the axes.
+    /// Values that have a number at the axes.
     pub(super) ticks: Vec<f64>,
 }
 
@@ -34,16 +34,16 @@ pub(super) struct Heat {
 pub(super) struct HeatRow {
     pub(super) label: String,
     pub(super) classes: Classes,
-    /// For every panel the cells, row by row from below; nothing stays white.
+    /// Cells of every panel, row by row from below; a `None` stays white.
     pub(super) panels: Vec<Vec<Option<f64>>>,
 }
 
-/// How values are coloured.
+/// Colours of the values.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Classes {
-    /// Darker is more; the bounds rise.
+    /// A darker colour is a larger value; the bounds rise.
     Rising([f64; 5]),
-    /// Blue is less than one, with a dot, and orange is more; the bounds rise, three on either side.
+    /// Blue with a dot is less than one, orange is more. The bounds rise, three on either side.
     About([f64; 6]),
 }
 
@@ -55,7 +55,7 @@ impl Classes {
         }
     }
 
-    /// Colour of a class, counted from the lowest, and whether it has a dot.
+    /// Colour of a class, counted from the lowest, and whether the class has a dot.
     fn look(self, class: usize) -> (Fill, bool) {
         let fill = |shade, opacity| Fill { shade, opacity };
         match self {
@@ -75,7 +75,7 @@ impl Classes {
         self.bounds().iter().filter(|bound| value >= **bound).count()
     }
 
-    /// Words of a class.
+    /// Label of a class in the scale.
     fn words(&self, class: usize) -> String {
         let bounds = self.bounds();
         match class {
@@ -87,7 +87,7 @@ impl Classes {
 }
 
 impl Heat {
-    /// The map on paper.
+    /// Drawing of the map.
     pub(super) fn drawing(&self) -> Drawing {
         let n_columns = self.titles.len() as f64;
         let (left, between, above, below) = MARGIN;
@@ -98,7 +98,7 @@ impl Heat {
             let bottom = height - 2.0 - (row + 1) as f64 * (side + above);
             for (column, cells) in of_row.panels.iter().enumerate() {
                 let corner = (left + column as f64 * (side + between), bottom);
-                self.panel((corner, side), cells, of_row.classes, &mut shapes);
+                self.panel(corner, side, cells, of_row.classes, &mut shapes);
                 if row == 0 {
                     let at = (corner.0 + 0.5 * side, bottom + side + 2.6);
                     shapes.push(Shape::text(at, &*self.titles[column], TEXT, Align::Middle));
@@ -118,7 +118,7 @@ impl Heat {
         }
     }
 
-    fn panel(&self, (corner, side): ((f64, f64), f64), cells: &[Option<f64>], classes: Classes, shapes: &mut Vec<Shape>) {
+    fn panel(&self, corner: (f64, f64), side: f64, cells: &[Option<f64>], classes: Classes, shapes: &mut Vec<Shape>) {
         let n = self.axis.len();
         let cell = side / n as f64;
         for (index, value) in cells.iter().enumerate() {
@@ -135,7 +135,7 @@ impl Heat {
         shapes.push(Shape::outlined(corner, (side, side), Pen::solid(Shade::Ink, 0.6)));
     }
 
-    /// Ticks, with numbers on the left and below where asked for.
+    /// Draws ticks, with numbers at the left and below if requested.
     fn numbers(&self, corner: (f64, f64), side: f64, beside: bool, under: bool, shapes: &mut Vec<Shape>) {
         let n = self.axis.len();
         let (from, to) = (self.axis[0], self.axis[n - 1]);
@@ -159,7 +159,7 @@ impl Heat {
     }
 }
 
-/// The classes of a quantity from above to below, under its name.
+/// Draws the classes of a quantity from top to bottom, below its name.
 fn scale(x: f64, top: f64, row: &HeatRow, shapes: &mut Vec<Shape>) {
     let lines: Vec<&str> = row.label.lines().collect();
     for (index, line) in lines.iter().enumerate() {

@@ -1,10 +1,11 @@
-//! Surveys: one question asked of thousands of exact runs.
+//! Surveys: each asks one question of thousands of exact runs.
 //!
-//! Each is a study file with scenes as templates and what to vary of them; its tables and figures have a folder of their own,
-//! made by `cargo xtask studies` and committed with their SHA-256. All runs are by the exact method, so that nothing in
-//! a table is an error of integration.
+//! A survey is a study file whose scenes are templates, with ranges to vary. Its tables and figures have a separate folder, which `cargo
+//! xtask studies` makes and which is committed with SHA-256 hashes. All runs are by the exact method, so no table contains integration
+//! errors.
 //!
-//! They are no sweeps: what varies depends on other runs, such as a gap as a part of what one pair requires.
+//! Sweeps cannot replace surveys, because the varied values depend on other runs: a gap, for example, is a part of the gap that a pair
+//! needs.
 
 mod cases;
 mod fragility;
@@ -20,7 +21,7 @@ use crate::{Output, StudyError, StudyFile};
 
 use cases::Case;
 
-/// A study that asks a [`Survey`], with the ground motions of the study that lists them.
+/// A study with a [`Survey`], and the ground motions of the study that lists them.
 #[derive(Debug)]
 pub struct SurveyStudy {
     file: StudyFile,
@@ -32,7 +33,7 @@ impl SurveyStudy {
     /// The surveys among some studies, in their order.
     ///
     /// # Errors
-    /// [`StudyError`] where no study lists ground motions, or one of them cannot be read.
+    /// [`StudyError`] if no study lists ground motions, or if a motion cannot be read.
     pub fn all(files: &[StudyFile]) -> Result<Vec<Self>, StudyError> {
         let (path, settings) = StudyFile::listing(files).ok_or_else(|| StudyError::no_scene_of("beyond"))?;
         let cases = Case::listed(settings, path)?;
@@ -49,13 +50,13 @@ impl SurveyStudy {
         Ok(files.iter().filter_map(of).collect())
     }
 
-    /// Name of the study, and of its folder of results.
+    /// Name of the study and of its results folder.
     pub fn id(&self) -> &str {
         &self.file.id
     }
 
-    /// Runs the survey: tables and figures by their path in the results folder, with the command and the hashes by which
-    /// committed tables are known to be its.
+    /// Runs the survey. Returns tables and figures by their paths in the results folder, with a text of the command and of the tables'
+    /// hashes.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the runs.

@@ -1,8 +1,8 @@
-//! Which inputs matter: shares of the variance of impulse and drifts that each input has, alone and with all others.
+//! Sensitivity: the share that each input has in the variance of impulse and drifts, by itself and together with other inputs.
 //!
-//! Indices of Sobol' by two matrices of samples and one more for each input, in which that input comes from the other matrix
-//! (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259): first order by their Table 2 (b), total by M. J. W. Jansen
-//! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
+//! The shares are Sobol' indices from two matrices of samples and one more per input, whose column of that input comes from the other
+//! matrix (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259). First-order indices follow their Table 2 (b), total indices M. J.
+//! W. Jansen (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; their uncertainty comes from a bootstrap over rows.
 
 use super::cases::{Case, rows, sdof, with_gap};
 use crate::files::{Files, capital, drawn};
@@ -10,7 +10,7 @@ use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, FreePair, LawName};
-use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, Shade};
 use pounding_scene::{Damping, Scene, parallel};
 use pounding_text::Table;
 use rand_pcg::Pcg64;
@@ -18,7 +18,7 @@ use rand_pcg::rand_core::Rng;
 use sobol::Sobol;
 use sobol::params::JoeKuoD6;
 
-/// The inputs, in the order of the coordinates of a sample.
+/// Names of the inputs, in the order of the coordinates of a sample.
 const INPUTS: [&str; 7] = [
     "gap",
     "restitution e",
@@ -29,22 +29,22 @@ const INPUTS: [&str; 7] = [
     "motion",
 ];
 const N_INPUTS: usize = INPUTS.len();
-/// What is asked of a run.
+/// Names of the outputs of a run.
 const OUTPUTS: [&str; 4] = ["total impulse", "peak force", "drift of the first", "drift of the second"];
 const N_OUTPUTS: usize = OUTPUTS.len();
 
 type Sample = [f64; N_INPUTS];
 type Output = [f64; N_OUTPUTS];
 
-/// Runs of a row of the matrices: of both of them, and of the first with each input from the second.
+/// Runs of one row of the matrices: of both matrices, and of the first with each input taken from the second.
 #[derive(Debug, Clone)]
-struct Row {
+struct SampleRuns {
     a: Output,
     b: Output,
     mixed: [Output; N_INPUTS],
 }
 
-/// Shares of an input in the variance of an output, alone and with all others, with mean and deviation of the output.
+/// Shares of an input in the variance of an output, by itself and in total, with mean and deviation of the output.
 struct Share {
     output: &'static str,
     input: &'static str,
@@ -62,7 +62,7 @@ struct Index {
 
 pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) -> Result<Files, StudyError> {
     let template = &rows(file, 2)?[0];
-    // A motion and its reversal stand together.
+    // The two directions of a motion follow each other.
     let n_motions = if settings.vary_motion { cases.len() / 2 } else { 1 };
     let asked = Asked {
         settings,
@@ -82,7 +82,7 @@ pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) ->
     ]))
 }
 
-/// Rows of both matrices: one point of a sequence each, halved. Its first point is the corner 0, which is no sample.
+/// Rows of both matrices. Each is one point of a sequence, cut in half; the first point, the corner 0, is left out.
 fn samples(count: usize) -> Vec<(Sample, Sample)> {
     let sequence = Sobol::<f64>::new(2 * N_INPUTS, &JoeKuoD6::minimal());
     let half = |point: &[f64]| std::array::from_fn(|input| point[input]);
@@ -97,7 +97,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn row(&self, a: &Sample, b: &Sample) -> Result<Row, StudyError> {
+    fn row(&self, a: &Sample, b: &Sample) -> Result<SampleRuns, StudyError> {
         let mut mixed = [[0.0; N_OUTPUTS]; N_INPUTS];
         let of_a = self.run(a)?;
         for (input, output) in mixed.iter_mut().enumerate() {
@@ -105,21 +105,21 @@ impl Asked<'_> {
             sample[input] = b[input];
             *output = if self.is_same(a, &sample) { of_a } else { self.run(&sample)? };
         }
-        Ok(Row {
+        Ok(SampleRuns {
             a: of_a,
             b: self.run(b)?,
             mixed,
         })
     }
 
-    /// Whether both samples are one scene under one motion, whatever is not asked.
+    /// Whether both samples give one scene under one motion and direction.
     fn is_same(&self, one: &Sample, other: &Sample) -> bool {
         let continuous = 0..4;
         let alike = |input: usize| one[input].total_cmp(&other[input]).is_eq();
         continuous.chain(5..6).all(alike) && self.case(one) == self.case(other)
     }
 
-    /// Which motion and direction.
+    /// Index of the motion and direction.
     fn case(&self, sample: &Sample) -> usize {
         let n_motions = self.cases.len() / 2;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to the number of motions")]
@@ -155,8 +155,8 @@ fn square(value: f64) -> f64 {
     value * value
 }
 
-/// First-order and total index of an input for an output, from some rows.
-fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
+/// First-order and total index of an input for an output, estimated from some rows.
+fn estimate(rows: &[&SampleRuns], input: usize, output: usize) -> [f64; 2] {
     let n = rows.len() as f64;
     let both = rows.iter().flat_map(|row| [row.a[output], row.b[output]]);
     let mean = both.clone().sum::<f64>() / (2.0 * n);
@@ -164,7 +164,7 @@ fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
     let mut sums = [0.0, 0.0];
     for row in rows {
         let (a, b, mixed) = (row.a[output], row.b[output], row.mixed[input][output]);
-        // Without the mean, of which the first sum knows nothing, it has less noise.
+        // Subtracting the mean leaves the expected sum unchanged and reduces its noise.
         sums[0] += (b - mean) * (mixed - a);
         sums[1] += 0.5 * square(a - mixed);
     }
@@ -172,8 +172,8 @@ fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
 }
 
 /// Both indices with the bounds of the bootstrap.
-fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [Index; 2] {
-    let all: Vec<&Row> = rows.iter().collect();
+fn indices(rows: &[SampleRuns], input: usize, output: usize, repetitions: usize) -> [Index; 2] {
+    let all: Vec<&SampleRuns> = rows.iter().collect();
     let values = estimate(&all, input, output);
     let mut random = Pcg64::new(1, 2);
     let mut repeated: [Vec<f64>; 2] = Default::default();
@@ -182,7 +182,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
             let n = rows.len() as u64;
             &rows[usize::try_from(random.next_u64() % n).expect("less than a usize")]
         };
-        let drawn: Vec<&Row> = (0..rows.len()).map(draw).collect();
+        let drawn: Vec<&SampleRuns> = (0..rows.len()).map(draw).collect();
         let again = estimate(&drawn, input, output);
         for (all, one) in repeated.iter_mut().zip(again) {
             all.push(one);
@@ -197,7 +197,7 @@ fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [In
 }
 
 /// Shares of every input in the variance of an output.
-fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
+fn shares(rows: &[SampleRuns], inputs: &[usize], output: usize, repetitions: usize) -> Vec<Share> {
     let values: Vec<f64> = rows.iter().flat_map(|row| [row.a[output], row.b[output]]).collect();
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;
@@ -212,7 +212,7 @@ fn shares(rows: &[Row], inputs: &[usize], output: usize, repetitions: usize) -> 
     inputs.iter().map(share).collect()
 }
 
-/// A row per output and input.
+/// Table with one row per output and input.
 fn table(samples: usize, shares: impl Iterator<Item = Share>) -> String {
     let mut table = Table::of(shares)
         .column("output", |one| one.output)
@@ -229,13 +229,13 @@ fn table(samples: usize, shares: impl Iterator<Item = Share>) -> String {
     table.csv()
 }
 
-/// Both indices in the figure, and how far from the line of their input they stand.
+/// Looks of both indices in the figure, with their distance from the line of their input.
 const LOOKS: [(&str, Shade, Mark, f64); 2] = [
     ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
     ("with all others (total)", Shade::Vermilion, Mark::Square, 0.16),
 ];
 
-/// A panel per output: of every input a bar to its first-order index and a mark at its total one, with bounds.
+/// Figure with one panel per output. Every input has a bar up to its first-order index and a mark at its total index, both with bounds.
 fn figure(found: &[Vec<Share>]) -> Figure {
     let panel = |shares: &Vec<Share>| {
         let mut curves = Vec::new();
@@ -244,10 +244,10 @@ fn figure(found: &[Vec<Share>]) -> Figure {
             for (line, share) in shares.iter().enumerate() {
                 let (Index { value, bounds }, y) = (share.indices[order], line as f64 + aside);
                 let span = [bounds.0, bounds.1].map(|bound| (bound.clamp(0.0, 1.0), y));
-                curves.push(Curve::new(Kind::Line, shade, span.into()));
+                curves.push(Curve::new(CurveKind::Line, shade, span.into()));
                 points.push((value.clamp(0.0, 1.0), y));
             }
-            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(name));
+            curves.push(Curve::new(CurveKind::Points, shade, points).marked(mark).named(name));
         }
         let names = shares.iter().map(|share| share.input.into());
         Panel::shared(capital(shares[0].output), Axis::names(names.collect()), curves)
@@ -260,8 +260,8 @@ fn figure(found: &[Vec<Share>]) -> Figure {
 mod tests {
     use super::*;
 
-    /// Indices of y = x₁ + 2 x₂ + x₁ x₃ against their closed form: with x uniform on 0 to 1 the variance is
-    /// V₁ = 1.5²/12, V₂ = 4/12, V₃ = 0.5²/12, and V₁₃ = 1/144.
+    /// Indices of y = x₁ + 2 x₂ + x₁ x₃ against their closed form. With x uniform on 0 to 1 the variances are V₁ = 1.5²/12, V₂ = 4/12, V₃ =
+    /// 0.5²/12 and V₁₃ = 1/144.
     #[test]
     fn reference_indices_of_a_polynomial() {
         let of = |sample: &Sample| {
@@ -275,10 +275,10 @@ mod tests {
                 sample[input] = b[input];
                 of(&sample)
             });
-            Row { a: of(a), b: of(b), mixed }
+            SampleRuns { a: of(a), b: of(b), mixed }
         };
-        let rows: Vec<Row> = samples(4096).iter().map(row).collect();
-        let rows: Vec<&Row> = rows.iter().collect();
+        let rows: Vec<SampleRuns> = samples(4096).iter().map(row).collect();
+        let rows: Vec<&SampleRuns> = rows.iter().collect();
         let parts = [2.25 / 12.0, 4.0 / 12.0, 0.25 / 12.0, 0.0];
         let both = [1.0 / 144.0, 0.0, 1.0 / 144.0, 0.0];
         let whole: f64 = parts.iter().sum::<f64>() + 1.0 / 144.0;

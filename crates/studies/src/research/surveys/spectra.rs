@@ -1,4 +1,4 @@
-//! Spectra of pounding: what two elastic structures do to each other, over both periods.
+//! Spectra of pounding: the effects of two elastic structures on each other, over both periods.
 
 use super::cases::{Case, Response, rows, sdof, set_period, with_gap};
 use super::heat::{Classes, Heat, HeatRow};
@@ -8,44 +8,44 @@ use crate::study::surveys::PoundingSpectra;
 use crate::{StudyError, StudyFile};
 use pounding_scene::{Method, STANDARD_GRAVITY, Scene, parallel};
 use pounding_solver::SimultaneousImpacts;
-use pounding_text::{Cell as Text, Table, digits};
+use pounding_text::{Cell, Table, digits};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 /// A pair of structures with a gap.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
-    /// Which periods.
+struct GapPair {
+    /// Index of the left structure's period.
     left: usize,
     right: usize,
     gap: f64,
     mass_ratio: f64,
 }
 
-/// What is shown of a run.
+/// Quantities of a run in tables and figures.
 #[derive(Debug, Clone, Copy)]
 struct Numbers([f64; 4]);
 
-/// Their names.
+/// Names of the quantities.
 const KEYS: [&str; 4] = [
     "force_over_weight",
     "impulse_over_reduced_mass_m_per_s",
     "left_over_alone",
     "right_over_alone",
 ];
-/// Colours of forces, impulses and amplifications.
+/// Classes of forces, impulses and amplifications.
 const FORCE: Classes = Classes::Rising([0.25, 0.5, 1.0, 2.0, 4.0]);
 const IMPULSE: Classes = Classes::Rising([0.5, 1.0, 2.0, 4.0, 8.0]);
 const AMPLIFICATION: Classes = Classes::About([0.5, 0.75, 0.95, 1.05, 1.5, 2.5]);
-/// Periods with a number at the axes \[s\].
+/// Periods that have a number at the axes \[s\].
 const TICKS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 4.0];
 
-/// The pairs under the motions.
+/// The pairs with their motions.
 struct Spectra<'a> {
     settings: &'a PoundingSpectra,
     template: &'a Scene,
     cases: Vec<&'a Case>,
-    /// Peak displacement alone of every period, for every case \[m\].
+    /// Peak displacement without neighbours, for every period and case \[m\].
     alone: Vec<Vec<f64>>,
 }
 
@@ -86,12 +86,12 @@ pub(super) fn files(settings: &PoundingSpectra, file: &StudyFile, cases: &[Case]
 }
 
 impl Spectra<'_> {
-    fn cells(&self) -> Vec<Cell> {
+    fn cells(&self) -> Vec<GapPair> {
         let n = self.settings.periods_s.len();
         let mut cells = Vec::new();
         for &mass_ratio in &self.settings.mass_ratios {
             for &gap in &self.settings.gaps_over_srss {
-                let pair = |index| Cell {
+                let pair = |index| GapPair {
                     left: index % n,
                     right: index / n,
                     gap,
@@ -103,7 +103,7 @@ impl Spectra<'_> {
         cells
     }
 
-    fn scene(&self, cell: Cell, case: usize) -> Scene {
+    fn scene(&self, cell: GapPair, case: usize) -> Scene {
         let alone = &self.alone[case];
         let gap = cell.gap * libm::hypot(alone[cell.left], alone[cell.right]);
         let mut scene = with_gap(self.template, gap);
@@ -114,8 +114,8 @@ impl Spectra<'_> {
         scene
     }
 
-    /// What happens under every motion.
-    fn numbers(&self, cell: Cell) -> Result<Vec<Numbers>, StudyError> {
+    /// The quantities under every motion.
+    fn numbers(&self, cell: GapPair) -> Result<Vec<Numbers>, StudyError> {
         let of = |(index, case): (usize, &&Case)| {
             let mut scene = self.scene(cell, index);
             let response = case.run(&scene)?;
@@ -124,7 +124,7 @@ impl Spectra<'_> {
         self.cases.iter().enumerate().map(of).collect()
     }
 
-    fn of_response(&self, scene: &mut Scene, cell: Cell, case: usize, response: &Response) -> Numbers {
+    fn of_response(&self, scene: &mut Scene, cell: GapPair, case: usize, response: &Response) -> Numbers {
         let masses = [0, 1].map(|index| sdof(scene, index).mass_kg);
         let weight = STANDARD_GRAVITY * masses[0].min(masses[1]);
         let alone = &self.alone[case];
@@ -136,8 +136,8 @@ impl Spectra<'_> {
         ])
     }
 
-    /// A row per pair, gap and ratio of masses.
-    fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> String {
+    /// Table with one row per pair, gap and mass ratio.
+    fn table(&self, cells: &[GapPair], found: &[Vec<Numbers>]) -> String {
         let periods = &self.settings.periods_s;
         let mut table = Table::of(cells.iter().zip(found))
             .column("mass_ratio", |(cell, _)| cell.mass_ratio)
@@ -155,7 +155,7 @@ impl Spectra<'_> {
         table.csv()
     }
 
-    fn heat(&self, cells: &[Cell], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
+    fn heat(&self, cells: &[GapPair], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
         let labels = [
             ("Peak force /\nweight of the\nlighter (–)", FORCE),
             ("Total impulse /\nreduced mass\n(m/s)", IMPULSE),
@@ -167,14 +167,14 @@ impl Spectra<'_> {
                 .iter()
                 .zip(found)
                 .filter(|(cell, _)| cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq());
-            let value = |(_, numbers): (&Cell, &Vec<Numbers>)| {
+            let value = |(_, numbers): (&GapPair, &Vec<Numbers>)| {
                 let value = quantile(&of_quantity(numbers, quantity), 0.5)?;
                 (2 * touching(numbers) >= numbers.len()).then_some(value)
             };
             own.map(value).collect()
         };
         let gaps = &self.settings.gaps_over_srss;
-        // Equal masses: the right one is the left one with both periods exchanged.
+        // With equal masses, the map of the right structure is that of the left one with both periods exchanged.
         let n_rows = if mass_ratio.total_cmp(&1.0).is_eq() { 3 } else { 4 };
         let row = |(quantity, (label, classes)): (usize, (&str, Classes))| HeatRow {
             label: label.into(),
@@ -191,9 +191,9 @@ impl Spectra<'_> {
         }
     }
 
-    /// Some runs once more, with a tolerance ten thousand times as large and a record larger by 10⁻¹²: how far the numbers
-    /// move, relative to themselves.
-    fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
+    /// Repeats some runs with a tolerance ten thousand times as large, and with a record scaled by 1 + 10⁻¹². Returns a table of the
+    /// relative changes of the numbers.
+    fn check(&self, cells: &[GapPair], found: &[Vec<Numbers>]) -> Result<String, StudyError> {
         const TOLERANCE: f64 = 1e-12;
         const SLIGHT: f64 = 1e-12;
         let mut random = Pcg64::new(1, 1);
@@ -217,8 +217,8 @@ impl Spectra<'_> {
                 .collect::<Vec<f64>>())
         })?;
         let moves = |(quantity, key)| (key, sorted(moved.iter().map(|moves: &Vec<f64>| moves[quantity])));
-        // Two digits: the last ones are rounding, which other machines may not share.
-        let part = |moves: &[f64], part| Text::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
+        // Two digits: further ones are rounding, which differs between machines.
+        let part = |moves: &[f64], part| Cell::number(quantile(moves, part).unwrap_or(0.0), |value| format!("{value:.0e}"));
         Ok(Table::of(KEYS.into_iter().enumerate().map(moves))
             .column("quantity", |(key, _)| *key)
             .column("runs", |(_, moves)| moves.len())
@@ -229,12 +229,12 @@ impl Spectra<'_> {
     }
 }
 
-/// In how many cases the pair touches.
+/// Number of cases in which the pair touches.
 fn touching(numbers: &[Numbers]) -> usize {
     numbers.iter().filter(|numbers| numbers.0[1] > 0.0).count()
 }
 
-/// A quantity of all cases in rising order.
+/// A quantity over all cases, in rising order.
 fn of_quantity(numbers: &[Numbers], quantity: usize) -> Vec<f64> {
     sorted(numbers.iter().map(|numbers| numbers.0[quantity]))
 }

@@ -1,4 +1,4 @@
-//! What pounding does to the middle of three structures, over the stiffness of the stiff ones: where a finding about it turns over.
+//! Effect of pounding on the middle one of three structures, over the stiffness of the stiff ones, and where the effect changes its sign.
 
 use super::cases::{Case, rows, sdof};
 use crate::drivers::pairs;
@@ -7,28 +7,28 @@ use crate::listed::listed;
 use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{HeldConstant, StiffnessRatio};
 use crate::{StudyError, StudyFile};
-use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Note, Panel, Shade};
 use pounding_scene::{Scene, Structure, parallel};
 use pounding_text::Table;
 
-/// Place of the middle structure.
+/// Index of the middle structure.
 const MIDDLE: usize = 1;
-/// Time between the states from which plastic travel is summed \[s\].
+/// Time between the states whose plastic travel is summed \[s\].
 const INTERVAL: f64 = 0.01;
-/// Halvings of the distance of two ratios between which a finding turns over: to 2⁻⁸ of it.
+/// Number of bisections between two ratios where the effect changes its sign: the interval shrinks to 2⁻⁸.
 const HALVINGS: usize = 8;
 
-/// A layout with one thing kept.
+/// A layout with the property that stays constant.
 #[derive(Debug)]
-struct Line<'a> {
+struct VariedLayout<'a> {
     scene: &'a Scene,
     kept: HeldConstant,
-    /// What the middle structure does alone under every motion, where it is none of those that vary.
+    /// Quantities of the middle structure without neighbours, for every motion. `None` if its own stiffness varies.
     alone: Option<Vec<Measured>>,
 }
 
 listed! {
-    /// What is measured of a structure \[m\].
+    /// A quantity of a structure \[m\].
     enum Quantity { words: &'static str;
         Peak = "peak displacement",
         Travel = "plastic travel",
@@ -38,17 +38,17 @@ listed! {
 /// Every quantity of a structure \[m\].
 type Measured = [f64; Quantity::ALL.len()];
 
-/// Every quantity of the middle structure over that alone; nothing where there is none alone.
+/// Every quantity of the middle structure over the one without neighbours; `None` if that is zero.
 type Middle = [Option<f64>; Quantity::ALL.len()];
 
-/// The layouts under the motions.
+/// The layouts with their motions.
 struct Survey<'a> {
     settings: &'a StiffnessRatio,
     cases: &'a [Case],
     papers: Option<usize>,
 }
 
-/// A ratio at which a quantity passes that alone, rising or falling.
+/// A stiffness ratio at which a quantity crosses its value without neighbours, rising or falling.
 struct Turn {
     line: usize,
     quantity: Quantity,
@@ -66,7 +66,7 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
             let alone = (!varies)
                 .then(|| parallel::try_each(cases, |case| alone(case, scene)))
                 .transpose()?;
-            lines.push(Line { scene, kept, alone });
+            lines.push(VariedLayout { scene, kept, alone });
         }
     }
     let (name, reversed) = &settings.papers;
@@ -88,7 +88,7 @@ pub(super) fn files(settings: &StiffnessRatio, file: &StudyFile, cases: &[Case])
     ]))
 }
 
-impl Line<'_> {
+impl VariedLayout<'_> {
     fn scene(&self, settings: &StiffnessRatio, ratio: f64) -> Scene {
         let mut scene = self.scene.clone();
         let weak = self.scene.structures.iter().position(|one| one.name() == settings.weak);
@@ -110,8 +110,8 @@ impl Line<'_> {
 }
 
 impl Survey<'_> {
-    /// The middle structure under every motion.
-    fn middles(&self, line: &Line<'_>, ratio: f64) -> Result<Vec<Middle>, StudyError> {
+    /// Quantities of the middle structure under every motion.
+    fn middles(&self, line: &VariedLayout<'_>, ratio: f64) -> Result<Vec<Middle>, StudyError> {
         let scene = line.scene(self.settings, ratio);
         let places: Vec<usize> = (0..self.cases.len()).collect();
         parallel::try_each(&places, |&place| {
@@ -129,7 +129,7 @@ impl Survey<'_> {
         })
     }
 
-    /// The number that is followed over ratios: of the paper's case, or the median of all.
+    /// The value to follow over stiffness ratios: that of the paper's case, or the median of all cases.
     fn followed(&self, middles: &[Middle], quantity: Quantity, of_paper: bool) -> Option<f64> {
         if of_paper {
             return middles[self.papers?][quantity as usize];
@@ -137,8 +137,8 @@ impl Survey<'_> {
         quantile(&known(middles, quantity), 0.5)
     }
 
-    /// Where what is followed passes one, halved down between the ratios of the grid.
-    fn turns(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]]) -> Result<Vec<Turn>, StudyError> {
+    /// Finds where the followed value crosses one, by bisection between the ratios of the grid.
+    fn turns(&self, lines: &[VariedLayout<'_>], found: &[&[Vec<Middle>]]) -> Result<Vec<Turn>, StudyError> {
         let mut between = Vec::new();
         for (line, of_line) in found.iter().enumerate() {
             for quantity in Quantity::ALL {
@@ -176,11 +176,12 @@ impl Survey<'_> {
         })
     }
 
-    /// A row per layout, kept property, ratio and quantity.
-    fn table<'s>(&self, lines: &'s [Line<'s>], found: &'s [&[Vec<Middle>]]) -> String {
-        let of_line = |(line, of_line): (&'s Line<'s>, &'s &[Vec<Middle>])| {
-            let of_ratio =
-                move |(ratio, middles): (&f64, &'s Vec<Middle>)| Quantity::ALL.map(|quantity| Cell::of((line, *ratio, quantity), middles));
+    /// Table with one row per layout, constant property, ratio and quantity.
+    fn table<'s>(&self, lines: &'s [VariedLayout<'s>], found: &'s [&[Vec<Middle>]]) -> String {
+        let of_line = |(line, of_line): (&'s VariedLayout<'s>, &'s &[Vec<Middle>])| {
+            let of_ratio = move |(ratio, middles): (&f64, &'s Vec<Middle>)| {
+                Quantity::ALL.map(|quantity| MiddleRow::of(line, *ratio, quantity, middles))
+            };
             self.settings.stiffness_ratios.iter().zip(*of_line).flat_map(of_ratio)
         };
         let cells = lines.iter().zip(found).flat_map(of_line).filter(|one| !one.known.is_empty());
@@ -198,10 +199,11 @@ impl Survey<'_> {
             .csv()
     }
 
-    /// A panel per scene of a kept property: medians, and the paper's record; a note where pounding begins to help for good.
-    fn figure(&self, lines: &[Line<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
+    /// Figure with one panel per layout and constant property: medians, and the paper's record. A note marks the ratio above which pounding
+    /// helps.
+    fn figure(&self, lines: &[VariedLayout<'_>], found: &[&[Vec<Middle>]], turns: &[Turn]) -> Figure {
         let ratios = &self.settings.stiffness_ratios;
-        let panel = |(index, (line, of_line)): (usize, (&Line<'_>, &&[Vec<Middle>]))| {
+        let panel = |(index, (line, of_line)): (usize, (&VariedLayout<'_>, &&[Vec<Middle>]))| {
             let note = |ratio: f64| Note::new((ratio, 1.0), format!("{ratio:.*}", usize::from(ratio < 10.0)));
             let title = format!("{}, {} kept", capital(&line.scene.name), line.kept.word());
             let y = Axis::over("Middle / alone (–)", LEAST, MOST).log();
@@ -215,7 +217,7 @@ impl Survey<'_> {
         Figure::grid(0.9 + 1.9 * panels.len().div_ceil(COLUMNS) as f64, COLUMNS, x, panels).labelled_at_left()
     }
 
-    /// The last ratio at which the median of the peaks of a line falls below that alone, if it is noticeably less beyond.
+    /// The last ratio at which the median peak falls below the peak without neighbours, if it becomes noticeably smaller beyond.
     fn last_fall(&self, turns: &[Turn], index: usize, of_line: &[Vec<Middle>]) -> Option<f64> {
         let falls = |turn: &&Turn| turn.line == index && !turn.of_paper && turn.quantity == Quantity::Peak && !turn.rises;
         let last = turns.iter().rfind(falls)?.ratio;
@@ -227,7 +229,7 @@ impl Survey<'_> {
             .then_some(last)
     }
 
-    /// What is followed over the ratios; what leaves the panel stays at its edge.
+    /// Curves of the followed values over the ratios; values outside the panel stay at its edge.
     fn curves(&self, of_line: &[Vec<Middle>]) -> Vec<Curve> {
         let looks = [(Quantity::Peak, Shade::Ink), (Quantity::Travel, Shade::Vermilion)];
         let both = looks.into_iter().flat_map(|look| [(look, false), (look, true)]);
@@ -239,9 +241,9 @@ impl Survey<'_> {
             let ratios = self.settings.stiffness_ratios.iter();
             let points: Vec<_> = ratios.zip(of_line).filter_map(point).collect();
             let (kind, of) = if of_paper {
-                (Kind::Dashed, "the paper's motion")
+                (CurveKind::Dashed, "the paper's motion")
             } else {
-                (Kind::Line, "median of all")
+                (CurveKind::Line, "median of all")
             };
             let name = format!("{}, {of}", capital(quantity.words()));
             (!points.is_empty()).then(|| Curve::new(kind, shade, points).named(name))
@@ -250,11 +252,11 @@ impl Survey<'_> {
     }
 }
 
-/// What is noticeably less than alone.
+/// Largest value over the one without neighbours that is noticeably smaller \[–\].
 const NOTICED: f64 = 0.95;
-/// Panels side by side.
+/// Number of panels in a row.
 const COLUMNS: usize = 3;
-/// Least and largest value over alone that is drawn.
+/// Least and largest value over the one without neighbours in the figure \[–\].
 const LEAST: f64 = 0.1;
 const MOST: f64 = 10.0;
 
@@ -263,18 +265,18 @@ fn known(middles: &[Middle], quantity: Quantity) -> Vec<f64> {
     sorted(middles.iter().filter_map(|middle| middle[quantity as usize]))
 }
 
-/// A row of the table: a quantity of a layout at a ratio of stiffnesses.
-struct Cell<'a> {
-    line: &'a Line<'a>,
+/// A row of the table: a quantity of a layout at a stiffness ratio.
+struct MiddleRow<'a> {
+    line: &'a VariedLayout<'a>,
     ratio: f64,
     quantity: Quantity,
     middles: &'a [Middle],
-    /// Its values in rising order.
+    /// Values of the quantity in rising order.
     known: Vec<f64>,
 }
 
-impl<'a> Cell<'a> {
-    fn of((line, ratio, quantity): (&'a Line<'a>, f64, Quantity), middles: &'a [Middle]) -> Self {
+impl<'a> MiddleRow<'a> {
+    fn of(line: &'a VariedLayout<'a>, ratio: f64, quantity: Quantity, middles: &'a [Middle]) -> Self {
         Self {
             line,
             ratio,
@@ -285,8 +287,8 @@ impl<'a> Cell<'a> {
     }
 }
 
-/// A row per place at which a quantity passes that alone.
-fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> String {
+/// Table with one row per crossing.
+fn turn_table(lines: &[VariedLayout<'_>], turns: &[Turn]) -> String {
     Table::of(turns)
         .column("scene", |turn| lines[turn.line].scene.name.clone())
         .column("kept", |turn| lines[turn.line].kept.word())
@@ -306,7 +308,7 @@ fn turn_table(lines: &[Line<'_>], turns: &[Turn]) -> String {
         .csv()
 }
 
-/// The middle structure of a scene without its neighbours.
+/// Quantities of the middle structure of a scene without its neighbours.
 fn alone(case: &Case, scene: &Scene) -> Result<Measured, StudyError> {
     let alone = Scene {
         structures: vec![scene.structures[MIDDLE].clone()],
@@ -316,7 +318,7 @@ fn alone(case: &Case, scene: &Scene) -> Result<Measured, StudyError> {
     measured(case, &alone, 0)
 }
 
-/// What a structure does in a scene under a motion.
+/// Quantities of a structure in a scene under a motion.
 fn measured(case: &Case, scene: &Scene, place: usize) -> Result<Measured, StudyError> {
     let Structure::Sdof(structure) = &scene.structures[place] else {
         unreachable!("a row of structures of one storey");
@@ -329,7 +331,7 @@ fn measured(case: &Case, scene: &Scene, place: usize) -> Result<Measured, StudyE
     });
     let (mut travel, mut before) = (0.0, 0.0);
     for plastic in plastic {
-        // Where columns are elastic the difference is rounding.
+        // In elastic columns the difference is only rounding.
         let step: f64 = plastic - before;
         if step.abs() > ROUNDING {
             travel += step.abs();
@@ -339,5 +341,5 @@ fn measured(case: &Case, scene: &Scene, place: usize) -> Result<Measured, StudyE
     Ok([outcome.peaks.of(place).displacement.value.abs(), travel])
 }
 
-/// Changes of the plastic displacement that are none \[m\].
+/// Largest change of a plastic displacement that counts as rounding \[m\].
 const ROUNDING: f64 = 1e-9;

@@ -1,4 +1,4 @@
-//! Many scenes, and what becomes of each.
+//! Campaigns: many random scenes with a verdict on each.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,24 +10,24 @@ use super::compared::Stage;
 use super::generator;
 use pounding_scene::{Scene, parallel};
 
-/// Random scenes, each run by both routes.
+/// Random scenes that run by both routes.
 #[derive(Debug, Clone)]
 pub struct Campaign {
-    /// Folder of the studies, from which scenes name records.
+    /// Folder of the studies; records in the scenes are named relative to it.
     pub studies: PathBuf,
     /// Seed of the scenes.
     pub seed: u64,
-    /// Longest time that a part of the work on a scene may take: a guard for what would never end, no measure of work.
+    /// Longest time for one part of the work on a scene. It guards against runs without end and is not a measure of work.
     pub patience: Duration,
 }
 
 impl Campaign {
-    /// Scene number `index`; its record is named relative to the folder of the studies.
+    /// Scene number `index`. The name of its record is relative to the folder of the studies.
     pub fn scene(&self, index: usize) -> Scene {
         generator::scene(self.seed, index)
     }
 
-    /// Runs scenes, in their order whatever the number of threads; `done` is called after each.
+    /// Runs scenes in parallel; the results have the order of the scenes. Calls `done` after each scene.
     pub fn run(&self, scenes: &[usize], done: &(dyn Fn(&Checked) + Sync)) -> Vec<Checked> {
         parallel::each(scenes, |&index| {
             let checked = self.check(index, &self.scene(index), &self.studies);
@@ -36,19 +36,19 @@ impl Campaign {
         })
     }
 
-    /// Runs a scene, which need not be the campaign's, in a thread of its own, which is told to stop, and left behind, where it does not
-    /// end; `base` is the folder from which it names its record.
+    /// Runs any scene in a separate thread. If the thread does not finish in time, it is told to stop and is abandoned. `base` is the
+    /// folder that the name of the record is relative to.
     pub fn check(&self, index: usize, scene: &Scene, base: &Path) -> Checked {
         let (sender, receiver) = mpsc::channel();
         let (own, base) = (scene.clone(), base.to_path_buf());
-        // A byte for each scene: whoever is left behind may look at it for as long as the program runs.
+        // The flag is leaked, one byte per scene: an abandoned thread may read it for as long as the program runs.
         let stop: &'static AtomicBool = Box::leak(Box::default());
         std::thread::spawn(move || {
             let begin = |stage| {
-                // Nobody listens any more where patience has ended.
+                // Sending fails if the patience has ended and nobody receives any more; the failure is ignored.
                 sender.send(Message::Begins(stage)).ok();
             };
-            let checked = Checked::run((index, &own), &base, (&begin, stop));
+            let checked = Checked::run(index, &own, &base, &begin, stop);
             sender.send(Message::Ends(Box::new(checked))).ok();
         });
         let mut stage = Stage::Exact;
@@ -68,7 +68,7 @@ impl Campaign {
     }
 }
 
-/// What a thread says of its work on a scene.
+/// A message of a thread about its work on a scene.
 enum Message {
     Begins(Stage),
     Ends(Box<Checked>),

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::class::{Class, rests};
-use super::compared::{ALLOWED, Compared, Place, Stage, Two};
+use super::compared::{ALLOWED, Compared, NumberPlace, Stage, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
 use super::meeting::SAME;
 use super::numbers::Numbers;
@@ -13,10 +13,10 @@ use pounding_reference::Fineness;
 use pounding_scene::{Audited, Error, Scene, Simulation};
 use pounding_solver::{Pair, RunError};
 
-/// Residual of the energy of an exact run that is always allowed \[–\].
+/// Energy residual of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;
 
-/// Other settings of the second route, under which its own rounding is another one.
+/// Other settings of the second route: they change its rounding.
 const OTHERWISE: [Fineness; 4] = [fine(1e-14, 7), fine(1e-13, 5), fine(1e-14, 4), fine(1e-13, 9)];
 
 const fn fine(tolerance: f64, steps_per_sample: u32) -> Fineness {
@@ -26,43 +26,46 @@ const fn fine(tolerance: f64, steps_per_sample: u32) -> Fineness {
     }
 }
 
-/// A distance up to so many times what a route differs from itself, in the few ways that are tried, is its own rounding.
+/// Factor on the largest difference between the tried settings of the second route. A smaller distance counts as its rounding.
 const OWN: f64 = 3.0;
 
 listed! {
-    /// What becomes of a scene.
+    /// Verdict on a scene.
     pub enum Verdict { words: &'static str;
-        /// All numbers are as close as is allowed.
+        /// All numbers are as close as allowed.
         Agrees = "agree",
-        /// Some are not.
+        /// Some numbers are further apart than allowed.
         Disagrees = "disagree",
-        /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
+        /// Some numbers are further apart than allowed, but the second route differs from itself as much with other steps. The exact run
+        /// may be right.
         SecondRouteRounds = "second rounds",
-        /// Some are not, but changes of the data as small as rounding move the exact run by as much: it rounds over many touches.
+        /// Some numbers are further apart than allowed, but changes of the data as small as rounding move the exact run as much. Its
+        /// rounding adds up over many touches.
         ExactRounds = "exact rounds",
-        /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
+        /// Some numbers are further apart than allowed, but the scene is so ill-conditioned that touches come and go with the last digits
+        /// of its record.
         Unknowable = "ill-conditioned",
-        /// The exact run fails in a way that is [named](super::LIMITS).
+        /// The exact run fails in a way that is [documented](super::LIMITS).
         Named = "named limit",
-        /// The exact run fails.
+        /// The exact run fails in any other way.
         ExactFails = "exact fails",
         /// The second route fails on a scene that the exact method runs.
         SecondRouteFails = "second fails",
         /// The scene cannot be prepared.
         Refused = "refused",
-        /// It does not end in time.
+        /// A run does not end in time.
         Hangs = "hang",
-        /// A fault of the program stopped it.
+        /// The program panicked.
         Panics = "panic",
     }
 }
 
-/// Why a scene has no numbers to compare.
+/// Reason why a scene has no numbers to compare.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Failure {
-    /// Name of the kind of error, as the library calls it; the part of the work that does not end, or panics.
+    /// Name of the kind of error, as in the library; or the part of the work that hangs or panics.
     pub kind: String,
-    /// The error in words, if there is one.
+    /// The error message; may be empty.
     pub message: String,
 }
 
@@ -71,41 +74,41 @@ pub struct Failure {
 pub struct Disagreement {
     /// The number by the exact method and by the second route.
     pub two: Two,
-    /// The distance that its condition allows.
+    /// The distance that the condition of the number allows.
     pub allowed: f64,
-    /// The distance that is explained where what the exact run rounds counts too.
+    /// The distance that is explained if the rounding of the exact run counts too.
     pub explained: f64,
-    /// How far the second route is from itself where it takes other steps: relative \[–\], of instants \[s\].
+    /// Largest distance of the second route from itself with other steps: relative \[–\], for instants \[s\].
     pub own: f64,
 }
 
-/// A scene by both routes.
+/// A scene after both routes.
 #[derive(Debug, Clone)]
 pub struct Checked {
-    /// Its number in the campaign.
+    /// Number of the scene in the campaign.
     pub index: usize,
-    /// What is in it.
+    /// Features of the scene.
     pub classes: Vec<Class>,
-    /// What becomes of it.
+    /// The verdict.
     pub verdict: Verdict,
-    /// What is further off than is allowed: of every kind of number the one that is furthest off, the worst kind first.
+    /// For every kind of number the one that is furthest off, if it is further off than allowed; the worst kind is first.
     pub disagreements: Vec<Disagreement>,
-    /// Why there are no numbers, if a run failed.
+    /// Reason why there are no numbers; `None` if no run failed.
     pub failure: Option<Failure>,
-    /// Residual of the energy of the exact run \[–\], where it ended.
+    /// Energy residual of the exact run \[–\]; `None` if the run did not end.
     pub residual: Option<f64>,
-    /// Largest distance of every kind of number, in the order of [`Compared::ALL`], where both runs ended and agree.
+    /// Largest distance of every kind of number, in the order of [`Compared::ALL`]; meaningful if both runs ended and agree.
     pub largest: [f64; Compared::ALL.len()],
-    /// Touches that one of the routes has and the other has not, which rounding decides.
+    /// Number of touches that only one of the routes has because rounding decides about them.
     pub grazes: usize,
-    /// Touches of the exact run.
+    /// Number of touches of the exact run.
     pub touches: usize,
-    /// Where touches of the routes first differ, and the touches of that pair about then by each, a line for each.
+    /// Lines about the first touch that differs, with nearby touches of that pair by each route.
     pub story: Vec<String>,
 }
 
 impl Checked {
-    /// Of a scene that has no numbers to compare, unless they follow.
+    /// A scene without numbers; they may be added later.
     pub(super) fn new(index: usize, scene: &Scene, verdict: Verdict, failure: Option<Failure>) -> Self {
         Self {
             index,
@@ -121,9 +124,9 @@ impl Checked {
         }
     }
 
-    /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins, and `stop` ends
-    /// its exact runs.
-    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, (begin, stop): (&dyn Fn(Stage), &'static AtomicBool)) -> Self {
+    /// Runs a scene by both routes. `base` is the folder that the name of its record is relative to. `begin` is called at the start of each
+    /// part of the work, and `stop` ends the exact runs.
+    pub(super) fn run(index: usize, scene: &Scene, base: &Path, begin: &dyn Fn(Stage), stop: &'static AtomicBool) -> Self {
         let failed = |verdict, failure| Self::new(index, scene, verdict, Some(failure));
         begin(Stage::Exact);
         let prepared = match Simulation::new(scene, stopped_by(base, stop)) {
@@ -171,7 +174,7 @@ impl Checked {
                     base,
                     stop,
                 };
-                checked.compare(&data, (exact, second, residual), begin);
+                checked.compare(&data, exact, second, residual, begin);
             }
             Ok(_) => {}
             Err(_) => checked.disagreements = residual.into_iter().filter(|_| broken.is_none()).collect(),
@@ -179,12 +182,7 @@ impl Checked {
         checked
     }
 
-    fn compare(
-        &mut self,
-        data: &Data<'_>,
-        (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
-        begin: &dyn Fn(Stage),
-    ) {
+    fn compare(&mut self, data: &Data<'_>, mut exact: Numbers, mut second: Numbers, residual: Option<Disagreement>, begin: &dyn Fn(Stage)) {
         self.grazes = exact.without_grazes(&mut second);
         let all = exact.beside(&second);
         let close = |two: &Two| two.distance <= ALLOWED;
@@ -238,11 +236,14 @@ impl Disagreement {
     }
 }
 
-/// A touch whose start moves by more than tells it from others, and how many such a pair has, cannot be compared where one route lacks one.
+/// Excuses touches that only one route has and whose start is uncertain by more than [`SAME`], and the number of touches of such a pair.
 fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
     let moves = |one: &&Disagreement| one.two.what == Compared::Start && one.explained > SAME;
     let mut untold: Vec<_> = judged.iter().filter(moves).map(|one| one.two.place).collect();
-    let pairs: Vec<_> = untold.iter().filter_map(|place| Some(Place::Pair(place.touch()?.0))).collect();
+    let pairs: Vec<_> = untold
+        .iter()
+        .filter_map(|place| Some(NumberPlace::Pair(place.touch()?.0)))
+        .collect();
     untold.extend(pairs);
     for one in judged {
         if one.two.distance.is_infinite() && untold.contains(&one.two.place) {
@@ -251,9 +252,9 @@ fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
     }
 }
 
-/// Where touches first differ, and what each route says of them.
+/// Describes the first touch that differs, by each route.
 fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Disagreement]) -> Vec<String> {
-    // A number that one route does not have says more than one that is a little off.
+    // A number that one route does not have says more than a number that is slightly off.
     let lacks = judged.iter().any(|one| one.two.distance.is_infinite());
     let wrong = judged
         .iter()
@@ -275,7 +276,7 @@ fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Dis
     lines.concat()
 }
 
-/// Asks the second route again with other steps.
+/// Repeats the second route with other steps and notes how far it differs from itself.
 fn own_rounding(prepared: &Simulation, exact: &Numbers, judged: &mut [Disagreement]) {
     for fineness in OTHERWISE {
         let Ok(response) = crate::second_route(prepared, fineness) else {
@@ -285,7 +286,7 @@ fn own_rounding(prepared: &Simulation, exact: &Numbers, judged: &mut [Disagreeme
         for (one, again) in judged.iter_mut().zip(again) {
             let apart = (one.two.second - again.second).abs();
             let off = (one.two.second - one.two.first).abs();
-            // Both relative to the same scale.
+            // Both differences are relative to one scale.
             let own = if off.is_finite() && off > 0.0 && apart.is_finite() {
                 one.two.distance * (apart / off)
             } else if one.two.distance.is_finite() == again.distance.is_finite() {
@@ -298,13 +299,13 @@ fn own_rounding(prepared: &Simulation, exact: &Numbers, judged: &mut [Disagreeme
     }
 }
 
-/// A residual of the energy above the allowed one.
+/// A disagreement for an energy residual above the allowed one.
 fn residual(residual: f64) -> Option<Disagreement> {
     let large = residual.is_nan() || residual > RESIDUAL;
     large.then_some(Disagreement {
         two: Two {
             what: Compared::Residual,
-            place: Place::Run,
+            place: NumberPlace::Run,
             first: residual,
             second: 0.0,
             distance: residual,
@@ -315,7 +316,7 @@ fn residual(residual: f64) -> Option<Disagreement> {
     })
 }
 
-/// Of every kind the number that is furthest off, the worst kind first.
+/// For every kind the number that is furthest off, the worst kind first.
 fn worst(all: &[Disagreement]) -> Vec<Disagreement> {
     let off = |one: &Disagreement| one.two.distance / one.allowed;
     let of = |what: Compared| {
@@ -328,7 +329,7 @@ fn worst(all: &[Disagreement]) -> Vec<Disagreement> {
 }
 
 impl Failure {
-    /// Of an error of the exact run.
+    /// The failure for an error of the exact run.
     fn of(error: &Error) -> Self {
         let kind = if let Error::Run { source, .. } = error {
             variant(source)
@@ -344,24 +345,24 @@ impl Failure {
         Self { kind, message }
     }
 
-    /// What becomes of a scene whose exact run fails so.
+    /// The verdict on a scene whose exact run fails in this way.
     fn verdict(&self) -> Verdict {
         if self.is_known() { Verdict::Named } else { Verdict::ExactFails }
     }
 }
 
-/// Name of the variant of an error: new ones are counted apart without being listed here.
+/// Name of the variant of an error. New variants count separately without being listed here.
 fn variant(error: &impl std::fmt::Debug) -> String {
     let text = format!("{error:?}");
     let end = text.find(|one: char| !one.is_alphanumeric());
     text[..end.unwrap_or(text.len())].into()
 }
 
-/// Rounding that a distance of grounds is forgiven \[m\].
+/// Rounding allowed in a distance between grounds \[m\].
 const ROUNDING: f64 = 1e-9;
 
-/// Returns false if a run ends because walls close in, and gaps and grounds leave room for
-/// all that stands between them.
+/// Whether a failing run is plausible. `false` if it ends because walls close in although gaps and grounds leave room for all structures
+/// between them.
 fn room_explains(prepared: &Simulation, error: &Error) -> bool {
     let Error::Run { source, .. } = error else {
         return true;
@@ -370,11 +371,11 @@ fn room_explains(prepared: &Simulation, error: &Error) -> bool {
         return true;
     };
     let walls = prepared.walls();
-    (0..walls.len()).any(|node| walls[node] && leaves_no_room(prepared, &walls, (node, *time)))
+    (0..walls.len()).any(|node| walls[node] && leaves_no_room(prepared, &walls, node, *time))
 }
 
-/// Whether a wall has come as close to the next one on its right as the gaps of impulsive contacts between them allow.
-fn leaves_no_room(prepared: &Simulation, walls: &[bool], (wall, time): (usize, f64)) -> bool {
+/// Whether a wall is as close to the next one on its right as the gaps of impulsive contacts between them allow.
+fn leaves_no_room(prepared: &Simulation, walls: &[bool], wall: usize, time: f64) -> bool {
     let Some(travel) = prepared.travel() else {
         return false;
     };

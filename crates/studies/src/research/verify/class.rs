@@ -1,58 +1,58 @@
-//! What is in a scene: classes by which a campaign counts.
+//! Features of scenes, by which a campaign counts its results.
 
 use crate::listed::listed;
 use pounding_scene::{Columns, Contact, Generated, RunResult, Scene, Source, Structure};
 
 listed! {
-    /// Something that a scene has: its name, and which scenes have it.
+    /// A feature of scenes: its name, and the test for it.
     pub enum Class { texts: (&'static str, fn(&Scene) -> bool);
         /// All contacts are impulsive.
         Impulsive = ("impulsive contacts", |scene| contacts(scene).all(|one| !one.law.is_compliant())),
         /// All contacts have forces over time.
         Compliant = ("compliant contacts", |scene| contacts(scene).all(|one| one.law.is_compliant())),
-        /// Some are impulsive and some not.
+        /// Some contacts are impulsive and some are not.
         BothContacts = ("both kinds of contact", |scene| !Class::Impulsive.is_of(scene) && !Class::Compliant.is_of(scene)),
         /// All structures have one storey.
         OneStorey = ("one storey each", |scene| !Class::Storeys.is_of(scene)),
-        /// Some building has several.
+        /// Some building has several storeys.
         Storeys = ("several storeys", |scene| scene.structures.iter().any(|one| columns(one).len() > 1)),
-        /// Columns that never yield.
+        /// Some columns never yield.
         Elastic = ("elastic columns", |scene| all_columns(scene).any(|one| one.yield_force_n.is_none())),
-        /// Columns that yield at one point.
+        /// Some columns yield at one point.
         Sharp = ("yielding columns", |scene| all_columns(scene).any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none())),
-        /// Columns that yield smoothly.
+        /// Some columns yield smoothly.
         Smooth = ("Bouc–Wen columns", |scene| all_columns(scene).any(|one| one.bouc_wen.is_some())),
-        /// A wall at one end.
+        /// A wall is at one end.
         OneWall = ("a wall at one end", |scene| n_walls(scene) == 1),
-        /// Walls at both.
+        /// Walls are at both ends.
         TwoWalls = ("walls at both ends", |scene| n_walls(scene) == 2),
-        /// A ground motion that travels.
+        /// The ground motion travels along the row.
         Arrivals = ("arrivals", |scene| scene.arrivals_s.is_some()),
-        /// A gap of 0.
+        /// Some gap is 0.
         NoGap = ("a gap of 0", |scene| contacts(scene).any(|one| one.gap_m <= 0.0)),
-        /// A restitution of 0.
+        /// Some restitution is 0.
         Plastic = ("e = 0", |scene| has_restitution(scene, 0.0)),
-        /// A restitution of 1.
+        /// Some restitution is 1.
         Lossless = ("e = 1", |scene| has_restitution(scene, 1.0)),
-        /// Contacts at some levels alone.
+        /// Some contacts are at chosen levels only.
         SomeLevels = ("chosen levels", |scene| contacts(scene).any(|one| one.levels.is_some())),
-        /// A structure that moves at the start.
+        /// Some structure moves at the start.
         Moving = ("moving at the start", |scene| scene.structures.iter().any(moves)),
-        /// Neighbours that come to rest against each other, which is known once the scene has run.
+        /// Some neighbours come to rest against each other; this is known only after the run.
         Rests = ("coming to rest", |_| false),
-        /// A record.
+        /// The ground motion is a record.
         Record = ("a record", |scene| matches!(scene.record.source, Source::File(_))),
-        /// Random shaking.
+        /// The ground motion is random.
         Stochastic = ("random shaking", |scene| matches!(scene.record.source, Source::Generated(Generated::Stochastic(_)))),
-        /// A pulse.
+        /// The ground motion is a pulse.
         Pulse = ("a pulse", |scene| matches!(scene.record.source, Source::Generated(Generated::Ricker { .. } | Generated::HalfSine { .. }))),
-        /// Harmonic shaking.
+        /// The ground motion is harmonic.
         Harmonic = ("harmonic shaking", |scene| matches!(scene.record.source, Source::Generated(Generated::Harmonic { .. }))),
     }
 }
 
 impl Class {
-    /// Its name in text.
+    /// Name of the feature.
     pub fn words(self) -> &'static str {
         self.texts().0
     }
@@ -61,7 +61,7 @@ impl Class {
         self.texts().1(scene)
     }
 
-    /// Those of a scene; whether neighbours come to rest is known once it has run.
+    /// The features of a scene, except [`Self::Rests`], which is known only after the run.
     pub(super) fn of(scene: &Scene) -> Vec<Self> {
         Self::ALL.into_iter().filter(|class| class.is_of(scene)).collect()
     }
@@ -100,7 +100,7 @@ fn moves(structure: &Structure) -> bool {
     }
 }
 
-/// Whether neighbours with an impulsive law come to rest against each other: only then does it have a force.
+/// Whether neighbours with an impulsive law come to rest against each other: only then does their law have a force.
 pub(super) fn rests(scene: &pounding_scene::Simulation, outcome: &RunResult) -> bool {
     let mut all = outcome.collisions.all().iter();
     all.any(|one| one.peak_force.is_some() && !scene.pairs()[one.pair].law.is_compliant())

@@ -1,8 +1,8 @@
-//! The kinds of numbers that are compared, two of a kind, and the parts of the work on a scene.
+//! Kinds of numbers to compare, a compared pair of numbers, and parts of the work on a scene.
 
 use crate::listed::listed;
 
-/// Distance of the routes that is always allowed: relative \[–\], of instants \[s\].
+/// Distance of the routes that is always allowed: relative \[–\], for instants \[s\].
 pub const ALLOWED: f64 = 1e-12;
 
 listed! {
@@ -18,53 +18,54 @@ listed! {
 }
 
 listed! {
-    /// A kind of number that is compared.
+    /// A kind of number to compare.
     pub enum Compared { words: &'static str;
-        /// Peak displacement of a floor, relative to it.
+        /// Peak displacement of a floor; the distance is relative to it.
         Displacement = "peak displacement",
-        /// Peak drift of a storey, relative to it.
+        /// Peak drift of a storey; the distance is relative to it.
         Drift = "peak drift",
-        /// Peak restoring force of a storey, relative to it.
+        /// Peak restoring force of a storey; the distance is relative to it.
         RestoringForce = "peak restoring force",
-        /// Displacement of a floor at the end, relative to its peak.
+        /// Displacement of a floor at the end; the distance is relative to its peak.
         LastDisplacement = "last displacement",
-        /// Transferred momentum of a floor, relative to it.
+        /// Transferred momentum of a floor; the distance is relative to it.
         Momentum = "transferred momentum",
         /// Instant at which a touch begins \[s\].
         Start = "start of a touch (s)",
-        /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
+        /// Instant at which a touch ends \[s\]. Laws that let go before neighbours part do not have it.
         End = "end of a touch (s)",
-        /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself where it is not slight.
+        /// Impulse of a touch; the distance is relative to the largest impulse of the pair. A first touch that is not slight is relative to
+        /// itself.
         Impulse = "impulse",
-        /// Peak force of a touch, by the same rule.
+        /// Peak force of a touch, relative to a force chosen as for the impulse.
         PoundingForce = "pounding force",
-        /// How many touches a pair has; the distance of unlike numbers is infinite.
+        /// Number of touches of a pair; the distance of unequal numbers is infinite.
         Touches = "number of touches",
-        /// What the ledger of the exact run leaves unexplained \[–\].
+        /// Share of the energy that the ledger of the exact run does not explain \[–\].
         Residual = "residual of the energy",
     }
 }
 
-/// Where a number is.
+/// The place of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// A floor, by its place in the row.
+pub enum NumberPlace {
+    /// The floor with this index in the row.
     Floor(usize),
-    /// A touch of a pair, by its number from 0.
+    /// A touch of a pair.
     Touch {
         /// Index of the pair.
         pair: usize,
-        /// Number of the touch.
+        /// Index of the touch, from 0.
         touch: usize,
     },
-    /// A pair.
+    /// The pair with this index.
     Pair(usize),
-    /// The run.
+    /// The whole run.
     Run,
 }
 
-impl Place {
-    /// The pair, and the number of the touch, if it is one.
+impl NumberPlace {
+    /// The pair and the index of the touch, if the place is a touch.
     pub(super) fn touch(self) -> Option<(usize, usize)> {
         match self {
             Self::Touch { pair, touch } => Some((pair, touch)),
@@ -76,14 +77,14 @@ impl Place {
 /// A number of two runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Two {
-    /// What it is.
+    /// Kind of the number.
     pub what: Compared,
-    /// Where.
-    pub place: Place,
-    /// Its value in the first run, SI.
+    /// Place of the number.
+    pub place: NumberPlace,
+    /// Value in the first run, in SI units.
     pub first: f64,
-    /// Its value in the second one.
+    /// Value in the second run, in SI units.
     pub second: f64,
-    /// How far apart they are: relative \[–\], of instants absolute \[s\]; infinite where only one run has the number.
+    /// Distance of the values: relative \[–\], for instants absolute \[s\]; infinite if only one run has the number.
     pub distance: f64,
 }

@@ -1,4 +1,4 @@
-//! How far the numbers of an exact run move with the data of its scene.
+//! Condition: the sensitivity of an exact run's numbers to the data of its scene.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,28 +11,28 @@ use crate::research::work_precision::{Known, under};
 use pounding_motion::Record;
 use pounding_scene::{Extras, Options, Scene, Simulation};
 
-/// Relative changes of the data; the second where the first does not explain a distance. It is as small as rounding, so that what the
-/// exact run itself rounds over many touches shows in it; and of a motion that bounces apart the first is too large to show by how much.
+/// Relative changes of the data \[–\]. The second is tried if the first does not explain a distance. It is as small as rounding, so it
+/// shows the rounding that the exact run adds up over many touches. The first is too large for motions that diverge with every bounce.
 const CHANGES: [f64; 2] = [1e-12, 1e-15];
-/// Records with other samples; more of them find a larger condition, and allow more.
+/// Number of records with other samples; more of them find a larger condition and allow more.
 const N_RECORDS: usize = 4;
-/// Scenes with other structures, contacts and arrivals.
+/// Number of scenes with other structures, contacts and arrivals.
 const N_SCENES: usize = 4;
-/// Everything that is tried with a change: the scaled record and those above, and a record with its samples further apart, as if all
-/// structures were faster.
+/// Number of variants per change: a scaled record, those with other samples, one with its samples further apart, as if all structures were
+/// faster, and the changed scenes.
 const N_NEAR: usize = 1 + N_RECORDS + 1 + N_SCENES;
 
-/// How far a number moves per relative change of the data: relative \[–\], of instants \[s\]; infinite where touches come and go.
+/// Change of a number per relative change of the data: relative \[–\], for instants \[s\]; infinite if touches come and go.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Condition {
-    /// By the larger change; by the smaller one where touches come and go by the larger.
+    /// Change by the larger change of the data, or by the smaller one if touches come and go under the larger.
     pub of_data: Option<f64>,
-    /// By both.
+    /// Largest change by both changes of the data.
     pub with_rounding: f64,
 }
 
 impl Condition {
-    /// With what the next smaller change moves.
+    /// Includes `moved`, the change of the number under the next smaller change of the data.
     fn also(self, moved: f64) -> Self {
         let known = self.of_data.filter(|known| known.is_finite());
         Self {
@@ -42,7 +42,7 @@ impl Condition {
     }
 }
 
-/// A scene in a folder, whose runs end when they are told to.
+/// Options for scenes in a folder whose runs end once `stop` is set.
 pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> Options<'a> {
     Options {
         stop: Some(stop),
@@ -50,19 +50,18 @@ pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> Optio
     }
 }
 
-/// A scene whose data are changed.
+/// A scene whose data can be changed.
 pub(super) struct Data<'a> {
     pub prepared: &'a Simulation,
     pub scene: &'a Scene,
-    /// The folder that its record is looked for from.
+    /// Folder that the name of the record is relative to.
     pub base: &'a Path,
-    /// What ends its runs.
+    /// Flag that ends the runs.
     pub stop: &'static AtomicBool,
 }
 
 impl Data<'_> {
-    /// How far every number of an exact run moves per relative change of the data. No further than it takes to allow all distances,
-    /// where it does.
+    /// The condition of every number of an exact run. The search ends as soon as it explains all distances.
     pub(super) fn conditions(&self, truth: &Numbers, all: &[Two], begin: &dyn Fn(Stage)) -> Vec<Condition> {
         let mut found = vec![Condition::default(); all.len()];
         for change in CHANGES {
@@ -96,7 +95,7 @@ impl Data<'_> {
         found
     }
 
-    /// The exact run with other data.
+    /// The exact run with variant `index` of the data.
     fn near(&self, change: f64, index: usize, largest: f64) -> Result<Numbers, pounding_scene::Error> {
         let near = if index <= N_RECORDS {
             under(self.prepared, change, index)
@@ -110,7 +109,7 @@ impl Data<'_> {
         Ok(Numbers::of_exact(&near, &outcome))
     }
 
-    /// The scene under its record with samples further apart.
+    /// The scene under its record with the samples further apart.
     fn stretched(&self, change: f64) -> Result<Simulation, pounding_scene::Error> {
         self.prepared.under(|record| {
             let step = record.time_step() * (1.0 + change);
@@ -119,8 +118,8 @@ impl Data<'_> {
     }
 }
 
-/// The scene with other structures, contacts and arrivals: as if all of them were written down with an error, gaps with one of the
-/// largest displacement \[m\], too. What has no gap keeps having none: floors at rest would touch for the first time.
+/// The scene with slightly changed structures, contacts and arrivals, as if all were written with an error. Gaps change by a part of the
+/// largest displacement \[m\]. A gap of 0 stays 0: otherwise floors at rest would touch for the first time.
 fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
     let mut random = Random::new(0, index);
     let mut factor = || 1.0 + change * random.within(-1.0, 1.0);
@@ -138,10 +137,10 @@ fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
     rewritten(&scene, &["structures", "contacts", "arrivals_s"], &mut each)
 }
 
-/// Numbers that may stand for a choice: nothing, Bouc–Wen columns that unload straight, impacts without a loss.
+/// Numbers that stay, because they may mean a choice: zero, Bouc–Wen columns that unload along a straight line, impacts without loss.
 const CHOICES: [f64; 3] = [0.0, 0.5, 1.0];
 
-/// The distance of two numbers that their condition allows.
+/// The allowed distance of two numbers with a condition.
 pub(super) fn allowed(two: &Two, condition: f64) -> f64 {
     let known = Known {
         condition,

@@ -1,4 +1,4 @@
-//! What lies between the neighbours of a random row: gaps, laws, levels.
+//! Contacts of random rows: gaps, laws and levels.
 
 use crate::study::laws::{free_pair, is_linear};
 use pounding_contact::{Calibration, ContactLaw, LawName, Stereomechanical};
@@ -6,10 +6,10 @@ use pounding_contact::{Calibration, ContactLaw, LawName, Stereomechanical};
 use super::random::Random;
 use pounding_scene::{Contact, Structure};
 
-/// Approach speed at which a restitution is calibrated, of laws that need one \[m/s\].
+/// Approach speed for the calibration of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
 
-/// What the laws of a row have in common.
+/// The property that the laws of a row share.
 #[derive(Debug, Clone, Copy)]
 enum Style {
     Impulsive,
@@ -17,7 +17,7 @@ enum Style {
     Mixed,
 }
 
-/// A contact for each structure and its right neighbour.
+/// A contact for each structure with its right neighbour.
 pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact> {
     use Style::{Compliant, Impulsive, Mixed};
     let style = random.one_of(&[Impulsive, Impulsive, Impulsive, Compliant, Compliant, Mixed]);
@@ -44,7 +44,7 @@ fn gap(random: &mut Random) -> f64 {
     }
 }
 
-/// Levels at which a pair can touch: the highest that both have, or some of them; nothing where all can.
+/// Levels at which a pair can touch: the highest common one, or some of them. `None` if all levels can touch.
 fn levels(random: &mut Random, two: &[Structure]) -> Option<Vec<usize>> {
     let storeys = two.iter().filter_map(|one| match one {
         Structure::Sdof(_) => Some(1),
@@ -71,14 +71,14 @@ fn law(random: &mut Random, style: Style, two: &[Structure]) -> ContactLaw {
         };
         return ContactLaw::Stereomechanical(Stereomechanical { restitution });
     }
-    // The first of all is the impulsive one.
+    // The first law of the list is the impulsive one.
     let name = random.one_of(&LawName::ALL[1..]);
     let (low, high) = if is_linear(name) { (1e7, 2e9) } else { (1e8, 1e10) };
     let stiffness = random.log_within(low, high);
     let pair = free_pair(two, SPEED);
     let restitution = random.within(0.1, 1.0);
     let calibrated = |e: f64| name.calibrated(stiffness, e, Calibration::Exact, &pair);
-    // Springs without damping take 1 alone.
+    // Springs without damping can only have e = 1.
     calibrated(restitution)
         .or_else(|_| calibrated(1.0))
         .expect("stiffness and restitution are in range")

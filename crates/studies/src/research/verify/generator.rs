@@ -1,6 +1,6 @@
-//! Random plausible scenes: rows of buildings and walls as they stand in cities, and everything that a scene can say of them.
+//! Random plausible scenes: rows of buildings and walls as in cities, with every feature that scenes can have.
 //!
-//! Nothing is left out because a route fails on it.
+//! Features on which a route fails are included too.
 
 use std::f64::consts::PI;
 
@@ -12,10 +12,10 @@ use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
 use pounding_scene::{Building, Columns, Contact, Damping, FileUse, Generated, Method, RecordUse};
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
-/// Most storeys of a building.
+/// Largest number of storeys of a building.
 const MOST_STOREYS: f64 = 12.0;
 
-/// Scene number `index` of the campaign with a seed, with numbers of at most five digits.
+/// Scene number `index` of the campaign with a seed. Its numbers have at most five digits.
 pub(super) fn scene(seed: u64, index: usize) -> Scene {
     let mut random = Random::new(seed, index);
     let mut structures = structures(&mut random);
@@ -39,12 +39,12 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
     rewritten(&scene, &all, &mut in_few_digits)
 }
 
-/// A number in five digits: a file of them is easy to read, and is the same scene.
+/// A number rounded to five digits: files with such numbers are easy to read and give exactly this scene.
 fn in_few_digits(number: f64) -> f64 {
     format!("{number:.4e}").parse().unwrap_or(f64::NAN)
 }
 
-/// Two to five buildings, or one beside a wall; walls at either end or at both.
+/// Two to five buildings, or one beside a wall; a wall may be at either end or at both.
 fn structures(random: &mut Random) -> Vec<Structure> {
     let walls = if random.chance(0.4) {
         random.one_of(&[(true, false), (false, true), (true, true)])
@@ -73,7 +73,7 @@ fn structures(random: &mut Random) -> Vec<Structure> {
     row
 }
 
-/// The same structure under another name.
+/// The structure with another name.
 fn named(structure: &Structure, name: String) -> Structure {
     match structure {
         Structure::Sdof(sdof) => Structure::Sdof(Sdof { name, ..sdof.clone() }),
@@ -82,7 +82,7 @@ fn named(structure: &Structure, name: String) -> Structure {
     }
 }
 
-/// Moves a structure at the start, and one of one storey out of its place by no more than the gaps leave.
+/// Gives a structure a velocity at the start. A one-storey structure also gets a displacement, at most as large as the gaps allow.
 fn push(random: &mut Random, structures: &mut [Structure], contacts: &[Contact]) {
     let gaps = contacts.iter().map(|contact| contact.gap_m);
     let room = gaps.fold(0.02, f64::min);
@@ -113,18 +113,18 @@ fn building(random: &mut Random, name: String, low: bool) -> Structure {
     }
     let mass = random.log_within(3e4, 5e5);
     let period = storeys * random.within(0.07, 0.16);
-    // Of a uniform shear building: ω₁ = 2 √(k/m) sin(π/(4n + 2)).
+    // Frequency of a uniform shear building: ω₁ = 2 √(k/m) sin(π/(4n + 2)).
     let rate = PI / (period * libm::sin(PI / (4.0 * storeys + 2.0)));
     let taper = random.within(0.4, 1.0);
     let roof = random.within(0.5, 1.0);
-    let mut kind = Kind::one(random);
+    let mut kind = ColumnKind::one(random);
     let changing = random.chance(0.1);
     let mut all = Vec::new();
     let mut below = 0.0;
     while below < storeys {
         let part = 1.0 - (1.0 - taper) * below / storeys;
         if changing {
-            kind = Kind::one(random);
+            kind = ColumnKind::one(random);
         }
         below += 1.0;
         all.push(Storey {
@@ -145,7 +145,7 @@ fn building(random: &mut Random, name: String, low: bool) -> Structure {
 fn sdof(random: &mut Random, name: String) -> Sdof {
     let mass = random.log_within(3e4, 3e6);
     let omega = 2.0 * PI / random.log_within(0.15, 2.0);
-    let kind = Kind::one(random);
+    let kind = ColumnKind::one(random);
     let columns = kind.columns(random, mass * omega * omega);
     Sdof {
         name,
@@ -173,16 +173,16 @@ fn damping(random: &mut Random) -> Damping {
     }
 }
 
-/// How the columns of a building behave.
+/// Behaviour of the columns of a building.
 #[derive(Debug, Clone, Copy)]
-enum Kind {
+enum ColumnKind {
     Elastic,
     PerfectlyPlastic,
     Bilinear,
     BoucWen { exponent: u32, beta: f64 },
 }
 
-impl Kind {
+impl ColumnKind {
     fn one(random: &mut Random) -> Self {
         match random.below(4) {
             0 => Self::Elastic,
@@ -220,13 +220,13 @@ impl Kind {
     }
 }
 
-/// Arrivals of a wave that runs along the row, or nothing.
+/// Arrivals of a wave that travels along the row, or `None`.
 fn arrivals(random: &mut Random, n: usize) -> Option<Vec<f64>> {
     if !random.chance(0.3) {
         return None;
     }
     let delay = random.within(10.0, 40.0) / random.log_within(100.0, 2000.0);
-    // Some delays are a whole number of samples, at which the ground's rate jumps under all of them at once.
+    // Some delays are a whole number of samples: the ground's rate then jumps under all structures at once.
     let delay = if random.chance(0.3) { 0.01 * (100.0 * delay).ceil() } else { delay };
     let first_to_last = (0..n).map(|index| delay * index as f64);
     let mut arrivals: Vec<f64> = first_to_last.collect();
@@ -236,13 +236,13 @@ fn arrivals(random: &mut Random, n: usize) -> Option<Vec<f64>> {
     Some(arrivals)
 }
 
-/// The project's records, from the folder of the studies.
+/// The project's records, relative to the folder of the studies.
 const RECORDS: [&str; 2] = [
     "records/el-centro-1940-ns-chopra.csv",
     "records/el-centro-1940-ns-peer-pacific-engineering.csv",
 ];
 
-/// A ground motion: a record of the project, random shaking or a pulse, scaled as earthquakes are.
+/// A ground motion: a record of the project, random shaking or a pulse, scaled to the strength of earthquakes.
 fn motion(random: &mut Random) -> RecordUse {
     let reversed = random.chance(0.5);
     let (source, scale_to) = match random.below(20) {
@@ -304,7 +304,7 @@ fn harmonic(random: &mut Random) -> Source {
         frequency_hz,
         phase_rad: if random.chance(0.5) { 0.0 } else { random.within(0.0, 6.0) },
         ramp_periods: random.one_of(&[0.0, 1.0, 2.0]),
-        // At least five periods, of which ramps take up to four.
+        // The duration has at least five periods; ramps take up to four.
         duration_s: random.within(3.0, 12.0).max(5.0 / frequency_hz),
         time_step_s: random.one_of(&[0.005, 0.01, 0.02]),
     })

@@ -1,34 +1,33 @@
-//! What a run says of a touch, and the same touch in another run.
+//! Touches of a run, with a search for the corresponding touch of another run.
 
 use pounding_contact::Clamp;
 
-use super::compared::{Compared, Place, Two};
+use super::compared::{Compared, NumberPlace, Two};
 use pounding_scene::RunErrors;
 use pounding_solver::Pair;
 
-/// What a run says of a touch.
+/// A touch of a pair.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
     /// First instant \[s\].
     pub start: f64,
-    /// Last instant \[s\]; nothing of laws that let go before.
+    /// Last instant \[s\]; `None` for laws that let go before neighbours part.
     pub end: Option<f64>,
     /// Impulse \[N·s\].
     pub impulse: f64,
-    /// Peak force \[N\]; nothing of an impact.
+    /// Peak force \[N\]; `None` for an impact.
     pub peak_force: Option<f64>,
-    /// How long it lasts \[s\].
+    /// Duration \[s\].
     pub lasts: f64,
-    /// What rounding leaves open of the start, where the run says \[s\].
+    /// Uncertainty of the start by rounding \[s\], if the run gives it.
     pub uncertainty: Option<f64>,
 }
 
-/// Touches in the order of their starts, as one where rounding decides that they are several.
+/// Sorted touches, in which those that only rounding keeps apart are merged.
 ///
-/// How many bounces end in rest, and which of several floors that meet at once hits first, is a matter of where a route stops to tell
-/// them apart. So is how many of the bounces that a neighbour of theirs comes to rest with are passed on to a pair at rest: those of
-/// no impulse belong to the touch that goes on. And so is whether a force that passes zero ends a touch: a force that
-/// begins where another one ends goes on.
+/// A route's resolution decides three things: how many bounces end in rest, which of several floors that meet at once hits first, and how
+/// many bounces of a neighbour coming to rest reach a pair at rest. Bounces without an impulse therefore belong to the touch that
+/// continues. A force that passes through zero may end a touch or not. A force that begins where another one ends therefore continues it.
 pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
     let largest = Largest::of(&touches).impulse;
     let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
@@ -50,7 +49,7 @@ pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
     all
 }
 
-/// Whether impacts of two pairs, in their order, ever happen at once.
+/// Whether impacts of two pairs, in their order, ever coincide.
 pub(super) fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
     let mut next = 0;
     let impacts = one.iter().filter(|one| one.peak_force.is_none());
@@ -62,10 +61,10 @@ pub(super) fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
     })
 }
 
-/// Touches of a pair that begin within this of the one before are compared as one with it \[s\].
+/// Longest pause after which a touch of a pair still belongs to the previous one \[s\].
 const TOGETHER: f64 = 1e-9;
 
-/// The largest of some touches.
+/// The largest impulse and force of some touches.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Largest {
     /// Impulse \[N·s\].
@@ -83,7 +82,7 @@ impl Largest {
         }
     }
 
-    /// Not less than a part of another one.
+    /// Raises both numbers to at least `part` of another's.
     pub(super) fn at_least(self, part: f64, other: Self) -> Self {
         Self {
             impulse: self.impulse.max(part * other.impulse),
@@ -92,17 +91,17 @@ impl Largest {
     }
 }
 
-/// Part of a touch out of rest in which its force may still be rounding: the cube root of 1e-13 of the forces, which the second route
-/// does not tell from none, where it grows with the cube of time.
+/// Part of a touch out of rest in which its force may still be rounding. The force grows with the cube of time, and the second route cannot
+/// tell 1e-13 of the forces from zero; this is the cube root.
 const LEAVES_ZERO: f64 = 5e-5;
 
-/// Part of the largest impulse of a pair that is rounding.
+/// Largest impulse that is rounding, as a part of the largest impulse of the pair \[–\].
 const ROUNDING: f64 = 1e-12;
 
 impl Meeting {
     /// A touch of a pair between two instants \[s\], with its impulse \[N·s\] and force \[N\].
-    pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], (impulse, peak_force): (f64, Option<f64>), uncertainty: Option<f64>) -> Self {
-        // Neighbours part when the force of their law ends only where nothing clamps it.
+    pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], impulse: f64, peak_force: Option<f64>, uncertainty: Option<f64>) -> Self {
+        // Neighbours part at the end of the force only if nothing clamps it.
         let parts = pair.law.clamp() == Clamp::Never;
         Self {
             start,
@@ -114,7 +113,7 @@ impl Meeting {
         }
     }
 
-    /// Takes a touch that follows at once as part of this one; an impact has no force.
+    /// Merges a touch that follows at once; an impact has no force.
     fn add(&mut self, next: &Self) {
         let (one, other) = (self.peak_force, next.peak_force);
         self.peak_force = one.zip(other).map(|(one, other)| one.max(other));
@@ -123,21 +122,21 @@ impl Meeting {
         self.impulse += next.impulse;
     }
 
-    /// Whether it begins without an approach: where the force between neighbours at rest leaves zero.
+    /// Whether the touch begins without an approach, when the force between neighbours at rest becomes positive.
     pub(super) fn presses_out_of_rest(&self) -> bool {
         self.uncertainty.is_none() && self.peak_force.is_some()
     }
 
-    /// Whether rounding decides that neighbours touch at all.
+    /// Whether rounding decides if the neighbours touch at all.
     pub(super) fn is_graze(&self, largest: f64) -> bool {
         let brief = |uncertainty: f64| self.lasts > 0.0 && self.lasts <= 2.0 * uncertainty;
         self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
     }
 
-    /// Its numbers beside those of the same touch in another run, all of them infinitely far from none. A number that a touch of
-    /// its kind does not have is no distance away, and neither is the force of one that rests: whether the impact that rest began
-    /// with has an impulse at all may be rounding, and the impulse of both is compared.
-    pub(super) fn beside(&self, other: Option<&Self>, place: Place, largest: Largest) -> [Two; 4] {
+    /// Compares the touch with the corresponding one of another run; without one, all distances are infinite. A number that the kind of
+    /// touch does not have has distance 0. So does a force that only one of both has: rounding may decide whether the impact before a rest
+    /// has an impulse, and the impulses are compared.
+    pub(super) fn beside(&self, other: Option<&Self>, place: NumberPlace, largest: Largest) -> [Two; 4] {
         let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
             let (first, second) = (value(self), other.and_then(value));
             Two {
@@ -165,12 +164,12 @@ impl Meeting {
     }
 }
 
-/// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\]; bounces of no impulse
-/// belong to what follows within it.
+/// Largest distance between the starts of corresponding touches, if the numbers of touches differ \[s\]. A bounce without impulse belongs
+/// to a touch that follows within this time.
 pub(super) const SAME: f64 = 1e-7;
 
-/// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the one
-/// that begins nearest to it of those that begin at the same time.
+/// For every touch of a pair the index of the corresponding touch in another run. If the runs have different numbers of touches, it is the
+/// one with the nearest start within [`SAME`].
 pub(super) fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize>> {
     if first.len() == second.len() {
         return (0..first.len()).map(Some).collect();
@@ -186,7 +185,7 @@ pub(super) fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize
     all
 }
 
-/// The touch from a number on that begins nearest to an instant \[s\], if it begins at the same time.
+/// The touch with the nearest start to an instant \[s\], from index `from`, if it is within [`SAME`].
 fn nearest(touches: &[Meeting], from: usize, time: f64) -> Option<usize> {
     let apart = |one: &Meeting| (one.start - time).abs();
     let later = from + touches[from..].partition_point(|one| one.start < time);

@@ -1,19 +1,19 @@
-//! What both routes say of a scene, number by number, and how far apart they are.
+//! Numbers of a scene by both routes, with their distances.
 
-use super::compared::{Compared, Place, Two};
+use super::compared::{Compared, NumberPlace, Two};
 use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunErrors, RunResult, Simulation, Values};
 use pounding_solver::Pair;
 
-/// Part of the largest impulse and force of a pair, and where it rests of the force that shakes its lighter floor, below which those of
-/// its first touch are differences of far larger forces.
+/// Smallest scale for the first touch of a pair, as a part of the pair's largest impulse and force \[–\]. If the touch begins at rest, also
+/// as a part of the force that shakes the lighter floor. Smaller values are differences of far larger forces.
 const SLIGHT: f64 = 1e-6;
 
-/// What a run says of a floor: its number of every kind of [`OF_FLOORS`].
+/// The numbers of a floor, one for each kind of [`OF_FLOORS`].
 type OfFloor = [f64; OF_FLOORS.len()];
 
-/// The kinds of numbers that floors have, as the first of [`Compared::ALL`].
+/// The kinds of numbers that floors have: the first ones of [`Compared::ALL`].
 const OF_FLOORS: [Compared; 5] = [
     Compared::Displacement,
     Compared::Drift,
@@ -22,12 +22,12 @@ const OF_FLOORS: [Compared; 5] = [
     Compared::Momentum,
 ];
 
-/// Everything that is compared of a run.
+/// The numbers of a run to compare.
 #[derive(Debug, Clone)]
 pub(super) struct Numbers {
     floors: Vec<OfFloor>,
-    /// Floors that are hit from both sides at once, some time: what of that is one net impulse, and what one after the other, is a
-    /// matter of where a route stops to tell them apart, and the transferred momentum with it.
+    /// Floors that are hit from both sides at once at some time. The resolution of a route decides whether such hits are one net impulse or
+    /// several impulses, so their transferred momentum is not compared.
     pinched: Vec<bool>,
     /// The touches of every pair in their order.
     pairs: Vec<Vec<Meeting>>,
@@ -51,7 +51,7 @@ impl Numbers {
         };
         let touches = |(index, pair): (usize, &Pair)| {
             let all = outcome.collisions_of(index);
-            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), one.uncertainty))
+            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, one.uncertainty))
                 .collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
@@ -67,7 +67,7 @@ impl Numbers {
         let pairs = prepared.pairs().iter().zip(&response.collisions);
         let touches = pairs.map(|(pair, all)| {
             let all = all.iter();
-            all.map(|one| Meeting::new(pair, [one.start, one.end], (one.impulse, one.peak_force), None))
+            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, None))
                 .collect()
         });
         Self::new(prepared, floors.collect(), touches.collect())
@@ -104,13 +104,13 @@ impl Numbers {
         self.floors.iter().map(|[displacement, ..]| *displacement).fold(0.0, f64::max)
     }
 
-    /// Every number of this run beside that of another one of the same scene.
+    /// Compares every number of this run with that of another run of the same scene.
     pub(super) fn beside(&self, other: &Self) -> Vec<Two> {
         let mut all = Vec::new();
         let largest = self.floors.iter().map(|[.., momentum]| *momentum).fold(0.0, f64::max);
         for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
             let pinched = self.pinched[index] || other.pinched[index];
-            let place = Place::Floor(index);
+            let place = NumberPlace::Floor(index);
             for (what, (&first_value, &second_value)) in OF_FLOORS.into_iter().zip(first.iter().zip(second)) {
                 let scale = if what == Compared::LastDisplacement {
                     first[0]
@@ -132,7 +132,7 @@ impl Numbers {
         for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
             let largest = Largest::of(first);
             for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
-                // Later touches may be bounces that come to rest, differences of far larger velocities.
+                // Later touches may be bounces that come to rest, which are differences of far larger velocities.
                 let scale = if touch == 0 {
                     let mut own = Largest::of(&first[..1]).at_least(SLIGHT, largest);
                     if one.presses_out_of_rest() {
@@ -142,12 +142,12 @@ impl Numbers {
                 } else {
                     largest
                 };
-                let place = Place::Touch { pair, touch };
+                let place = NumberPlace::Touch { pair, touch };
                 all.extend(one.beside(same.map(|same| &second[same]), place, scale));
             }
             all.push(Two {
                 what: Compared::Touches,
-                place: Place::Pair(pair),
+                place: NumberPlace::Pair(pair),
                 first: first.len() as f64,
                 second: second.len() as f64,
                 distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },
@@ -156,8 +156,8 @@ impl Numbers {
         all
     }
 
-    /// Of the touches given by pair and number, and of those that only the other run has, the one that begins first: its pair and
-    /// instant \[s\].
+    /// The pair and the start \[s\] of the earliest wrong touch: among the given touches, by pair and index, and those that only the other
+    /// run has.
     pub(super) fn first_of(&self, wrong: impl Iterator<Item = (usize, usize)>, other: &Self) -> Option<(usize, f64)> {
         let own = wrong.map(|(pair, touch)| (pair, self.pairs[pair][touch].start));
         let pairs = self.pairs.iter().zip(&other.pairs).enumerate();
@@ -169,7 +169,7 @@ impl Numbers {
         own.chain(lone).min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
-    /// The touches of a pair from the last before an instant to the third after it, in words.
+    /// The touches of a pair around an instant, from the last one before it, as text.
     pub(super) fn near(&self, pair: usize, time: f64) -> Vec<String> {
         let touches = &self.pairs[pair];
         let from = touches.iter().rposition(|one| one.start < time);
@@ -188,7 +188,7 @@ impl Numbers {
         words.collect()
     }
 
-    /// Takes the touches away that another run does not have, and that are within rounding; how many there were.
+    /// Removes touches that the other run does not have and that are within rounding. Returns their number.
     pub(super) fn without_grazes(&mut self, other: &mut Self) -> usize {
         let mut grazes = 0;
         for (first, second) in self.pairs.iter_mut().zip(&mut other.pairs) {
@@ -206,5 +206,5 @@ impl Numbers {
     }
 }
 
-/// A magnitude, in any SI unit, that is none: a row that cannot move is left with 1e-105 m by iteration.
+/// Largest magnitude that counts as zero, in any SI unit: iteration leaves 1e-105 m in a row that cannot move.
 const NOTHING: f64 = 1e-60;

@@ -1,4 +1,4 @@
-//! Random numbers of a scene, from its seed and number alone.
+//! Random numbers of a scene that depend on seed and scene number only.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
@@ -10,7 +10,7 @@ use crate::noise::uniform;
 pub(super) struct Random(Pcg64);
 
 impl Random {
-    /// Those of scene number `index` of a campaign.
+    /// The random numbers of scene number `index` of a campaign.
     pub(super) fn new(seed: u64, index: usize) -> Self {
         Self(Pcg64::new(u128::from(seed), index as u128))
     }
@@ -25,7 +25,7 @@ impl Random {
         low * libm::pow(high / low, uniform(&mut self.0))
     }
 
-    /// Whether something of this probability happens.
+    /// True with this probability.
     pub(super) fn chance(&mut self, probability: f64) -> bool {
         uniform(&mut self.0) < probability
     }
@@ -36,12 +36,12 @@ impl Random {
         (0..n).rfind(|&one| one as f64 <= whole).unwrap_or(0)
     }
 
-    /// One of a list that is not empty.
+    /// A random element of a list that is not empty.
     pub(super) fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }
 
-    /// A seed for something else.
+    /// A seed for another generator.
     pub(super) fn seed(&mut self) -> u64 {
         self.0.next_u64() >> 32
     }

@@ -1,23 +1,23 @@
-//! What became of the scenes of a campaign, in numbers.
+//! Results of a campaign in numbers.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Formatter};
 
 use super::check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 use super::class::Class;
-use super::compared::{Compared, Place};
+use super::compared::{Compared, NumberPlace};
 use pounding_text::{Cell, Table};
 
-/// A failure that the documentation of limits names.
+/// A failure that the documentation of limits describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KnownLimit {
     /// Name of the kind of error.
     pub kind: &'static str,
-    /// What cannot be run.
+    /// The limit that the failure meets.
     pub why: &'static str,
 }
 
-/// Failures that are named: everything else that fails is a fault.
+/// Documented failures; any other failure is a fault.
 pub const LIMITS: [KnownLimit; 4] = [
     limit(
         "ClosedIn",
@@ -41,22 +41,22 @@ const fn limit(kind: &'static str, why: &'static str) -> KnownLimit {
     KnownLimit { kind, why }
 }
 
-/// Scenes of which some have to agree.
+/// Smallest number of scenes of which most must agree.
 const MANY: usize = 20;
 
-/// What became of a campaign.
+/// The results of a campaign.
 #[derive(Debug)]
 pub struct Summary<'a>(pub &'a [Checked]);
 
 impl Checked {
-    /// Whether nothing speaks against the exact method: both routes agree, rounding explains their distance, the second route has no
-    /// answer, or the exact method fails in a way that is [named](LIMITS).
+    /// Whether the result is consistent with a correct exact method. It is if both routes agree, if rounding explains their distance, if
+    /// the second route has no answer, or if the exact method fails in a [documented](LIMITS) way.
     pub fn is_good(&self) -> bool {
         use Verdict::{Disagrees, ExactFails, Hangs, Panics, Refused};
         ![Disagrees, ExactFails, Refused, Hangs, Panics].contains(&self.verdict)
     }
 
-    /// The cause by which scenes are sorted: what they have in common that do not agree.
+    /// The shared property by which scenes that do not agree are sorted.
     pub fn cause(&self) -> String {
         let worst = self.disagreements.first();
         match &self.failure {
@@ -65,7 +65,7 @@ impl Checked {
         }
     }
 
-    /// What became of the scene, in a line for each thing that is wrong.
+    /// The result of the scene, one line for each fault.
     pub fn lines(&self) -> Vec<String> {
         let line = |words: String| format!("scene {}: {}: {words}", self.index, self.verdict.words());
         match &self.failure {
@@ -81,7 +81,7 @@ impl Checked {
 }
 
 impl Failure {
-    /// Whether the limits name it.
+    /// Whether the failure is documented.
     pub fn is_known(&self) -> bool {
         LIMITS.iter().any(|limit| limit.kind == self.kind)
     }
@@ -91,10 +91,10 @@ impl fmt::Display for Disagreement {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let two = &self.two;
         let place = match two.place {
-            Place::Floor(floor) => format!(" of floor {floor}"),
-            Place::Touch { pair, touch } => format!(" {touch} of pair {pair}"),
-            Place::Pair(pair) => format!(" of pair {pair}"),
-            Place::Run => String::new(),
+            NumberPlace::Floor(floor) => format!(" of floor {floor}"),
+            NumberPlace::Touch { pair, touch } => format!(" {touch} of pair {pair}"),
+            NumberPlace::Pair(pair) => format!(" of pair {pair}"),
+            NumberPlace::Run => String::new(),
         };
         let what = two.what.words();
         write!(
@@ -106,9 +106,9 @@ impl fmt::Display for Disagreement {
 }
 
 impl Summary<'_> {
-    /// Whether nothing speaks against the exact method in [any of them](Checked::is_good).
+    /// Whether all scenes are [consistent](Checked::is_good) with a correct exact method.
     ///
-    /// Of many scenes most have to agree, too: a second route that never has an answer speaks for nothing.
+    /// In a large campaign most scenes must agree too: a second route that never has an answer proves nothing.
     pub fn is_good(&self) -> bool {
         let agree = self.count(Verdict::Agrees, None);
         self.0.iter().all(Checked::is_good) && (self.0.len() < MANY || 2 * agree > self.0.len())
@@ -181,7 +181,7 @@ impl Summary<'_> {
 }
 
 impl Summary<'_> {
-    /// The scenes that do not agree, a row each, as CSV text: of a number the furthest off of the worst kind.
+    /// The scenes that do not agree as CSV text, one row each with the number that is furthest off.
     pub fn csv(&self, seed: u64) -> String {
         let number = |one: &Checked, value: fn(&Disagreement) -> f64| {
             Cell::number(one.disagreements.first().map(value), |value| format!("{value:.1e}"))

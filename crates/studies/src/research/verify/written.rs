@@ -3,7 +3,7 @@
 use pounding_scene::Scene;
 use serde_json::{Number, Value};
 
-/// A scene whose numbers with a fraction, or that may have one, are replaced in some of its fields.
+/// The scene with its numbers replaced in some of its fields. Numbers that can only be whole stay.
 pub(super) fn rewritten(scene: &Scene, fields: &[&str], each: &mut dyn FnMut(f64) -> f64) -> Scene {
     let mut written = serde_json::to_value(scene).expect("a scene is written without errors");
     for field in fields {

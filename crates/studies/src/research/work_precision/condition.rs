@@ -1,41 +1,41 @@
-//! How far the results of a scene move with its record, and whether the two routes are as close as that allows.
+//! Condition: the sensitivity of a scene's results to its record, and whether the two routes are as close as it allows.
 
-use super::quantities::{MethodQuantity, Quantities, Run};
+use super::quantities::{MethodQuantity, MethodRun, Quantities};
 use crate::noise::Noise;
 use pounding_reference::Response;
 use pounding_scene::{RunErrors, Simulation, parallel};
 use pounding_solver::Collision;
 
-/// Relative change of the records, small enough that what a result does is proportional to it.
+/// Relative change of the records, small enough for proportional changes of the results \[–\].
 const CHANGE: f64 = 1e-9;
 /// Number of records with independent changes of every sample.
 const N_RECORDS: usize = 16;
-/// What rounding leaves of a result that moves as much as its record \[–\].
+/// Relative error by rounding of a result whose condition number is 1 \[–\].
 const ROUNDING: f64 = 1e-15;
 
-/// A result of two routes.
+/// A result by two routes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Known {
     /// Condition number: the largest relative change of the result per relative change of the record.
     ///
-    /// Infinite where a collision is missing under some of the records.
+    /// It is infinite if some of the changed records lose a collision.
     pub(crate) condition: f64,
-    /// Relative distance of the two routes; infinite where a collision is missing on one of them.
+    /// Relative distance of the two routes; infinite if only one of them has a collision.
     pub(crate) distance: f64,
 }
 
 impl Known {
-    /// The distance that is allowed \[–\]: what the element's tolerance leaves, or rounding of the record.
+    /// The allowed distance \[–\]: the tolerance of the contact element, or rounding of the record if that is larger.
     pub(super) fn allowed(self, compliant: bool) -> f64 {
         self.allowed_from(if compliant { 1e-9 } else { 1e-12 })
     }
 
-    /// The distance that is allowed \[–\], at least `floor`: rounding of the record.
+    /// The allowed distance by rounding of the record \[–\], at least `floor`.
     pub(crate) fn allowed_from(self, floor: f64) -> f64 {
         (self.condition * ROUNDING).max(floor)
     }
 
-    /// Whether the two routes are as close as is allowed.
+    /// Whether the two routes are as close as allowed.
     pub(super) fn holds(self, compliant: bool) -> bool {
         self.distance <= self.allowed(compliant)
     }
@@ -49,28 +49,28 @@ pub(super) struct Meeting {
     pub(super) known: [Known; 2],
 }
 
-/// How well the results of one scene are known.
+/// Reliability of the results of one scene.
 #[derive(Debug)]
 pub(super) struct Knowledge {
-    /// For each quantity, the worst structure; nothing where nothing collides.
+    /// For each quantity that of the worst structure; `None` if nothing collides.
     quantities: [Option<Known>; MethodQuantity::ALL.len()],
     /// The collisions of every pair in their order.
     pub(super) pairs: Vec<Vec<Meeting>>,
-    /// Whether the two routes count the same collisions.
+    /// Whether both routes have the same number of collisions.
     pub(super) same_count: bool,
 }
 
 impl Knowledge {
-    /// Runs the reference under its record and others near it, and holds it against the second route.
+    /// Runs the reference under its record and under similar records, and compares it with the second route.
     ///
     /// # Errors
-    /// The reason where a run of the reference fails.
-    pub(super) fn measure(run: &Run<'_>, second: Option<&Response>) -> Result<Self, String> {
+    /// The reason if a run of the reference fails.
+    pub(super) fn measure(run: &MethodRun<'_>, second: Option<&Response>) -> Result<Self, String> {
         let truth = Results::of(run)?;
         let records: Vec<_> = (0..=N_RECORDS).collect();
         let near = parallel::try_each(&records, |&index| {
             let prepared = under(run.prepared, CHANGE, index).map_err(|error| error.to_string())?;
-            let run = Run {
+            let run = MethodRun {
                 prepared: &prepared,
                 ..*run
             };
@@ -113,16 +113,17 @@ impl Knowledge {
         })
     }
 
-    /// How well a quantity is known; nothing where nothing collides.
+    /// Reliability of a quantity; `None` if nothing collides.
     pub(super) fn of(&self, quantity: MethodQuantity) -> Option<Known> {
         self.quantities[quantity as usize]
     }
 }
 
-/// The scene under a record near its own, number 0 to [`N_RECORDS`]: all samples changed by the same part, or each by a random one.
+/// The scene under similar record number `index`, 0 to [`N_RECORDS`]. Number 0 changes all samples by one factor, the others each sample by
+/// a random factor.
 ///
 /// # Errors
-/// [`pounding_scene::Error::Scene`] where a changed sample is not finite.
+/// [`pounding_scene::Error::Scene`] if a changed sample is not finite.
 pub(crate) fn under(prepared: &Simulation, change: f64, index: usize) -> Result<Simulation, pounding_scene::Error> {
     prepared.under(|record| match index {
         0 => record.scaled(1.0 + change),
@@ -130,14 +131,14 @@ pub(crate) fn under(prepared: &Simulation, change: f64, index: usize) -> Result<
     })
 }
 
-/// What is compared of one run: its quantities, and time and impulse of every collision of every pair.
+/// Results of one run to compare: its quantities, and time and impulse of every collision of every pair.
 struct Results {
     quantities: Quantities,
     pairs: Vec<Vec<[f64; 2]>>,
 }
 
 impl Results {
-    fn of(run: &Run<'_>) -> Result<Self, String> {
+    fn of(run: &MethodRun<'_>) -> Result<Self, String> {
         let (outcome, _) = run.recorded()?;
         let mut pairs = vec![Vec::new(); run.prepared.pairs().len()];
         for Collision { pair, start, impulse, .. } in outcome.collisions.all() {

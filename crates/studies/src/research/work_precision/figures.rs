@@ -1,4 +1,4 @@
-//! Error against work: a line for each method.
+//! Figures of error against work, one line per method.
 
 use crate::StudyError;
 use crate::lines::line_of;
@@ -7,17 +7,17 @@ use std::path::Path;
 use super::measure::{Entrant, Race, Rung};
 use super::quantities::MethodQuantity;
 use crate::files::{capital, drawn};
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
 
-/// Scenes with a figure of their own; all others share two.
+/// Start of the names of scenes with their own figure; all others share two figures.
 const OWN: &str = "two structures, ";
-/// Scenes of three structures.
+/// Start of the names of scenes with three structures.
 const LAYOUTS: &str = "layout ";
 /// Panels in a row.
 const COLUMNS: usize = 2;
-/// Errors below this are rounding.
+/// Smaller errors are rounding \[–\].
 const ROUNDING: f64 = 1e-16;
-/// Errors above this are worth nothing.
+/// Larger errors are not drawn \[–\].
 const WORTHLESS: f64 = 3e1;
 
 /// Every figure with its name.
@@ -57,8 +57,8 @@ fn figure(panels: Vec<Panel>) -> Figure {
 
 fn panel(race: &Race, quantity: MethodQuantity, [title, error]: [&str; 2]) -> Panel {
     let mut curves: Vec<_> = race.entrants.iter().filter_map(|entrant| curve(entrant, quantity)).collect();
-    // Hollow marks over solid ones, so that both are seen.
-    curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
+    // Hollow marks are drawn over solid ones, so both stay visible.
+    curves.sort_by_key(|curve| curve.kind == CurveKind::Dashed);
     Panel::shared(title, Axis::over(error, ROUNDING, WORTHLESS).log(), curves)
 }
 

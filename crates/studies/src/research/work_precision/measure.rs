@@ -1,7 +1,7 @@
-//! The runs.
+//! Runs of all methods.
 
 use super::condition::Knowledge;
-use super::quantities::{Ended, MethodQuantity, Quantities, Run};
+use super::quantities::{Ended, MethodQuantity, MethodRun, Quantities};
 use crate::drivers::each;
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
@@ -17,9 +17,9 @@ pub(crate) struct Race {
     pub(super) pairs: Vec<String>,
     /// Whether its contacts have forces over time.
     pub(crate) compliant: bool,
-    /// What the exact method gives at its finest.
+    /// Results of the exact method at its smallest tolerance.
     pub(crate) truth: Quantities,
-    /// How well that is known.
+    /// Reliability of the truth.
     pub(super) knowledge: Knowledge,
     /// The methods in the order of the list.
     pub(crate) entrants: Vec<Entrant>,
@@ -29,7 +29,7 @@ pub(crate) struct Race {
 #[derive(Debug)]
 pub(crate) struct Entrant {
     pub(crate) contender: &'static ComparedMethod,
-    /// From the largest setting down.
+    /// Runs from the largest setting down.
     pub(crate) rungs: Vec<Rung>,
 }
 
@@ -38,23 +38,23 @@ pub(crate) struct Entrant {
 pub(crate) struct Rung {
     /// Time step \[s\] or tolerance \[–\].
     pub(crate) setting: f64,
-    /// What came out, or why nothing did.
+    /// The results, or the reason why the run failed.
     pub(crate) outcome: Result<Measured, String>,
 }
 
-/// What came out of a run.
+/// Results of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Measured {
     pub(crate) work: Work,
     pub(crate) n_collisions: usize,
-    /// Whether it has as many collisions as the truth.
+    /// Whether the run has as many collisions as the truth.
     pub(crate) same_count: bool,
-    /// Relative error of each quantity; nothing where there is nothing to compare.
+    /// Relative error of each quantity; `None` if there is nothing to compare.
     errors: [Option<f64>; MethodQuantity::ALL.len()],
     pub(crate) energy: Energy,
 }
 
-/// What the ledger of a run says.
+/// Energy balances from the ledger of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Energy {
     /// The method's own balance \[–\].
@@ -68,7 +68,7 @@ pub(crate) struct Energy {
 }
 
 impl Measured {
-    /// Relative error of a quantity \[–\]; nothing where neither the run nor the truth has a collision.
+    /// Relative error of a quantity \[–\]; `None` if neither the run nor the truth has a collision.
     pub(crate) fn error(&self, quantity: MethodQuantity) -> Option<f64> {
         self.errors[quantity as usize]
     }
@@ -79,35 +79,35 @@ impl Measured {
         errors.fold(0.0, f64::max)
     }
 
-    /// The work that methods are compared by.
+    /// The work by which methods are compared.
     pub(crate) fn cost(&self) -> u64 {
         ComparedMethod::cost(self.work)
     }
 }
 
 impl Race {
-    /// Digits on which the two routes agree, 0 to 16.
+    /// Number of digits in which the two routes agree, 0 to 16.
     pub(crate) fn digits(&self, quantity: MethodQuantity) -> Option<u32> {
         self.knowledge.of(quantity).map(|known| digits(known.distance))
     }
 
-    /// The fewest digits on which the two routes agree, of all quantities.
+    /// The smallest number of digits in which the two routes agree, over all quantities.
     pub(crate) fn fewest_digits(&self) -> Option<u32> {
         MethodQuantity::ALL.into_iter().filter_map(|quantity| self.digits(quantity)).min()
     }
 
-    /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
+    /// Text for the column of agreed digits: whether the two routes have the same number of collisions.
     pub(crate) fn agreed_count(&self) -> &'static str {
         if self.knowledge.same_count { "all" } else { "0" }
     }
 
-    /// The runs of a method; nothing where it does not differ from another one.
+    /// The runs of a method; `None` if another method is identical.
     pub(crate) fn of(&self, key: &str) -> Option<&Entrant> {
         self.entrants.iter().find(|entrant| entrant.contender.key == key)
     }
 }
 
-/// Digits of two numbers at a relative distance.
+/// Number of digits that agree at a relative distance.
 fn digits(distance: f64) -> u32 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -122,7 +122,7 @@ fn digits(distance: f64) -> u32 {
 pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
     let of_scene = |(scene, prepared)| {
-        ladder.entries(scene).map(move |(contender, setting)| Run {
+        ladder.entries(scene).map(move |(contender, setting)| MethodRun {
             scene,
             prepared,
             contender,
@@ -131,13 +131,13 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
     };
     let runs: Vec<_> = scenes.iter().zip(&completed.prepared).flat_map(of_scene).collect();
     let finest = ladder.tolerances[ladder.tolerances.len() - 1];
-    let is_reference = |run: &&Run<'_>| run.contender.key == ComparedMethod::REFERENCE && run.setting <= finest;
+    let is_reference = |run: &&MethodRun<'_>| run.contender.key == ComparedMethod::REFERENCE && run.setting <= finest;
     let references: Vec<_> = runs.iter().filter(is_reference).collect();
     let known = parallel::each(&references, |reference| {
         let second = crate::second_route(reference.prepared, Fineness::FINE);
         Knowledge::measure(reference, second.ok().as_ref())
     });
-    let mut outcomes = each(&runs, done, Run::outcome).into_iter();
+    let mut outcomes = each(&runs, done, MethodRun::outcome).into_iter();
     let race = |(scene, knowledge): (&Scene, Result<Knowledge, String>)| {
         let rungs = ladder.entries(scene).zip(outcomes.by_ref()).collect();
         let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
@@ -150,7 +150,7 @@ pub(super) fn races(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + S
 }
 
 impl Race {
-    /// Measures the runs of a scene; fails with the reason where the reference failed.
+    /// Measures the runs of a scene. Fails with a reason if the reference failed.
     fn new(scene: &Scene, rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>, knowledge: Knowledge) -> Result<Self, String> {
         let reference = rungs.iter().rfind(|((contender, _), _)| contender.key == ComparedMethod::REFERENCE);
         let (_, reference) = reference.expect("the reference is among the contenders");
@@ -190,7 +190,7 @@ impl Measured {
     ) -> Self {
         let error = |quantity: MethodQuantity| {
             let error = found.distance(truth, quantity)?;
-            // The truth is not known better than that.
+            // The distance of the two routes limits what is known of the error.
             Some(error.max(distances[quantity as usize].unwrap_or(0.0)))
         };
         Self {

@@ -1,8 +1,8 @@
-//! What accuracy costs: every method on every scene over a ladder of time steps or tolerances.
+//! The price of accuracy: every method on every scene over a ladder of time steps or tolerances.
 //!
-//! The truth is the exact method at its smallest tolerance. It is believed to the digits on which a second route agrees
-//! with it, one that shares nothing but the scene; no error is given smaller than the distance of the two.
-//! Work is counted as evaluations of restoring forces plus pieces of structures carried by power series.
+//! The truth is the exact method at its smallest tolerance. Only the digits in which a second, independent route agrees with it count, so
+//! no error is smaller than the distance of the two. Work is the number of evaluations of restoring forces, plus the number of pieces of
+//! motion that power series carry.
 
 mod condition;
 mod figures;
@@ -22,7 +22,7 @@ use measure::Race;
 pub(crate) use quantities::{MethodQuantity, Quantities};
 pub use timing::Timed;
 
-/// The runs of a trade study and what they are measured by.
+/// The runs of a trade study with the reference for their errors.
 #[derive(Debug)]
 pub struct Trade {
     races: Vec<Race>,
@@ -30,12 +30,12 @@ pub struct Trade {
 }
 
 impl Trade {
-    /// Runs every method on every scene of a study; `done` is called after each run.
+    /// Runs every method on every scene of a study. Calls `done` after each run.
     ///
-    /// The methods that the scenes name play no part. A run that fails is kept with its reason.
+    /// The methods that the scenes name are ignored. A run that fails is kept with its reason.
     ///
     /// # Errors
-    /// [`StudyError`] for a ladder that does not fit the scenes, and where there is no reference.
+    /// [`StudyError`] if the ladder does not fit the scenes, or if there is no reference.
     pub fn measure(completed: &Completed, ladder: &Ladder, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         check(completed, ladder)?;
         let races = measure::races(completed, ladder, done)?;
@@ -45,15 +45,15 @@ impl Trade {
         })
     }
 
-    /// Number of times that [`Self::measure`] calls `done`.
+    /// Number of calls of `done` by [`Self::measure`].
     pub(crate) fn n_runs(scenes: &[Scene], ladder: &Ladder) -> usize {
         scenes.iter().map(|scene| ladder.entries(scene).count()).sum()
     }
 
-    /// Tables and figures by their path in the results folder.
+    /// Tables and figures by their paths in the results folder.
     ///
     /// # Errors
-    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    /// [`StudyError::Plot`] if a figure cannot be drawn.
     pub fn files(&self) -> Result<Files, StudyError> {
         let tables = [
             ("reference.csv", table::references(&self.races)),

@@ -1,5 +1,5 @@
-//! Which method is cheapest for an error, and whether the exact method is the cheaper one: its error of 1e-6 against 1 % of the central
-//! difference method.
+//! The cheapest method for an error, and the price of the exact method at an error of 1e-6 against that of the central difference method at
+//! 1 %.
 
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
@@ -8,33 +8,39 @@ use crate::files::yes_or_no;
 use pounding_scene::{ComparedMethod, StepSizes};
 use pounding_text::{Cell, Table};
 
-/// Errors asked for \[–\], with their names in per cent.
+/// Largest errors \[–\] with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [(0.3, "30"), (0.1, "10"), (0.03, "3"), (0.01, "1"), (0.001, "0.1")];
 
-/// The cheapest run of a method that holds what is asked, here and at every smaller setting of the ladder.
-pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<(&Rung, u64)> {
-    let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
-    // Of equal costs the finest.
-    let rungs = StepSizes::holding(&entrant.rungs, holds).iter().rev();
-    rungs
-        .filter_map(|rung| Some((rung, rung.outcome.as_ref().ok()?.cost())))
-        .min_by_key(|(_, cost)| *cost)
+/// The cheapest of some runs.
+#[derive(Clone, Copy)]
+pub(super) struct Cheapest<'a> {
+    pub(super) rung: &'a Rung,
+    pub(super) work: u64,
 }
 
-/// A question to every method, and the cheapest run of each that answers it.
+/// The cheapest run of a method that passes a test and keeps passing it at every smaller setting of the ladder.
+pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> Option<Cheapest<'_>> {
+    let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
+    // Of equal costs the finest run counts.
+    let rungs = StepSizes::holding(&entrant.rungs, holds).iter().rev();
+    let runs = rungs.filter_map(|rung| {
+        let work = rung.outcome.as_ref().ok()?.cost();
+        Some(Cheapest { rung, work })
+    });
+    runs.min_by_key(|run| run.work)
+}
+
+/// A quantity and an error, with the cheapest run of each method that reaches it.
 struct Asked<'a> {
     race: &'a Race,
     quantity: &'static str,
     percent: &'static str,
     agreed: String,
-    found: Vec<Option<Run<'a>>>,
+    found: Vec<Option<Cheapest<'a>>>,
 }
 
-/// A run, and its work.
-type Run<'a> = (&'a Rung, u64);
-
 impl<'a> Asked<'a> {
-    fn of(race: &'a Race, (quantity, percent, agreed): (&'static str, &'static str, String), holds: impl Fn(&Measured) -> bool) -> Self {
+    fn of(race: &'a Race, quantity: &'static str, percent: &'static str, agreed: String, holds: impl Fn(&Measured) -> bool) -> Self {
         let found = ComparedMethod::ALL
             .iter()
             .map(|contender| cheapest(race.of(contender.key)?, &holds));
@@ -47,15 +53,15 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The cheapest of all.
-    fn best(&self) -> Option<(&'static ComparedMethod, Run<'a>)> {
+    /// The cheapest run of all methods.
+    fn best(&self) -> Option<(&'static ComparedMethod, Cheapest<'a>)> {
         let runs = ComparedMethod::ALL.iter().zip(&self.found);
         runs.filter_map(|(contender, found)| Some((contender, (*found)?)))
-            .min_by_key(|(_, (_, cost))| *cost)
+            .min_by_key(|(_, run)| run.work)
     }
 }
 
-/// For every scene, quantity and error the cheapest method, and the setting that each method needs.
+/// Table of the cheapest method for every scene, quantity and error, with the setting that each method needs.
 pub(super) fn table(races: &[Race]) -> String {
     let mut rows = Vec::new();
     for race in races {
@@ -64,15 +70,14 @@ pub(super) fn table(races: &[Race]) -> String {
                 continue;
             }
             rows.extend(ALLOWED.map(|(allowed, percent)| {
-                let asked = (quantity.key(), percent, agreed(race.digits(quantity)));
-                Asked::of(race, asked, |measured| {
+                Asked::of(race, quantity.key(), percent, agreed(race.digits(quantity)), |measured| {
                     measured.error(quantity).is_some_and(|error| error <= allowed)
                 })
             }));
         }
         if race.truth.n_collisions > 0 {
-            let asked = ("number_of_collisions", "0", race.agreed_count().into());
-            rows.push(Asked::of(race, asked, |measured| measured.same_count));
+            let agreed = race.agreed_count().into();
+            rows.push(Asked::of(race, "number_of_collisions", "0", agreed, |measured| measured.same_count));
         }
     }
     Table::of(rows)
@@ -82,14 +87,14 @@ pub(super) fn table(races: &[Race]) -> String {
         .column("agreed_digits", |one| one.agreed.clone())
         .column("cheapest_method", |one| one.best().map_or("never", |(contender, _)| contender.key))
         .column("cheapest_setting", |one| {
-            one.best().map(|(contender, (rung, _))| setting(contender, rung.setting))
+            one.best().map(|(contender, run)| setting(contender, run.rung.setting))
         })
-        .column("cheapest_work", |one| one.best().map(|(_, (_, cost))| cost))
+        .column("cheapest_work", |one| one.best().map(|(_, run)| run.work))
         .columns(
             0..ComparedMethod::ALL.len(),
             |method| ComparedMethod::ALL[method].key.into(),
             |one, method| {
-                let needed = |(rung, _): Run<'_>| setting(&ComparedMethod::ALL[method], rung.setting);
+                let needed = |run: Cheapest<'_>| setting(&ComparedMethod::ALL[method], run.rung.setting);
                 let entrant = one.race.of(ComparedMethod::ALL[method].key);
                 entrant.map(|_| one.found[method].map_or("never".into(), needed))
             },
@@ -97,23 +102,23 @@ pub(super) fn table(races: &[Race]) -> String {
         .csv()
 }
 
-/// Error asked of the exact method \[–\].
+/// Largest error of the exact method in the comparison \[–\].
 pub(super) const EXACT: f64 = 1e-6;
-/// Error asked of the central difference method \[–\].
+/// Largest error of the central difference method in the comparison \[–\].
 pub(super) const STEPPING: f64 = 1e-2;
 
-/// What a method needs for an error.
+/// The cost of a method for an error.
 struct Need {
     setting: String,
     work: u64,
-    /// In force evaluations of equal time.
+    /// Cost as a number of force evaluations that take the same time.
     price: u64,
 }
 
 impl Need {
     fn of(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Self> {
         let entrant = race.of(key)?;
-        let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
+        let Cheapest { rung, work } = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
         Some(Self {
             setting: setting(entrant.contender, rung.setting),
             work,
@@ -122,7 +127,7 @@ impl Need {
     }
 }
 
-/// What both methods need for their errors of some quantities.
+/// Costs of both methods for their errors in some quantities.
 struct Both<'a> {
     scene: &'a str,
     quantity: &'static str,
@@ -167,7 +172,7 @@ impl<'a> Both<'a> {
     }
 }
 
-/// For every scene and quantity, and for all of them at once, what either method needs.
+/// Table of the costs of both methods for every scene and quantity, and for all quantities at once.
 pub(super) fn exact_or_stepping<'a>(races: &'a [Race]) -> String {
     let of_race = |race: &'a Race| {
         let mut present = MethodQuantity::ALL.to_vec();

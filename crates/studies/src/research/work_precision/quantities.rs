@@ -1,4 +1,4 @@
-//! What is compared: six quantities and a count; and the runs that give them.
+//! Compared quantities, six of them and a count, and the runs that give them.
 
 use crate::listed::listed;
 use pounding_reference::Response;
@@ -6,8 +6,8 @@ use pounding_scene::{ComparedMethod, Method, RunErrors, RunResult, Scene, Simula
 use pounding_solver::{Ledger, Work};
 
 listed! {
-    /// A quantity in which methods are compared: its name in tables; its name in figures and its unit, of an impulsive and a compliant
-    /// contact.
+    /// A quantity in which methods are compared. The texts are its name in tables, and name in figures and unit for an impulsive and a
+    /// compliant contact.
     pub(crate) enum MethodQuantity { texts: (&'static str, [&'static str; 2], [&'static str; 2]);
         FirstTime = ("time_of_first_collision", ["Time of first collision"; 2], ["s"; 2]),
         FirstImpulse = ("impulse_of_first_collision", ["Impulse of first collision"; 2], ["N·s"; 2]),
@@ -38,14 +38,14 @@ impl MethodQuantity {
 /// The quantities of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantities {
-    /// For each quantity a value, or one for each structure; none where nothing collides.
+    /// For each quantity one value, or one per structure; empty if nothing collides.
     values: [Vec<f64>; MethodQuantity::ALL.len()],
-    /// Number of collisions of all pairs; of an impulsive law, of impacts.
+    /// Number of collisions of all pairs; impacts for an impulsive law.
     pub(crate) n_collisions: usize,
 }
 
 impl Quantities {
-    /// The quantities of a run of so many structures.
+    /// The quantities of a run of `n_structures` structures.
     pub(crate) fn of(outcome: &RunResult, n_structures: usize) -> Self {
         let met = outcome.collisions.all().iter().map(|one| (one.start, one.impulse, one.peak_force));
         let moved = (0..n_structures).map(|index| {
@@ -67,7 +67,8 @@ impl Quantities {
         Self::new(&met.collect::<Vec<_>>(), moved)
     }
 
-    /// Of start, impulse and peak force of every collision, and momentum, peak displacement and peak shear force of every structure.
+    /// The quantities from start, impulse and peak force of every collision, and from momentum, peak displacement and peak shear force of
+    /// every structure.
     fn new(met: &[(f64, f64, Option<f64>)], moved: impl Iterator<Item = [f64; 3]>) -> Self {
         let first = met.iter().min_by(|one, other| one.0.total_cmp(&other.0));
         let peak = met.iter().map(|(_, impulse, force)| force.unwrap_or(*impulse)).reduce(f64::max);
@@ -89,16 +90,15 @@ impl Quantities {
         }
     }
 
-    /// Values of a quantity: one, or one for each structure from the left; none where nothing collides.
+    /// Values of a quantity: one, or one for each structure from the left; empty if nothing collides.
     pub(crate) fn values(&self, quantity: MethodQuantity) -> &[f64] {
         &self.values[quantity as usize]
     }
 
-    /// Relative distance from other quantities, of the structure where it is largest \[–\].
+    /// Largest relative distance from other quantities over the structures \[–\].
     ///
-    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one
-    /// of both; nothing where neither
-    /// has one.
+    /// The distance of a first collision at t = 0 is relative to 1 s. It is infinite if a collision or a hit structure is missing in one of
+    /// the two, and `None` if both have no collision.
     pub(crate) fn distance(&self, truth: &Self, quantity: MethodQuantity) -> Option<f64> {
         let (found, wanted) = (self.values(quantity), truth.values(quantity));
         if found.len() != wanted.len() {
@@ -120,26 +120,26 @@ impl Quantities {
     }
 }
 
-/// What a run leaves behind, or why it failed.
+/// Results of a run, or the reason why it failed.
 pub(super) type Ended<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
 
-/// A run of one method on one scene, to be done.
+/// A run of one method on one scene before it starts.
 #[derive(Debug)]
-pub(super) struct Run<'a> {
+pub(super) struct MethodRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) prepared: &'a Simulation,
     pub(super) contender: &'static ComparedMethod,
     pub(super) setting: f64,
 }
 
-impl<'a> Run<'a> {
+impl<'a> MethodRun<'a> {
     pub(super) fn outcome(&self) -> Ended<'a> {
         let (outcome, ledger) = self.recorded()?;
         let quantities = Quantities::of(&outcome, self.scene.structures.len());
         Ok((quantities, ledger, outcome.work))
     }
 
-    /// The outcome of the run, and its ledger; fails with the reason where it ends early.
+    /// Runs and returns the result with its ledger. Fails with a reason if the run ends early.
     ///
     /// The verdict of the ledger is a column of the table.
     pub(super) fn recorded(&self) -> Result<(RunResult, Ledger<'a>), String> {

@@ -1,4 +1,4 @@
-//! The runs and the references as CSV.
+//! Tables of the runs and of the references as CSV.
 
 use super::condition::Known;
 use super::measure::{Measured, Race, Rung};
@@ -18,7 +18,7 @@ struct Reference<'a> {
     known: Option<Known>,
 }
 
-/// The value of every quantity.
+/// Table of the references, with the value of every quantity.
 pub(super) fn references(races: &[Race]) -> String {
     let mut rows = Vec::new();
     for race in races {
@@ -54,7 +54,7 @@ pub(super) fn references(races: &[Race]) -> String {
     known_as(table, |one| Some((one.known?, one.race))).csv()
 }
 
-/// Time and impulse of every collision, and how well they are known.
+/// Table of the time and impulse of every collision, with their reliability.
 pub(super) fn collisions(races: &[Race]) -> String {
     let mut rows = Vec::new();
     for race in races {
@@ -74,7 +74,7 @@ pub(super) fn collisions(races: &[Race]) -> String {
     known_as(table, |(race, .., meeting, which)| Some((meeting.known[*which], race))).csv()
 }
 
-/// How well a result is known, as four columns.
+/// Adds four columns with the reliability of a result.
 fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Known, &Race)> + Copy + 'a) -> Table<'a, Row> {
     let number = move |row: &Row, of: fn(Known, &Race) -> f64| known(row).map(|(known, race)| error(Some(of(known, race))));
     table
@@ -91,7 +91,7 @@ fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Know
 /// A count of a run.
 type Count = fn(&Measured) -> u64;
 
-/// Counts of a run, with their columns.
+/// Columns of counts.
 const COUNTS: [(&str, Count); 7] = [
     ("work", Measured::cost),
     ("steps", |run| run.work.steps),
@@ -110,7 +110,7 @@ struct One<'a> {
 }
 
 impl One<'_> {
-    /// What came out of it.
+    /// The results of the run, unless it failed.
     fn found(&self) -> Option<&Measured> {
         self.rung.outcome.as_ref().ok()
     }
@@ -120,7 +120,7 @@ impl One<'_> {
     }
 }
 
-/// Every run: what it cost and how far off it is.
+/// Table of every run with its cost and errors.
 pub(super) fn runs(races: &[Race]) -> String {
     let mut rows = Vec::new();
     for race in races {
@@ -151,7 +151,7 @@ pub(super) fn runs(races: &[Race]) -> String {
         .csv()
 }
 
-/// A setting as it is printed.
+/// A setting as text.
 pub(super) fn setting(contender: &ComparedMethod, setting: f64) -> String {
     match contender.knob {
         Knob::TimeStep => digits(setting),
@@ -159,7 +159,7 @@ pub(super) fn setting(contender: &ComparedMethod, setting: f64) -> String {
     }
 }
 
-/// An error as it is printed: three digits, nothing where there is nothing to compare.
+/// An error as text with three digits; empty if there is nothing to compare.
 fn error(error: Option<f64>) -> String {
     match error {
         None => String::new(),
@@ -169,7 +169,7 @@ fn error(error: Option<f64>) -> String {
     }
 }
 
-/// Agreed digits as they are printed.
+/// Agreed digits as text.
 pub(super) fn agreed(digits: Option<u32>) -> String {
     digits.map_or_else(String::new, |digits| digits.to_string())
 }

@@ -1,16 +1,16 @@
-//! Which runs are worth timing.
+//! Choice of the runs to time.
 
 use super::Trade;
 use super::measure::{Entrant, Measured, Rung};
 use super::pareto::{EXACT, STEPPING, cheapest};
-use super::quantities::{MethodQuantity, Run};
+use super::quantities::{MethodQuantity, MethodRun};
 use super::table::setting;
 use crate::{Completed, StudyError, StudyFile};
 use pounding_scene::{ComparedMethod, Scene};
 use pounding_solver::{RunError, Work};
 use std::path::Path;
 
-/// A run to be timed: that of a method which is just accurate enough, or its finest.
+/// A run to time: the cheapest one of a method that is accurate enough, or its finest.
 #[derive(Debug)]
 pub struct Timed<'a> {
     /// Name of the scene.
@@ -21,31 +21,30 @@ pub struct Timed<'a> {
     pub setting: String,
     /// The largest relative error of all quantities \[–\].
     pub error: f64,
-    /// Whether it is accurate enough, and stays so at smaller settings: 1e-6 for the exact method, 1e-2 for others.
+    /// Whether the run is accurate enough and stays so at smaller settings: 1e-6 for the exact method, 1e-2 for others.
     pub holds: bool,
-    /// Force evaluations and pieces of structures carried by power series.
+    /// Number of force evaluations, plus number of pieces of motion that a power series carries.
     pub work: u64,
-    /// Whether others are compared with it: the convergent central difference method.
+    /// Whether other runs are compared with it: true for the convergent central difference method.
     pub is_base: bool,
-    run: Run<'a>,
+    run: MethodRun<'a>,
 }
 
 impl Timed<'_> {
-    /// Runs the method and records what is printed of a run, without the ledger.
+    /// Runs the method and records the printed numbers, without the ledger.
     ///
     /// # Errors
-    /// [`RunError`] when the run ends early.
+    /// [`RunError`] if the run ends early.
     pub fn run(&self) -> Result<Work, RunError> {
         self.run.prepared.timed_by(self.run.method())
     }
 }
 
 impl Trade {
-    /// Reads a trade study and measures those of its scenes that have two structures which can touch, and a record
-    /// that shakes them.
+    /// Reads a trade study and measures its scenes of two structures that can touch under a record with shaking.
     ///
     /// # Errors
-    /// [`StudyError`] where the study cannot be read or measured, or is none of a trade.
+    /// [`StudyError`] if the study cannot be read or measured, or is not a trade study.
     pub fn of_two_structures(path: &Path) -> Result<(Completed, Self), StudyError> {
         let mut file = StudyFile::read(path)?;
         let wanted = |scene: &Scene| scene.structures.len() == 2 && scene.contacts.is_some() && scene.record.scale != 0.0;
@@ -61,9 +60,9 @@ impl Trade {
         Ok((completed, trade))
     }
 
-    /// For every scene and method the run that is cheapest for its error, or the finest that ended well.
+    /// For every scene and method the cheapest run for its error, or the finest that ended without a fault.
     ///
-    /// The completed study is the one that was measured.
+    /// `completed` is the study that was measured.
     pub fn timed<'a>(&'a self, completed: &'a Completed) -> Vec<Timed<'a>> {
         let scenes = completed.file.study.scenes.iter().zip(&completed.prepared);
         let mut timed = Vec::new();
@@ -80,7 +79,7 @@ impl Trade {
                     holds,
                     work: measured.cost(),
                     is_base: entrant.contender.key == ComparedMethod::RIVAL,
-                    run: Run {
+                    run: MethodRun {
                         scene,
                         prepared,
                         contender: entrant.contender,
@@ -93,12 +92,12 @@ impl Trade {
     }
 }
 
-/// The run of a method to be timed, what came out of it, and whether it is accurate enough.
+/// The run of a method to time, its results, and whether it is accurate enough.
 fn choose(entrant: &Entrant) -> Option<(&Rung, &Measured, bool)> {
     let exact = entrant.contender.key == ComparedMethod::REFERENCE;
     let allowed = if exact { EXACT } else { STEPPING };
     let accurate = cheapest(entrant, |measured| measured.worst(&MethodQuantity::ALL) <= allowed);
     let finest = || entrant.rungs.iter().rfind(|rung| rung.outcome.is_ok());
-    let rung = accurate.map(|(rung, _)| rung).or_else(finest)?;
+    let rung = accurate.map(|run| run.rung).or_else(finest)?;
     Some((rung, rung.outcome.as_ref().ok()?, accurate.is_some()))
 }

@@ -1,12 +1,12 @@
-//! Rules against the ratio of periods, and what gaps do that are too narrow.
+//! Figures of gap rules over the ratio of periods, and of the effects of gaps that are too narrow.
 
 use super::Widths;
 use super::gaps::{Gaps, Quantity, Swept};
 use crate::statistics::{quantile, sorted};
 use pounding_assess::Rule;
-use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 
-/// Rules with panels of their own; that of ASCE 7 is SRSS here.
+/// Rules with their own panels; the rule of ASCE 7 is SRSS here.
 const RULES: [(Rule, &str, Shade); 4] = [
     (Rule::Abs, "ABS", Shade::Grey),
     (Rule::Srss, "SRSS, ASCE 7", Shade::Blue),
@@ -14,14 +14,14 @@ const RULES: [(Rule, &str, Shade); 4] = [
     (Rule::Eurocode8, "EC 8, level floors", Shade::Ink),
 ];
 
-/// What is drawn of required over asked for.
-const SHOWN: [(f64, &str, Kind, Shade); 3] = [
-    (1.0, "largest", Kind::Thin, Shade::Vermilion),
-    (0.95, "95 % quantile", Kind::Dashed, Shade::Blue),
-    (0.5, "median", Kind::Line, Shade::Ink),
+/// Quantiles of the required gap over the gap of a rule, with their looks.
+const SHOWN: [(f64, &str, CurveKind, Shade); 3] = [
+    (1.0, "largest", CurveKind::Thin, Shade::Vermilion),
+    (0.95, "95 % quantile", CurveKind::Dashed, Shade::Blue),
+    (0.5, "median", CurveKind::Line, Shade::Ink),
 ];
 
-/// A panel per rule: required over asked for.
+/// Figure with one panel per rule: the required gap over the gap of the rule.
 pub(super) fn rules(widths: &Widths<'_>) -> Figure {
     let panel = |(rule, title, _)| {
         let curve = |(part, name, kind, shade)| {
@@ -38,11 +38,15 @@ fn ratio_of_periods() -> Axis {
     Axis::over("Ratio of periods, shorter / longer (–)", 0.0, 1.0)
 }
 
-/// The share of cases in which each rule asks for less than is required.
+/// Figure of the share of cases in which each rule gives a gap that is too narrow.
 pub(super) fn shares(widths: &Widths<'_>) -> Figure {
     let share = |(rule, name, shade)| {
         let point = |ratio: &f64| (*ratio, 100.0 * widths.score(rule, Some(*ratio)).share());
-        let kind = if shade == Shade::Vermilion { Kind::Dashed } else { Kind::Line };
+        let kind = if shade == Shade::Vermilion {
+            CurveKind::Dashed
+        } else {
+            CurveKind::Line
+        };
         Curve::new(kind, shade, widths.ratios.iter().map(point).collect()).named(name)
     };
     let panel = Panel {
@@ -53,7 +57,7 @@ pub(super) fn shares(widths: &Widths<'_>) -> Figure {
     Figure::grid(3.4, 1, ratio_of_periods(), vec![panel])
 }
 
-/// Panels of one ratio of periods side by side: what happens over the gap under every motion, with the median.
+/// Figure for one ratio of periods: quantities over the gap under every motion, with the median.
 pub(super) fn gaps(gaps: &Gaps<'_>) -> Figure {
     let rows = [
         (Quantity::LeftDrift, Quantity::LeftBeyond, "Slower: drift / alone (–)"),
@@ -81,10 +85,10 @@ fn highest(gaps: &Gaps<'_>, quantity: Quantity) -> f64 {
     1.05 * points.fold(0.0, |high: f64, (_, value)| high.max(value))
 }
 
-/// Every case in grey, the median in ink, and the case with the largest rise beyond what the structure does alone.
+/// Every case in grey, the median in ink, and the case with the largest rise of the quantity `beyond`.
 fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve> {
     let curves: Vec<_> = own.iter().map(|one| one.curve(quantity)).collect();
-    let thin = |points: &Vec<_>| Curve::new(Kind::Thin, Shade::Silver, points.clone());
+    let thin = |points: &Vec<_>| Curve::new(CurveKind::Thin, Shade::Silver, points.clone());
     let mut drawn: Vec<Curve> = curves.iter().map(thin).collect();
     if let Some(first) = drawn.first_mut() {
         *first = first.clone().named("a motion and direction");
@@ -99,8 +103,8 @@ fn curves(own: &[&Swept<'_>], quantity: Quantity, beyond: Quantity) -> Vec<Curve
     if let Some(steepest) = steepest {
         let points = steepest.curve(quantity);
         let name = "the one that rises most beyond alone";
-        drawn.push(Curve::new(Kind::Line, Shade::Vermilion, points).named(name));
+        drawn.push(Curve::new(CurveKind::Line, Shade::Vermilion, points).named(name));
     }
-    drawn.push(Curve::new(Kind::Line, Shade::Ink, median).named("median"));
+    drawn.push(Curve::new(CurveKind::Line, Shade::Ink, median).named("median"));
     drawn
 }

@@ -1,4 +1,4 @@
-//! Gaps that are too narrow: where a wider one is worse.
+//! Gaps that are too narrow, where a wider gap can be worse.
 
 use super::{Asked, Scan, any_and_each, asked, words_of};
 use crate::StudyError;
@@ -10,29 +10,29 @@ use pounding_assess::Separation;
 use pounding_scene::{Scene, parallel};
 use pounding_text::Table;
 
-/// Runs of pairs over gaps.
+/// Runs of pairs over a range of gaps.
 pub(super) struct Gaps<'a> {
     pub(super) swept: Vec<Swept<'a>>,
     pub(super) ratios: Vec<f64>,
 }
 
-/// A pair under a motion over gaps.
+/// A pair under a motion, over a range of gaps.
 pub(super) struct Swept<'a> {
     pub(super) asked: Asked<'a>,
-    /// Width from which on the pair does not touch \[m\].
+    /// Smallest gap at which the pair does not touch \[m\].
     required: f64,
-    /// Gaps over the required one, rising, with what happens there.
+    /// Rising gaps, relative to the required one, with the results at each.
     runs: Vec<(f64, Response)>,
-    /// Peak displacement of both standing alone \[m\].
+    /// Peak displacements of both structures without neighbours \[m\].
     alone: [f64; 2],
 }
 
 listed! {
-    /// What is compared from gap to gap.
+    /// A quantity to compare from gap to gap.
     pub(super) enum Quantity { key: &'static str;
         LeftDrift = "peak drift of the slower structure",
         RightDrift = "peak drift of the faster structure",
-        /// What of the drift lies beyond that alone: where it is less it counts as that.
+        /// The drift over the one without neighbours, at least 1.
         LeftBeyond = "drift of the slower structure, at least that alone",
         RightBeyond = "drift of the faster structure, at least that alone",
         Impulse = "total impulse",
@@ -41,7 +41,7 @@ listed! {
 }
 
 impl Quantity {
-    /// The quantity of a run; drifts over those alone \[m\].
+    /// The quantity of a run. Drifts are relative to those without neighbours, `alone` \[m\].
     fn of(self, response: &Response, alone: [f64; 2]) -> f64 {
         match self {
             Self::Impulse => response.impulse,
@@ -54,17 +54,17 @@ impl Quantity {
     }
 }
 
-/// Rises smaller than this part of where they begin are not counted.
+/// Smallest rise that counts, relative to its start \[–\].
 const NOTICED: f64 = 0.01;
 
-/// What a wider gap makes worse.
+/// Rises of a quantity with a wider gap.
 #[derive(Debug, Clone, Copy, Default)]
 struct Rises {
     /// Stretches of gaps over which the quantity rises by more than [`NOTICED`].
     stretches: usize,
-    /// Part of the gaps up to the required one that lie in such stretches \[–\].
+    /// Part of the gaps up to the required one within such stretches \[–\].
     share: f64,
-    /// The largest ratio of the value at a gap to that at a narrower one, and both gaps over the required one.
+    /// The largest ratio of a value to that at a narrower gap, then the narrower and the wider gap over the required one.
     worst: (f64, f64, f64),
 }
 
@@ -106,13 +106,13 @@ impl Rises {
 }
 
 impl Swept<'_> {
-    /// A quantity over the gaps over the required one; drifts over those alone.
+    /// The quantity over the relative gap; drifts are relative to those without neighbours.
     pub(super) fn curve(&self, quantity: Quantity) -> Vec<(f64, f64)> {
         let point = |(gap, response): &(f64, Response)| (*gap, quantity.of(response, self.alone));
         self.runs.iter().map(point).collect()
     }
 
-    /// The largest ratio of the value at a gap to that at a narrower one.
+    /// The largest ratio of a value to that at a narrower gap.
     pub(super) fn worst(&self, quantity: Quantity) -> f64 {
         Rises::of(&self.curve(quantity)).worst.0
     }
@@ -144,7 +144,7 @@ impl<'a> Gaps<'a> {
         })
     }
 
-    /// A row per pair, motion and quantity.
+    /// Table with one row per pair, motion and quantity.
     pub(super) fn table(&self) -> String {
         let of_pair = |one| Quantity::ALL.map(|quantity| (one, quantity, Rises::of(&Swept::curve(one, quantity))));
         Table::of(self.swept.iter().flat_map(of_pair))
@@ -162,7 +162,7 @@ impl<'a> Gaps<'a> {
             .csv()
     }
 
-    /// A row per ratio of periods and quantity, those of all ratios first.
+    /// Table with one row per ratio of periods and quantity; rows over all ratios are first.
     pub(super) fn summary(&self) -> String {
         let rises = |(ratio, quantity)| {
             let own = self.swept.iter().filter(|one| one.asked.is_of(ratio));
@@ -195,7 +195,7 @@ mod tests {
 
     #[test]
     fn reference_rises_of_a_curve_by_hand() {
-        // Falls, rises by half, falls, rises to twice the least, ends lower.
+        // The values fall, rise by half, fall, rise to twice the least, and end lower.
         let values = [4.0, 2.0, 3.0, 1.5, 1.5, 2.0, 3.0, 0.5];
         let values: Vec<_> = values.iter().zip(0..).map(|(y, x)| (f64::from(x), *y)).collect();
         let rises = Rises::of(&values);

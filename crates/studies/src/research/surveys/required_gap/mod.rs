@@ -1,8 +1,8 @@
-//! How wide a gap must be, against what rules ask for, and what a wider gap that is still too narrow does.
+//! The required width of a gap against design rules, and the effect of a wider gap that is still too narrow.
 //!
-//! Structures at rest touch exactly where the gap is narrower than the largest closing of both standing alone: until they
-//! touch first, each moves as if it were alone. Whether they touch is so monotone in the gap, and the required width needs no
-//! search. What touching does is not: [`gaps`] looks for wider gaps that are worse than narrower ones.
+//! Structures at rest touch exactly if the gap is narrower than their largest closing without neighbours: until they first touch, each
+//! moves as if it were alone. Touching is therefore monotone in the gap, and the required width needs no search. The effect of touching is
+//! not monotone: [`gaps`] looks for wider gaps that are worse than narrower ones.
 
 mod figure;
 mod gaps;
@@ -24,7 +24,7 @@ struct Asked<'a> {
     ratio: f64,
 }
 
-/// Every pair under every motion, pair after pair.
+/// Every pair under every motion, pair by pair.
 fn asked<'a>(cases: &'a [Case], longer: &[f64], ratios: &[f64]) -> Vec<Asked<'a>> {
     let mut all = Vec::new();
     for &ratio in ratios {
@@ -37,7 +37,7 @@ fn asked<'a>(cases: &'a [Case], longer: &[f64], ratios: &[f64]) -> Vec<Asked<'a>
 }
 
 impl Asked<'_> {
-    /// The scene with both periods.
+    /// The template with both periods set.
     fn scene(self, template: &Scene) -> Scene {
         let mut scene = template.clone();
         set_period(sdof(&mut scene, 0), self.longer);
@@ -45,7 +45,7 @@ impl Asked<'_> {
         scene
     }
 
-    /// Whether the ratio of periods is the one asked for, or any.
+    /// Whether the pair has this ratio of periods; `None` accepts all ratios.
     fn is_of(self, ratio: Option<f64>) -> bool {
         ratio.is_none_or(|ratio| self.ratio.total_cmp(&ratio).is_eq())
     }
@@ -66,18 +66,18 @@ pub(super) fn files(settings: &RequiredGap, file: &StudyFile, cases: &[Case]) ->
     ]))
 }
 
-/// Required widths, ratio after ratio.
+/// Required widths, ratio by ratio.
 struct Widths<'a> {
     found: Vec<(Asked<'a>, Separation)>,
     ratios: Vec<f64>,
 }
 
-/// How a rule does over some pairs and motions.
+/// Score of a rule over some pairs and motions.
 struct Score {
     cases: usize,
-    /// Where it asks for less than is required.
+    /// Number of cases in which the rule gives a gap that is too narrow.
     unsafe_cases: usize,
-    /// Required over asked for \[–\], in rising order.
+    /// Required gap over the gap of the rule \[–\], in rising order.
     ratios: Vec<f64>,
 }
 
@@ -86,7 +86,7 @@ impl Score {
         self.unsafe_cases as f64 / self.cases as f64
     }
 
-    /// Quantile of required over asked for.
+    /// Quantile of the required gap over the gap of the rule.
     fn quantile(&self, part: f64) -> f64 {
         quantile(&self.ratios, part).unwrap_or(0.0)
     }
@@ -105,7 +105,7 @@ impl<'a> Widths<'a> {
         })
     }
 
-    /// How a rule does where the ratio of periods is the one asked for, or anywhere.
+    /// Score of a rule for one ratio of periods, or for all with `None`.
     fn score(&self, rule: Rule, ratio: Option<f64>) -> Score {
         let own = self.found.iter().filter(|(asked, _)| asked.is_of(ratio));
         let ratios = sorted(own.map(|(_, one)| one.required / width_of(rule, one)));
@@ -116,7 +116,7 @@ impl<'a> Widths<'a> {
         }
     }
 
-    /// A row per pair and motion; what other rules ask for follows from the peaks.
+    /// Table with one row per pair and motion; the widths of other rules follow from the peaks.
     fn table(&self) -> String {
         Table::of(&self.found)
             .column("period_ratio", |(asked, _)| asked.ratio)
@@ -131,7 +131,7 @@ impl<'a> Widths<'a> {
             .csv()
     }
 
-    /// A row per rule and ratio of periods, that of all of them first.
+    /// Table with one row per rule and ratio of periods; the row over all ratios is first.
     fn rules(&self) -> String {
         let of_ratio = |ratio| Rule::COMMON.into_iter().map(move |rule| (ratio, rule, self.score(rule, ratio)));
         Table::of(any_and_each(&self.ratios).flat_map(of_ratio))
@@ -147,17 +147,17 @@ impl<'a> Widths<'a> {
     }
 }
 
-/// All ratios of periods together, and then each.
+/// `None` for all ratios of periods together, then each ratio.
 fn any_and_each(ratios: &[f64]) -> impl Iterator<Item = Option<f64>> {
     std::iter::once(None).chain(ratios.iter().copied().map(Some))
 }
 
-/// A ratio of periods, or all of them, in a table.
+/// A ratio of periods in a table, or the word for all of them.
 fn words_of(ratio: Option<f64>) -> String {
     ratio.map_or_else(|| "all".into(), digits)
 }
 
-/// Width of a rule that asks for no heights \[m\].
+/// Width by a rule that needs no heights \[m\].
 fn width_of(rule: Rule, one: &Separation) -> f64 {
     rule.width(one).unwrap_or(f64::NAN)
 }
