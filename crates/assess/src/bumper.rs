@@ -45,7 +45,7 @@ impl Bumper {
     pub const COMPRESSION: f64 = 0.6;
 
     /// Proposes a bumper for every gap that closes in one of the runs. If no stiffness is given, the bumper is the softest one that stops
-    /// two free floors within [`Self::COMPRESSION`] of its thickness; their approach speed is the one that 84 % of these runs do not
+    /// two free floors within [`Self::COMPRESSION`] of its thickness. Their approach speed is the one that 84 % of these runs do not
     /// exceed. A gap of zero has no room for a bumper.
     ///
     /// # Errors

@@ -140,7 +140,7 @@ pub enum Rule {
     Asce7,
     /// IS 1893 (Part 1):2016, 7.11.3 with Amendment 1: the sum of the inelastic displacements, halved if floors are level.
     Is1893,
-    /// TBDY 2018, 4.9.3: half the square root of the sum of squares of the inelastic displacements, a quarter if floors are level; at least
+    /// TBDY 2018, 4.9.3: half the square root of the sum of squares of the inelastic displacements, a quarter if floors are level. At least
     /// 30 mm, and 10 mm more for every 3 m of height above 6 m.
     Tbdy2018,
     /// E.030 of Peru, 2018, art. 33: two thirds of the sum of the inelastic displacements; at least 30 mm and 0.006 of the height.

@@ -234,7 +234,7 @@ impl Origin {
     }
 }
 
-/// Returns the error of a file that needs a declaration. If its name shows that it holds no accelerations, the error says so, because no
+/// Returns the error of a file that needs a declaration. If its name shows that it holds no accelerations, that is the error, because no
 /// declaration helps.
 fn said_by_name(path: &Path, error: Error, declared: &FileUse) -> Error {
     let wanted = error.refused().wanted();

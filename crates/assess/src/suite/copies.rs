@@ -98,7 +98,7 @@ impl Copies {
     }
 }
 
-/// What two motions are compared by.
+/// Properties by which two motions are compared.
 struct MotionShape<'m> {
     values: &'m [f64],
     time_step: f64,

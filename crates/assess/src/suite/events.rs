@@ -12,9 +12,14 @@ const SAME_TIME: u64 = 10;
 /// Numbers the events of the motions that shake rows, from 0 in the order of the motions. Returns the number of events, and the pairs of
 /// motions from two events that differ only by a factor. Both events of such a pair become one.
 ///
-/// One event has the motions of one file, and copies. It also has motions with the same record number of PEER; with the same station and
-/// the same time, or else the same event; with the same title, if each has another direction; and with names that differ only in the
-/// direction, unless their files describe two records.
+/// The motions of one file belong to one event, and so do copies. Two other motions belong to one event:
+///
+/// - if they have the same record number of PEER;
+/// - if they have the same station, and the same time or else the same event;
+/// - if they have the same title, and each motion with this title has another direction;
+/// - if their names differ only in the direction.
+///
+/// Different record numbers, stations or times keep them apart.
 pub(super) fn number(all: &mut [ReadMotion], copies: &Copies) -> (usize, Vec<(String, String, f64)>) {
     let shaking = |index: &usize| all[*index].reason.is_none();
     let shaking: Vec<usize> = (0..all.len()).filter(shaking).collect();

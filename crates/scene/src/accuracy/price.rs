@@ -1,8 +1,8 @@
 //! Cost of a run, in evaluations of a restoring force in a step of the central difference method that take the same time.
 //!
 //! Costs are counts of work, equal on every machine, times measured weights. The weights come from the processor time of sweeps over nearly
-//! equal scenes: with and without a ledger, two to ten structures, buildings of three and six storeys, elastic and hardening columns,
-//! impulsive and compliant laws. Times of runs are within a fifth of these costs; long contacts of compliant laws take more.
+//! equal scenes. These scenes had ledgers or none, two to ten structures, buildings of three and six storeys, elastic and hardening
+//! columns, impulsive and compliant laws. Times of runs are within a fifth of these costs; long contacts of compliant laws take more.
 
 use pounding_solver::Work;
 

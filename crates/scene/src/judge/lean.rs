@@ -4,8 +4,8 @@ use crate::{RunResult, Simulation, Structure};
 use pounding_text::{digits, rounded_down};
 
 impl Simulation {
-    /// Lists what none of these exact runs of the scene, at least one, needs: yielding that is not reached and gaps that stay open, a line
-    /// for each structure and contact. Runs in both directions tell more than a run in one.
+    /// Lists what none of these exact runs of the scene needs: yielding that is not reached and gaps that stay open, a line for each
+    /// structure and contact. There must be at least one run; runs in both directions tell more.
     pub fn unneeded(&self, expected: &[&RunResult]) -> Vec<String> {
         let structures = self.scene().structures.iter().enumerate();
         let columns = structures.filter_map(|(index, one)| self.unneeded_yielding(index, one, expected));

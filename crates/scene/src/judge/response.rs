@@ -1,4 +1,4 @@
-//! Whether what a run computed is still what its model describes.
+//! Responses of a run beyond the range of its model, or beyond the limits of codes.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -6,61 +6,62 @@ use pounding_text::{percent, short};
 
 use crate::{RunResult, Simulation};
 
-/// Drift of a storey of unknown height that is more than 2.5 % of any usual one, which is at most 12 m high \[m\].
+/// Drift of a storey of unknown height \[m\] that is more than 2.5 % of any usual height, at most 12 m.
 const MOST_UNKNOWN: f64 = 0.3;
 
-/// A response beyond what the model describes, or codes allow.
+/// A response beyond the range of the model, or beyond the limits of codes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Excess {
-    /// What it is.
+    /// Kind of the response.
     pub kind: ExcessKind,
-    /// The floor in the order of the row; the storey is the one below it.
+    /// Index of the floor in the row; the storey is the one below it.
     pub floor: usize,
-    /// Its name; of levels that are left out theirs.
+    /// Name of the floor, or of the levels that are left out.
     pub name: String,
-    /// How much it is, in the unit of the kind.
+    /// Value, in the unit of the kind.
     pub found: f64,
-    /// In how many of how many runs, if it is the worst of several.
+    /// Number of runs with this kind, and number of all runs; `None` for a single run.
     pub often: Option<[usize; 2]>,
 }
 
-/// A kind of response that is judged.
+/// Kinds of responses that are judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ExcessKind {
-    /// How far a floor and the column of the neighbour beside it move together at most, beyond the gap between them \[m\].
+    /// Upper bound of how far a floor and the neighbour's column beside it move together, beyond the gap \[m\].
     AtColumn,
-    /// How far a floor and the column beside it move together at most, where no contact tells the gap \[m\].
+    /// Upper bound of how far a floor and the neighbour's column beside it move together, if no contact gives the gap \[m\].
     BesideColumn,
-    /// How far two floors of a level that a contact leaves out move together at most, beyond the gap between them \[m\].
+    /// Upper bound of how far two floors of a level that a contact leaves out move together, beyond the gap \[m\].
     LeftOut,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
     Stability,
-    /// Drift over the height of the storey \[–\].
+    /// Ratio of the drift to the height of the storey \[–\].
     Drift,
-    /// Drift over that at yielding \[–\].
+    /// Ratio of the drift to the drift at yielding \[–\].
     Ductility,
-    /// Drift at the end over the height of the storey \[–\].
+    /// Ratio of the drift at the end to the height of the storey \[–\].
     ResidualDrift,
 }
 
 impl Excess {
-    /// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
+    /// Largest drift ratio that codes allow for ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
     pub const MOST_DRIFT: f64 = 0.025;
 
-    /// Ductility demand above which bilinear columns say little \[–\]: a convention; ductile frames are designed for at most some 6 (NZS 1170.5).
+    /// Largest ductility demand for which bilinear columns are meaningful \[–\]. A convention: ductile frames are designed for about 6 (NZS
+    /// 1170.5).
     pub const MOST_DUCTILITY: f64 = 6.0;
 
-    /// Drift ratio at the end of a run above which repair hardly pays \[–\]: J. McCormick, H. Aburano,
-    /// M. Ikenaga and M. Nakashima, 14th World Conf. Earthquake Engng (2008).
+    /// Drift ratio at the end of a run above which repair is hardly economical \[–\]: J. McCormick, H. Aburano, M. Ikenaga and M.
+    /// Nakashima, 14th World Conf. Earthquake Engng (2008).
     pub const MOST_RESIDUAL: f64 = 0.005;
 
-    /// Stability coefficients above which gravity counts, and above which a building is unstable \[–\]: EN 1998-1, 4.4.2.2 (2), and ASCE 7-16,
-    /// 12.8.7.
+    /// Stability coefficients \[–\]: gravity matters above the first one, and a building is unstable above the second one. EN 1998-1,
+    /// 4.4.2.2 (2), and ASCE 7-16, 12.8.7.
     pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
 
-    /// Responses over several runs, the most harmful kind first: the worst of every kind, and in how many runs.
+    /// Gathers responses over several runs, the most harmful kind first: the worst of every kind, and the number of runs with it.
     pub fn gathered(runs: impl IntoIterator<Item: AsRef<[Self]>>) -> Vec<Self> {
         let mut all = Vec::new();
         let mut of = 0;
@@ -76,7 +77,7 @@ impl Excess {
         worst
     }
 
-    /// The worst of every kind, the most harmful kind first; of equal ones the first.
+    /// Returns the worst response of every kind, the most harmful kind first; of equal ones the first.
     fn worst(mut all: Vec<Self>) -> Vec<Self> {
         all.sort_by(|one, other| {
             let by_kind = one.kind.cmp(&other.kind);
@@ -86,7 +87,7 @@ impl Excess {
         all
     }
 
-    /// It in a few words.
+    /// Describes the response in a few words.
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
         let limit = match self.kind {
@@ -101,14 +102,15 @@ impl Excess {
         format!("{}{colon} {brief}{limit}{comma}{often}", self.name)
     }
 
-    /// "in 4 of 4 runs"; empty of one run.
+    /// Writes "in 4 of 4 runs"; empty for a single run.
     fn often(&self) -> String {
         self.often.map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
     }
 }
 
 impl Simulation {
-    /// What of a run is beyond its model or what codes allow, at the worst floor of every kind, the most harmful kind first.
+    /// Returns the responses of a run beyond its model or beyond the limits of codes, each at the worst floor of its kind, the most harmful
+    /// kind first.
     pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
         let mut all = self.unwatched(result);
@@ -133,7 +135,7 @@ impl Simulation {
         worst
     }
 
-    /// The largest drift or ductility of a run over its limit, by which directions of shaking are compared, and where it is.
+    /// Largest drift or ductility of a run over its limit, and its place. Directions of shaking are compared by it.
     pub fn strain(&self, result: &RunResult) -> Option<(f64, Excess)> {
         let floors = 0..self.floors().all().len();
         let all = floors.flat_map(|floor| {
@@ -186,7 +188,7 @@ impl Simulation {
 }
 
 impl ExcessKind {
-    /// What is not yet too much.
+    /// Limit of the kind.
     fn most(self) -> f64 {
         match self {
             Self::AtColumn | Self::BesideColumn | Self::LeftOut => 0.0,
@@ -198,7 +200,7 @@ impl ExcessKind {
         }
     }
 
-    /// Whether it is a drift, as itself or over that at yielding. Gravity, and what is left at the end, follow from these.
+    /// Whether it is a drift, alone or over the drift at yielding. Effects of gravity and residual drifts follow from drifts.
     fn strains(self) -> bool {
         match self {
             Self::Displacement | Self::Drift | Self::Ductility => true,
@@ -206,18 +208,17 @@ impl ExcessKind {
         }
     }
 
-    /// Whether something may touch that no contact models: a column, or floors of a level that is left out.
+    /// Whether something may touch without a contact in the model: a column, or floors of a level that is left out.
     pub fn is_unwatched(self) -> bool {
         matches!(self, Self::AtColumn | Self::BesideColumn | Self::LeftOut)
     }
 
-    /// Whether an answer about gaps rests on it and should not: the model follows stability and what is left of drift, which ask
-    /// for more than it knows.
+    /// Whether an answer about gaps depends on it. Stability and residual drift do not count: both are estimates beyond the model.
     pub fn is_caution(self) -> bool {
         self.strains() || self.is_unwatched()
     }
 
-    /// A number of this kind in a few words.
+    /// Describes a value of this kind in a few words.
     pub fn brief(self, found: f64) -> String {
         match self {
             Self::AtColumn => "may hit a column, which is not modelled".into(),
@@ -231,7 +232,7 @@ impl ExcessKind {
         }
     }
 
-    /// What a number of this kind says, and `often`: in how many runs.
+    /// Describes a value of this kind in a sentence; `often` is the number of runs with it.
     fn says(self, found: f64, often: &str) -> String {
         let [often, worst] = if often.is_empty() {
             [String::new(), String::new()]
@@ -291,7 +292,7 @@ impl Display for Excess {
 mod tests {
     use super::*;
 
-    /// A structure that starts at a displacement and is not shaken, over a limit or under it.
+    /// A structure that starts at a displacement without shaking exceeds a limit, or does not.
     fn excesses(height: Option<f64>, displacement: f64, yields: Option<f64>) -> Vec<(ExcessKind, f64)> {
         let mut structure = serde_json::json!({
             "name": "one", "mass_kg": 1e5, "stiffness_n_per_m": 1e7, "damping": {"ratio": 0.0},
@@ -335,7 +336,7 @@ mod tests {
         assert!(ExcessKind::Stability.says(0.3, "").contains("ASCE 7-16"));
     }
 
-    /// The lower of two equal storeys carries both floors: θ = 2 m g/(k h), the upper one half of that.
+    /// The lower of two equal storeys carries both floors: θ = 2 m g/(k h). The upper storey has half of it.
     #[test]
     fn reference_a_storey_carries_the_floors_above() {
         let storey = serde_json::json!({"mass_kg": 1e5, "stiffness_n_per_m": 1e7, "height_m": 1.2, "initial_displacement_m": 0.001});
@@ -353,14 +354,14 @@ mod tests {
         assert!((all[0].found / theta - 1.0).abs() < 1e-9, "{all:?}");
     }
 
-    /// Without a height the drift itself is judged.
+    /// The drift itself is judged if the height is unknown.
     #[test]
     fn reference_unknown_heights() {
         are(&excesses(None, 0.29, None), &[]);
         are(&excesses(None, 0.31, None), &[(ExcessKind::Displacement, 0.31)]);
     }
 
-    /// Columns that begin at six times the drift at which they yield stay within the limit, at seven times they do not.
+    /// Columns that start at six times their yield drift stay within the limit, those that start at seven times do not.
     #[test]
     fn reference_ductility() {
         let of = |times: f64| excesses(Some(10.0), 1e-3 * times, Some(1e4));

@@ -1,4 +1,4 @@
-//! A run with what is known of its errors, and what it warns of.
+//! A run with its errors and its warnings.
 
 use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::{Collision, LedgerError, Work};
@@ -7,36 +7,36 @@ use crate::judge::limits::{ContactLimit, Limits};
 use crate::simulation::{Audited, Extras};
 use crate::{Balance, Delivered, Error, Excess, Method, Quantity, RunErrors, RunResult, Simulation, Structure, Warning, WarningPlace};
 
-/// Where rounding leaves a whole number of steps.
+/// Tolerance for rounding in a number of steps \[–\].
 const SLACK: f64 = 1.0 - 1e-9;
 
-/// Part of the energy that an exact run may leave unexplained \[–\] and be printed with a warning: its numbers are off by about
-/// as much, which decides nothing. Above it the run fails.
+/// Largest part of the energy that an exact run may leave unexplained \[–\], with a warning. Its numbers are off by about as much, which
+/// changes no decision. Above it the run fails.
 const DECIDES_NOTHING: f64 = 1e-8;
 
-/// Part of the impulse of a free collision \[–\] by which the one that is delivered may be off without a warning.
+/// Largest error of the delivered impulse of a free collision \[–\] without a warning.
 const IMPULSE_OFF: f64 = 0.05;
 
-/// A run with what is known of its errors.
+/// A run with its errors and its warnings.
 #[derive(Debug)]
 pub struct Review {
-    /// What the run leaves behind.
+    /// Results of the run.
     pub outcome: RunResult,
-    /// Where its energy went.
+    /// Terms of its energy.
     pub balance: Balance,
-    /// How far it is from the exact run.
+    /// Errors against the exact run.
     pub errors: Errors,
-    /// Responses beyond what the model describes or codes allow.
+    /// Responses beyond the model or beyond the limits of codes.
     pub excesses: Vec<Excess>,
-    /// What a user should know before believing its numbers.
+    /// Warnings about the numbers.
     pub warnings: Vec<Warning>,
 }
 
 impl Review {
-    /// Relative error of a printed number above which a run is warned of \[–\].
+    /// Relative error of a printed number \[–\] above which a run gives a warning.
     pub const DOUBTFUL: f64 = 0.03;
 
-    /// What to know before believing and using it, in sentences, the most harmful first.
+    /// Sentences about warnings and responses beyond the model, the most harmful first.
     pub fn notices(&self) -> Vec<String> {
         let excesses = self.excesses.iter().map(ToString::to_string);
         let warnings = self.warnings.iter().map(ToString::to_string);
@@ -44,23 +44,23 @@ impl Review {
     }
 }
 
-/// What is known of the errors of a run.
+/// Errors of a run, or the reason why they are not known.
 #[derive(Debug)]
 pub enum Errors {
     /// The method is exact.
     Exact,
-    /// The method is exact, and its ledger says that this run went wrong.
+    /// The method is exact, but its ledger shows that this run went wrong.
     Doubtful,
-    /// Nobody asked.
+    /// The errors were not asked for.
     NotMeasured,
     /// The exact run failed.
     Unknown(Error),
-    /// Measured against an exact run, which cost this.
+    /// Errors against an exact run, and the work of that run.
     Measured(RunErrors, Work),
 }
 
 impl Review {
-    /// The errors, where they were measured.
+    /// Returns the errors; `None` if they were not measured.
     pub fn measured(&self) -> Option<&RunErrors> {
         match &self.errors {
             Errors::Measured(errors, _) => Some(errors),
@@ -70,22 +70,21 @@ impl Review {
 }
 
 impl Simulation {
-    /// Runs the scene and says what is known of its errors.
+    /// Runs the scene and finds its errors.
     ///
-    /// With `measure` the exact method runs too and every number is compared with its own; without it, warnings rest on
-    /// the collisions of the run itself.
+    /// With `measure`, the exact method runs, too, and every number is compared. Otherwise warnings follow from the collisions of the run
+    /// itself.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics and was not
-    /// forced.
+    /// [`Error::Run`] if the run ends early, [`Error::Broken`] if it breaks a law of mechanics and was not forced.
     pub fn review(&self, measure: bool) -> Result<Review, Error> {
         self.review_recorded(measure, None)
     }
 
-    /// The same, with histories of a state every `interval` \[s\] where asked for.
+    /// Runs the scene and finds its errors, with histories of a state every `interval` \[s\] if it is given.
     ///
     /// # Errors
-    /// Those of [`Self::review`].
+    /// Errors of [`Self::review`].
     pub fn review_recorded(&self, measure: bool, interval: Option<f64>) -> Result<Review, Error> {
         let asked = Extras {
             interval,
@@ -129,10 +128,10 @@ impl Simulation {
         })
     }
 
-    /// A broken law as a warning, where the run is forced or the law broken by next to nothing.
+    /// Turns a broken law into a warning, if the run was forced or the law is broken by a negligible amount.
     ///
     /// # Errors
-    /// The law, where the run is not to be believed.
+    /// The broken law otherwise.
     fn told(&self, broken: Error) -> Result<Warning, Error> {
         if let Some(energy) = broken.doubt() {
             let reference = self.method().time_step().is_some();
@@ -145,10 +144,10 @@ impl Simulation {
         }
     }
 
-    /// The exact run of the scene, by which other methods are measured, and what to be warned of with it.
+    /// Makes the exact run of the scene, the reference for other methods, and returns it with the warnings about it.
     ///
     /// # Errors
-    /// [`Error`] where it fails or breaks a law of mechanics; a scene that is forced does not force it.
+    /// [`Error`] if it fails or breaks a law of mechanics, even if the scene is forced.
     fn reference(&self) -> Result<(RunResult, Option<Warning>), Error> {
         let exact = self.exact()?;
         let audited = exact.audited_with(Extras::COMPARED)?;
@@ -162,7 +161,7 @@ impl Simulation {
         Ok((audited.outcome, doubt))
     }
 
-    /// Errors of a run of the scene against the exact one, and what it has to be warned of.
+    /// Compares a run of the scene with the exact run, and finds the warnings of both.
     pub fn warnings(&self, run: &RunResult, exact: &RunResult) -> (RunErrors, Vec<Warning>) {
         let errors = RunErrors::between(run, exact, self);
         let mut warnings = self.warnings_before(exact);
@@ -176,8 +175,7 @@ impl Simulation {
         (errors, warnings)
     }
 
-    /// What can be said before a run, for the collisions that are expected: those of a run of the same scene, best the
-    /// exact one.
+    /// Returns the warnings that can be given before a run, for the collisions of a run of the same scene, preferably the exact run.
     pub fn warnings_before(&self, expected: &RunResult) -> Vec<Warning> {
         let structures = self.scene().structures.iter().enumerate();
         let periods = structures.filter_map(|(index, structure)| self.few_steps(index, structure));
@@ -199,13 +197,13 @@ impl Simulation {
         })
     }
 
-    /// The field of the time step, and its value \[s\].
+    /// Field of the time step, and its value \[s\].
     fn knob(&self, time_step: f64) -> (String, f64) {
         let field = format!("method.{}.time_step_s", self.method().name());
         (field, time_step)
     }
 
-    /// What a pair's collisions are to be warned of: the least time step first.
+    /// Returns the warnings about a pair's collisions, the smallest limit of the time step first.
     fn contact_warning(&self, limit: &ContactLimit) -> Option<Warning> {
         let time_step = self.method().time_step()?;
         let place = || self.place(limit.pair, time_step);
@@ -229,7 +227,7 @@ impl Simulation {
         })
     }
 
-    /// Slow touches of a law whose damper grows with 1/v₀, of a run that knows its approach speeds.
+    /// Warns about slow touches under a law whose damper grows with 1/v₀, for a run with known approach speeds.
     fn slow_touches(&self, expected: &RunResult) -> impl Iterator<Item = Warning> {
         let pairs = self.pairs().iter().enumerate();
         pairs.filter_map(|(index, pair)| {
@@ -254,7 +252,7 @@ impl Simulation {
         }
     }
 
-    /// Index of the contact of the scene that a pair belongs to: buildings have several pairs for each.
+    /// Index of the contact of a pair in the scene: a contact between buildings has several pairs.
     fn contact(&self, pair: usize) -> usize {
         let facing = self.floors().facing().get(pair);
         facing.map_or(pair, |facing| facing.contact)
@@ -268,7 +266,7 @@ impl Simulation {
 }
 
 impl RunErrors {
-    /// What is far from the exact run.
+    /// Warns about numbers far from those of the exact run.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
         Quantity::compared().filter_map(|quantity| {
             let error = self.of(quantity);
@@ -278,8 +276,7 @@ impl RunErrors {
 }
 
 impl Error {
-    /// What an exact run leaves unexplained of its energy, where that is so little that whoever reads the warnings of the run may
-    /// have its numbers.
+    /// Warns about the energy that an exact run leaves unexplained, if it is so little that the numbers remain usable with the warning.
     fn doubt(&self) -> Option<LedgerError> {
         if let Self::Broken {
             source: energy @ LedgerError::EnergyUnexplained { found, .. },

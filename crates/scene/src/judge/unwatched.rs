@@ -1,4 +1,4 @@
-//! Touches that a run may miss, because no contact models them: of floors beside columns, and at levels that contacts leave out.
+//! Touches that a run may miss because no contact models them: floors beside columns, and levels that contacts leave out.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use pounding_solver::Opening;
 use crate::{Excess, ExcessKind, RunResult, Simulation, Unwatched};
 
 impl Simulation {
-    /// What may touch and no contact models: how far beyond the gap, or without contacts how far together.
+    /// Returns possible touches without a contact: by how much they exceed the gap, or without contacts how far both sides move together.
     pub(super) fn unwatched(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
         let openings = self.openings();
@@ -31,7 +31,7 @@ impl Simulation {
         all.filter(|one| one.found >= 0.0).collect()
     }
 
-    /// The width by gaps that keeps floors beside columns from them, by the same measure \[m\].
+    /// Width that keeps floors from columns of the neighbour \[m\], by the sum of both peaks, for each gap with such floors.
     pub fn beside_columns(&self, alone: &RunResult) -> BTreeMap<usize, f64> {
         let openings = self.openings();
         let mut widths = BTreeMap::new();
@@ -45,8 +45,8 @@ impl Simulation {
     }
 }
 
-/// The sum of the peaks of a floor and of the column or floor next to it \[m\]. A gap that is wider stays open; a narrower one may, if both
-/// peak at different times.
+/// Sum of the peaks of a floor and of the column or floor beside it \[m\]. A wider gap stays open. A narrower one may stay open, too, if
+/// both peak at different times.
 fn together(one: &Unwatched, result: &RunResult, openings: &[Opening]) -> f64 {
     let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
     let foot = one.below.map_or(0.0, peak);

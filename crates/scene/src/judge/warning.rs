@@ -1,4 +1,4 @@
-//! What a user should know before believing a run.
+//! Warnings about a run.
 
 use std::fmt::{self, Formatter};
 
@@ -9,54 +9,54 @@ use crate::judge::limits::Limits;
 use crate::{Delivered, Quantity, QuantityGroup, QuantityKind};
 use pounding_text::digits;
 
-/// What a user should know before believing a run.
+/// A warning about a run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Warning {
-    /// A structure moves alone beyond the critical time step, and was forced to.
+    /// The time step is beyond the critical time step of a structure moving alone, and the run was forced.
     BeyondFreeLimit {
-        /// What would have been refused, in words.
+        /// The refusal that forcing replaced.
         refusal: String,
     },
-    /// A law of mechanics is broken, in a run that was forced.
+    /// A law of mechanics is broken in a run that was forced.
     Broken {
-        /// Which one, in words.
+        /// The law, in words.
         law: String,
     },
-    /// An exact run leaves more of its energy unexplained than rounding does, though too little to decide anything.
+    /// An exact run leaves more of its energy unexplained than rounding does, but too little to change a decision.
     Doubtful {
-        /// Whether it is the run by which this one is measured, and not this one.
+        /// Whether it concerns the exact reference run instead of this run.
         reference: bool,
-        /// How much.
+        /// The unexplained energy.
         energy: LedgerError,
     },
     /// A structure has too few steps in its period.
     FewStepsPerPeriod {
         /// Index of the structure.
         structure: usize,
-        /// Its name.
+        /// Name of the structure.
         name: String,
-        /// Steps in its period.
+        /// Number of steps in its period.
         steps: f64,
-        /// The field of the scene, and its value \[s\].
+        /// Field of the time step in the scene, and its value \[s\].
         time_step: (String, f64),
     },
     /// A pair is unstable while it touches.
     BeyondContactLimit {
-        /// Where.
+        /// The pair.
         place: WarningPlace,
-        /// Time step from which on it is \[s\].
+        /// Time step above which it may be unstable \[s\].
         limit: f64,
     },
     /// A collision has too few steps, or so few that its impulse is off.
     UnderResolved {
-        /// Where.
+        /// The pair.
         place: WarningPlace,
-        /// Steps in the collision that is expected.
+        /// Number of steps in the expected collision.
         steps: f64,
-        /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
+        /// e of the law, and what the method delivers instead; `None` if that cannot be measured.
         restitution: Option<(f64, Delivered)>,
     },
-    /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
+    /// A pair comes to rest in contact, but this run has an impact in every step because the law is impulsive.
     Rests {
         /// Index of the contact in the scene.
         contact: usize,
@@ -67,37 +67,37 @@ pub enum Warning {
     Error {
         /// The number.
         quantity: Quantity,
-        /// Its largest relative error \[–\].
+        /// Largest relative error of the number \[–\].
         error: f64,
     },
-    /// Touches slower than a law with δ̇/v₀ is defined for.
+    /// Touches are slower than the range of a law with δ̇/v₀.
     SlowTouches {
         /// Index of the contact in the scene.
         contact: usize,
         /// Names of its structures.
         names: [String; 2],
-        /// How many.
+        /// Number of these touches.
         count: usize,
     },
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
 
-/// A pair, with the knob that makes its steps shorter.
+/// A pair, and the field of the scene that shortens its steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WarningPlace {
     /// Index of the contact in the scene.
     pub contact: usize,
     /// Names of its structures.
     pub names: [String; 2],
-    /// The field of the scene, and its value \[s\].
+    /// Field of the time step in the scene, and its value \[s\].
     pub time_step: (String, f64),
 }
 
 impl Warning {
-    /// Whether it says that a printed number is not to be believed.
+    /// Whether the warning concerns a printed number.
     ///
-    /// What is said of a pair's collisions concerns their impulses and forces.
+    /// Warnings about a pair's collisions concern impulses and forces.
     pub fn concerns(&self, asked: Quantity) -> bool {
         match self {
             Self::BeyondFreeLimit { .. }
@@ -110,7 +110,7 @@ impl Warning {
                 matches!(asked, Quantity::Pair(_)) && matches!(group, Some(QuantityGroup::Force | QuantityGroup::Impulse))
             }
             Self::Error { quantity, .. } => asked == *quantity,
-            // Of the model, which every method shares.
+            // It concerns the model, which every method shares.
             Self::SlowTouches { .. } => false,
         }
     }
@@ -176,7 +176,7 @@ impl fmt::Display for Warning {
     }
 }
 
-/// An exact run that is not quite exact.
+/// Describes an exact run with unexplained energy.
 fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fmt::Result {
     let run = if reference {
         "the exact run, by which errors are measured"
@@ -186,7 +186,7 @@ fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fm
     write!(to, "{run}: {energy}")
 }
 
-/// Too few steps in a collision, and what is delivered with them.
+/// Describes too few steps in a collision, and the restitution that they deliver.
 fn under_resolved(place: &WarningPlace, steps: f64, restitution: Option<&(f64, Delivered)>, to: &mut Formatter<'_>) -> fmt::Result {
     let (knob, found) = &place.time_step;
     write!(to, "{place}: impulses and forces: a collision has {steps:.2} steps")?;
@@ -201,7 +201,7 @@ fn under_resolved(place: &WarningPlace, steps: f64, restitution: Option<&(f64, D
     }
 }
 
-/// A number that is far from the exact run's.
+/// Describes a number far from that of the exact run.
 fn off(quantity: Quantity, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
     let about = quantity.about();
     let of = about.words;
@@ -220,14 +220,14 @@ fn off(quantity: Quantity, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
     }
 }
 
-/// A time step with two digits, rounded down, so that what it is to give is given.
+/// Rounds a time step down to two digits, so that it meets the limit.
 fn at_most(step: f64) -> String {
     let unit = libm::pow(10.0, libm::log10(step).floor() - 1.0);
-    // What rounding leaves of two digits are two digits.
+    // A time step of two digits must not lose its last digit to rounding.
     digits((step / unit * (1.0 + 1e-9)).floor() * unit)
 }
 
-/// The e of a law, and what is delivered instead.
+/// Describes the delivered e and the e of the law.
 fn instead(right: f64, delivered: &Delivered) -> String {
     let [least, most] = delivered.range;
     format!("e = {least:.3} to {most:.3} instead of {right:.3}")

@@ -4,7 +4,7 @@ use super::{About, QuantityKind, QuantityUnit, quantities};
 use crate::QuantityGroup;
 
 quantities! {
-    /// A number of a structure; of a building one of every floor and its storey.
+    /// A number of a structure; a building has it for every floor and its storey.
     FloorQuantity, Floor:
     #[serde(skip_deserializing)]
     PeriodS("period_s", "Natural period, of a building the first.") =

@@ -1,5 +1,5 @@
-//! The numbers of a run: an entry for each in the tables [`FloorQuantity`] and [`PairQuantity`], from which every file, page and
-//! language takes names, units and values.
+//! The numbers of a run. The tables [`FloorQuantity`] and [`PairQuantity`] have an entry for each; every file, page and language takes
+//! names, units and values from them.
 
 mod floor;
 mod pair;
@@ -13,63 +13,63 @@ pub use values::Values;
 
 use crate::QuantityGroup;
 
-/// A number that a run gives.
+/// A number of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
-    /// Of every floor.
+    /// A number of every floor.
     Floor(FloorQuantity),
-    /// Of every pair.
+    /// A number of every pair.
     Pair(PairQuantity),
 }
 
-/// An entry of the table: what is known of a number.
+/// An entry of the table: the description of a number.
 #[derive(Debug, Clone, Copy)]
 pub struct About {
-    /// Its name in files.
+    /// Name in files.
     pub name: &'static str,
-    /// What it is, in a sentence.
+    /// Meaning, in a sentence.
     pub meaning: &'static str,
-    /// Its unit.
+    /// Unit.
     pub unit: &'static QuantityUnit,
-    /// Its name above a column.
+    /// Name above a column.
     pub heading: &'static str,
-    /// Its name in sentences about its error.
+    /// Name in sentences about its error.
     pub words: &'static str,
-    /// What kind of number it is.
+    /// Kind of the number.
     pub kind: QuantityKind,
-    /// Its value \[SI\], by the place of the floor or the pair.
+    /// Value \[SI\] at a floor or a pair.
     pub(crate) of: Take<Option<f64>>,
-    /// The group in which its relative error counts; `None` if that is not measured.
+    /// Group in which its relative error counts; `None` if this error is not measured.
     pub group: Option<QuantityGroup>,
-    /// What its magnitude counts as at least in a relative error.
+    /// Least magnitude that a relative error is divided by.
     pub(crate) least: Take<f64>,
     /// Name of its absolute error in files; `None` if errors in files are relative, or not measured.
     pub absolute: Option<&'static str>,
-    /// The number whose error it has.
+    /// Number whose error stands for its own error.
     pub error_of: Option<FloorQuantity>,
-    /// The number that it is for a storey on the ground, which itself has no such number.
+    /// Number that replaces it for a storey on the ground; `None` if that storey has it, too.
     pub on_ground: Option<FloorQuantity>,
-    /// The collision in `summary.json` of which it is a field.
+    /// Collision in `summary.json` with this number as a field.
     pub collision: Option<&'static str>,
-    /// Its text for people, in the unit that they read.
+    /// Text for people, in the unit that they read.
     text: fn(f64) -> String,
 }
 
-/// How to take something from a run, by the place of the floor or the pair.
+/// A function that takes a value from a run, at a floor or a pair.
 type Take<T> = fn(&Values<'_>, usize) -> T;
 
 /// Kinds of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QuantityKind {
-    /// Of the model, whatever the run does.
+    /// Property of the model, independent of the run.
     Model,
-    /// Value of largest magnitude of something that goes to both sides, with its sign.
+    /// Value of largest magnitude with its sign, of something that goes to both sides.
     Peak,
     /// Instant of another number.
     Instant,
     /// Instant of the first event: the earlier, the severer.
     First,
-    /// What is left over of a peak, next to nothing beside it.
+    /// Remainder of a peak, usually much smaller than the peak.
     Residual(FloorQuantity),
     /// Largest value of something that is not negative.
     Largest,
@@ -77,12 +77,12 @@ pub enum QuantityKind {
     Total,
     /// Whole number.
     Count,
-    /// Least value: the less, the severer.
+    /// Least value: the smaller, the severer.
     Least,
 }
 
-/// A table of the numbers of a kind of place: a line for each with its variant, its name in files, its meaning and its entry. Lines stand
-/// in the order of columns. A line with `#[serde(skip_deserializing)]` cannot be an output of a sweep.
+/// A table of the numbers of floors or of pairs, in the order of columns. A line has the variant, its name in files, its meaning and its
+/// entry. A line with `#[serde(skip_deserializing)]` cannot be an output of a sweep.
 macro_rules! quantities {
     ($(#[$of:meta])* $Quantity:ident, $Place:ident:
         $($(#[$sweep:meta])* $Variant:ident($name:tt, $meaning:tt) = $about:expr;)+) => {
@@ -93,10 +93,10 @@ macro_rules! quantities {
         }
 
         impl $Quantity {
-            /// All of them, in the order of columns.
+            /// Every number, in the order of columns.
             pub const ALL: &[Self] = &[$(Self::$Variant),+];
 
-            /// Its entry of the table.
+            /// Entry of the table.
             pub fn about(self) -> &'static About {
                 const TABLE: &[About] = &[$(About { name: $name, meaning: $meaning, ..$about }),+];
                 &TABLE[self as usize]
@@ -113,7 +113,7 @@ macro_rules! quantities {
 use quantities;
 
 impl About {
-    /// An entry without name and meaning, which the table adds: of a number with this unit, this name above a column and this value.
+    /// An entry with this unit, name above a column and value. The table adds its name and its meaning.
     const fn new(unit: &'static QuantityUnit, heading: &'static str, of: Take<Option<f64>>) -> Self {
         Self {
             name: "",
@@ -133,7 +133,7 @@ impl About {
         }
     }
 
-    /// An instant, which stands beside its number.
+    /// An instant, in a column beside its number.
     const fn instant(of: Take<Option<f64>>) -> Self {
         Self::new(&QuantityUnit::SECOND, "at", of).kind(QuantityKind::Instant)
     }
@@ -142,7 +142,7 @@ impl About {
         Self { kind, ..self }
     }
 
-    /// With a relative error, under this name in sentences.
+    /// Adds a relative error, with this name in sentences.
     const fn measured(self, group: QuantityGroup, words: &'static str) -> Self {
         Self {
             group: Some(group),
@@ -151,19 +151,19 @@ impl About {
         }
     }
 
-    /// Its name in the `errors` of `summary.json`: a relative error has no unit. `None` if it has none there.
+    /// Name in the `errors` of `summary.json`, where a relative error has no unit; `None` if it has none there.
     pub fn error_name(&self) -> Option<&'static str> {
         let is_relative = self.group.is_some() && self.kind != QuantityKind::Count;
         let relative = is_relative.then(|| self.name.strip_suffix(self.unit.suffix).unwrap_or(self.name));
         self.absolute.or(relative)
     }
 
-    /// An SI value in words, in the unit that people read, by the acceleration of gravity \[m/s²\].
+    /// Writes an SI value in the unit that people read, for an acceleration of gravity \[m/s²\].
     pub fn text_of(&self, value: f64, gravity: f64) -> String {
         (self.text)(self.unit.of(value, gravity))
     }
 
-    /// The unit that people read, in brackets; empty if they read none.
+    /// Unit that people read, in brackets; empty if they read none.
     pub fn shown_unit(&self) -> String {
         match self.unit.shown {
             "" => String::new(),
@@ -171,12 +171,12 @@ impl About {
         }
     }
 
-    /// Its name above a column with the unit that people read.
+    /// Name above a column, with the unit that people read.
     pub fn title(&self) -> String {
         format!("{} {}", self.heading, self.shown_unit()).trim_end().into()
     }
 
-    /// Whether it is an instant, of which no part is a change.
+    /// Whether it is an instant: a relative change of it has no meaning.
     pub fn is_instant(&self) -> bool {
         matches!(self.kind, QuantityKind::Instant | QuantityKind::First)
     }
@@ -189,7 +189,7 @@ impl Quantity {
         floors.chain(PairQuantity::ALL.iter().map(|one| Self::Pair(*one)))
     }
 
-    /// Its entry of the table.
+    /// Entry of the table.
     pub fn about(self) -> &'static About {
         match self {
             Self::Floor(quantity) => quantity.about(),
@@ -197,13 +197,13 @@ impl Quantity {
         }
     }
 
-    /// The number of this name in files.
+    /// Finds a number by its name in files.
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|one| one.about().name == name)
     }
 
-    /// Every number whose relative error is measured: of floors group by group, then of pairs. Ductility and drift ratio have that of the
-    /// drift. Instants of peaks have none: they jump if two peaks are nearly equal.
+    /// Every number with a relative error: of floors group by group, then of pairs. Ductility and drift ratio share the error of the drift.
+    /// Instants of peaks have none, because they jump if two peaks are nearly equal.
     pub fn compared() -> impl Iterator<Item = Self> {
         let measured = |one: &Self| one.about().group.is_some();
         let (mut floors, pairs): (Vec<_>, Vec<_>) = Self::all().filter(measured).partition(|one| matches!(one, Self::Floor(_)));
@@ -216,7 +216,7 @@ impl Quantity {
         self.about().kind == QuantityKind::Peak
     }
 
-    /// Of a number of a storey on the ground, the number that it is.
+    /// Returns the number that replaces it for a storey on the ground, else itself.
     #[must_use]
     pub fn of_storey(self, is_upper: bool) -> Self {
         match self.about().on_ground {

@@ -69,7 +69,7 @@ quantities! {
     LeastOpeningTimeS("least_opening_time_s", "Instant of the least opening.") = About::instant(|run, pair| Some(run.opening(pair)?.1));
 }
 
-/// What stays open of a gap at least \[mm\], or by how much it is overrun.
+/// Writes the least opening of a gap \[mm\], or by how much it is overrun.
 fn opening(millimetres: f64) -> String {
     if millimetres > 0.0 {
         rounded_down(millimetres, if millimetres < 1.0 { 4 } else { 1 })

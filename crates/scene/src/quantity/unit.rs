@@ -2,18 +2,18 @@
 
 use pounding_text::{instant, percent, short};
 
-/// A unit, and in which one people read numbers of it.
+/// A unit, and the unit in which people read its numbers.
 #[derive(Debug)]
 pub struct QuantityUnit {
-    /// How names in files end.
+    /// Ending of names in files.
     pub suffix: &'static str,
     /// Its symbol in documents.
     pub symbol: &'static str,
     /// The unit that people read; empty if they read none.
     pub shown: &'static str,
-    /// How many of it people read for one, by the acceleration of gravity \[m/s²\].
+    /// Factor from the SI unit to the unit that people read, for an acceleration of gravity \[m/s²\].
     factor: fn(f64) -> f64,
-    /// What people read.
+    /// Text of a number in the unit that people read.
     pub(super) text: fn(f64) -> String,
 }
 
@@ -38,7 +38,7 @@ impl QuantityUnit {
         }
     }
 
-    /// An SI value in the unit that people read.
+    /// Converts an SI value to the unit that people read.
     pub fn of(&self, value: f64, gravity: f64) -> f64 {
         value * (self.factor)(gravity)
     }

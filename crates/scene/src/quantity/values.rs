@@ -1,11 +1,11 @@
-//! A run beside its simulation: what the table of numbers takes its values from.
+//! A run with its simulation, from which the table takes its values.
 
 use pounding_solver::{Peak, StructurePeaks};
 
 use super::{Quantity, QuantityKind};
 use crate::{Floor, PairOutcome, RunResult, Simulation};
 
-/// A run beside its simulation: every number of [`Quantity`].
+/// A run with its simulation: gives every [`Quantity`].
 #[derive(Debug, Clone)]
 pub struct Values<'a> {
     pub(crate) simulation: &'a Simulation,
@@ -14,7 +14,7 @@ pub struct Values<'a> {
 }
 
 impl RunResult {
-    /// Every number that is printed of this run of a simulation.
+    /// Gives every printed number of this run of a simulation.
     pub fn values<'a>(&'a self, simulation: &'a Simulation) -> Values<'a> {
         let pairs = 0..simulation.pairs().len();
         Values {
@@ -26,18 +26,19 @@ impl RunResult {
 }
 
 impl Values<'_> {
-    /// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: alone it may be next to nothing.
+    /// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: the number itself may be close to
+    /// 0.
     pub const LEAST_PART: f64 = 0.05;
 
-    /// Least magnitude of a transferred momentum in a relative error, as a part of the row's largest \[–\]: forces from both sides cancel up to
-    /// rounding.
+    /// Least magnitude of a transferred momentum in a relative error, as a part of the row's largest \[–\]: forces from both sides may
+    /// cancel up to rounding.
     pub const ZERO: f64 = 1e-9;
 
-    /// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
+    /// A first touch before this instant is at the start \[s\]; its error is relative to 1 s.
     pub const AT_ONCE: f64 = 1e-9;
 
-    /// A number of a floor or a pair, by its place in the row, SI. `None` if it has no such number: a wall does not move, a pair that
-    /// never touches has no first impulse.
+    /// Returns a number of a floor or a pair by its index in the row, SI. `None` if it does not exist: a wall does not move, and a pair
+    /// that never touches has no first impulse.
     ///
     /// # Panics
     /// If the row has no such floor or pair.
@@ -45,7 +46,7 @@ impl Values<'_> {
         (quantity.into().about().of)(self, place)
     }
 
-    /// What the magnitude of a number counts as at least where an error is relative to it; 0 for most.
+    /// Least magnitude that a relative error of a number is divided by; 0 for most numbers.
     ///
     /// # Panics
     /// If the row has no such floor or pair.
@@ -58,24 +59,24 @@ impl Values<'_> {
         }
     }
 
-    /// The least magnitude of a number that may be next to nothing beside a peak.
+    /// Least magnitude of a number that may be close to 0, from its peak.
     pub(crate) fn part_of(&self, peak: impl Into<Quantity>, floor: usize) -> f64 {
         Self::LEAST_PART * self.of(peak, floor).unwrap_or(0.0).abs()
     }
 
-    /// The least magnitude of a transferred momentum \[N·s\].
+    /// Least magnitude of a transferred momentum \[N·s\].
     pub(crate) fn least_momentum(&self) -> f64 {
         let floors = 0..self.simulation.floors().all().len();
         let momenta = floors.map(|floor| self.result.momentum.of(floor));
         Self::ZERO * momenta.fold(0.0, f64::max)
     }
 
-    /// A floor by its place.
+    /// Returns a floor by its index.
     pub(crate) fn floor(&self, floor: usize) -> &Floor {
         &self.simulation.floors().all()[floor]
     }
 
-    /// Whether a place is a floor, and no wall.
+    /// Whether a floor is not a wall.
     pub(crate) fn moves(&self, floor: usize) -> bool {
         !self.floor(floor).is_wall()
     }
@@ -102,11 +103,11 @@ impl Values<'_> {
 
     /// Displacement of a floor at the end \[m\].
     pub(crate) fn last(&self, floor: usize) -> f64 {
-        // A negative zero loses its sign.
+        // The sum removes the sign of a negative zero.
         self.result.last.of(floor).displacement + 0.0
     }
 
-    /// What happened between the neighbours of a pair.
+    /// Collisions of a pair.
     pub(crate) fn pair(&self, pair: usize) -> &PairOutcome {
         &self.pairs[pair]
     }

@@ -1,15 +1,15 @@
-//! Which method and time step reach an accuracy at the least cost: what was found.
+//! The cheapest method and time step for an accuracy, and the runs that were tried.
 
 use serde_json::{Value, json};
 
 use crate::{Method, Scene};
 
-/// The accuracy asked for.
+/// The wanted accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goal {
     /// Largest relative error \[–\], > 0 and < 1.
     pub error: f64,
-    /// Of what.
+    /// Numbers that must have it.
     pub quantity: QuantityGroup,
 }
 
@@ -20,37 +20,37 @@ pub struct Trial {
     pub name: &'static str,
     /// Method with its step.
     pub method: Method,
-    /// Largest error \[–\] of the quantity; infinite where the run failed or the numbers of collisions differ.
+    /// Largest error of these numbers \[–\]; infinite if the run failed or the numbers of collisions differ.
     pub error: f64,
-    /// What has the largest error; empty for the exact method.
+    /// Number with the largest error; empty for the exact method.
     pub worst: &'static str,
-    /// Force evaluations of a step of the central difference method that take as long; a piece of the exact method counts as
-    /// [`Simulation::evaluations_per_piece`](super::Simulation::evaluations_per_piece) of them.
+    /// Cost in force evaluations of a step of the central difference method that take the same time. A piece of the exact method counts as
+    /// [`Simulation::evaluations_per_piece`](super::Simulation::evaluations_per_piece) evaluations.
     pub cost: u64,
 }
 
-/// A method on the ladder, from the longest time step to the shortest.
+/// A method with its time steps, from the longest to the shortest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepSizes {
-    /// Its runs; none where no time step is stable.
+    /// Runs of the method; empty if no time step is stable.
     pub trials: Vec<Trial>,
-    /// Index of the cheapest run that meets the goal, as all runs at shorter steps do; the shortest only confirms.
+    /// Index of the cheapest run that meets the goal, if all runs with shorter steps meet it, too. The shortest step only confirms.
     pub meets: Option<usize>,
 }
 
-/// What every method of the ladder costs and how far it is from the exact one.
+/// Cost and error of every method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advice {
-    /// What was asked for.
+    /// The wanted accuracy.
     pub goal: Goal,
-    /// The exact method, the measure of the others; its own error is about rounding.
+    /// The exact method, the reference for the others; its own error is rounding.
     pub exact: Trial,
     /// Every method with time steps.
     pub methods: Vec<StepSizes>,
 }
 
 impl Advice {
-    /// Every run of every method, the shortest step last; errors are null where a run failed or the numbers of collisions differ.
+    /// Every run of every method as JSON, the shortest step last. Errors are null if a run failed or the numbers of collisions differ.
     pub fn to_json(&self, scene: &Scene) -> Value {
         let trial = |trial: &Trial| {
             json!({
@@ -76,7 +76,7 @@ impl Advice {
         })
     }
 
-    /// The cheapest run that meets the goal; the exact method when no cheaper one does.
+    /// Cheapest run that meets the goal; the exact method if no cheaper one does.
     pub fn best(&self) -> &Trial {
         let meeting = self.methods.iter().filter_map(StepSizes::chosen);
         meeting.fold(&self.exact, |best, next| if next.cost < best.cost { next } else { best })
@@ -84,7 +84,7 @@ impl Advice {
 }
 
 impl StepSizes {
-    /// Of rungs from the coarsest to the finest those that hold what is asked, here and at every finer one.
+    /// Returns the rungs, from the coarsest to the finest, that hold a condition together with all finer rungs.
     pub fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
         let missed = rungs.iter().rposition(|rung| !holds(rung));
         &rungs[missed.map_or(0, |index| index + 1)..]
@@ -100,7 +100,7 @@ impl StepSizes {
         }
     }
 
-    /// The cheapest run that meets the goal, as all runs at shorter steps do.
+    /// Cheapest run that meets the goal, if all runs with shorter steps meet it, too.
     pub fn chosen(&self) -> Option<&Trial> {
         self.meets.map(|index| &self.trials[index])
     }
@@ -137,12 +137,12 @@ impl QuantityGroup {
         Self::All,
     ];
 
-    /// Its name, as users write it.
+    /// Name, as users write it.
     pub fn name(self) -> &'static str {
         self.told()[0]
     }
 
-    /// Its meaning in few words.
+    /// Meaning in a few words.
     pub fn meaning(self) -> &'static str {
         self.told()[1]
     }

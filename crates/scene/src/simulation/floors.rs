@@ -1,4 +1,4 @@
-//! The floors of a scene: what the nodes of its row are called, and which of them face each other.
+//! The floors of a scene: names of the nodes of its row, and which floors face each other.
 
 mod levels;
 mod unwatched;
@@ -11,14 +11,14 @@ pub use unwatched::Unwatched;
 
 use crate::{Columns, Scene, Sdof, Structure};
 
-/// Heights of floors that differ by no more are equal \[m\].
+/// Largest difference between heights of floors that count as equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
 
-/// What is said of pounding where nothing could touch.
+/// Sentence for a scene in which nothing can touch.
 const NO_CONTACT: &str = "no contact is modelled, so that nothing is said about pounding";
 
-/// The floors and walls of a scene, as its row numbers them: those of the lowest level from left to right, then those of
-/// the next, and so on. In a row of structures of one storey they are the structures.
+/// The floors and walls of a scene in the order of its row: those of the lowest level from left to right, then those of the next level, and
+/// so on. A row of structures of one storey has one floor for each structure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floors {
     /// Names of the structures.
@@ -28,22 +28,22 @@ pub struct Floors {
     facing: Vec<FloorPair>,
 }
 
-/// A floor of a building, the only one of a structure of one storey, or a wall where it faces a floor.
+/// A floor of a building, the only floor of a structure of one storey, or a wall at the level of a floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
     /// Index of its structure, from the left.
     pub structure: usize,
-    /// Storey below it, counted from 1; nothing for a structure of one storey and a wall.
+    /// Storey below it, counted from 1; `None` for a structure of one storey and for a wall.
     pub storey: Option<usize>,
-    /// Name for tables: that of the structure, and the storey; of a wall that faces several floors, and the level.
+    /// Name for tables: the structure and the storey, or the level of a wall that faces several floors.
     pub name: String,
     /// Height above the ground \[m\], where it is known.
     pub elevation_m: Option<f64>,
-    /// What it is made of; nothing of a wall.
+    /// Mass and columns; `None` for a wall.
     pub made_of: Option<StoreyProperties>,
 }
 
-/// What a floor and the storey below it are made of.
+/// Properties of a floor and the storey below it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StoreyProperties {
     /// Mass of the floor \[kg\].
@@ -80,7 +80,7 @@ impl Floor {
         self.storey.is_some_and(|storey| storey > 1)
     }
 
-    /// Natural period \[s\] and damping ratio of its structure, of a building in the first mode; nothing of a wall.
+    /// Natural period \[s\] and damping ratio of its structure; for a building those of the first mode, for a wall `None`.
     pub fn oscillation(&self, scene: &Scene) -> Option<(f64, f64)> {
         let structure = &scene.structures[self.structure];
         structure.period().zip(structure.damping_ratio())
@@ -92,14 +92,14 @@ impl Floor {
         self.made_of.and_then(force).is_some()
     }
 
-    /// Ductility demand \[–\] of a drift \[m\], of columns that can yield.
+    /// Ductility demand \[–\] of a drift \[m\]; `None` for columns that stay elastic.
     pub fn ductility(&self, drift: f64) -> Option<f64> {
         let columns = self.made_of?.columns;
         let yield_force = columns.yield_force_n?;
         Some(drift.abs() * columns.stiffness_n_per_m / yield_force)
     }
 
-    /// Part of the height of the storey that a drift is \[–\], where the height is known.
+    /// Ratio of a drift to the height of the storey \[–\]; `None` if the height is unknown.
     pub fn drift_ratio(&self, drift: f64) -> Option<f64> {
         Some(drift.abs() / self.made_of?.height_m?)
     }
@@ -118,11 +118,10 @@ impl StoreyProperties {
 }
 
 impl Floors {
-    /// Of a scene whose structures were checked.
+    /// Finds the floors of a scene whose structures were checked.
     ///
     /// # Errors
-    /// [`Refused`] where a floor would hit the columns of a neighbour, [`Refused`] and
-    /// [`Refused`] where a contact names levels at which nothing can touch.
+    /// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
     pub fn of(scene: &Scene) -> Result<Self, Refused> {
         let levels = levels::of(scene)?;
         let contacts = scene.contacts.iter().flatten().enumerate();
@@ -141,7 +140,7 @@ impl Floors {
         })
     }
 
-    /// Takes other numbers of a row of structures of one storey and walls, which stand as they stood.
+    /// Takes other numbers for a row of structures of one storey and walls.
     pub(crate) fn renumber(&mut self, scene: &Scene) {
         for floor in &mut self.all {
             if let Structure::Sdof(sdof) = &scene.structures[floor.structure] {
@@ -151,7 +150,7 @@ impl Floors {
         }
     }
 
-    /// All of them, in the order of the row.
+    /// Every floor, in the order of the row.
     pub fn all(&self) -> &[Floor] {
         &self.all
     }
@@ -161,17 +160,17 @@ impl Floors {
         &self.structures
     }
 
-    /// The floors of a structure, from the ground up, by their places in the row.
+    /// Indices of the floors of a structure, from the ground up.
     pub fn of_structure(&self, structure: usize) -> &[usize] {
         self.levels.of(structure)
     }
 
-    /// All of them, structure by structure from the left, each from the ground up, by their places in the row.
+    /// Indices of every floor, structure by structure from the left, each from the ground up.
     pub fn by_structure(&self) -> impl Iterator<Item = usize> {
         (0..self.structures.len()).flat_map(|structure| self.levels.of(structure).iter().copied())
     }
 
-    /// Number of the storey below a floor, from 1; of a wall that of the level at which it stands.
+    /// Number of the storey below a floor, from 1; for a wall the number of its level.
     pub fn storey_of(&self, floor: usize) -> usize {
         let Floor { storey, .. } = self.all[floor];
         if self.all[floor].is_wall() {
@@ -181,14 +180,14 @@ impl Floors {
         }
     }
 
-    /// The floor below, in the same building; nothing for one that stands on the ground.
+    /// Floor below in the same building; `None` for a floor on the ground storey.
     pub fn below(&self, floor: usize) -> Option<usize> {
         let (structure, storey) = self.levels.place(floor);
         let lower = storey.checked_sub(1)?;
         (!self.all[floor].is_wall()).then(|| self.levels.of(structure)[lower])
     }
 
-    /// What is said of pounding where the scene has no contact; `None` if it has one.
+    /// Sentence for a scene without contacts; `None` if it has one.
     pub fn says_no_contact(&self) -> Option<&'static str> {
         (self.facing.is_empty()).then_some(NO_CONTACT)
     }
@@ -198,7 +197,7 @@ impl Floors {
         &self.facing
     }
 
-    /// Pairs, contact by contact from the left, each from the ground up.
+    /// Indices of the pairs, contact by contact from the left, each from the ground up.
     pub fn pairs_by_contact(&self) -> Vec<usize> {
         let mut pairs: Vec<usize> = (0..self.facing.len()).collect();
         pairs.sort_by_key(|pair| self.facing[*pair].contact);
@@ -211,7 +210,7 @@ impl Floors {
         [left, right].map(|floor| self.all[floor].name.clone())
     }
 
-    /// The same floors, none of which can touch another.
+    /// Returns the same floors without any contact.
     pub(crate) fn apart(&self) -> Self {
         Self {
             facing: Vec::new(),
@@ -219,7 +218,7 @@ impl Floors {
         }
     }
 
-    /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
+    /// All floors that face each other, with or without a contact: index of the left structure, left floor and right floor.
     pub fn all_facing(&self) -> Vec<(usize, usize, usize)> {
         let facing = |left: usize| {
             let facing = self.levels.facing(left);
@@ -230,7 +229,7 @@ impl Floors {
         all
     }
 
-    /// How floors stand in the row.
+    /// Levels of the floors in the row.
     pub fn levels(&self) -> &Levels {
         &self.levels
     }

@@ -29,31 +29,31 @@ pub use run::{Audited, Balance, Extras, RunResult};
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
 pub struct Simulation {
-    /// The scene; where it asks for an accuracy, with the method found for it.
+    /// The scene. If it asks for an accuracy, it has the method that was found.
     scene: Scene,
-    /// How that method was found.
+    /// Runs by which that method was found.
     advice: Option<Advice>,
-    /// Whether it runs though its time step or its results are refused.
+    /// Whether it runs even if its time step or its results are refused.
     forced: bool,
-    /// Why its time step is refused.
+    /// Refusal of its time step.
     unstable: Option<Refused>,
     floors: Floors,
     row: AnyRow,
     record: Arc<Record>,
-    /// What the source of the record was multiplied by.
+    /// Product of all factors on the source of the record \[–\].
     scale: f64,
-    /// The file that the record came from; nothing for one from a formula.
+    /// File of the record; `None` for a record from a formula.
     origin: Option<Arc<Origin>>,
     clock: Clock,
     integrator: Integrator,
-    /// Whoever sets it ends its runs.
+    /// Setting it ends its runs.
     stop: Option<&'static AtomicBool>,
 }
 
 impl Simulation {
-    /// Gives a row of structures of one storey under the same motion other numbers of structures and contacts, which is all that
-    /// `change` may set; the bits are those of the scene prepared anew. Nothing where they are refused: then this is of no more use,
-    /// and preparing the scene says why. `duration_s` is what the scene says.
+    /// Changes numbers of structures and contacts, which is all that `change` may set, in a row of structures of one storey under the same
+    /// motion. The results have the bits of a scene that is prepared anew. `duration_s` is the duration in the scene. Returns `None` if the
+    /// numbers are refused. The simulation must not be used then; preparing the scene gives the refusal.
     pub fn renumber(&mut self, duration_s: Option<f64>, change: impl FnOnce(&mut Scene) -> Option<()>) -> Option<()> {
         let scene = &mut self.scene;
         scene.duration_s = duration_s;
@@ -69,8 +69,8 @@ impl Simulation {
         Some(())
     }
 
-    /// A checked scene under a ground motion, whose method is known; [forced](crate::Options::force) or refused where its time step is beyond
-    /// the limit of stability.
+    /// Makes a simulation of a checked scene with a known method under a ground motion. A time step beyond the limit of stability is kept
+    /// as a refusal.
     pub(crate) fn prepared(
         scene: &Scene,
         motion: SharedMotion,
@@ -105,40 +105,40 @@ impl Simulation {
         Ok(prepared)
     }
 
-    /// With the method that was found for its accuracy.
+    /// Takes the method that was found for the accuracy of the scene.
     pub(crate) fn advised(self, advice: Advice) -> Result<Self, Error> {
         let mut prepared = self.with_method(advice.best().method)?;
         prepared.advice = Some(advice);
         Ok(prepared)
     }
 
-    /// Not forced: refused where its time step is beyond the limit of stability.
+    /// Refuses a time step beyond the limit of stability.
     pub(crate) fn enforced(mut self) -> Result<Self, Error> {
         self.forced = false;
         self.stable()
     }
 
-    /// The same scene modelled in full, whatever it requires: columns that remember their yielding, and all neighbours as
-    /// pairs. Its results are those of the lean model to the last bit, at more cost.
+    /// Models the scene in full: with columns that remember yielding, and with all neighbours as pairs. The results have the bits of the
+    /// lean model, at more cost.
     ///
     /// # Errors
-    /// Those of the lean model, which were found before.
+    /// Errors of the lean model, which were found before.
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
         let row = model::full(scene, floors).map_err(|error| Error::in_scene(&scene.name, of_model(&error, scene, floors)))?;
         Ok(Self { row, ..self })
     }
 
-    /// The same structures under the same record, with another method.
+    /// Returns the simulation with another method.
     ///
     /// # Errors
-    /// [`Error`] when the method does not fit the scene, such as a time step beyond its stability limit.
+    /// [`Error`] if the method does not fit the scene, such as a time step beyond its stability limit.
     pub fn with_method(&self, other: Method) -> Result<Self, Error> {
         let prepared = self.with_any_method(other)?;
         prepared.stable()
     }
 
-    /// Another scene, shaken by a record at hand as it is.
+    /// Returns the simulation of another scene under a given record, which is not processed again.
     ///
     /// # Errors
     /// Refuses a value of the scene that cannot be modelled.
@@ -156,7 +156,7 @@ impl Simulation {
         varied.with_any_method(scene.method)
     }
 
-    /// The same motion under another row of structures, as it shakes this one, and for as long as that row asks for.
+    /// Returns the simulation of another row of structures under the same motion. The duration is the one that the row asks for.
     ///
     /// # Errors
     /// Refuses a value of the row that cannot be modelled.
@@ -170,11 +170,10 @@ impl Simulation {
         self.variant(&Scene { duration_s, ..row }, (*self.record).clone())
     }
 
-    /// The same floors, none of which can touch another: every building alone. Places of floors in the row stay what they
-    /// are.
+    /// Returns the simulation with every building alone. The indices of floors in the row stay.
     ///
     /// # Errors
-    /// Those of the model with its pairs, which were found before.
+    /// Errors of the model with its pairs, which were found before.
     pub fn apart(&self) -> Result<Self, Error> {
         let scene = Scene {
             contacts: None,
@@ -198,10 +197,10 @@ impl Simulation {
         }
     }
 
-    /// The same structures under the same record, with another method, also with one that is unstable.
+    /// Returns the simulation with another method, even if it is unstable.
     ///
     /// # Errors
-    /// [`Error`] when the duration is not a whole number of time steps.
+    /// [`Error`] if the duration is not a whole number of time steps.
     pub fn with_any_method(&self, other: Method) -> Result<Self, Error> {
         let mut scene = self.scene.clone();
         scene.method = other;
@@ -224,31 +223,31 @@ impl Simulation {
         })
     }
 
-    /// The exact twin: the same structures under the same record, integrated by the exact method.
+    /// Returns the simulation with the exact method.
     ///
     /// # Errors
-    /// [`Error`] when the duration is out of range.
+    /// [`Error`] if the duration is out of range.
     pub fn exact(&self) -> Result<Self, Error> {
         self.with_method(Method::EXACT)
     }
 
-    /// The scene; where it asks for an accuracy, with the method found for it.
+    /// The scene. If it asks for an accuracy, it has the method that was found.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// How the method was found, where the scene asks for an accuracy.
+    /// Runs by which the method was found; `None` if the scene does not ask for an accuracy.
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.as_ref()
     }
 
-    /// Why the time step is refused, in words, where it was [forced](crate::Options::force).
+    /// Refusal of the time step, if the simulation was [forced](crate::Options::force).
     pub fn refusal(&self) -> Option<String> {
         self.unstable.as_ref().map(ToString::to_string)
     }
 
-    /// Of every structure and wall, from the left, the time step \[s\] from which on it grows without bound, though it touch
-    /// nobody; nothing for a wall, and for a method without such a limit.
+    /// Critical time step of every structure and wall \[s\], from the left. Above it the response grows without bound even if nothing
+    /// touches. `None` for a wall, and for a method without such a limit.
     pub fn critical_time_steps(&self) -> Vec<Option<f64>> {
         self.scene.critical_time_steps().collect()
     }
@@ -258,22 +257,22 @@ impl Simulation {
         self.scene.duration()
     }
 
-    /// Whoever sets `stop` ends its runs.
+    /// Setting `stop` ends its runs.
     pub fn set_stop(&mut self, stop: Option<&'static AtomicBool>) {
         self.stop = stop;
     }
 
-    /// What a run may cost.
+    /// Limits on the work of a run.
     pub fn budget(&self) -> Budget {
         self.scene.budget.of_run(self.stop)
     }
 
-    /// Whether the scene was [forced](crate::Options::force).
+    /// Whether the simulation was [forced](crate::Options::force).
     pub(crate) fn is_forced(&self) -> bool {
         self.forced
     }
 
-    /// The time steps of its run; one for the exact method.
+    /// Time steps of a run; a single one for the exact method.
     pub fn clock(&self) -> Clock {
         self.clock
     }
@@ -283,22 +282,22 @@ impl Simulation {
         &self.row
     }
 
-    /// Returns the method that runs, as the solver knows it.
+    /// Returns the method for the solver.
     pub fn integrator(&self) -> Integrator {
         self.integrator
     }
 
-    /// The method that runs.
+    /// The method of a run.
     pub fn method(&self) -> Method {
         self.scene.method
     }
 
-    /// The floors and walls of its structures, in the order in which a run counts them.
+    /// Floors and walls, in the order of the row.
     pub fn floors(&self) -> &Floors {
         &self.floors
     }
 
-    /// Of every floor, whether it is a wall.
+    /// For every floor, whether it is a wall.
     pub fn walls(&self) -> Vec<bool> {
         self.floors.all().iter().map(Floor::is_wall).collect()
     }
@@ -313,20 +312,20 @@ impl Simulation {
         &self.record
     }
 
-    /// What the source of the record was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    /// Product of all factors on the source of the record \[–\]; a reversal does not change its sign.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// The file that the record came from; nothing for one from a formula.
+    /// File of the record; `None` for a record from a formula.
     pub fn origin(&self) -> Option<&Origin> {
         self.origin.as_deref()
     }
 
-    /// The same scene under a record that `change` makes of its own.
+    /// Returns the simulation under a changed record.
     ///
     /// # Errors
-    /// Refuses what `change` refuses.
+    /// Refusals of `change`.
     pub fn under(&self, change: impl FnOnce(&Record) -> Result<Record, Refused>) -> Result<Self, Error> {
         let record = change(&self.record);
         let record = record.map_err(|refused| Error::in_scene(&self.scene.name, in_setting("record", refused)))?;
@@ -337,7 +336,7 @@ impl Simulation {
     }
 }
 
-/// The floors of a checked scene, and the leanest row of them.
+/// Finds the floors of a checked scene, and the leanest row of them.
 fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, AnyRow), Refused> {
     let floors = Floors::of(scene)?;
     patience.look()?;

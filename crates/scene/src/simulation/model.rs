@@ -1,4 +1,4 @@
-//! What the solver needs of a scene: the leanest row that models it, integrator and clock.
+//! Converts a scene for the solver: the leanest row that models it, the integrator and the clock.
 
 use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
@@ -8,10 +8,10 @@ use pounding_solver::{
     Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
 };
 
-/// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
+/// Gap of neighbours that stand apart in a scene, if all pairs are modelled \[m\].
 const OUT_OF_REACH: f64 = 1e9;
 
-/// The most that some storey of a scene asks of its columns.
+/// Kinds of columns; the storey with the richest kind decides for the row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Asked {
     Nothing,
@@ -29,7 +29,7 @@ impl Asked {
     }
 }
 
-/// The leanest row of a checked scene.
+/// Returns the leanest row of a checked scene.
 pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError> {
     let made = floors.all().iter().filter_map(|floor| floor.made_of);
     let most = made.map(|made| Asked::of(&made.columns)).max();
@@ -41,7 +41,7 @@ pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
     }
 }
 
-/// Gives a row the numbers of another scene, in its own memory.
+/// Gives a row the numbers of another scene, without new memory.
 pub(super) fn renumber(any: &mut AnyRow, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
     match any {
         AnyRow::Elastic(row) => renumbered(row, scene, floors, elastic),
@@ -50,8 +50,7 @@ pub(super) fn renumber(any: &mut AnyRow, scene: &Scene, floors: &Floors) -> Resu
     }
 }
 
-/// The row with what a scene can ask for and this one does not: columns that remember their yielding, and all floors that face each
-/// other as pairs.
+/// Returns the row with everything that a scene can ask for: columns that remember yielding, and all floors that face each other as pairs.
 pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError> {
     let pairs = match &scene.contacts {
         Some(_) => pairs(scene, floors).collect(),
@@ -134,7 +133,7 @@ fn row<Column: Hysteretic>(
     }
 }
 
-/// Gives a row other numbers, in its own memory; the motion arrives everywhere at once.
+/// Gives a row other numbers, without new memory. The motion arrives everywhere at once.
 fn renumbered<Column: Hysteretic>(
     row: &mut Row<Column>,
     scene: &Scene,
@@ -148,7 +147,8 @@ fn renumbered<Column: Hysteretic>(
 }
 
 fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Column) -> impl Iterator<Item = Node<Column>> {
-    // Those of a building are found together; up to the last building, so that structures of one storey need no memory.
+    // The dampings of a building are found together. The search ends with the last building, so that structures of one storey need no
+    // memory.
     let of_building = |one: &Structure| match one {
         Structure::Building(building) => building.dampings(),
         Structure::Sdof(_) | Structure::Wall => Vec::new(),
@@ -182,7 +182,7 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
 }
 
 impl Method {
-    /// The method without its time step.
+    /// Returns the method for the solver, without its time step.
     pub(crate) fn integrator(self) -> Integrator {
         match self {
             Self::CentralDifference { contact_substeps, .. } => Integrator::CentralDifference(CentralDifference { contact_substeps }),
@@ -202,7 +202,7 @@ impl Method {
         }
     }
 
-    /// The time steps of a run of some duration \[s\]; one for the exact method, which asks for the end only.
+    /// Returns the time steps of a run of some duration \[s\]; a single one for the exact method, which needs only the end.
     pub fn clock(self, duration: f64) -> Clock {
         let time_step = self.time_step().unwrap_or(duration);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 < n <= 1e9")]

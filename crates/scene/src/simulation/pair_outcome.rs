@@ -1,49 +1,50 @@
-//! The collisions of one pair, summed up: the numbers that are printed of it.
+//! Summary of the collisions of one pair: its printed numbers.
 
 use pounding_solver::{Closing, Collision, Pair, Peak};
 
 use super::RunResult;
 
-/// What happened between two neighbours.
+/// Summary of collisions, usually those of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PairOutcome {
     /// Number of collisions.
     pub collisions: usize,
-    /// The first of them.
+    /// First collision.
     pub first: Option<Collision>,
-    /// The one with the largest impulse; of equal ones the first.
+    /// Collision with the largest impulse; of equal ones the first.
     pub largest: Option<Collision>,
-    /// Largest pounding force \[N\] and its first instant; nothing where one of the collisions is an impulse, which has none: the force of rest
-    /// between impacts would hide it.
+    /// Largest pounding force \[N\] and its first instant. `None` if a collision is an impulse without force: the force of rest between
+    /// impacts would hide it.
     pub peak_force: Option<Peak>,
     /// Sum of the impulses \[N·s\].
     pub total_impulse: f64,
-    /// The one that lasts longest; of equal ones the first.
+    /// Longest collision; of equal ones the first.
     pub longest: Option<Collision>,
-    /// Sum of their durations \[s\].
+    /// Sum of the durations \[s\].
     pub touching: f64,
 }
 
-/// What rounding leaves of a gap that is closed \[m\].
+/// Rounding error of a closed gap \[m\].
 const ROUNDING: f64 = 1e-12;
-/// Neighbours that touch for longer at once lean on each other \[s\]: collisions last some hundredths of a second, slow ones of heavy
-/// buildings with Hertz contact up to 0.15 s.
+/// Neighbours that touch longer than this lean on each other \[s\]. Collisions last some hundredths of a second. Slow collisions of heavy
+/// buildings with Hertz contact last up to 0.15 s.
 pub(crate) const LEANS: f64 = 0.25;
 
-/// Impulses leave a gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
+/// Whether an opening is zero or negative. Impulses close a gap only to rounding, and a stepping method may find an impact before the
+/// neighbours overlap.
 fn is_closed(opening: f64) -> bool {
     opening > -ROUNDING
 }
 
 impl PairOutcome {
-    /// Least opening \[m\] of a gap of this width whose neighbours came towards each other so far \[m\]: 0 of those that touch without a
+    /// Least opening of a gap of this width whose neighbours closed it by `closing` \[m\]; 0 for neighbours that touch without a
     /// deformation.
     pub fn opening_after(gap: f64, closing: f64, touches: bool) -> f64 {
         let opening = gap - closing;
         if touches && is_closed(opening) { 0.0 } else { opening }
     }
 
-    /// Least opening \[m\] of a gap of this width, and its instant \[s\], of neighbours that came as close as this.
+    /// Least opening of a gap of this width \[m\] and its instant \[s\], from the largest closing.
     fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
         let (distance, time) = closing.map_or((0.0, 0.0), |closing| (closing.distance, closing.time));
         let opening = Self::opening_after(gap, distance, self.first.is_some());
@@ -53,7 +54,7 @@ impl PairOutcome {
         }
     }
 
-    /// Of some collisions in the order in which they begin: those of one pair, or of all.
+    /// Sums up collisions in the order in which they begin: those of one pair, or of all pairs.
     pub fn of<'a, All: IntoIterator<Item = &'a Collision>>(all: All) -> Self {
         all.into_iter().fold(Self::default(), Self::and)
     }
@@ -79,33 +80,33 @@ impl PairOutcome {
         }
     }
 
-    /// The longest touch, where it is more of a push than a blow: such as where the ground, or what yielding leaves of a drift,
-    /// presses a building against its neighbour. Its impulse is large without a hard hit.
+    /// Longest touch, if it is a push instead of a blow. The ground, or a residual drift, may press a building against its neighbour; the
+    /// impulse is then large without a hard hit.
     pub fn leaning(&self) -> Option<Collision> {
         self.longest.filter(|longest| duration(longest) > LEANS)
     }
 }
 
-/// How long a touch lasts \[s\].
+/// Duration of a touch \[s\].
 fn duration(one: &Collision) -> f64 {
     one.end - one.start
 }
 
 impl RunResult {
-    /// The collisions of a pair, in the order in which they begin.
+    /// Collisions of a pair, in the order in which they begin.
     pub fn collisions_of(&self, pair: usize) -> impl Iterator<Item = &Collision> {
         let all = self.collisions.all().iter();
         all.filter(move |one| one.pair == pair)
     }
 
-    /// Least opening \[m\] of the gap of a pair, of which this happened, and its instant \[s\]; nothing where closings were not
-    /// asked for.
+    /// Least opening of the gap of a pair \[m\] and its instant \[s\]; `found` is the summary of the pair. `None` if closings were not
+    /// recorded.
     pub fn least_opening(&self, pair: &Pair, found: &PairOutcome) -> Option<(f64, f64)> {
         let closing = self.closings.as_ref()?.of(pair.left());
         Some(found.least_opening(pair.gap(), closing))
     }
 
-    /// What happened between the neighbours of a pair.
+    /// Sums up the collisions of a pair.
     pub fn of_pair(&self, pair: usize) -> PairOutcome {
         PairOutcome::of(self.collisions_of(pair))
     }

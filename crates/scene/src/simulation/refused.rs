@@ -1,4 +1,4 @@
-//! Why the solver refuses a row, in the words of the scene.
+//! Refusals of a row by the solver, in the words of the scene.
 
 use pounding_solver::ModelError;
 use pounding_text::{RefusalKind, Refused, digits, plain};
@@ -7,7 +7,7 @@ use crate::settings::out_of_range;
 use crate::simulation::floors::{Floor, Floors};
 use crate::{Scene, Structure};
 
-/// Says in the words of the scene why the solver refuses its row.
+/// Converts the solver's refusal of a row to the fields of the scene.
 pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Refused {
     let contact = |pair: usize| floors.facing().get(pair).map_or(0, |one| one.contact);
     let given = |index: usize| scene.contacts.iter().flatten().nth(index);
@@ -25,7 +25,7 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
                 .but("; allowed is ", "a gap that they leave open, or other initial_displacement_m")
                 .kind(RefusalKind::Together)
         }
-        // Contacts join neighbours in order: what remains is a wall on either side.
+        // Contacts join neighbours in order, so that only a wall on either side is possible.
         ModelError::NotNeighbours { pair, .. } => {
             let place = format!("contacts[{}]", contact(pair));
             Refused::at(place)
@@ -59,7 +59,7 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
     }
 }
 
-/// What is wrong with a floor, by the field of the scene that it comes from.
+/// Converts the refusal of a floor to its field in the scene.
 fn of_node(floor: &Floor, scene: &Scene, field: &str, found: f64) -> Refused {
     let structure = floor.structure;
     let of_structure = match &scene.structures[structure] {

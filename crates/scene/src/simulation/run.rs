@@ -1,4 +1,4 @@
-//! Runs of a prepared scene: what they record, and what is said of those that fail.
+//! Runs of a simulation: their recorders, and their errors.
 
 use std::ops::Range;
 
@@ -12,10 +12,10 @@ use crate::settings::out_of_range;
 use crate::{Error, Method, Structure};
 use pounding_text::{RefusalKind, Refused, digits, short};
 
-/// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
+/// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
 
-/// What a run leaves behind.
+/// Results of a run.
 #[derive(Debug, Clone)]
 pub struct RunResult {
     /// Peaks of every structure.
@@ -24,54 +24,53 @@ pub struct RunResult {
     pub collisions: Collisions,
     /// Transferred momentum of every structure.
     pub momentum: TransferredMomentum,
-    /// Peak absolute accelerations of every floor \[m/s²\]; impulsive impacts, which have none, left out.
+    /// Peak absolute accelerations of every floor \[m/s²\]. Impulsive impacts, whose acceleration has no bound, are left out.
     pub accelerations: Vec<Peak>,
-    /// Where every floor is at the end.
+    /// State of every floor at the end.
     pub last: LastStates,
-    /// How far neighbours came towards each other, where asked for.
+    /// Largest closing between neighbours; `None` if it was not asked for.
     pub closings: Option<Closings>,
-    /// Histories of every structure, where asked for.
+    /// Histories of every structure; `None` if they were not asked for.
     pub histories: Option<Histories>,
-    /// What the run cost.
+    /// Work of the run.
     pub work: Work,
 }
 
-/// A run with what its ledger says.
+/// A run with the verdict of its ledger.
 #[derive(Debug)]
 pub struct Audited {
-    /// What the run leaves behind.
+    /// Results of the run.
     pub outcome: RunResult,
-    /// The law of mechanics that it breaks, if any.
+    /// Error if it breaks a law of mechanics.
     pub broken: Option<Error>,
-    /// Where its energy went.
+    /// Terms of its energy.
     pub balance: Balance,
 }
 
-/// Where the energy of a run went, and how well its sum closes.
+/// Terms of the energy of a run, and the error of their sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Balance {
     /// Terms of the row at the end \[J\].
     pub terms: Terms,
-    /// What of the energies the physical balance leaves unexplained, relative to the scale \[–\]; see
-    /// [`Ledger::residual`].
+    /// Energy that the physical balance leaves unexplained, relative to the scale \[–\]; see [`Ledger::residual`].
     pub residual: f64,
-    /// What energies are measured by \[J\]; see [`Ledger::scale`].
+    /// Scale of the energies \[J\]; see [`Ledger::scale`].
     pub scale: f64,
 }
 
-/// What a run records only where it is asked for.
+/// Optional recordings of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Extras {
-    /// Histories of a state every so many seconds.
+    /// Interval between the states of histories \[s\]; `None` for no histories.
     pub interval: Option<f64>,
-    /// How far neighbours come towards each other.
+    /// Largest closing between neighbours.
     pub closings: bool,
-    /// How far they do so under the mirror of the shaking; see [`Closings::both_ways`].
+    /// Largest closing under mirrored shaking; see [`Closings::both_ways`].
     pub reversed_closings: bool,
 }
 
 impl Extras {
-    /// Everything that [`RunErrors`](crate::RunErrors) compare.
+    /// Everything that [`RunErrors`](crate::RunErrors) compares.
     pub const COMPARED: Self = Self {
         interval: None,
         closings: true,
@@ -80,7 +79,7 @@ impl Extras {
 }
 
 impl RunResult {
-    /// What recorders have seen of a run.
+    /// Takes the results from recorders.
     fn of(recorders: Recorders<'_, '_>, work: Work) -> Self {
         let accelerations = recorders.accelerations.map(FloorAccelerations::into_peaks);
         Self {
@@ -97,10 +96,10 @@ impl RunResult {
 }
 
 impl Simulation {
-    /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
+    /// Runs the scene, with histories of a state every `interval` \[s\] if it is given.
     ///
     /// # Errors
-    /// As of [`run_with`](Self::run_with).
+    /// Errors of [`run_with`](Self::run_with).
     pub fn run(&self, interval: Option<f64>) -> Result<RunResult, Error> {
         self.run_with(Extras {
             interval,
@@ -108,20 +107,20 @@ impl Simulation {
         })
     }
 
-    /// The same with what is asked for.
+    /// Runs the scene with optional recordings.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics: nobody reads a
-    /// warning here.
+    /// [`Error::Run`] if the run ends early, [`Error::Broken`] if it breaks a law of mechanics, however slightly: this method gives no
+    /// warnings.
     pub fn run_with(&self, asked: Extras) -> Result<RunResult, Error> {
         let Audited { outcome, broken, .. } = self.audited_with(asked)?;
         broken.map_or(Ok(outcome), Err)
     }
 
-    /// Runs the scene; what its ledger says stands beside the outcome.
+    /// Runs the scene and returns the verdict of its ledger with the results.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     pub fn audited(&self, interval: Option<f64>) -> Result<Audited, Error> {
         let asked = Extras {
             interval,
@@ -130,10 +129,10 @@ impl Simulation {
         self.audited_with(asked)
     }
 
-    /// The same with what is asked for.
+    /// Runs the scene with optional recordings, and returns the verdict of its ledger with the results.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
         let mut ledger = self.ledger().held_to(self.integrator.laws());
         let mut recorders = self.recorders(asked);
@@ -150,21 +149,21 @@ impl Simulation {
         })
     }
 
-    /// The same without the ledger, which for the exact method takes nearly half of the time: of timings, and of what is judged
-    /// elsewhere.
+    /// Runs the scene without a ledger, for timings and for runs that are judged elsewhere. In the exact method a ledger takes nearly half
+    /// of the time.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
         let mut recorders = self.recorders(asked);
         let work = self.integrate(&mut recorders)?;
         Ok(RunResult::of(recorders, work))
     }
 
-    /// Records a run that `run` makes in another way than the scene's method; histories as of [`run`](Self::run).
+    /// Records a run that `run` makes in another way than the scene's method, with histories as in [`run`](Self::run).
     ///
     /// # Errors
-    /// [`Error::Run`] where it ends early.
+    /// [`Error::Run`] if it ends early.
     pub fn recorded(
         &self,
         interval: Option<f64>,
@@ -178,7 +177,7 @@ impl Simulation {
         Ok(RunResult::of(recorders, work))
     }
 
-    /// Empty recorders of everything that is asked for.
+    /// Empty recorders of everything that was asked for.
     fn recorders<'l>(&self, asked: Extras) -> Recorders<'l, '_> {
         let n = self.floors.all().len();
         let duration = self.clock.time(self.clock.n_steps);
@@ -199,28 +198,28 @@ impl Simulation {
         }
     }
 
-    /// Empty recorders of what is printed of a structure or a pair.
+    /// Empty recorders for the printed numbers of floors and pairs.
     fn usual_recorders<'l>(&self) -> Recorders<'l, '_> {
         let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
         recorders.collisions = recorders.collisions.travelled(self.travel());
         recorders
     }
 
-    /// An empty recorder of how far neighbours come towards each other.
+    /// Empty recorder of the closing between neighbours.
     fn closings(&self) -> Closings {
         let periods = self.scene.structures.iter().filter_map(Structure::period);
         let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
         Closings::new(self.walls(), look).travelled(self.travel())
     }
 
-    /// How the ground motion travels along the row; nothing where all are shaken at once.
+    /// Travel of the ground motion along the row; `None` if it arrives everywhere at once.
     pub fn travel(&self) -> Option<Travel> {
         let excitation = self.excitation();
         self.row.travel(excitation)
     }
 
-    /// How far the bases of structures that face each other come closest, or apart, during the run, by how the ground
-    /// motion travels: of every structure and its right neighbour; empty where all are shaken at once.
+    /// Largest change of distance between the bases of every structure and its right neighbour during the run, because the ground motion
+    /// travels; empty if it arrives everywhere at once.
     pub fn openings(&self) -> Vec<Opening> {
         let Some(travel) = self.travel() else {
             return Vec::new();
@@ -234,27 +233,27 @@ impl Simulation {
         neighbours.map(opening).collect()
     }
 
-    /// The pairs that can touch, from left to right.
+    /// Pairs that can touch, from left to right.
     pub fn pairs(&self) -> &[Pair] {
         self.row.pairs()
     }
 
-    /// An empty ledger for a run of the scene, held to all laws.
+    /// Empty ledger for a run of the scene, which checks all laws.
     fn ledger(&self) -> Ledger<'_> {
         let excitation = self.excitation();
         self.row.ledger(excitation)
     }
 
-    /// Works on the row that models the scene, whatever its columns are.
+    /// Applies `work` to the row that models the scene, whatever its columns are.
     pub fn on_row<Task: OnRow>(&self, work: Task) -> Task::Output {
         self.row.on(work)
     }
 
-    /// Runs the scene by any method, whatever its own is, with recorders of what is printed of a structure or a pair and a ledger that is
-    /// held to the laws of the method.
+    /// Runs the scene with another method. Records the printed numbers of floors and pairs, and a ledger that checks the laws of this
+    /// method.
     ///
     /// # Errors
-    /// [`RunError`] when the run ends early.
+    /// [`RunError`] if the run ends early.
     pub fn recorded_by(&self, method: Method) -> Result<(RunResult, Ledger<'_>), RunError> {
         let integrator = method.integrator();
         let mut ledger = self.ledger().held_to(integrator.laws());
@@ -267,34 +266,34 @@ impl Simulation {
         Ok((RunResult::of(recorders, work), ledger))
     }
 
-    /// The same with nothing but recorders of what is printed, and nothing kept of them: a run to be timed.
+    /// Runs the scene with another method for timing: with the recorders of printed numbers only, and without results.
     ///
     /// # Errors
-    /// [`RunError`] when the run ends early.
+    /// [`RunError`] if the run ends early.
     pub fn timed_by(&self, method: Method) -> Result<Work, RunError> {
         let clock = method.clock(self.duration());
         self.run_by(&method.integrator(), clock, &mut self.usual_recorders())
     }
 
-    /// The same by the scene's own method.
+    /// Runs the scene with its own method for timing.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     pub fn timed(&self) -> Result<Work, Error> {
         self.timed_by(self.method()).map_err(|error| self.ended(error))
     }
 
-    /// Runs the scene by any method, whatever its own is.
+    /// Runs the scene with any method.
     fn run_by(&self, integrator: &Integrator, clock: Clock, recorders: &mut Recorders<'_, '_>) -> Result<Work, RunError> {
         let excitation = self.excitation();
         let course = clock.within(self.budget());
         self.row.run(integrator, excitation, course, recorders)
     }
 
-    /// Runs the scene by its method.
+    /// Runs the scene with its own method.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early.
+    /// [`Error::Run`] if the run ends early.
     fn integrate(&self, recorders: &mut Recorders<'_, '_>) -> Result<Work, Error> {
         self.run_by(&self.integrator, self.clock, recorders)
             .map_err(|error| self.ended(error))
@@ -308,7 +307,7 @@ impl Simulation {
         Excitation::new(self.record.time_step(), self.record.samples()).expect("a record has samples and a time step > 0")
     }
 
-    /// Says in the words of the scene which law a run broke.
+    /// Describes the broken law of a run in the words of the scene.
     fn broke(&self, source: LedgerError) -> Error {
         let concerned = match source {
             LedgerError::GainInYielding { structure, .. } => structure..structure + 1,
@@ -323,7 +322,7 @@ impl Simulation {
         Error::Broken { refused, source }
     }
 
-    /// What happened in the scene, with the names of the structures concerned.
+    /// Adds the names of the scene and of the structures concerned.
     fn said(&self, mut refused: Refused, concerned: Range<usize>) -> Refused {
         refused.place_mut().scene = Some(self.scene.name.clone());
         let name = |index: usize| format!("structure {index} is \"{}\"", self.floors.all()[index].name);
@@ -335,7 +334,7 @@ impl Simulation {
         }
     }
 
-    /// Says in the words of the scene why a run ended early.
+    /// Describes in the words of the scene why a run ended early.
     pub(super) fn ended(&self, source: RunError) -> Error {
         let concerned = match source {
             RunError::Setting { setting, found, allowed } => {

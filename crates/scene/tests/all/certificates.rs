@@ -1,4 +1,4 @@
-//! What contact laws deliver to free impacts by the exact method, and by stepping methods at short steps.
+//! Restitution of contact laws in free impacts: by the exact method, and by stepping methods at short steps.
 
 use pounding_contact::{Calibration, LawName};
 use pounding_scene::{Certificate, CertificateRequest, FreeCollision, StepMethod};
@@ -18,7 +18,7 @@ fn wanted(law: LawName, restitution: f64, calibration: Calibration) -> Certifica
     }
 }
 
-/// Laws that have a damping.
+/// Laws with a damping.
 fn damped() -> impl Iterator<Item = LawName> {
     let springs = [LawName::LinearSpring, LawName::Hertz];
     LawName::ALL.into_iter().filter(move |law| !springs.contains(law))

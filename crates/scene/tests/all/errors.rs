@@ -1,4 +1,4 @@
-//! Errors of a run against the exact one, and what an accuracy promises of them.
+//! Errors of a run against the exact run, and the promise of an accuracy.
 
 use std::path::Path;
 
@@ -22,8 +22,8 @@ fn scene(law: &Value, method: &Value) -> Simulation {
     Simulation::new(&scene, Path::new("")).expect("a scene")
 }
 
-/// An accuracy of 1 % left residual displacements 20 % off: they were measured by the peak, and drifts at the end, times of
-/// touching and least openings not at all.
+/// An accuracy of 1 % left residual displacements 20 % off, because they were measured by the peak. Drifts at the end, times of touching
+/// and least openings were not measured at all.
 #[test]
 fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
     let impacts = json!({"stereomechanical": {"restitution": 0.6}});
@@ -61,7 +61,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
     }
 }
 
-/// Every number has an error: those of a coarse run are all more than nothing.
+/// Every number has an error; all errors of a coarse run are above 0.
 #[test]
 fn limit_every_number_is_measured() {
     let law = json!({"kelvin_voigt": {"impact_stiffness_n_per_m": 5e7, "restitution": 0.65}});
@@ -79,7 +79,7 @@ fn limit_every_number_is_measured() {
     assert!(none.largest(QuantityGroup::All).0 == 0.0);
 }
 
-/// Floors that are displaced at the start, touch and come closer: the ledger had not the strain of the one whose span came later.
+/// Floors that are displaced at the start, touch and come closer: the ledger missed the strain energy of the floor whose span came later.
 #[test]
 fn issue_an_impact_at_the_very_start_is_in_the_ledger() {
     for [left, right] in [[0.02, 0.01], [0.02, -0.03], [0.0, -0.02], [-0.01, -0.02]] {

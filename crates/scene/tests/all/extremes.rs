@@ -1,4 +1,4 @@
-//! What the committed results of the extremes promise.
+//! Promises that the committed results of the extremes keep.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -61,7 +61,7 @@ fn extreme_no_number_is_silently_wrong_and_few_are_warned_of_in_vain() {
     let all = summary.last().expect("a last row");
     assert_eq!(column(all, "by"), "all");
     let number = |name: &str| column(all, name).parse::<f64>().expect("a number");
-    // Of the numbers that can be a false alarm at all, which are fewer than all.
+    // Counts only numbers that can be a false alarm.
     assert!(number("false_alarms") <= 0.05 * number("compared"), "{all:?}");
     assert!(number("wrong_refusals") <= 0.01 * number("numbers"), "{all:?}");
 }
@@ -94,7 +94,7 @@ fn extreme_the_summary_counts_the_cells() {
             let found = numbers.iter().filter(|(other, ..)| *other == class).count();
             assert_eq!(found.to_string(), column(row, class), "{name}, {class}");
         }
-        // Counted from the errors themselves.
+        // The errors themselves are counted.
         let printed = |class: &str| !matches!(class, "refused" | "diverged_and_caught");
         let silent = numbers
             .iter()

@@ -1,10 +1,10 @@
-//! Which floors can touch, what they are called, and which levels are refused.
+//! Floors that can touch, their names, and levels that are refused.
 
 use std::path::Path;
 
 use pounding_scene::{Refused, Scene, Simulation};
 
-/// Storeys of 3 m: four beside two, and these beside a wall.
+/// Storeys of 3 m: four storeys beside two storeys beside a wall.
 const ROW: &str = r#"
 name = "row"
 record.generated.ricker = { amplitude_m_per_s2 = 5, frequency_hz = 1, time_step_s = 0.01 }
@@ -47,7 +47,7 @@ fn prepared(scene: &Scene) -> Result<Simulation, Refused> {
     })
 }
 
-/// Levels that no floor stands at were accepted in silence, and their pairs vanished.
+/// Levels without a floor were accepted silently, and their pairs vanished.
 #[test]
 fn issue_levels_that_do_not_exist_are_refused() {
     let refused = |levels| prepared(&scene(levels)).expect_err("it is refused").to_string();
@@ -66,7 +66,7 @@ fn issue_levels_that_do_not_exist_are_refused() {
     assert_eq!(prepared.floors().facing().len(), 3);
 }
 
-/// A wall beside several floors was called by one name at all of them.
+/// A wall beside several floors had the same name at all of them.
 #[test]
 fn issue_a_wall_is_named_by_its_level_where_it_faces_several() {
     let names = |levels| {
@@ -89,7 +89,7 @@ fn issue_a_wall_is_named_by_its_level_where_it_faces_several() {
     );
 }
 
-/// Floors beside columns were refused though `levels` left them out, and the message knew no way that keeps the geometry.
+/// Floors beside columns were refused even if `levels` left them out, and the message offered no way that keeps the geometry.
 #[test]
 fn issue_floors_at_unequal_heights_are_no_matter_where_they_cannot_touch() {
     // Floors of "two" at 2.5 and 6 m beside those of "four" at 3, 6, 9 and 12 m.
@@ -113,7 +113,7 @@ fn issue_floors_at_unequal_heights_are_no_matter_where_they_cannot_touch() {
     assert!(message.contains("found 1, allowed 3:"), "{message}");
 }
 
-/// Gaps, heights, storeys, laws and arrivals that are a power of ten off looked usual.
+/// Gaps, heights, storeys, laws and arrivals that were wrong by a power of ten looked usual.
 #[test]
 fn issue_powers_of_ten_look_unusual() {
     let usual = prepared(&scene([None, None])).expect("a good scene");
@@ -152,7 +152,7 @@ fn issue_powers_of_ten_look_unusual() {
     }
 }
 
-/// A warning of the third pair named `contacts[2]` of a scene with two.
+/// A warning about the third pair named `contacts[2]` in a scene with two contacts.
 #[test]
 fn issue_warnings_name_contacts_and_not_pairs() {
     let building = |name: &str, period: f64| {

@@ -1,10 +1,10 @@
-//! What a row and its runs are judged by beyond their numbers: levels, columns beside floors, and chains that rest.
+//! Judgements of a row and its runs beyond their numbers: levels, columns beside floors, and chains at rest.
 
 use std::path::Path;
 
 use pounding_scene::{ExcessKind, Implausible, Scene, Simulation};
 
-/// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m, of which the lowest may touch.
+/// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m. Only the lowest floors may touch.
 const STAGGERED: &str = r#"
 name = "staggered"
 record.generated.ricker = { amplitude_m_per_s2 = 5, frequency_hz = 1, time_step_s = 0.01 }
@@ -23,7 +23,7 @@ fn prepared(text: &str) -> Simulation {
     Simulation::new(&scene, "").expect("it is sound")
 }
 
-/// Three floors beside columns, and "Warnings none": `levels` left them out.
+/// Three floors beside columns gave "Warnings none", because `levels` left them out.
 #[test]
 fn issue_levels_do_not_silence_floors_beside_columns() {
     let judged = |text: &str| {
@@ -39,7 +39,7 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
     assert_eq!(at_columns.len(), 3, "{at_columns:?}");
     let found = found.expect("they come within reach");
     assert_eq!(found.name, "a, floor 3");
-    // At 9.5 m, 2.5 m above one floor of the neighbour and 1.5 m below the next.
+    // At 9.5 m it is 2.5 m above a floor of the neighbour and 1.5 m below the next.
     let own = at_columns.iter().find(|one| one.floor == found.floor).expect("it is there");
     assert!((own.along - 0.625).abs() < 1e-12);
     let [foot, head] = [own.below.expect("a floor"), own.above].map(|floor| peaks[floor]);
@@ -49,8 +49,8 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
     assert_eq!(wide, None, "nothing closes a metre");
 }
 
-/// `levels` silenced floors of one level: "no floors touch … Warnings none", while the roofs needed three times the gap. A wall is not
-/// there where its contact does not let it be touched: it may be that of a moat.
+/// `levels` silenced floors of the same level: "no floors touch … Warnings none", although the roofs needed three times the gap. A wall
+/// exists only at the levels of its contact, because it may be the wall of a moat.
 #[test]
 fn issue_levels_do_not_silence_floors_that_face_each_other() {
     let level = "{ mass_kg = 2e5, height_m = 3, repeat = 3 }";
@@ -103,7 +103,7 @@ structures = [
     assert_eq!(prepared(masses).floors().unwatched(), []);
 }
 
-/// What looks wrong of one kind is one line, with the worst: a file in cm/s², and masses in tonnes.
+/// Implausible values of one kind are one line, with the worst value: a file in cm/s², and masses in tonnes.
 #[test]
 fn reference_what_is_unusual_is_gathered_by_its_kind() {
     let text = STAGGERED.replace("mass_kg = 2e5, height_m = 4", "mass_kg = 200, height_m = 4");
@@ -113,9 +113,9 @@ fn reference_what_is_unusual_is_gathered_by_its_kind() {
     insta::assert_snapshot!(said.join("\n"), @"structures[1].building.storeys[1].mass_kg and 2 more: found 200 kg, usual is 1e4 to 1e9 kg for a floor");
 }
 
-/// Eight structures without gaps, e = 0.3, come to rest together some hundred times in ten seconds. An independent route and the exact method
-/// were 2e-5 m apart from 6.3 s on. These are the displacements at 10 s by arithmetic of 113 bits that follows every bounce down to
-/// 1e-27 m/s: closed series between impacts, no threshold of time.
+/// Eight structures without gaps and with e = 0.3 come to rest together some hundred times in ten seconds. The second route and the exact
+/// method were 2e-5 m apart after 6.3 s. The wanted displacements at 10 s come from arithmetic of 113 bits that follows every bounce down
+/// to 1e-27 m/s: closed series between impacts, without a threshold of time.
 #[test]
 fn reference_a_chain_that_comes_to_rest_together() {
     let periods = [0.4, 0.9, 0.3, 1.3, 0.6, 0.5, 1.1, 0.25];

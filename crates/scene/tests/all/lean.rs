@@ -5,7 +5,7 @@ use pounding_scene::file::RunBudget;
 use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
 use proptest::prelude::*;
 
-/// What a scene may or may not ask for.
+/// Structures with and without optional properties.
 fn structure() -> impl Strategy<Value = Sdof> {
     let yields = prop_oneof![
         3 => Just(None),
@@ -45,7 +45,7 @@ fn law() -> impl Strategy<Value = ContactLaw> {
             approach_speed: 0.3,
         };
         let law = |e: f64| name.calibrated(stiffness, e, Calibration::Exact, &pair);
-        // Springs without damping deliver e = 1 alone.
+        // Springs without damping deliver only e = 1.
         law(restitution).or_else(|_| law(1.0)).expect("an e in its range")
     })
 }
@@ -70,7 +70,7 @@ fn method() -> impl Strategy<Value = Method> {
     text.prop_map(|text| serde_json::from_str(text).expect("a method"))
 }
 
-/// One to five structures, a wall at either end or none, contacts or none.
+/// One to five structures, with or without a wall at either end, with or without contacts.
 fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
     let row = prop::collection::vec(structure(), 1..=5);
     let contacts = prop::option::weighted(0.8, prop::collection::vec(contact(), 6));
@@ -104,7 +104,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
     })
 }
 
-/// All numbers of a run, to the last bit: the shortest digits that give them back, and the sign of zeros.
+/// All numbers of a run to the last bit: the shortest digits that restore them, and the sign of zeros.
 fn bits(outcome: &RunResult) -> String {
     let RunResult {
         peaks,
@@ -137,7 +137,7 @@ proptest! {
     fn limit_the_lean_model_equals_the_full_one((scene, ground) in scene()) {
         let lean = Simulation::with_record(&scene, record(&ground)).expect("a good scene");
         let full = lean.clone().full().expect("a good scene");
-        // Histories are kept for the comparison; without them nothing else changes.
+        // Histories are recorded for the comparison; they change nothing else.
         match (lean.run(Some(0.01)), full.run(Some(0.01))) {
             (Ok(a), Ok(b)) => {
                 prop_assert_eq!(bits(&a), bits(&b));
@@ -146,7 +146,7 @@ proptest! {
                 without.histories = a.histories.clone();
                 prop_assert_eq!(bits(&a), bits(&without));
             }
-            // What breaks a law of mechanics or diverges does so in both.
+            // A scene that breaks a law of mechanics or diverges does so in both models.
             (a, b) => prop_assert_eq!(
                 a.err().map(|error| error.to_string()),
                 b.err().map(|error| error.to_string())

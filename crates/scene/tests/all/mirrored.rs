@@ -1,4 +1,4 @@
-//! A row and its mirror, shaken the other way, do the same.
+//! A row and its mirror under mirrored shaking respond alike.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use pounding_scene::{Scene, Simulation};
 
 const STUDIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies");
 
-/// A tower of four storeys and a wall, from left to right or the other way.
+/// A tower of four storeys and a wall, in this order from the left or reversed.
 fn collisions(method: &str, mirrored: bool) -> Vec<usize> {
     let tower = r#"{ building = { name = "tower", period_s = 0.6, damping.ratio = 0.02, storeys = [{ mass_kg = 3e5, repeat = 4 }] } }"#;
     let wall = "{ wall = {} }";
@@ -28,8 +28,8 @@ fn collisions(method: &str, mirrored: bool) -> Vec<usize> {
     pairs.map(|pair| run.of_pair(pair).collisions).collect()
 }
 
-/// The upper levels of a wall on the left are told after the tower beside them: a clamped force that lets go for a moment began another
-/// collision there.
+/// The upper levels of a wall on the left come after the tower in the row. There a clamped force that let go for a moment began another
+/// collision.
 #[test]
 fn issue_a_wall_on_the_left_is_touched_as_often_as_its_mirror() {
     for method in [

@@ -13,8 +13,7 @@ fn pulse() -> Accelerogram {
     pounding_motion::read(text).expect("a record")
 }
 
-/// Reads, prepares and runs the text of a scene.
-/// Runs a scene; what it prints is finite.
+/// Reads, prepares and runs the text of a scene. All printed numbers must be finite.
 fn answer(text: &str) -> Result<(), Error> {
     let scene: Scene = Scene::parse(text.as_bytes(), Path::new("scene.json"))?;
     let outcome = Simulation::with_record(&scene, pulse())?.run(None)?;
@@ -49,7 +48,7 @@ fn scene(law: &Value, method: &Value) -> Value {
     })
 }
 
-/// Every law by all its parameters, and those that take it by a restitution.
+/// Every law with all its parameters, and the laws that accept a restitution also with it.
 fn laws() -> Vec<Value> {
     let by_parameters = |json: &Value| {
         let name = json.as_object().and_then(|law| law.keys().next());
@@ -98,7 +97,7 @@ fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
     }
 }
 
-/// What a writer of JSON may leave of a number that is none, and what a reader could take for infinity.
+/// Words that a writer of JSON may use for NaN and infinity, and numbers that a reader may take for infinity.
 #[test]
 fn extreme_numbers_that_are_none_are_refused_with_their_place() {
     let rest = (laws().remove(0), methods().remove(0));
@@ -119,7 +118,7 @@ fn extreme_numbers_that_are_none_are_refused_with_their_place() {
                 *scene.pointer_mut(&place).expect("a place of this scene") = json!("here");
                 let text = scene.to_string().replace("\"here\"", wrong);
                 let message = answer(&text).expect_err("a number that is none").to_string();
-                // Words that are no JSON have a line and a column only, one that is none of a law's choices its law.
+                // Invalid JSON is named by line and column, an unknown law by its choices.
                 let field = place.rsplit('/').find(|name| name.parse::<u32>().is_err());
                 let field = field.expect("every place has a name");
                 let is_json = !wrong.ends_with(['N', 'y']);
@@ -133,7 +132,7 @@ fn extreme_numbers_that_are_none_are_refused_with_their_place() {
     assert!(tried > 2000, "{tried} numbers tried");
 }
 
-/// Numbers at the ends of their range, each in turn: refused or run, but finite and without a panic.
+/// Numbers at the ends of their range, one after another: each is refused or gives finite results, without a panic.
 #[test]
 fn extreme_largest_and_smallest_numbers_are_answered() {
     let impulsive = laws().remove(0);

@@ -38,7 +38,7 @@ fn reference_a_step_overshoots_by_the_closed_form() {
             close(found.displacement, a / (w * w) * overshoot);
             close(found.pseudo_velocity, a / w * overshoot);
             close(found.pseudo_acceleration, a * overshoot);
-            // Absolute: a (1 − exp(−ζωt) (cos ω_d t − ζω/ω_d sin ω_d t)), and where its rate is zero.
+            // The absolute acceleration is a (1 − exp(−ζωt) (cos ω_d t − ζω/ω_d sin ω_d t)); its peak is where its rate is zero.
             let angle = PI - libm::atan2(2.0 * z * root, 1.0 - 2.0 * z * z);
             let bracket = libm::cos(angle) - z / root * libm::sin(angle);
             let absolute = a * (1.0 - libm::exp(-z / root * angle) * bracket);
@@ -79,8 +79,8 @@ fn limit_a_stiff_structure_moves_with_the_ground_and_a_soft_one_stays() {
     assert!((soft.displacement / pgd - 1.0).abs() < 1e-3, "{soft:?} {pgd}");
 }
 
-/// Chopra, *Dynamics of Structures*, Fig. 6.4.1. The book reads its responses every 0.02 s: where a peak lies between,
-/// as at 0.5 s, ours is larger by up to (ωΔt/2)²/2 of it.
+/// Chopra, *Dynamics of Structures*, Fig. 6.4.1. The book reads its responses every 0.02 s. If a peak lies between, as for 0.5 s, ours is
+/// larger by up to (ωΔt/2)²/2 of it.
 #[test]
 fn reference_peak_deformations_of_chopra() {
     let record = el_centro();
@@ -130,7 +130,7 @@ fn reference_another_method_finds_the_same_peaks() {
         for ratio in [0.0, 0.02, 0.05, 0.2] {
             let found = at(&record, period, ratio).displacement;
             let sampled = by_recurrence(&fine, period, ratio);
-            // Half a sample beside a peak at most, the displacement is less by the acceleration there.
+            // At most half a sample beside a peak, the displacement is smaller because of the acceleration there.
             let frequency = TAU / period;
             let acceleration = frequency * frequency * found + record.measures().pga;
             let between = 0.5 * acceleration * (0.01 / 16.0) * (0.01 / 16.0);
@@ -159,7 +159,7 @@ fn limit_a_spectrum_is_the_same_for_the_reversed_and_twice_for_the_doubled_recor
 fn limit_zeros_after_the_record_change_nothing() {
     let record = el_centro();
     let samples = record.samples();
-    // Cut within the strong shaking, so that the free vibration that follows holds the largest response.
+    // The record is cut within the strong shaking, so that the free vibration after it holds the largest response.
     for length in [100, 110, 123, 250] {
         let mut longer = samples[..length].to_vec();
         longer.push(0.0);

@@ -1,4 +1,4 @@
-//! At which levels the floors and walls of a scene stand, and that contacts let floors touch that face each other.
+//! Levels of the floors and walls of a scene, and whether contacts let floors touch that face each other.
 
 use pounding_solver::Levels;
 use pounding_text::{Refused, digits};
@@ -6,11 +6,10 @@ use pounding_text::{Refused, digits};
 use super::EQUAL_HEIGHTS;
 use crate::{Contact, Scene, Structure};
 
-/// The levels of a scene whose structures were checked.
+/// Finds the levels of a scene whose structures were checked.
 ///
 /// # Errors
-/// [`Refused`] where a floor would hit the columns of a neighbour, [`Refused`] and
-/// [`Refused`] where a contact names levels at which nothing can touch.
+/// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
 pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
     let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
     let known = Heights::of(scene, &elevations);
@@ -33,18 +32,18 @@ pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
     Ok(Levels::at(&levels))
 }
 
-/// Whether floors can touch at a level, counted from 0.
+/// Whether a contact lets floors touch at a level, counted from 0.
 pub(super) fn lets_touch(contact: &Contact, level: usize) -> bool {
     let levels = contact.levels.as_ref();
     levels.is_none_or(|levels| levels.contains(&(level + 1)))
 }
 
-/// Whether floors are told apart by their heights or counted from the ground.
+/// How floors are assigned to levels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Heights {
-    /// All heights are given, and some structure has several storeys.
+    /// By height: all heights are given, and some structure has several storeys.
     Known,
-    /// Storeys of one number are taken to be level.
+    /// By number: storeys with the same number count as level.
     Counted,
 }
 
@@ -61,7 +60,7 @@ impl Heights {
     }
 }
 
-/// Heights of the floors of a structure above the ground \[m\], where all are known; nothing for a wall.
+/// Heights of the floors of a structure above the ground \[m\]; `None` if some are unknown, and for a wall.
 pub(super) fn elevations(structure: &Structure) -> Option<Vec<f64>> {
     match structure {
         Structure::Sdof(sdof) => sdof.height_m.map(|height| vec![height]),
@@ -77,8 +76,8 @@ pub(super) fn elevations(structure: &Structure) -> Option<Vec<f64>> {
     }
 }
 
-/// Levels, counted from 1, at which both neighbours of a contact have floors; of a floor beside a wall its own. Nothing
-/// between two walls, which are refused elsewhere.
+/// Levels, counted from 1, at which both neighbours of a contact have floors; beside a wall the levels of the other one. Empty between two
+/// walls, which are refused elsewhere.
 fn facing(scene: &Scene, levels: &[Vec<usize>], contact: usize) -> Vec<usize> {
     let is_wall = |one: usize| matches!(scene.structures[one], Structure::Wall);
     let [left, right] = [contact, contact + 1].map(|one| &levels[one]);
@@ -97,7 +96,7 @@ fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
     two.map(|one| scene.structures[one].name().to_string())
 }
 
-/// Refuses levels at which nothing faces the neighbour.
+/// Refuses levels at which no floor faces the neighbour.
 fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: &[usize]) -> Result<(), Refused> {
     let [left, right] = names(scene, [contact, contact + 1]);
     let (facing, place) = (list(allowed), format!("contacts[{contact}].levels"));
@@ -120,13 +119,13 @@ fn check_chosen(scene: &Scene, contact: usize, chosen: &[usize], allowed: &[usiz
     }
 }
 
-/// Counts in a list.
+/// Writes counts as a list.
 fn list(counts: &[usize]) -> String {
     let counts: Vec<_> = counts.iter().map(ToString::to_string).collect();
     counts.join(", ")
 }
 
-/// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
+/// Refuses floors that face no floor of a neighbour, up to the lower of both roofs.
 fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: &[usize]) -> Result<(), Refused> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());
@@ -162,7 +161,7 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
     Ok(())
 }
 
-/// Levels of the floors of every structure, counted from 0; those of walls follow from them.
+/// Levels of the floors of every structure, counted from 0. Those of walls follow from them.
 fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -> Vec<Vec<usize>> {
     let mut all: Vec<f64> = elevations.iter().flatten().flatten().copied().collect();
     all.sort_by(f64::total_cmp);
@@ -178,8 +177,7 @@ fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -
     structures.map(own).collect()
 }
 
-/// A wall faces every floor beside it, but those that its contact does not let it touch; one that faces none stands on the
-/// ground.
+/// A wall is at the level of every floor beside it that its contact lets touch it. A wall without such floors stands at the lowest level.
 fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     // Contact i lies between structures i and i + 1.

@@ -2,31 +2,31 @@
 
 use super::{EQUAL_HEIGHTS, Floors};
 
-/// A floor and the column or floor next to it in the neighbouring building, if no contact models their touches.
+/// A floor, and the column or floor beside it in the neighbouring building, if no contact models their touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unwatched {
     /// Index of the gap between both, from the left.
     pub gap: usize,
-    /// The floor, by its place in the row; of two floors of a level the left one.
+    /// Index of the floor in the row; of two floors of a level the left one.
     pub floor: usize,
-    /// The floor below the column; `None` if the column stands on the ground.
+    /// Floor at the foot of the column; `None` if the column stands on the ground.
     pub below: Option<usize>,
-    /// The floor above the column, or the floor of the same level.
+    /// Floor at the head of the column, or the floor of the same level.
     pub above: usize,
-    /// Where along the column the floor is \[–\], from 0 at its foot to 1 at its head, where the floor above is level with it.
+    /// Position of the floor along the column \[–\]: 0 at the foot, 1 at the head and for a floor of the same level.
     pub along: f64,
 }
 
 impl Unwatched {
-    /// Whether it faces a floor, and no column.
+    /// Whether it faces a floor instead of a column.
     pub fn is_level(&self) -> bool {
         self.along >= 1.0
     }
 }
 
 impl Floors {
-    /// Floors beside columns, up to the lower roof of two neighbours whose heights are given, and floors of levels that contacts leave out.
-    /// A wall stands only at the levels of its contact.
+    /// Finds floors beside columns, up to the lower roof of two neighbours with given heights, and floors of levels that contacts leave
+    /// out. A wall stands only at the levels of its contact.
     pub fn unwatched(&self) -> Vec<Unwatched> {
         let gaps = 0..self.structures.len().saturating_sub(1);
         gaps.flat_map(|gap| self.unwatched_in(gap)).collect()
@@ -55,7 +55,7 @@ impl Floors {
         all
     }
 
-    /// Says that floors face what no contact models, whether or not it comes within reach.
+    /// Sentences about floors whose touches no contact models, even if they stay out of reach.
     pub fn says_unwatched(&self) -> Option<String> {
         let all = self.unwatched();
         let first = &self.all[all.first()?.floor].name;
@@ -65,7 +65,7 @@ impl Floors {
         ))
     }
 
-    /// "levels 2 to 4 of A and B", if the contact in a gap leaves levels out.
+    /// Writes "levels 2 to 4 of A and B" if the contact in a gap leaves levels out.
     pub fn left_out(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap).into_iter();
         let all = all.filter(Unwatched::is_level);
@@ -85,10 +85,10 @@ impl Floors {
         Some(format!("{levels} of {left} and {right}"))
     }
 
-    /// Says that two neighbours have no floors of one level, so that no width is known that they need.
+    /// Sentences about neighbours without floors of the same level, whose required gap is not known.
     pub fn says_no_level(&self) -> Vec<String> {
         let names = self.structures.windows(2).enumerate();
-        // Between two walls nothing moves.
+        // Nothing moves between two walls.
         let none = names.filter(|(gap, _)| self.levels.facing(*gap).next().is_none());
         none.map(|(_, names)| {
             format!(
@@ -99,19 +99,19 @@ impl Floors {
         .collect()
     }
 
-    /// Whether floors of both sides of a gap stand equally high up to the lower roof, by the heights that the scene gives.
+    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene.
     pub fn are_level(&self, gap: usize) -> bool {
         let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
         known == [true; 2] && self.beside_columns(gap).is_empty()
     }
 
-    /// Heights of the floors of a structure, from the ground up; `None` if some are not known, and of a wall.
+    /// Heights of the floors of a structure, from the ground up; `None` if some are unknown, and for a wall.
     fn heights_of(&self, structure: usize) -> Option<Vec<f64>> {
         let floors = self.of_structure(structure).iter();
         floors.map(|floor| self.all[*floor].elevation_m).collect()
     }
 
-    /// Floors of both sides of a gap whose heights are those of no floor of the other.
+    /// Floors on both sides of a gap that are level with no floor of the other side.
     fn beside_columns(&self, gap: usize) -> Vec<Unwatched> {
         let of = |own, other| self.beside_columns_of(gap, own, other);
         [of(gap, gap + 1), of(gap + 1, gap)].concat()

@@ -1,4 +1,4 @@
-//! Scene files: JSON and TOML say the same, and every way to say a structure gives the same structure.
+//! Scene files: JSON and TOML give the same scene, and every way to describe a structure gives the same structure.
 
 mod choices;
 mod motions;
@@ -62,7 +62,7 @@ fn limit_json_and_toml_say_the_same() {
     let of_toml = scene(TOML, "scene.toml");
     let json = serde_json::to_string(&of_toml).expect("a scene is written");
     assert_eq!(scene(&json, "scene.json"), of_toml);
-    // By its first letter, whatever the ending; and with the mark that some editors put before UTF-8.
+    // The first letter decides, whatever the name of the file. A byte order mark does not matter.
     assert_eq!(scene(&format!("\u{feff}{json}"), "scene"), of_toml);
     assert_eq!(scene(&format!("\u{feff}{TOML}"), "scene"), of_toml);
 }
@@ -96,7 +96,7 @@ fn limit_a_scene_without_method_and_duration() {
     let record = b"time_s,acceleration_g\n0,0\n1,0.1\n2,0\n";
     let record = pounding_motion::read(record).expect("a record");
     let prepared = pounding_scene::Simulation::with_record(&scene, record).expect("a good scene");
-    // The record and two of the longest periods.
+    // The duration is that of the record and two of the longest periods.
     assert!((prepared.duration() - 4.4).abs() < 1e-12, "{}", prepared.duration());
 }
 
@@ -148,7 +148,7 @@ fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal("structures: 2\n"), @"scene.toml, line 1, column 13: not TOML: key with no value, expected `=`");
 }
 
-/// TOML read the first two numbers of a range and dropped the others.
+/// TOML read the first two numbers of a range and dropped the rest.
 #[test]
 fn issue_a_range_of_three_numbers_lost_one() {
     let range = "[neighbour.unknown]\nperiod_s = [0.2, 1, 2]\nmass_ratio = [0.5, 2]\n\n[[contacts]]";
@@ -173,8 +173,8 @@ fn extreme_text_that_is_not_utf8() {
     assert_snapshot!(refused(b"{\"name\": \"T\xfcrkiye\"}", "scene.json"), @"scene.json: the text is not UTF-8 from byte 11 on; save it as UTF-8");
 }
 
-/// The schema allows no fields but those that it knows, among them those that are words only. That what ships keeps to it the tests
-/// of the program say.
+/// The schema allows only fields that it knows, and choices that are single words. Tests of the program check that the shipped files fit
+/// it.
 #[test]
 fn limit_the_schema_knows_the_words_of_a_file() {
     let schema: Value = serde_json::from_str(&file::schema()).expect("JSON");

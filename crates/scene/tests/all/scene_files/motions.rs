@@ -1,4 +1,4 @@
-//! Ground motions: what is made of files and formulas, and what is said of what cannot be.
+//! Ground motions from files and formulas, and refusals of them.
 
 use std::path::Path;
 
@@ -106,7 +106,7 @@ fn extreme_formulas_that_cannot_be() {
     assert_snapshot!(stochastic("\"soft\"", "{ soft = {} }"), @"scene.toml, line 3, column 51: record.generated.stochastic.ground.soft: found a table, allowed is the word alone");
 }
 
-/// A time step of 0.02 s holds nothing of 25 Hz, the usual highest frequency: it was refused as if somebody had written it.
+/// A time step of 0.02 s does not hold 25 Hz, the default of the highest frequency. It was refused as if the user had written it.
 #[test]
 fn issue_the_highest_frequency_follows_the_time_step() {
     let peak = |time_step: &str, cutoff: &str| {
