@@ -1,4 +1,4 @@
-use crate::{Action, ContactLaw, FreeImpact, FreePair, ParameterError, Stereomechanical};
+use crate::{Action, ContactForce, ContactLaw, FreeImpact, FreePair, ParameterError, Stereomechanical};
 
 /// State of a pair while it touches, as a contact law sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,17 +11,6 @@ pub struct Overlap {
     pub reduced_mass: f64,
     /// Rate of deformation at the first touch of the present contact v₀ \[m/s\], ≥ 0; 0 if the pair did not approach.
     pub approach_speed: f64,
-}
-
-/// Force of a compliant law and its consistent tangents.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactForce<N = f64> {
-    /// Pounding force F \[N\], ≥ 0; the left structure gets −F, the right one +F.
-    pub force: N,
-    /// ∂F/∂δ \[N/m\].
-    pub stiffness: N,
-    /// ∂F/∂δ̇ \[N·s/m\].
-    pub damping: N,
 }
 
 /// Reduced mass m₁m₂/(m₁+m₂) \[kg\] of two neighbours given by their inverse masses \[1/kg\].

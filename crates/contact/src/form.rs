@@ -3,7 +3,7 @@
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
-use crate::{ContactForce, Number};
+use crate::Number;
 
 /// The form of every compliant law: F = K δ^n + C δ^κ δ̇, never below 0.
 ///
@@ -16,6 +16,17 @@ pub struct Form<N = f64> {
     pub damper: Term<N>,
     /// When the damper acts.
     pub action: Action,
+}
+
+/// Force of a compliant law and its consistent tangents.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactForce<N = f64> {
+    /// Pounding force F \[N\], ≥ 0; the left structure gets −F, the right one +F.
+    pub force: N,
+    /// ∂F/∂δ \[N/m\].
+    pub stiffness: N,
+    /// ∂F/∂δ̇ \[N·s/m\].
+    pub damping: N,
 }
 
 /// A coefficient times a power of the deformation.

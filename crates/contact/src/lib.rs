@@ -44,8 +44,8 @@ mod search;
 mod words;
 
 pub use approach_damper::SLOWEST_APPROACH;
-pub use contact_law::{Clamp, ContactForce, Overlap, reduced_mass};
-pub use form::{Action, Form, Power, Term};
+pub use contact_law::{Clamp, Overlap, reduced_mass};
+pub use form::{Action, ContactForce, Form, Power, Term};
 pub use free_impact::FreeImpact;
 pub use free_pair::FreePair;
 pub use law::{About, Exact, Formula, Law, Name};

@@ -1,11 +1,10 @@
 //! Normal distributions, of a number or of its logarithm, perhaps cut off.
 
-use pounding_text::Refused;
+use pounding_text::{Refused, plain};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantile::{probability, quantile};
-use super::spread::{FINITE, POSITIVE, bounds, require};
 
 /// A normal distribution, optionally truncated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -163,4 +162,26 @@ impl LogNormal {
         let standard = |bound: f64| libm::log(bound / self.median) / self.log_standard_deviation;
         Truncation::between(self.from.map(standard), self.to.map(standard))
     }
+}
+
+/// Refuses a number that is not valid.
+pub(super) fn require(valid: bool, field: &'static str, found: f64, allowed: &'static str) -> Result<(), Refused> {
+    if valid && found.is_finite() {
+        Ok(())
+    } else {
+        Err(Refused::at(field).found(plain(found)).allowed(allowed))
+    }
+}
+
+pub(super) const FINITE: &str = "a finite number";
+pub(super) const POSITIVE: &str = "a finite number > 0";
+const ABOVE: &str = "a finite number above `from`";
+
+/// Refuses bounds of which the upper one is not above the lower one.
+pub(super) fn bounds(from: Option<f64>, to: Option<f64>) -> Result<(), Refused> {
+    if let Some(from) = from {
+        require(true, "from", from, FINITE)?;
+    }
+    let Some(to) = to else { return Ok(()) };
+    require(from.is_none_or(|from| to > from), "to", to, ABOVE)
 }

@@ -159,7 +159,7 @@ fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(config(100))]
 
     #[test]
     fn limit_a_lane_gives_the_bits_of_its_scene_alone(

@@ -1,4 +1,4 @@
-//! The trade of error against work on a short ladder: equal bytes in every run, with counts and errors as a snapshot.
+//! The trade of error against work on a short ladder: counts and errors as a snapshot, whatever the threads.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -20,14 +20,15 @@ fn trade(time_steps_s: &[f64], tolerances: &[f64]) -> Trade {
     Trade::measure(&completed, &ladder, &|| ()).expect("a ladder that fits")
 }
 
-fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("threads");
+/// Files on one thread; `cargo xtask reproduce --check` compares those of all threads.
+fn files() -> BTreeMap<PathBuf, Vec<u8>> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
     pool.install(|| trade(&[0.01, 0.001], &[1e-8, 1e-16]).files().expect("figures that can be drawn"))
 }
 
 #[test]
 fn reference_work_and_errors_on_a_short_ladder() {
-    let files = files(2);
+    let files = files();
     for name in [
         "trade.csv",
         "pareto.csv",
@@ -46,5 +47,4 @@ fn reference_work_and_errors_on_a_short_ladder() {
             "two routes further apart than the condition of the result allows: {doubtful:#?}"
         );
     }
-    assert!(files == self::files(1), "one thread gives the same bytes");
 }
