@@ -10,7 +10,7 @@ use super::meeting::SAME;
 use super::numbers::Numbers;
 use crate::listed::listed;
 use pounding_reference::Fineness;
-use pounding_scene::{Audited, Error, Scene, Simulation};
+use pounding_scene::{AuditedRun, Error, Scene, Simulation};
 use pounding_solver::{Pair, RunError};
 
 /// Residual of the energy of an exact run that is always allowed \[–\].
@@ -130,7 +130,7 @@ impl Checked {
             Ok(prepared) => prepared,
             Err(error) => return failed(Verdict::Refused, Failure::of(&error)),
         };
-        let Audited { outcome, broken, balance } = match prepared.audited(None) {
+        let AuditedRun { outcome, broken, balance } = match prepared.audited(None) {
             Ok(audited) => audited,
             Err(error) => {
                 let mut failure = Failure::of(&error);

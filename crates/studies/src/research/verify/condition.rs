@@ -9,7 +9,7 @@ use super::random::Random;
 use super::written::rewritten;
 use crate::research::work_precision::{Known, under};
 use pounding_motion::Record;
-use pounding_scene::{Extras, Options, Scene, Simulation};
+use pounding_scene::{Extras, Scene, Simulation, SimulationOptions};
 
 /// Relative changes of the data; the second where the first does not explain a distance. It is as small as rounding, so that what the
 /// exact run itself rounds over many touches shows in it; and of a motion that bounces apart the first is too large to show by how much.
@@ -43,8 +43,8 @@ impl Condition {
 }
 
 /// A scene in a folder, whose runs end when they are told to.
-pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> Options<'a> {
-    Options {
+pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> SimulationOptions<'a> {
+    SimulationOptions {
         stop: Some(stop),
         ..base.into()
     }
