@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 use pounding_files::shown_name;
 use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
 use pounding_scene::file::record_bytes;
-use pounding_scene::{Error, FileUse, GroundMotion, Options, Origin, RecordUse, Scene, Simulation, Source, parallel};
+use pounding_scene::{Error, FileUse, GroundMotion, Origin, RecordUse, Scene, Simulation, SimulationOptions, Source, parallel};
 use pounding_text::Refused;
 
 use copies::Copies;
@@ -53,10 +53,10 @@ impl SuiteMotion {
         scene.record.reversed = reversed;
         let (record, motion) = self.used_as(&scene.record, &scene.name)?;
         scene.record = record;
-        let options = Options {
+        let options = SimulationOptions {
             motion: Some(motion.into()),
             stop,
-            ..Options::default()
+            ..SimulationOptions::default()
         };
         Simulation::new(&scene, options)
     }

@@ -5,7 +5,7 @@ pub(crate) mod direction;
 mod tables;
 
 use pounding::report::Shown;
-use pounding::scene::{Errors, Implausible, Method, PairErrors, QuantityGroup, Review, Scene, Simulation, Values, Warning};
+use pounding::scene::{Errors, Implausible, Method, PairErrors, QuantityGroup, Review, RunValues, Scene, Simulation, Warning};
 use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::text::digits;
 
@@ -138,7 +138,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
             format!(
                 "below each number, its distance from the exact run; that of a residual below {} of the peak is relative to {0} \
                  of it;\n{largest}",
-                percent(Values::LEAST_PART)
+                percent(RunValues::LEAST_PART)
             )
         }
     }

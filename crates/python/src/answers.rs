@@ -5,9 +5,7 @@ use std::path::PathBuf;
 use pounding_assess::Effects;
 use pounding_contact::{Calibration, LawName};
 use pounding_report::{OpenSees, OpenSeesError, Sketch};
-use pounding_scene::{
-    Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod,
-};
+use pounding_scene::{Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod};
 use pounding_text::{Refused, json_text};
 use pyo3::prelude::*;
 use serde_json::Value;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pounding_report::{
     BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, history_of, other_direction, run_sentence,
 };
-use pounding_scene::{Error, FloorQuantity, Implausible, Options, PairQuantity, QuantityKind, Review, Scene, Simulation};
+use pounding_scene::{Error, FloorQuantity, Implausible, PairQuantity, QuantityKind, Review, Scene, Simulation, SimulationOptions};
 use pounding_solver::Collision;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -58,7 +58,7 @@ impl<'a> Given<'a> {
     /// Another scene under the record of this one, prepared.
     pub(crate) fn simulation_of(&self, scene: &Scene, watch: &Watch) -> Result<Simulation, Error> {
         let step = |of: usize| watch.step(1, of as u64);
-        let options = Options {
+        let options = SimulationOptions {
             base: self.path.parent(),
             motion: self.record.map(|record| record.motion.clone()),
             force: self.force,

@@ -1,6 +1,6 @@
 //! The numbers of a run for people: which of them stand in which table, and in what words.
 
-use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, Simulation, Values};
+use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, RunValues, Simulation};
 use pounding_text::{milliseconds, percent};
 
 /// The choice of each table for people, in the order of its columns or rows.
@@ -97,7 +97,7 @@ pub mod tables {
 #[derive(Debug)]
 pub struct Shown<'a> {
     simulation: &'a Simulation,
-    values: Values<'a>,
+    values: RunValues<'a>,
     errors: Option<&'a RunErrors>,
     /// Acceleration of gravity \[m/s²\].
     gravity: f64,

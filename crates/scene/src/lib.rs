@@ -28,7 +28,7 @@
 //!
 //! Where to start:
 //!
-//! - [`Scene`] and its fields: the words of a file. [`file`] has all of them, and reads other files of this form.
+//! - [`Scene`] and its fields: the words of a file. [`file`](mod@file) has all of them, and reads other files of this form.
 //! - [`Simulation`]: [`Simulation::new`], [`Simulation::run`] for numbers, [`Simulation::review`] for numbers with errors and warnings.
 //! - [`Advice::of`]: a method and its step for an accuracy.
 //! - [`parallel`]: work on many scenes by all threads.
@@ -45,9 +45,9 @@ mod spectrum;
 
 pub use accuracy::errors::{PairErrors, RunErrors};
 pub use accuracy::ladder::Ladder;
-pub use accuracy::methods::{ComparedMethod, Knob, StepMethod};
-pub use accuracy::opening::Options;
-pub use accuracy::price::Going;
+pub use accuracy::methods::{ComparedMethod, MethodSetting, StepMethod};
+pub use accuracy::opening::SimulationOptions;
+pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
     Building, Columns, Contact, Damping, FileUse, Generated, Method, RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
@@ -55,14 +55,16 @@ pub use file::{
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy};
-pub use judge::free_collision::{Delivered, FreeCollision};
+pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
-pub use judge::limits::{ContactLimit, FreeLimit, Limits};
+pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};
 pub use judge::response::{Excess, ExcessKind};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;
-pub use quantity::{About, FloorQuantity, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values};
-pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
-pub use simulation::{Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial};
+pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, QuantityUnit, RunValues};
+pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
+pub use simulation::{
+    Advice, AuditedRun, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,
+};
 pub use spectrum::{SpectralValues, Spectrum, periods_between, response_spectra, response_spectrum, scaled_to_sa};

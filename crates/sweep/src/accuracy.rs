@@ -15,7 +15,7 @@ use super::output::Output;
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Prices, mean, step};
 use super::sampling::SamplePoint;
-use pounding_scene::{Going, Method, Simulation};
+use pounding_scene::{Method, RunMode, Simulation};
 use pounding_text::to_csv;
 
 /// Number of runs that choose the method, and number of runs that measure it.
@@ -172,7 +172,7 @@ impl Sweep {
 
     /// A price of runs alone by the exact method without a ledger; runs in lanes have none.
     fn without_ledger(&self, price: f64) -> f64 {
-        if self.verdict { price / Going::LEDGER_OF_PIECE } else { price }
+        if self.verdict { price / RunMode::LEDGER_OF_PIECE } else { price }
     }
 
     /// Mean cost of some runs by the exact method alone.
@@ -198,11 +198,11 @@ impl Sweep {
     fn price_of_steps(&mut self, runs: &[u64]) -> f64 {
         self.set_method(&central_difference(HALVED / 2));
         let going = if self.numbers(runs).beside > HALF {
-            Going::Beside
+            RunMode::Beside
         } else if self.verdict {
-            Going::Judged
+            RunMode::Judged
         } else {
-            Going::Alone
+            RunMode::Alone
         };
         // No step refuses this method.
         self.set_method(&Method::EXACT);

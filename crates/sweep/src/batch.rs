@@ -9,7 +9,7 @@ use super::checked::{Checked, TwoRuns};
 use super::plan::Setting;
 use super::renumbered::Renumbered;
 use super::sampling::SamplePoint;
-use pounding_scene::{Error, Extras, Going, Simulation};
+use pounding_scene::{Error, Extras, RunMode, Simulation};
 use serde_json::Value;
 
 /// Results of a range of runs.
@@ -283,7 +283,7 @@ impl Sweep {
             numbers.push(number);
             least.push(counts_as);
         }
-        let going = if self.verdict { Going::Judged } else { Going::Alone };
+        let going = if self.verdict { RunMode::Judged } else { RunMode::Alone };
         Ok(prepared.price(outcome.work, going))
     }
 }

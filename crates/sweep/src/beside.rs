@@ -6,7 +6,7 @@ use super::Sweep;
 use super::output::Output;
 use crate::side_by_side::{alone_because, side_by_side};
 use pounding_lanes::{PairSums, SceneSums};
-use pounding_scene::{Floor, FloorQuantity, PairOutcome, PairQuantity, Quantity, Simulation, Values};
+use pounding_scene::{Floor, FloorQuantity, PairOutcome, PairQuantity, Quantity, RunValues, Simulation};
 use pounding_solver::Pair;
 
 impl Sweep {
@@ -162,6 +162,6 @@ impl One<'_> {
             return 0.0;
         }
         let peak = |floor| self.tallies.displacement(self.scene, floor).abs();
-        Values::LEAST_PART * peak(self.pair().left()).max(peak(self.pair().right()))
+        RunValues::LEAST_PART * peak(self.pair().left()).max(peak(self.pair().right()))
     }
 }

@@ -3,7 +3,7 @@
 /// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact number \[–\].
 ///
 /// For peaks the magnitudes count. The error is 1 if only one of both runs touches. Residual displacements and least openings are relative
-/// to at least [`LEAST_PART`](pounding_scene::Values::LEAST_PART) of the peak displacement.
+/// to at least [`LEAST_PART`](pounding_scene::RunValues::LEAST_PART) of the peak displacement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnErrors {
     /// Name of the column.

@@ -29,7 +29,7 @@ impl Effects {
     ///
     /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
     pub fn to_csv(&self, scene: &Scene, floors: &Floors) -> String {
-        let directions = [("as_given", &self.as_given), ("reversed", &self.reversed)];
+        let directions = [("as_in_scene", &self.as_given), ("reversed", &self.reversed)];
         let mut rows = Vec::new();
         for floor in floors.by_structure() {
             let structure = floors.all()[floor].structure;

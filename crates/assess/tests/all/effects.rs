@@ -130,11 +130,11 @@ fn reference_a_row_for_every_number() {
     // Five floors in two directions. Each has three rows of collisions, and rows alone, beside and ratio for three responses.
     assert_eq!(lines.len(), 1 + 5 * 2 * (3 + 9));
     assert!(lines.iter().all(|line| line.split(',').count() == 9), "{csv}");
-    assert!(lines[1].starts_with("slow,1,as_given,collisions,"), "{csv}");
+    assert!(lines[1].starts_with("slow,1,as_in_scene,collisions,"), "{csv}");
     let last = lines[lines.len() - 1];
     assert!(last.starts_with("quick,2,reversed,acceleration_amplification,"), "{csv}");
     let drift = effects.as_given[0].drift_m.expect("it moves").beside;
-    assert!(csv.contains(&format!("slow,1,as_given,drift_m,{drift},,,,\n")), "{csv}");
+    assert!(csv.contains(&format!("slow,1,as_in_scene,drift_m,{drift},,,,\n")), "{csv}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use pounding::scene::file::is_json;
-use pounding::scene::{Advice, Error, Goal, Method, QuantityGroup, RunErrors, Scene, Simulation, Trial};
+use pounding::scene::{Advice, Error, Goal, Method, MethodTrial, QuantityGroup, RunErrors, Scene, Simulation};
 use pounding::text::{digits, json_text};
 
 use super::part_of_one;
@@ -154,7 +154,7 @@ fn methods(advice: &Advice) -> String {
         Some((chosen.or(rungs.trials.last())?, chosen.is_some()))
     }));
     trials.sort_by_key(|(trial, meets)| (!meets, trial.cost));
-    let row = |(trial, meets): &(&Trial, bool)| {
+    let row = |(trial, meets): &(&MethodTrial, bool)| {
         let step = trial.method.time_step();
         vec![
             trial.name.into(),
@@ -173,7 +173,7 @@ fn methods(advice: &Advice) -> String {
 }
 
 /// Error of a run and in what it is largest.
-fn of_trial(trial: &Trial) -> String {
+fn of_trial(trial: &MethodTrial) -> String {
     let error = percent(trial.error);
     if trial.worst.is_empty() {
         error

@@ -6,7 +6,7 @@ use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
-use pounding::scene::{Columns, ContactLimit, Excess, Limits, RunResult, Simulation, Structure};
+use pounding::scene::{Columns, ContactLimit, Excess, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
 use pounding::text::digits;
 
@@ -46,7 +46,7 @@ struct Plan<'a> {
 /// The exact run and what follows from it.
 struct Expected {
     outcome: RunResult,
-    limits: Limits,
+    limits: MethodLimits,
     /// The exact run under the reversed shaking; `None` if it fails.
     reversed: Option<RunResult>,
     /// What the scene gives and needs in neither direction, or in its own if the reversed run fails.
@@ -310,7 +310,7 @@ fn contact_numbers(limit: &ContactLimit) -> [String; 6] {
         return ["pressed".into(), NONE.into(), NONE.into(), critical, NONE.into(), NONE.into()];
     };
     let steps = free.steps.map_or(NONE.into(), |steps| {
-        if steps < Limits::STEPS_PER_CONTACT {
+        if steps < MethodLimits::STEPS_PER_CONTACT {
             format!("{steps:.2}")
         } else {
             format!("{steps:.0}")

@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use pounding::scene::file::bytes_of;
-use pounding::scene::{Error, Options, Scene, Simulation};
+use pounding::scene::{Error, Scene, Simulation, SimulationOptions};
 use pounding::text::Refused;
 
 use crate::progress::Progress;
@@ -134,12 +134,12 @@ impl Program {
     }
 }
 
-/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Options`].
+/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`SimulationOptions`].
 fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
     let scene = read(path)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
-    let options = Options {
+    let options = SimulationOptions {
         force,
         progress: Some(&step),
         ..folder(path).into()

@@ -229,7 +229,7 @@ fn is_zero(value: &f64) -> bool {
 }
 
 impl LedgerSummary {
-    pub(super) fn of(balance: &pounding_scene::Balance) -> Self {
+    pub(super) fn of(balance: &pounding_scene::EnergyBalance) -> Self {
         let Terms {
             initial,
             input,

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Formatter};
 
-use pounding_scene::{PairQuantity, Quantity, QuantityGroup, QuantityKind, RunErrors, Values};
+use pounding_scene::{PairQuantity, Quantity, QuantityGroup, QuantityKind, RunErrors, RunValues};
 use serde::de::{Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -19,7 +19,7 @@ pub struct ErrorSummary(Vec<(Quantity, Option<f64>)>);
 
 impl Numbers {
     /// All numbers of a place, without those that are fields of a collision.
-    pub(super) fn of(values: &Values<'_>, (all, place): (impl Iterator<Item = Quantity>, usize)) -> Self {
+    pub(super) fn of(values: &RunValues<'_>, (all, place): (impl Iterator<Item = Quantity>, usize)) -> Self {
         let own = all.filter(|one| one.about().collision.is_none());
         Self(own.filter_map(|one| Some((one, values.of(one, place)?))).collect())
     }

@@ -3,7 +3,7 @@
 //! An accuracy promises every [`Quantity`]; this module measures the errors. It leaves out the instants of peaks, which jump if two peaks
 //! are nearly equal, and the terms of the energy.
 
-use crate::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, RunResult, Simulation, Values};
+use crate::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, QuantityKind, RunResult, RunValues, Simulation};
 
 /// Errors of a run against the exact run of the same scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ pub struct PairErrors {
 
 impl PlaceErrors {
     /// Compares some numbers of a place.
-    fn of(runs: [&Values<'_>; 2], all: impl Iterator<Item = Quantity>, place: usize, is_compared: impl Fn(Quantity) -> bool) -> Self {
+    fn of(runs: [&RunValues<'_>; 2], all: impl Iterator<Item = Quantity>, place: usize, is_compared: impl Fn(Quantity) -> bool) -> Self {
         let errors = all.map(|quantity| {
             let about = quantity.about();
             let error = |relative| is_compared(quantity).then(|| error(runs, quantity, place, relative)).flatten();
@@ -45,7 +45,7 @@ impl PlaceErrors {
 
 /// Returns the distance of a number from that of the exact run, relative or absolute. It is `None` if neither run has the number, infinite
 /// if one run lacks it. For counts it is `None` if they are equal, else infinite.
-fn error([run, exact]: [&Values<'_>; 2], quantity: Quantity, place: usize, relative: bool) -> Option<f64> {
+fn error([run, exact]: [&RunValues<'_>; 2], quantity: Quantity, place: usize, relative: bool) -> Option<f64> {
     match (run.of(quantity, place), exact.of(quantity, place)) {
         (None, None) => None,
         (Some(run), Some(exact)) if quantity.about().kind == QuantityKind::Count => ((run - exact).abs() > 0.0).then_some(f64::INFINITY),

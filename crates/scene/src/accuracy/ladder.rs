@@ -1,7 +1,7 @@
 //! The time steps and tolerances with which methods are tried, and the cost of their runs.
 
 use crate::Scene;
-use crate::accuracy::methods::{ComparedMethod, Knob};
+use crate::accuracy::methods::{ComparedMethod, MethodSetting};
 use pounding_solver::{Exact, Work};
 use serde::{Deserialize, Serialize};
 
@@ -36,9 +36,9 @@ impl Ladder {
         let entering = ComparedMethod::ALL.iter().filter(|contender| contender.enters(scene));
         entering.flat_map(|contender| {
             let settings = match contender.knob {
-                Knob::TimeStep => &self.time_steps_s[..],
-                Knob::Tolerance if scene.is_compliant() => &self.tolerances[..],
-                Knob::Tolerance => &self.tolerances[self.tolerances.len() - 1..],
+                MethodSetting::TimeStep => &self.time_steps_s[..],
+                MethodSetting::Tolerance if scene.is_compliant() => &self.tolerances[..],
+                MethodSetting::Tolerance => &self.tolerances[self.tolerances.len() - 1..],
             };
             settings.iter().map(move |setting| (contender, *setting))
         })

@@ -12,7 +12,7 @@ pub struct ComparedMethod {
     /// Name in figures.
     pub label: &'static str,
     /// Setting that its ladder changes.
-    pub knob: Knob,
+    pub knob: MethodSetting,
     /// Scenes in which it differs from the other methods of the list.
     pub(crate) differs: Differs,
     /// The method at a time step \[s\] or tolerance \[–\].
@@ -21,7 +21,7 @@ pub struct ComparedMethod {
 
 /// Setting that the ladder of a method changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Knob {
+pub enum MethodSetting {
     /// The time step \[s\].
     TimeStep,
     /// The tolerance \[–\], which matters only in compliant contact.
@@ -45,7 +45,7 @@ pub struct StepMethod(&'static ComparedMethod);
 impl StepMethod {
     /// Every method with a time step, in the order of tables.
     pub fn all() -> impl Iterator<Item = Self> {
-        let steps = |contender: &&ComparedMethod| contender.knob == Knob::TimeStep;
+        let steps = |contender: &&ComparedMethod| contender.knob == MethodSetting::TimeStep;
         ComparedMethod::ALL.iter().filter(steps).map(Self)
     }
 
@@ -91,70 +91,70 @@ impl ComparedMethod {
         Self {
             key: Self::RIVAL,
             label: "Central difference",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |step| Method::central_difference(step, 1),
         },
         Self {
             key: "central_difference_10_contact_substeps",
             label: "Central difference, 10 sub-steps in contact",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::InContact,
             method: |step| Method::central_difference(step, 10),
         },
         Self {
             key: "velocity_verlet",
             label: "Velocity Verlet",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |step| verlet(step, VerletImpacts::VelocityJump),
         },
         Self {
             key: "velocity_verlet_located",
             label: "Velocity Verlet, impacts located",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::InImpacts,
             method: |step| verlet(step, VerletImpacts::Located),
         },
         Self {
             key: "newmark_average_acceleration",
             label: "Newmark, average acceleration",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |step| newmark(step, Newmark::AVERAGE_ACCELERATION),
         },
         Self {
             key: "newmark_linear_acceleration",
             label: "Newmark, linear acceleration",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |step| newmark(step, Newmark::LINEAR_ACCELERATION),
         },
         Self {
             key: "hht",
             label: "HHT, α = −0.1",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |time_step_s| Method::Hht { time_step_s, alpha: -0.1 },
         },
         Self {
             key: "moreau_jean",
             label: "Moreau–Jean, θ = 1/2",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::InImpacts,
             method: |time_step_s| Method::MoreauJean { time_step_s, theta: 0.5 },
         },
         Self {
             key: "rk4",
             label: "Runge–Kutta 4",
-            knob: Knob::TimeStep,
+            knob: MethodSetting::TimeStep,
             differs: Differs::Everywhere,
             method: |time_step_s| Method::Rk4 { time_step_s },
         },
         Self {
             key: Self::REFERENCE,
             label: "Exact",
-            knob: Knob::Tolerance,
+            knob: MethodSetting::Tolerance,
             differs: Differs::Everywhere,
             method: |tolerance| Method::Exact {
                 tolerance,

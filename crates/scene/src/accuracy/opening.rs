@@ -12,7 +12,7 @@ use crate::{Advice, Error, Goal, GroundMotion, Method, Origin, QuantityGroup, Sc
 /// Options for making a simulation of a scene.
 #[derive(Default)]
 #[expect(missing_debug_implementations, reason = "what is told of progress is a closure")]
-pub struct Options<'a> {
+pub struct SimulationOptions<'a> {
     /// Folder for relative paths in the scene: that of its file.
     pub base: Option<&'a Path>,
     /// Ground motion that replaces the one of the scene, whose file is then not read.
@@ -26,7 +26,7 @@ pub struct Options<'a> {
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
 }
 
-impl<'a, Folder: AsRef<Path> + ?Sized> From<&'a Folder> for Options<'a> {
+impl<'a, Folder: AsRef<Path> + ?Sized> From<&'a Folder> for SimulationOptions<'a> {
     fn from(base: &'a Folder) -> Self {
         Self {
             base: Some(base.as_ref()),
@@ -44,8 +44,8 @@ impl Simulation {
     /// [`Error`] if the record cannot be read, or if a value of the scene cannot be modelled. If the scene asks for an accuracy, also if
     /// its exact run fails.
     #[expect(single_use_lifetimes, reason = "stable Rust asks for its name here")]
-    pub fn new<'a>(scene: &Scene, options: impl Into<Options<'a>>) -> Result<Self, Error> {
-        let Options {
+    pub fn new<'a>(scene: &Scene, options: impl Into<SimulationOptions<'a>>) -> Result<Self, Error> {
+        let SimulationOptions {
             base,
             motion,
             force,
@@ -102,9 +102,9 @@ impl Simulation {
     pub fn shaken(scene: &Scene, motion: SharedMotion) -> Result<Self, Error> {
         Self::new(
             scene,
-            Options {
+            SimulationOptions {
                 motion: Some(motion),
-                ..Options::default()
+                ..SimulationOptions::default()
             },
         )
     }

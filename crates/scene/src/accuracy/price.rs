@@ -18,7 +18,7 @@ const LEDGER_OF_STEP: f64 = 0.6;
 
 /// How a scene is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Going {
+pub enum RunMode {
     /// Alone, without a ledger.
     Alone,
     /// Alone, with a ledger.
@@ -27,7 +27,7 @@ pub enum Going {
     Beside,
 }
 
-impl Going {
+impl RunMode {
     /// Factor by which a ledger increases the cost of a piece of motion of the exact method: 1.6 to 1.8.
     pub const LEDGER_OF_PIECE: f64 = 1.7;
 }
@@ -77,10 +77,10 @@ impl Simulation {
     }
 
     /// Cost of a run of the scene with its method.
-    pub fn price(&self, work: Work, going: Going) -> f64 {
+    pub fn price(&self, work: Work, going: RunMode) -> f64 {
         let ledger = match going {
-            Going::Judged => Going::LEDGER_OF_PIECE,
-            Going::Alone | Going::Beside => 1.0,
+            RunMode::Judged => RunMode::LEDGER_OF_PIECE,
+            RunMode::Alone | RunMode::Beside => 1.0,
         };
         let of_piece = ledger * of_piece(self) as f64;
         let of_step = self.of_step(&self.method(), going);
@@ -88,12 +88,12 @@ impl Simulation {
     }
 
     /// Cost of a floor in a step of a method.
-    fn of_step(&self, method: &Method, going: Going) -> f64 {
+    fn of_step(&self, method: &Method, going: RunMode) -> f64 {
         let alone = of_evaluation(method);
         match going {
-            Going::Alone => alone,
-            Going::Judged => alone + LEDGER_OF_STEP,
-            Going::Beside => {
+            RunMode::Alone => alone,
+            RunMode::Judged => alone + LEDGER_OF_STEP,
+            RunMode::Beside => {
                 let storeys = self.scene().structures.iter().any(is_storeyed);
                 alone / BESIDE[usize::from(storeys)]
             }
@@ -104,14 +104,14 @@ impl Simulation {
     /// sample.
     pub fn expected_price(&self) -> f64 {
         if self.method().time_step().is_some() {
-            return self.price_of_steps(&self.method(), Going::Alone);
+            return self.price_of_steps(&self.method(), RunMode::Alone);
         }
         let samples = self.duration() / self.record().time_step();
         of_piece(self) as f64 * samples * self.floors().all().len() as f64
     }
 
     /// Cost of a run with an explicit method at its time step, before it begins.
-    pub fn price_of_steps(&self, method: &Method, going: Going) -> f64 {
+    pub fn price_of_steps(&self, method: &Method, going: RunMode) -> f64 {
         let steps = method.time_step().map_or(0.0, |step| self.duration() / step);
         self.of_step(method, going) * steps * self.floors().all().len() as f64
     }

@@ -1,9 +1,9 @@
 //! The search for the cheapest method and time step that reach an accuracy.
 
 use crate::accuracy::ladder::Ladder;
-use crate::accuracy::methods::{ComparedMethod, Knob};
-use crate::accuracy::price::Going;
-use crate::{Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial, parallel};
+use crate::accuracy::methods::{ComparedMethod, MethodSetting};
+use crate::accuracy::price::RunMode;
+use crate::{Advice, Error, Extras, Goal, MethodTrial, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, parallel};
 use pounding_text::Refused;
 
 /// Error if the exact run, the reference for all methods, fails.
@@ -34,7 +34,7 @@ impl Advice {
         let ladder = Ladder::halved(prepared.scene(), Self::LONGEST_STEP, Self::MOST_STEPS.into());
         let runs: Vec<_> = ladder
             .entries(prepared.scene())
-            .filter(|(contender, _)| contender.knob == Knob::TimeStep)
+            .filter(|(contender, _)| contender.knob == MethodSetting::TimeStep)
             .collect();
         let trials = parallel::each(&runs, |&(contender, step)| {
             let trial = trial(prepared, contender, step, &exact, goal.quantity);
@@ -48,12 +48,12 @@ impl Advice {
         let methods = ComparedMethod::ALL.iter().map(rungs);
         Ok(Self {
             goal,
-            exact: Trial {
+            exact: MethodTrial {
                 name: "Exact",
                 method: twin.method(),
                 error: 0.0,
                 worst: "",
-                cost: whole(twin.price(exact.work, Going::Alone)),
+                cost: whole(twin.price(exact.work, RunMode::Alone)),
             },
             methods: methods.filter(|rungs| !rungs.trials.is_empty()).collect(),
         })
@@ -67,18 +67,18 @@ fn whole(price: f64) -> u64 {
 }
 
 /// Makes one run of the ladder; `None` if the scene refuses the step, such as a step beyond a limit of stability.
-fn trial(prepared: &Simulation, contender: &ComparedMethod, step: f64, exact: &RunResult, quantity: QuantityGroup) -> Option<Trial> {
+fn trial(prepared: &Simulation, contender: &ComparedMethod, step: f64, exact: &RunResult, quantity: QuantityGroup) -> Option<MethodTrial> {
     let method = (contender.method)(step);
     let prepared = prepared.with_method(method).ok()?;
     let (error, worst, cost) = match prepared.run_with(Extras::COMPARED) {
         Ok(outcome) => {
             let errors = RunErrors::between(&outcome, exact, &prepared);
             let (error, worst) = errors.largest(quantity);
-            (error, worst, whole(prepared.price(outcome.work, Going::Alone)))
+            (error, worst, whole(prepared.price(outcome.work, RunMode::Alone)))
         }
         Err(_) => (f64::INFINITY, "run fails", 0),
     };
-    Some(Trial {
+    Some(MethodTrial {
         name: contender.label,
         method,
         error,

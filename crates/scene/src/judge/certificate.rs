@@ -1,7 +1,7 @@
 //! Restitution that a contact law and a method deliver to two free masses.
 
 use crate::Method;
-use crate::judge::free_collision::{Delivered, FreeCollision};
+use crate::judge::free_collision::{DeliveredRestitution, FreeCollision};
 use pounding_contact::{Calibration, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
 use pounding_text::Refused;
@@ -68,7 +68,7 @@ impl Certificate {
     ///
     /// # Errors
     /// [`Refused`] with the reason if the run fails.
-    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<Delivered, Refused> {
+    pub fn by(&self, collision: &FreeCollision, method: &Method) -> Result<DeliveredRestitution, Refused> {
         let duration = self.impact.map(|impact| impact.duration);
         collision.delivered(self.law, method, self.by_exact, duration)
     }

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use crate::accuracy::methods::StepMethod;
 use crate::judge::certificate::{Certificate, CertificateRequest};
-use crate::judge::free_collision::{Delivered, FreeCollision};
+use crate::judge::free_collision::{DeliveredRestitution, FreeCollision};
 
 /// A line of a certificate.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,7 @@ pub struct DeliveredBy {
     /// Time step \[s\].
     pub step: f64,
     /// Delivered restitution, or the reason why the run fails.
-    pub delivered: Result<Delivered, String>,
+    pub delivered: Result<DeliveredRestitution, String>,
 }
 
 impl Certificate {

@@ -17,7 +17,7 @@ pub struct FreeCollision {
 
 /// Restitution that a stepping method delivers at a time step, for different instants of the touch within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Delivered {
+pub struct DeliveredRestitution {
     /// Least and largest e delivered \[–\].
     pub range: [f64; 2],
     /// Largest distance from the e of the law \[–\], absolute.
@@ -36,7 +36,13 @@ impl FreeCollision {
     ///
     /// # Errors
     /// [`Refused`] with the reason if the run fails.
-    pub(crate) fn delivered(&self, law: ContactLaw, method: &Method, right: f64, duration: Option<f64>) -> Result<Delivered, Refused> {
+    pub(crate) fn delivered(
+        &self,
+        law: ContactLaw,
+        method: &Method,
+        right: f64,
+        duration: Option<f64>,
+    ) -> Result<DeliveredRestitution, Refused> {
         let contact = duration.unwrap_or(0.0);
         let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -47,7 +53,7 @@ impl FreeCollision {
             range = [range[0].min(found), range[1].max(found)];
         }
         let off = |found: f64| (found - right).abs();
-        Ok(Delivered {
+        Ok(DeliveredRestitution {
             range,
             error: off(range[0]).max(off(range[1])),
             steps_per_contact: duration.map(|duration| duration / step),

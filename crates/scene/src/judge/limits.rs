@@ -3,16 +3,16 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, Overlap};
 use pounding_solver::{Collision, Oscillation, Pair};
 
-use crate::{Delivered, FreeCollision, RunResult, Simulation};
+use crate::{DeliveredRestitution, FreeCollision, RunResult, Simulation};
 
 /// Limits of a method in a scene.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Limits {
+pub struct MethodLimits {
     /// Limits for every pair that touches, from the left.
     pub contacts: Vec<ContactLimit>,
 }
 
-impl Limits {
+impl MethodLimits {
     /// Number of steps in a contact below which a run gives a warning.
     ///
     /// With ten steps, every method delivers the impulse of every law to within 6 % for e ≥ 0.65; with five, some are 11 % off. Laws with
@@ -51,7 +51,7 @@ pub struct FreeLimit {
     pub steps: Option<f64>,
     /// Restitution that the method delivers; `None` for a method without time steps, if it cannot be measured, and above ten thousand
     /// steps.
-    pub delivered: Option<Delivered>,
+    pub delivered: Option<DeliveredRestitution>,
 }
 
 /// Number of steps in a contact above which the delivered restitution is not measured.
@@ -62,13 +62,13 @@ impl Simulation {
     ///
     /// The approach speed of a stepping method's collision is not known. It is estimated from the largest force, as if only the spring had
     /// stopped the pair.
-    pub fn limits(&self, expected: &RunResult) -> Limits {
+    pub fn limits(&self, expected: &RunResult) -> MethodLimits {
         let pairs = self.pairs().iter().enumerate();
         let contacts = pairs.filter_map(|(index, pair)| {
             let collisions: Vec<_> = expected.collisions_of(index).collect();
             (!collisions.is_empty()).then(|| self.contact_limit(index, pair, &collisions))
         });
-        Limits {
+        MethodLimits {
             contacts: contacts.collect(),
         }
     }

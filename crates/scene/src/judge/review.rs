@@ -3,9 +3,12 @@
 use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::{Collision, LedgerError, Work};
 
-use crate::judge::limits::{ContactLimit, Limits};
-use crate::simulation::{Audited, Extras};
-use crate::{Balance, Delivered, Error, Excess, Method, Quantity, RunErrors, RunResult, Simulation, Structure, Warning, WarningPlace};
+use crate::judge::limits::{ContactLimit, MethodLimits};
+use crate::simulation::{AuditedRun, Extras};
+use crate::{
+    DeliveredRestitution, EnergyBalance, Error, Excess, Method, Quantity, RunErrors, RunResult, Simulation, Structure, Warning,
+    WarningPlace,
+};
 
 /// Tolerance for rounding in a number of steps \[–\].
 const SLACK: f64 = 1.0 - 1e-9;
@@ -23,7 +26,7 @@ pub struct Review {
     /// Results of the run.
     pub outcome: RunResult,
     /// Terms of its energy.
-    pub balance: Balance,
+    pub balance: EnergyBalance,
     /// Errors against the exact run.
     pub errors: Errors,
     /// Responses beyond the model or beyond the limits of codes.
@@ -91,7 +94,7 @@ impl Simulation {
             closings: true,
             ..Extras::default()
         };
-        let Audited { outcome, broken, balance } = self.audited_with(asked)?;
+        let AuditedRun { outcome, broken, balance } = self.audited_with(asked)?;
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
@@ -189,7 +192,7 @@ impl Simulation {
     fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
         let time_step = self.method().time_step()?;
         let steps = structure.period()? / time_step;
-        (steps < SLACK * Limits::STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
+        (steps < SLACK * MethodLimits::STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
             structure: index,
             name: structure.name().into(),
             steps,
@@ -217,9 +220,9 @@ impl Simulation {
         }
         let free = limit.free?;
         let restitution = free.restitution.zip(free.delivered);
-        let is_off = |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
+        let is_off = |(right, delivered): (f64, DeliveredRestitution)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
-        let few = |steps: &f64| off || *steps < SLACK * Limits::STEPS_PER_CONTACT;
+        let few = |steps: &f64| off || *steps < SLACK * MethodLimits::STEPS_PER_CONTACT;
         free.steps.filter(few).map(|steps| Warning::UnderResolved {
             place: place(),
             steps,
@@ -324,9 +327,9 @@ mod tests {
             Simulation::new(&scene, std::path::Path::new("")),
             Simulation::new(
                 &scene,
-                crate::Options {
+                crate::SimulationOptions {
                     force: true,
-                    ..crate::Options::default()
+                    ..crate::SimulationOptions::default()
                 },
             ),
         ];

@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use pounding_solver::Opening;
 
-use crate::{Excess, ExcessKind, RunResult, Simulation, Unwatched};
+use crate::{Excess, ExcessKind, RunResult, Simulation, UnwatchedFloor};
 
 impl Simulation {
     /// Returns possible touches without a contact: by how much they exceed the gap, or without contacts how far both sides move together.
     pub(super) fn unwatched(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
         let openings = self.openings();
-        let judged = |one: Unwatched| {
+        let judged = |one: UnwatchedFloor| {
             let contacts = self.scene().contacts.as_deref();
             let kind = match contacts {
                 None => ExcessKind::BesideColumn,
@@ -47,7 +47,7 @@ impl Simulation {
 
 /// Sum of the peaks of a floor and of the column or floor beside it \[m\]. A wider gap stays open. A narrower one may stay open, too, if
 /// both peak at different times.
-fn together(one: &Unwatched, result: &RunResult, openings: &[Opening]) -> f64 {
+fn together(one: &UnwatchedFloor, result: &RunResult, openings: &[Opening]) -> f64 {
     let peak = |floor: usize| result.peaks.of(floor).displacement.value.abs();
     let foot = one.below.map_or(0.0, peak);
     let beside = foot + one.along * (peak(one.above) - foot);

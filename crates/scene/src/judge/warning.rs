@@ -5,8 +5,8 @@ use std::fmt::{self, Formatter};
 use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::LedgerError;
 
-use crate::judge::limits::Limits;
-use crate::{Delivered, Quantity, QuantityGroup, QuantityKind};
+use crate::judge::limits::MethodLimits;
+use crate::{DeliveredRestitution, Quantity, QuantityGroup, QuantityKind};
 use pounding_text::digits;
 
 /// A warning about a run.
@@ -54,7 +54,7 @@ pub enum Warning {
         /// Number of steps in the expected collision.
         steps: f64,
         /// e of the law, and what the method delivers instead; `None` if that cannot be measured.
-        restitution: Option<(f64, Delivered)>,
+        restitution: Option<(f64, DeliveredRestitution)>,
     },
     /// A pair comes to rest in contact, but this run has an impact in every step because the law is impulsive.
     Rests {
@@ -136,12 +136,12 @@ impl fmt::Display for Warning {
                 steps,
                 time_step: (knob, found),
             } => {
-                let most = at_most(found * steps / Limits::STEPS_PER_PERIOD);
+                let most = at_most(found * steps / MethodLimits::STEPS_PER_PERIOD);
                 write!(
                     to,
                     "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most} or less gives \
                      {}",
-                    Limits::STEPS_PER_PERIOD
+                    MethodLimits::STEPS_PER_PERIOD
                 )
             }
             Self::BeyondContactLimit { place, limit } => {
@@ -187,15 +187,20 @@ fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fm
 }
 
 /// Describes too few steps in a collision, and the restitution that they deliver.
-fn under_resolved(place: &WarningPlace, steps: f64, restitution: Option<&(f64, Delivered)>, to: &mut Formatter<'_>) -> fmt::Result {
+fn under_resolved(
+    place: &WarningPlace,
+    steps: f64,
+    restitution: Option<&(f64, DeliveredRestitution)>,
+    to: &mut Formatter<'_>,
+) -> fmt::Result {
     let (knob, found) = &place.time_step;
     write!(to, "{place}: impulses and forces: a collision has {steps:.2} steps")?;
     if let Some((right, delivered)) = restitution {
         write!(to, ", {}", instead(*right, delivered))?;
     }
-    if steps < Limits::STEPS_PER_CONTACT {
-        let most = at_most(found * steps / Limits::STEPS_PER_CONTACT);
-        write!(to, "; {knob} of {most} or less gives {}", Limits::STEPS_PER_CONTACT)
+    if steps < MethodLimits::STEPS_PER_CONTACT {
+        let most = at_most(found * steps / MethodLimits::STEPS_PER_CONTACT);
+        write!(to, "; {knob} of {most} or less gives {}", MethodLimits::STEPS_PER_CONTACT)
     } else {
         write!(to, "; a shorter {knob} ({found}) gives more")
     }
@@ -228,7 +233,7 @@ fn at_most(step: f64) -> String {
 }
 
 /// Describes the delivered e and the e of the law.
-fn instead(right: f64, delivered: &Delivered) -> String {
+fn instead(right: f64, delivered: &DeliveredRestitution) -> String {
     let [least, most] = delivered.range;
     format!("e = {least:.3} to {most:.3} instead of {right:.3}")
 }

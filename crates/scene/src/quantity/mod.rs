@@ -9,7 +9,7 @@ mod values;
 pub use floor::FloorQuantity;
 pub use pair::PairQuantity;
 pub use unit::QuantityUnit;
-pub use values::Values;
+pub use values::RunValues;
 
 use crate::QuantityGroup;
 
@@ -24,7 +24,7 @@ pub enum Quantity {
 
 /// An entry of the table: the description of a number.
 #[derive(Debug, Clone, Copy)]
-pub struct About {
+pub struct QuantityEntry {
     /// Name in files.
     pub name: &'static str,
     /// Meaning, in a sentence.
@@ -56,7 +56,7 @@ pub struct About {
 }
 
 /// A function that takes a value from a run, at a floor or a pair.
-type Take<T> = fn(&Values<'_>, usize) -> T;
+type Take<T> = fn(&RunValues<'_>, usize) -> T;
 
 /// Kinds of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,8 +97,8 @@ macro_rules! quantities {
             pub const ALL: &[Self] = &[$(Self::$Variant),+];
 
             /// Entry of the table.
-            pub fn about(self) -> &'static About {
-                const TABLE: &[About] = &[$(About { name: $name, meaning: $meaning, ..$about }),+];
+            pub fn about(self) -> &'static QuantityEntry {
+                const TABLE: &[QuantityEntry] = &[$(QuantityEntry { name: $name, meaning: $meaning, ..$about }),+];
                 &TABLE[self as usize]
             }
         }
@@ -112,7 +112,7 @@ macro_rules! quantities {
 }
 use quantities;
 
-impl About {
+impl QuantityEntry {
     /// An entry with this unit, name above a column and value. The table adds its name and its meaning.
     const fn new(unit: &'static QuantityUnit, heading: &'static str, of: Take<Option<f64>>) -> Self {
         Self {
@@ -190,7 +190,7 @@ impl Quantity {
     }
 
     /// Entry of the table.
-    pub fn about(self) -> &'static About {
+    pub fn about(self) -> &'static QuantityEntry {
         match self {
             Self::Floor(quantity) => quantity.about(),
             Self::Pair(quantity) => quantity.about(),

@@ -2,8 +2,8 @@
 
 use pounding_text::{digits, rounded_down, short};
 
-use super::values::Values;
-use super::{About, FloorQuantity, QuantityKind, QuantityUnit, quantities};
+use super::values::RunValues;
+use super::{FloorQuantity, QuantityEntry, QuantityKind, QuantityUnit, quantities};
 use crate::QuantityGroup;
 use crate::simulation::LEANS;
 
@@ -11,62 +11,62 @@ quantities! {
     /// A number of two neighbours that can touch.
     PairQuantity, Pair:
     #[serde(skip_deserializing)]
-    GapM("gap_m", "Gap at rest.") = About {
+    GapM("gap_m", "Gap at rest.") = QuantityEntry {
         text: digits,
-        ..About::new(&QuantityUnit::METRE, "Gap", |run, pair| Some(run.simulation.pairs()[pair].gap())).kind(QuantityKind::Model)
+        ..QuantityEntry::new(&QuantityUnit::METRE, "Gap", |run, pair| Some(run.simulation.pairs()[pair].gap())).kind(QuantityKind::Model)
     };
     Collisions("collisions", "Number of collisions, each from touch to parting.") =
-        About::new(&QuantityUnit::COUNT, "Collisions", |run, pair| Some(run.pair(pair).collisions as f64))
+        QuantityEntry::new(&QuantityUnit::COUNT, "Collisions", |run, pair| Some(run.pair(pair).collisions as f64))
             .kind(QuantityKind::Count).measured(QuantityGroup::All, "collisions");
-    FirstStartS("first_start_s", "Start of the first collision.") = About {
-        least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < Values::AT_ONCE) { 1.0 } else { 0.0 },
+    FirstStartS("first_start_s", "Start of the first collision.") = QuantityEntry {
+        least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < RunValues::AT_ONCE) { 1.0 } else { 0.0 },
         absolute: Some("first_time_s"),
         collision: Some("first"),
         text: digits,
-        ..About::new(&QuantityUnit::SECOND, "First", |run, pair| Some(run.pair(pair).first?.start))
+        ..QuantityEntry::new(&QuantityUnit::SECOND, "First", |run, pair| Some(run.pair(pair).first?.start))
             .kind(QuantityKind::First).measured(QuantityGroup::Time, "first touch")
     };
-    FirstImpulseNS("first_impulse_n_s", "Impulse of the first collision.") = About {
+    FirstImpulseNS("first_impulse_n_s", "Impulse of the first collision.") = QuantityEntry {
         collision: Some("first"),
-        ..About::new(&QuantityUnit::NEWTON_SECOND, "First impulse", |run, pair| Some(run.pair(pair).first?.impulse))
+        ..QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "First impulse", |run, pair| Some(run.pair(pair).first?.impulse))
             .measured(QuantityGroup::Impulse, "first impulse")
     };
     #[serde(skip_deserializing)]
-    LargestStartS("largest_start_s", "Start of the collision with the largest impulse.") = About {
+    LargestStartS("largest_start_s", "Start of the collision with the largest impulse.") = QuantityEntry {
         collision: Some("largest"),
-        ..About::instant(|run, pair| Some(run.pair(pair).largest?.start))
+        ..QuantityEntry::instant(|run, pair| Some(run.pair(pair).largest?.start))
     };
-    LargestImpulseNS("largest_impulse_n_s", "Largest impulse of a collision.") = About {
+    LargestImpulseNS("largest_impulse_n_s", "Largest impulse of a collision.") = QuantityEntry {
         collision: Some("largest"),
-        ..About::new(&QuantityUnit::NEWTON_SECOND, "Largest impulse", |run, pair| Some(run.pair(pair).largest?.impulse))
+        ..QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "Largest impulse", |run, pair| Some(run.pair(pair).largest?.impulse))
             .measured(QuantityGroup::Impulse, "largest impulse")
     };
     PeakForceN("peak_force_n", "Largest pounding force; none if one of the collisions is an impact.") =
-        About::new(&QuantityUnit::NEWTON, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
+        QuantityEntry::new(&QuantityUnit::NEWTON, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
             .measured(QuantityGroup::Force, "pounding force");
     #[serde(skip_deserializing)]
     PeakForceTimeS("peak_force_time_s", "First instant of the peak force.") =
-        About::instant(|run, pair| Some(run.pair(pair).peak_force?.time));
+        QuantityEntry::instant(|run, pair| Some(run.pair(pair).peak_force?.time));
     TotalImpulseNS("total_impulse_n_s", "Sum of all impulses.") =
-        About::new(&QuantityUnit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
+        QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
             .kind(QuantityKind::Total).measured(QuantityGroup::Impulse, "total impulse");
-    TouchingS("touching_s", "Time for which they touch, all collisions together; a pair that overlaps without a force no longer counts.") = About {
+    TouchingS("touching_s", "Time for which they touch, all collisions together; a pair that overlaps without a force no longer counts.") = QuantityEntry {
         least: |_, _| LEANS,
-        ..About::new(&QuantityUnit::SECOND, "Touching", |run, pair| Some(run.pair(pair).touching))
+        ..QuantityEntry::new(&QuantityUnit::SECOND, "Touching", |run, pair| Some(run.pair(pair).touching))
             .kind(QuantityKind::Total).measured(QuantityGroup::Time, "time of touching")
     };
-    LeastOpeningM("least_opening_m", "Least opening of the gap, 0 or less if they touch; coarse steps can pass below 0 between two nodes without a touch.") = About {
+    LeastOpeningM("least_opening_m", "Least opening of the gap, 0 or less if they touch; coarse steps can pass below 0 between two nodes without a touch.") = QuantityEntry {
         least: |run, pair| {
             let pair = &run.simulation.pairs()[pair];
             let [left, right] = [pair.left(), pair.right()].map(|floor| run.part_of(FloorQuantity::PeakDisplacementM, floor));
             left.max(right)
         },
         text: opening,
-        ..About::new(&QuantityUnit::METRE, "Least opening", |run, pair| Some(run.opening(pair)?.0))
+        ..QuantityEntry::new(&QuantityUnit::METRE, "Least opening", |run, pair| Some(run.opening(pair)?.0))
             .kind(QuantityKind::Least).measured(QuantityGroup::Displacement, "least opening")
     };
     #[serde(skip_deserializing)]
-    LeastOpeningTimeS("least_opening_time_s", "Instant of the least opening.") = About::instant(|run, pair| Some(run.opening(pair)?.1));
+    LeastOpeningTimeS("least_opening_time_s", "Instant of the least opening.") = QuantityEntry::instant(|run, pair| Some(run.opening(pair)?.1));
 }
 
 /// Writes the least opening of a gap \[mm\], or by how much it is overrun.

@@ -7,7 +7,7 @@ use crate::{Floor, PairOutcome, RunResult, Simulation};
 
 /// A run with its simulation: gives every [`Quantity`].
 #[derive(Debug, Clone)]
-pub struct Values<'a> {
+pub struct RunValues<'a> {
     pub(crate) simulation: &'a Simulation,
     pub(crate) result: &'a RunResult,
     pairs: Vec<PairOutcome>,
@@ -15,9 +15,9 @@ pub struct Values<'a> {
 
 impl RunResult {
     /// Gives every printed number of this run of a simulation.
-    pub fn values<'a>(&'a self, simulation: &'a Simulation) -> Values<'a> {
+    pub fn values<'a>(&'a self, simulation: &'a Simulation) -> RunValues<'a> {
         let pairs = 0..simulation.pairs().len();
-        Values {
+        RunValues {
             simulation,
             result: self,
             pairs: pairs.map(|pair| self.of_pair(pair)).collect(),
@@ -25,7 +25,7 @@ impl RunResult {
     }
 }
 
-impl Values<'_> {
+impl RunValues<'_> {
     /// Least magnitude of a residual or a least opening in a relative error, as a part of the peak \[–\]: the number itself may be close to
     /// 0.
     pub const LEAST_PART: f64 = 0.05;

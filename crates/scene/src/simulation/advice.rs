@@ -15,7 +15,7 @@ pub struct Goal {
 
 /// A run of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Trial {
+pub struct MethodTrial {
     /// Name of the method, as in figures.
     pub name: &'static str,
     /// Method with its step.
@@ -33,7 +33,7 @@ pub struct Trial {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepSizes {
     /// Runs of the method; empty if no time step is stable.
-    pub trials: Vec<Trial>,
+    pub trials: Vec<MethodTrial>,
     /// Index of the cheapest run that meets the goal, if all runs with shorter steps meet it, too. The shortest step only confirms.
     pub meets: Option<usize>,
 }
@@ -44,7 +44,7 @@ pub struct Advice {
     /// The wanted accuracy.
     pub goal: Goal,
     /// The exact method, the reference for the others; its own error is rounding.
-    pub exact: Trial,
+    pub exact: MethodTrial,
     /// Every method with time steps.
     pub methods: Vec<StepSizes>,
 }
@@ -52,7 +52,7 @@ pub struct Advice {
 impl Advice {
     /// Every run of every method as JSON, the shortest step last. Errors are null if a run failed or the numbers of collisions differ.
     pub fn to_json(&self, scene: &Scene) -> Value {
-        let trial = |trial: &Trial| {
+        let trial = |trial: &MethodTrial| {
             json!({
                 "name": trial.name,
                 "method": trial.method,
@@ -77,7 +77,7 @@ impl Advice {
     }
 
     /// Cheapest run that meets the goal; the exact method if no cheaper one does.
-    pub fn best(&self) -> &Trial {
+    pub fn best(&self) -> &MethodTrial {
         let meeting = self.methods.iter().filter_map(StepSizes::chosen);
         meeting.fold(&self.exact, |best, next| if next.cost < best.cost { next } else { best })
     }
@@ -90,7 +90,7 @@ impl StepSizes {
         &rungs[missed.map_or(0, |index| index + 1)..]
     }
 
-    pub(crate) fn new(trials: Vec<Trial>, goal: Goal) -> Self {
+    pub(crate) fn new(trials: Vec<MethodTrial>, goal: Goal) -> Self {
         let holding = Self::holding(&trials, |trial| trial.error <= goal.error);
         let first = trials.len() - holding.len();
         let confirmed = first..trials.len().saturating_sub(1);
@@ -101,7 +101,7 @@ impl StepSizes {
     }
 
     /// Cheapest run that meets the goal, if all runs with shorter steps meet it, too.
-    pub fn chosen(&self) -> Option<&Trial> {
+    pub fn chosen(&self) -> Option<&MethodTrial> {
         self.meets.map(|index| &self.trials[index])
     }
 }

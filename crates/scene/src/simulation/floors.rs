@@ -7,7 +7,7 @@ use pounding_solver::Levels;
 use pounding_text::Refused;
 
 use levels::elevations;
-pub use unwatched::Unwatched;
+pub use unwatched::UnwatchedFloor;
 
 use crate::{Columns, Scene, Sdof, Structure};
 

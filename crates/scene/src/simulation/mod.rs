@@ -21,10 +21,10 @@ use pounding_motion::Record;
 use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 use pounding_text::Refused;
 
-pub use advice::{Advice, Goal, QuantityGroup, StepSizes, Trial};
+pub use advice::{Advice, Goal, MethodTrial, QuantityGroup, StepSizes};
 pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::PairOutcome;
-pub use run::{Audited, Balance, Extras, RunResult};
+pub use run::{AuditedRun, EnergyBalance, Extras, RunResult};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
@@ -241,7 +241,7 @@ impl Simulation {
         self.advice.as_ref()
     }
 
-    /// Refusal of the time step, if the simulation was [forced](crate::Options::force).
+    /// Refusal of the time step, if the simulation was [forced](crate::SimulationOptions::force).
     pub fn refusal(&self) -> Option<String> {
         self.unstable.as_ref().map(ToString::to_string)
     }
@@ -267,7 +267,7 @@ impl Simulation {
         self.scene.budget.of_run(self.stop)
     }
 
-    /// Whether the simulation was [forced](crate::Options::force).
+    /// Whether the simulation was [forced](crate::SimulationOptions::force).
     pub(crate) fn is_forced(&self) -> bool {
         self.forced
     }

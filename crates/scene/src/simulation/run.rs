@@ -38,18 +38,18 @@ pub struct RunResult {
 
 /// A run with the verdict of its ledger.
 #[derive(Debug)]
-pub struct Audited {
+pub struct AuditedRun {
     /// Results of the run.
     pub outcome: RunResult,
     /// Error if it breaks a law of mechanics.
     pub broken: Option<Error>,
     /// Terms of its energy.
-    pub balance: Balance,
+    pub balance: EnergyBalance,
 }
 
 /// Terms of the energy of a run, and the error of their sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Balance {
+pub struct EnergyBalance {
     /// Terms of the row at the end \[J\].
     pub terms: Terms,
     /// Energy that the physical balance leaves unexplained, relative to the scale \[–\]; see [`Ledger::residual`].
@@ -113,7 +113,7 @@ impl Simulation {
     /// [`Error::Run`] if the run ends early, [`Error::Broken`] if it breaks a law of mechanics, however slightly: this method gives no
     /// warnings.
     pub fn run_with(&self, asked: Extras) -> Result<RunResult, Error> {
-        let Audited { outcome, broken, .. } = self.audited_with(asked)?;
+        let AuditedRun { outcome, broken, .. } = self.audited_with(asked)?;
         broken.map_or(Ok(outcome), Err)
     }
 
@@ -121,7 +121,7 @@ impl Simulation {
     ///
     /// # Errors
     /// [`Error::Run`] if the run ends early.
-    pub fn audited(&self, interval: Option<f64>) -> Result<Audited, Error> {
+    pub fn audited(&self, interval: Option<f64>) -> Result<AuditedRun, Error> {
         let asked = Extras {
             interval,
             ..Extras::default()
@@ -133,15 +133,15 @@ impl Simulation {
     ///
     /// # Errors
     /// [`Error::Run`] if the run ends early.
-    pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
+    pub fn audited_with(&self, asked: Extras) -> Result<AuditedRun, Error> {
         let mut ledger = self.ledger().held_to(self.integrator.laws());
         let mut recorders = self.recorders(asked);
         recorders.ledger = Some(&mut ledger);
         let work = self.integrate(&mut recorders)?;
-        Ok(Audited {
+        Ok(AuditedRun {
             outcome: RunResult::of(recorders, work),
             broken: ledger.verdict().err().map(|source| self.broke(source)),
-            balance: Balance {
+            balance: EnergyBalance {
                 terms: ledger.terms(),
                 residual: ledger.residual(),
                 scale: ledger.scale(),

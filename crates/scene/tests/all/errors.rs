@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{Advice, Extras, Goal, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, Values};
+use pounding_scene::{Advice, Extras, Goal, PairQuantity, Quantity, QuantityGroup, RunErrors, RunValues, Scene, Simulation};
 use serde_json::{Value, json};
 
 /// Two buildings of two yielding storeys that pound, under two pulses, with half a second of rest after them.
@@ -44,7 +44,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
             for floor in 0..prepared.floors().all().len() {
                 let [found, wanted] = [&run, &exact].map(|run| run.last.of(floor).displacement);
                 let peak = exact.peaks.of(floor).displacement.value.abs();
-                let size = wanted.abs().max(Values::LEAST_PART * peak);
+                let size = wanted.abs().max(RunValues::LEAST_PART * peak);
                 assert!(
                     (found - wanted).abs() <= 0.01 * size,
                     "{}, {floor}: {found}, exact {wanted}",

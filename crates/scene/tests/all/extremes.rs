@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use pounding_contact::{Calibration, LawName};
-use pounding_scene::{Certificate, CertificateRequest, FreeCollision, Limits, StepMethod};
+use pounding_scene::{Certificate, CertificateRequest, FreeCollision, MethodLimits, StepMethod};
 use sha2::{Digest, Sha256};
 
 /// A file of results/extremes.
@@ -129,7 +129,7 @@ fn reference_ten_steps_per_contact_deliver_the_impulse_to_6_per_cent() {
                 continue;
             };
             for method in StepMethod::differing(false) {
-                let scheme = method.at(impact.duration / Limits::STEPS_PER_CONTACT);
+                let scheme = method.at(impact.duration / MethodLimits::STEPS_PER_CONTACT);
                 let delivered = certificate.by(&collision, &scheme).expect("a run");
                 let off = delivered.error / (1.0 + restitution);
                 assert!(off < 0.06, "{law:?}, {}: {off}", method.name());

@@ -4,7 +4,7 @@ use super::{EQUAL_HEIGHTS, Floors};
 
 /// A floor, and the column or floor beside it in the neighbouring building, if no contact models their touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unwatched {
+pub struct UnwatchedFloor {
     /// Index of the gap between both, from the left.
     pub gap: usize,
     /// Index of the floor in the row; of two floors of a level the left one.
@@ -17,7 +17,7 @@ pub struct Unwatched {
     pub along: f64,
 }
 
-impl Unwatched {
+impl UnwatchedFloor {
     /// Whether it faces a floor instead of a column.
     pub fn is_level(&self) -> bool {
         self.along >= 1.0
@@ -27,14 +27,14 @@ impl Unwatched {
 impl Floors {
     /// Finds floors beside columns, up to the lower roof of two neighbours with given heights, and floors of levels that contacts leave
     /// out. A wall stands only at the levels of its contact.
-    pub fn unwatched(&self) -> Vec<Unwatched> {
+    pub fn unwatched(&self) -> Vec<UnwatchedFloor> {
         let gaps = 0..self.structures.len().saturating_sub(1);
         gaps.flat_map(|gap| self.unwatched_in(gap)).collect()
     }
 
-    fn unwatched_in(&self, gap: usize) -> Vec<Unwatched> {
+    fn unwatched_in(&self, gap: usize) -> Vec<UnwatchedFloor> {
         let facing: Vec<_> = self.levels.facing(gap).collect();
-        let meets = |one: &Unwatched| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
+        let meets = |one: &UnwatchedFloor| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
         let mut all: Vec<_> = self.beside_columns(gap);
         all.retain(|one| !meets(one));
         let moves = |floor: usize| !self.all[floor].is_wall();
@@ -45,7 +45,7 @@ impl Floors {
         let left_out = facing
             .iter()
             .filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left));
-        all.extend(left_out.map(|(left, right)| Unwatched {
+        all.extend(left_out.map(|(left, right)| UnwatchedFloor {
             gap,
             floor: *left,
             below: None,
@@ -68,7 +68,7 @@ impl Floors {
     /// Writes "levels 2 to 4 of A and B" if the contact in a gap leaves levels out.
     pub fn left_out(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap).into_iter();
-        let all = all.filter(Unwatched::is_level);
+        let all = all.filter(UnwatchedFloor::is_level);
         let levels: Vec<usize> = all.map(|one| self.levels.level(one.floor) + 1).collect();
         let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
         let levels = match levels[..] {
@@ -112,12 +112,12 @@ impl Floors {
     }
 
     /// Floors on both sides of a gap that are level with no floor of the other side.
-    fn beside_columns(&self, gap: usize) -> Vec<Unwatched> {
+    fn beside_columns(&self, gap: usize) -> Vec<UnwatchedFloor> {
         let of = |own, other| self.beside_columns_of(gap, own, other);
         [of(gap, gap + 1), of(gap + 1, gap)].concat()
     }
 
-    fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<Unwatched> {
+    fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<UnwatchedFloor> {
         let (Some(heights), Some(others)) = (self.heights_of(own), self.heights_of(other)) else {
             return Vec::new();
         };
@@ -125,7 +125,7 @@ impl Floors {
             let next = others.iter().position(|one| *one >= height - EQUAL_HEIGHTS)?;
             let foot = next.checked_sub(1);
             let low = foot.map_or(0.0, |foot| others[foot]);
-            (others[next] > height + EQUAL_HEIGHTS).then(|| Unwatched {
+            (others[next] > height + EQUAL_HEIGHTS).then(|| UnwatchedFloor {
                 gap,
                 floor: *floor,
                 below: foot.map(|foot| self.of_structure(other)[foot]),

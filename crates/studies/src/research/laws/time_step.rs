@@ -7,7 +7,7 @@ use crate::drivers::each;
 use crate::lines::line_of;
 use crate::study::laws::AtlasSettings;
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel};
-use pounding_scene::{Delivered, StepMethod};
+use pounding_scene::{DeliveredRestitution, StepMethod};
 use pounding_text::{Cell, Table};
 
 /// The results of a method under one law at every time step.
@@ -25,7 +25,7 @@ struct Rung {
     steps_per_contact: f64,
     time_step: f64,
     /// The delivered e, or the reason why the run failed.
-    outcome: Result<Delivered, String>,
+    outcome: Result<DeliveredRestitution, String>,
 }
 
 /// Runs every method with every law. Calls `done` after each combination.
@@ -107,7 +107,7 @@ pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSett
             continue;
         };
         let wanted = entries[index].certificate.by_exact;
-        let furthest = |found: &Delivered| {
+        let furthest = |found: &DeliveredRestitution| {
             let [least, largest] = found.range;
             if wanted - least > largest - wanted { least } else { largest }
         };
@@ -119,7 +119,7 @@ pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSett
     Figure::grid(8.6, 2, Axis::auto("Time steps per contact").log(), panels)
 }
 
-fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&Delivered) -> f64) -> Vec<Curve> {
+fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&DeliveredRestitution) -> f64) -> Vec<Curve> {
     let own = ladders.iter().filter(|ladder| ladder.entry == entry);
     let curve = |ladder: &Ladder| {
         let (shade, kind, mark) = line_of(ladder.method.name())?;

@@ -4,7 +4,7 @@ use super::class::{ACCURATE, Class};
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::axis::Pushed;
 use pounding_reference::Fineness;
-use pounding_scene::{Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation, StepMethod, Values, Warning};
+use pounding_scene::{AuditedRun, FloorQuantity, Method, PairQuantity, Quantity, RunResult, RunValues, Simulation, StepMethod, Warning};
 use pounding_solver::Collision;
 
 /// Largest number of structures for the second route, which steps them all together.
@@ -108,7 +108,7 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
         }
     };
     let (first, reference) = match exact.audited(None) {
-        Ok(Audited {
+        Ok(AuditedRun {
             outcome,
             broken: None,
             balance,
@@ -119,7 +119,7 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
             };
             (by_second_route, Some(outcome))
         }
-        Ok(Audited { broken: Some(error), .. }) | Err(error) => (JudgedRun::all("exact", None, Class::Caught, error.to_string()), None),
+        Ok(AuditedRun { broken: Some(error), .. }) | Err(error) => (JudgedRun::all("exact", None, Class::Caught, error.to_string()), None),
     };
     all(first, is_impulsive(&exact), &|method| {
         of_method(&exact, method.name(), method.at(pushed.time_step), reference.as_ref())
@@ -159,7 +159,7 @@ fn hits_at_once(outcome: &RunResult) -> bool {
     let impulsive = |one: &&Collision| one.peak_force.is_none();
     let hits: Vec<_> = all.iter().filter(impulsive).collect();
     hits.windows(2)
-        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < Values::AT_ONCE)
+        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < RunValues::AT_ONCE)
 }
 
 /// Measures a stepping method by the exact run.
@@ -171,7 +171,7 @@ fn of_method(exact: &Simulation, name: &'static str, method: Method, reference: 
         Err(error) => return stopped(Class::Refused, error.to_string()),
     };
     let refusal = prepared.refusal();
-    let Audited { outcome, broken, balance } = match prepared.audited(None) {
+    let AuditedRun { outcome, broken, balance } = match prepared.audited(None) {
         Ok(run) => run,
         Err(error) => {
             let class = if refusal.is_some() { Class::Refused } else { Class::Caught };

@@ -10,7 +10,7 @@ use super::meeting::SAME;
 use super::numbers::Numbers;
 use crate::listed::listed;
 use pounding_reference::Fineness;
-use pounding_scene::{Audited, Error, Scene, Simulation};
+use pounding_scene::{AuditedRun, Error, Scene, Simulation};
 use pounding_solver::{Pair, RunError};
 
 /// Energy residual of an exact run that is always allowed \[–\].
@@ -133,7 +133,7 @@ impl Checked {
             Ok(prepared) => prepared,
             Err(error) => return failed(Verdict::Refused, Failure::of(&error)),
         };
-        let Audited { outcome, broken, balance } = match prepared.audited(None) {
+        let AuditedRun { outcome, broken, balance } = match prepared.audited(None) {
             Ok(audited) => audited,
             Err(error) => {
                 let mut failure = Failure::of(&error);

@@ -9,7 +9,7 @@ use super::random::Random;
 use super::written::rewritten;
 use crate::research::work_precision::{Known, under};
 use pounding_motion::Record;
-use pounding_scene::{Extras, Options, Scene, Simulation};
+use pounding_scene::{Extras, Scene, Simulation, SimulationOptions};
 
 /// Relative changes of the data \[–\]. The second is tried if the first does not explain a distance. It is as small as rounding, so it
 /// shows the rounding that the exact run adds up over many touches. The first is too large for motions that diverge with every bounce.
@@ -43,8 +43,8 @@ impl Condition {
 }
 
 /// Options for scenes in a folder whose runs end once `stop` is set.
-pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> Options<'a> {
-    Options {
+pub(super) fn stopped_by<'a>(base: &'a Path, stop: &'static AtomicBool) -> SimulationOptions<'a> {
+    SimulationOptions {
         stop: Some(stop),
         ..base.into()
     }

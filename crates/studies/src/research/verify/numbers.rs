@@ -3,7 +3,7 @@
 use super::compared::{Compared, NumberPlace, Two};
 use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
 use pounding_reference::Response;
-use pounding_scene::{RunErrors, RunResult, Simulation, Values};
+use pounding_scene::{RunErrors, RunResult, RunValues, Simulation};
 use pounding_solver::Pair;
 
 /// Smallest scale for the first touch of a pair, as a part of the pair's largest impulse and force \[–\]. If the touch begins at rest, also
@@ -115,7 +115,7 @@ impl Numbers {
                 let scale = if what == Compared::LastDisplacement {
                     first[0]
                 } else if what == Compared::Momentum {
-                    first_value.max(Values::ZERO * largest)
+                    first_value.max(RunValues::ZERO * largest)
                 } else {
                     first_value.abs()
                 };

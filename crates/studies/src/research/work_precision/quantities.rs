@@ -2,7 +2,7 @@
 
 use crate::listed::listed;
 use pounding_reference::Response;
-use pounding_scene::{ComparedMethod, Method, RunErrors, RunResult, Scene, Simulation, Values};
+use pounding_scene::{ComparedMethod, Method, RunErrors, RunResult, RunValues, Scene, Simulation};
 use pounding_solver::{Ledger, Work};
 
 listed! {
@@ -106,8 +106,8 @@ impl Quantities {
         }
         let largest = wanted.iter().copied().fold(0.0, f64::max);
         let scale = |wanted: f64| match quantity {
-            MethodQuantity::FirstTime if wanted < Values::AT_ONCE => 1.0,
-            MethodQuantity::Momentum => wanted.max(Values::ZERO * largest),
+            MethodQuantity::FirstTime if wanted < RunValues::AT_ONCE => 1.0,
+            MethodQuantity::Momentum => wanted.max(RunValues::ZERO * largest),
             MethodQuantity::FirstTime
             | MethodQuantity::FirstImpulse
             | MethodQuantity::ContactPeak

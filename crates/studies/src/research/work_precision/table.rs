@@ -4,7 +4,7 @@ use super::condition::Known;
 use super::measure::{Measured, Race, Rung};
 use super::quantities::MethodQuantity;
 use crate::files::yes_or_no;
-use pounding_scene::{ComparedMethod, Knob};
+use pounding_scene::{ComparedMethod, MethodSetting};
 use pounding_text::{Table, digits};
 
 /// A number of the truth.
@@ -115,7 +115,7 @@ impl One<'_> {
         self.rung.outcome.as_ref().ok()
     }
 
-    fn setting(&self, is: fn(&Knob) -> bool) -> Option<String> {
+    fn setting(&self, is: fn(&MethodSetting) -> bool) -> Option<String> {
         is(&self.contender.knob).then(|| setting(self.contender, self.rung.setting))
     }
 }
@@ -132,8 +132,8 @@ pub(super) fn runs(races: &[Race]) -> String {
     Table::of(rows)
         .column("scene", |one| one.race.scene.clone())
         .column("method", |one| one.contender.key)
-        .column("time_step_s", |one| one.setting(|knob| matches!(knob, Knob::TimeStep)))
-        .column("tolerance", |one| one.setting(|knob| matches!(knob, Knob::Tolerance)))
+        .column("time_step_s", |one| one.setting(|knob| matches!(knob, MethodSetting::TimeStep)))
+        .column("tolerance", |one| one.setting(|knob| matches!(knob, MethodSetting::Tolerance)))
         .columns(COUNTS, |(name, _)| name.into(), |one, (_, count)| one.found().map(count))
         .column("collisions", |one| one.found().map(|run| run.n_collisions))
         .column("same_count", |one| one.found().map(|run| yes_or_no(run.same_count)))
@@ -154,8 +154,8 @@ pub(super) fn runs(races: &[Race]) -> String {
 /// A setting as text.
 pub(super) fn setting(contender: &ComparedMethod, setting: f64) -> String {
     match contender.knob {
-        Knob::TimeStep => digits(setting),
-        Knob::Tolerance => format!("{setting:e}"),
+        MethodSetting::TimeStep => digits(setting),
+        MethodSetting::Tolerance => format!("{setting:e}"),
     }
 }
 
