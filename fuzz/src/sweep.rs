@@ -39,7 +39,7 @@ pub(crate) fn check(bytes: &[u8]) {
         budget: Some(BUDGET),
         ..file
     };
-    let sweep = match Sweep::of(file, bytes, Path::new("sweep.json"), None) {
+    let sweep = match Sweep::of(&file, bytes, Path::new("sweep.json"), None) {
         Ok(sweep) => sweep,
         Err(refused) => {
             assert!(!refused.to_string().is_empty(), "{refused:?}");

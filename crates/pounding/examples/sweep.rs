@@ -32,7 +32,7 @@ const FILE: &str = r#"
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = "sweep.toml".as_ref();
     let file = SweepFile::parse(FILE.as_bytes(), path)?;
-    let sweep = Sweep::of(file, FILE.as_bytes(), path, None)?;
+    let sweep = Sweep::of(&file, FILE.as_bytes(), path, None)?;
 
     // Runs are numbered. Any range of them is a batch, so machines can share a sweep; here one batch has all.
     let batch = sweep.batch(0..sweep.n_runs());

@@ -19,7 +19,7 @@ use crate::waiting::wait;
 pub(crate) fn sweep(py: Python<'_>, text: &str, path: PathBuf, progress: Option<&Bound<'_, PyAny>>) -> PyResult<(Table, Vec<String>)> {
     let ran = wait(py, progress, |watch| -> Result<_, Refused> {
         let file = SweepFile::parse(text.as_bytes(), &path)?;
-        let sweep = Sweep::of(file, text.as_bytes(), &path, Some(watch.stop))?;
+        let sweep = Sweep::of(&file, text.as_bytes(), &path, Some(watch.stop))?;
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;

@@ -160,7 +160,7 @@ mod tests {
         );
         let path = Path::new("sweep.toml");
         let file = SweepFile::parse(text.as_bytes(), path).unwrap();
-        Sweep::of(file, text.as_bytes(), path, None).unwrap()
+        Sweep::of(&file, text.as_bytes(), path, None).unwrap()
     }
 
     /// A fault of lanes, inserted on purpose, changes a number. In a stepping method the last bit reveals it, in the exact method a change

@@ -15,7 +15,7 @@
 //!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
 //!     contacts = [{ gap_m = 0.05066059, law.stereomechanical.restitution = 0.65 }]"#;
 //! let path = "sweep.toml".as_ref();
-//! let sweep = Sweep::of(SweepFile::parse(text, path)?, text, path, None)?;
+//! let sweep = Sweep::of(&SweepFile::parse(text, path)?, text, path, None)?;
 //!
 //! // The tower arrives with A T/8 = 0.5 m/s, whatever the restitution: (1+e) m v₀ is 60, 80 and 100 kN·s.
 //! let impulses = sweep.batch(0..sweep.n_runs()).columns.concat();
@@ -131,7 +131,7 @@ impl Sweep {
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::of(file, &bytes, path, stop).map_err(|refused| {
+        Self::of(&file, &bytes, path, stop).map_err(|refused| {
             let is_stopped = refused.is_kind(RefusalKind::Stopped);
             if is_stopped { refused } else { in_file(refused, path) }
         })
@@ -144,14 +144,14 @@ impl Sweep {
     ///
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
-    pub fn of(file: SweepFile, bytes: &[u8], path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+    pub fn of(file: &SweepFile, bytes: &[u8], path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
             scene.insert("budget".into(), serde_json::json!(budget));
         }
         set_tolerance(&mut read.scene);
-        let vary = placed(&file, &read.scene)?;
+        let vary = placed(file, &read.scene)?;
         let asked = accuracy::asked(&read.scene);
         if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
             let found = "a field of `method` where scene.method asks for an accuracy, for which one method is chosen";
@@ -161,7 +161,7 @@ impl Sweep {
         let first = Plan::new(vary.clone(), file.samples, 1)?;
         let scene = trial::first_scene(&first, &read.scene)?;
         let (base, of_scene) = (folder(path), folder(&read.path));
-        let motions = Motions::read(&file, &base, &of_scene, &scene, first.axes());
+        let motions = Motions::read(file, &base, &of_scene, &scene, first.axes());
         let motions = motions.map_err(|error| trial::blamed(error, &first, [path, &read.path]))?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);
@@ -364,7 +364,7 @@ mod tests {
             "samples": samples,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of(file, b"", Path::new("sweep.json"), None)
+        Sweep::of(&file, b"", Path::new("sweep.json"), None)
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! Runs whose scenes differ only in numbers of structures of one storey and of contacts. These numbers are set in a prepared scene instead
 //! of its JSON, which would have to be read and prepared again. Conversion and checks use the same functions; if they refuse, the long way
-//! finds the reason. A run of two structures over 1000 steps in lanes takes 2.5 µs; reading its scene would take as long again.
+//! finds the reason.
+//!
+//! Measured on one thread with 1e5 runs of two structures over 10 s: a row takes 3.9 µs by central differences, and 2.5 times as long if
+//! every scene is read and prepared anew. By the exact method it takes 12.4 µs, and 1.5 times as long.
 
 use serde_json::Value;
 
@@ -244,7 +247,7 @@ mod tests {
             "verdict": false,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of(file, b"", Path::new("sweep.json"), None).expect("its typical numbers are valid")
+        Sweep::of(&file, b"", Path::new("sweep.json"), None).expect("its typical numbers are valid")
     }
 
     proptest! {

@@ -117,6 +117,7 @@ struct Above {
 }
 
 /// The end of the span of a floor.
+#[derive(Clone, Copy)]
 struct SpanEnd {
     state: State,
     /// Velocity of the floor below \[m/s\].
