@@ -1,4 +1,4 @@
-//! What every folder of records is held to: nothing in it vanishes, and no record counts twice.
+//! The assertions on every folder of records: nothing in it vanishes, and no record counts twice.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use pounding_assess::Suite;
 use pounding_scene::FileUse;
 use pounding_scene::file::Unit;
 
-/// Beginnings and ends of names; a byte chooses one of each.
+/// Beginnings and ends of names; a byte chooses one of each list.
 const STEMS: [&str; 12] = [
     "A-ELC",
     "RSN6_IMPVALL.I_I-ELC",
@@ -50,7 +50,7 @@ const ENDS: [&str; 24] = [
     ".HNN.D.ASC",
 ];
 
-/// Makes a folder of what the bytes say, and reads it.
+/// Makes a folder from the bytes and reads it.
 pub(crate) fn check(bytes: &[u8], folder: &Path) {
     let names = made(bytes, folder);
     let hidden = |name: &&String| name.starts_with('.') || name.ends_with(".provenance.json");
@@ -59,7 +59,7 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
         let suite = Suite::of(&[folder.to_path_buf()], &declared).expect("a folder");
         assert_eq!(suite.n_entries, shown, "an entry vanished");
         let told = |name: &&String| {
-            // A component has the name of its file before its own.
+            // The name of a component's file precedes its own name.
             let is_of = |said: &str| {
                 let behind = said.strip_prefix(name.as_str());
                 behind.is_some_and(|behind| behind.is_empty() || behind.starts_with(' '))
@@ -77,7 +77,7 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
     }
 }
 
-/// Copies every motion under a name that tells nothing and is longer than all others: motions and events stay.
+/// Copies every motion under a longer name without meaning: motions and events stay.
 fn copies_change_nothing(suite: &Suite, folder: &Path, declared: &FileUse) {
     let copy = |index: usize| folder.join(format!("{}{index}q", "copied again".repeat(4)));
     for (index, motion) in suite.motions.iter().enumerate() {
@@ -94,7 +94,7 @@ fn copies_change_nothing(suite: &Suite, folder: &Path, declared: &FileUse) {
     assert_eq!(of(&again), of(suite), "a copy changes the events");
 }
 
-/// Makes the entries that the bytes name, and returns their names: two bytes name an entry, one says what it is.
+/// Makes the entries that the bytes name, and returns their names. Two bytes name an entry, a third tells its kind.
 fn made(bytes: &[u8], folder: &Path) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     let mut rest = bytes;
@@ -150,7 +150,7 @@ fn list(own: &[u8]) -> String {
     values.join("\n")
 }
 
-/// A list below a header that tells where and when; the first byte chooses one of a few.
+/// A list below a header with place and time; the first byte chooses the header.
 fn with_header(own: &[u8]) -> String {
     let told = own.first().copied().unwrap_or(0);
     let station = ["ABC", "Los Gatos", "1"][usize::from(told % 3)];

@@ -1,12 +1,12 @@
-//! Which ground motions are made in no time; a budget counts what a run costs, and not its record.
+//! Ground motions that are quick to make: a budget counts the cost of a run, but not that of its record.
 
 use pounding_scene::{Generated, Scene, Source};
 
-/// Samples of a record, and terms of a stochastic one: more are made in seconds, and met by tests.
+/// Largest number of samples of a record, and of terms of a stochastic one. Larger ones take seconds, and tests cover them.
 const MOST_SAMPLES: f64 = 1e4;
 const MOST_TERMS: f64 = 1e3;
 
-/// Whether the ground motion is made in no time.
+/// Whether the ground motion is quick to make.
 pub(crate) fn is_quickly_shaken(scene: &Scene) -> bool {
     let is_short = |duration: f64, step: f64| duration <= MOST_SAMPLES * step.abs();
     if let Some(step) = scene.record.resample_s

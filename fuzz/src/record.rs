@@ -1,8 +1,8 @@
-//! What every record file is held to: read or refused, never a panic; what is read is finite and can be used.
+//! The assertions on every record file: it is read or refused without a panic, and values that are read are finite and usable.
 
 use pounding_motion::{AccelerationUnit, Declared, Direction, NamedFile, components, contents, read_declared};
 
-/// Reads some bytes with more and more of what a caller may declare.
+/// Reads some bytes with more and more declarations of the caller.
 pub(crate) fn check(bytes: &[u8]) {
     for name in components(bytes).unwrap_or_default() {
         let _ = Direction::of_component(&name);
@@ -58,7 +58,7 @@ fn read(bytes: &[u8], declared: &Declared) {
     };
     let step = file.time_step();
     assert!(step > 0.0 && step.is_finite(), "time step {step}");
-    // Packed values take more than half a byte each.
+    // A packed value takes more than half a byte.
     let n_values = file.values().len();
     assert!(n_values <= 2 * bytes.len(), "{n_values} values of {} bytes", bytes.len());
     let finite = file.values().iter().all(|value| value.is_finite());

@@ -1,8 +1,7 @@
-//! What every scene file is held to: read, checked, prepared and run within a budget, as `pounding run` and `pounding check` do,
-//! or refused; never a panic, and no result that is not finite.
+//! The assertions on every scene file. It is read, checked, prepared and run within a budget, as `pounding run` and `pounding check` do, or
+//! it is refused. There is no panic, and every result is finite.
 //!
-//! No file is opened: the record is the text of `record.file` where that is a record, and else a pulse. Bytes are tried as
-//! JSON, then as TOML.
+//! No file is opened: the record is the text of `record.file` if that is a record, else a pulse. Bytes are tried as JSON, then as TOML.
 
 use std::path::Path;
 
@@ -12,7 +11,7 @@ use pounding_scene::{Error, Method, RunResult, Scene, Simulation, Source};
 
 use crate::quick::is_quickly_shaken;
 
-/// What a run may cost.
+/// The budget of a run.
 const BUDGET: RunBudget = RunBudget {
     steps: Some(1e4),
     pieces: Some(1e4),
@@ -21,14 +20,14 @@ const BUDGET: RunBudget = RunBudget {
 /// Acceleration that sets structures moving \[g\].
 const PULSE: &[u8] = b"time_s,acceleration_g\n0.0,0.1\n0.1,0.5\n0.2,-0.3\n0.3,0.2\n";
 
-/// Reads some bytes as a scene and runs it, where that is short.
+/// Reads some bytes as a scene and runs it if the run is short.
 pub(crate) fn check(bytes: &[u8]) {
     let read = |name| said(Scene::parse(bytes, Path::new(name)));
     let Some(mut scene) = read("scene.json").or_else(|| read("scene.toml")) else {
         return;
     };
     if matches!(scene.method, Method::Accuracy(_)) {
-        // The search for a method takes seconds on the smallest scene; what it runs is met here one by one.
+        // The search for a method takes seconds on the smallest scene; its runs are tested here one by one.
         scene.method = Method::EXACT;
     }
     if !is_quickly_shaken(&scene) {
@@ -48,7 +47,7 @@ pub(crate) fn check(bytes: &[u8]) {
             assert!(!warning.to_string().is_empty(), "{warning:?}");
         }
     }
-    // As `check` does, whatever the run said.
+    // `check` runs the exact method too, whatever the result of the run.
     let exact = prepared.exact().and_then(|exact| exact.run(None));
     if let Some(expected) = said(exact) {
         check_finite(&expected, prepared.floors().all().len());
@@ -60,7 +59,7 @@ pub(crate) fn check(bytes: &[u8]) {
     }
 }
 
-/// What was done; what is refused says why.
+/// The result; for a refusal asserts that it gives a reason.
 fn said<T>(result: Result<T, Error>) -> Option<T> {
     match result {
         Ok(done) => Some(done),

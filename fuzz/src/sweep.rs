@@ -1,7 +1,7 @@
-//! What every sweep file is held to: read, checked and tried, and its first runs run within a budget, or refused; never a panic,
-//! and no number that is not finite but where there is none.
+//! The assertions on every sweep file. It is read, checked and tried, and its first runs run within a budget, or it is refused. There is no
+//! panic, and every number is finite unless it does not exist.
 //!
-//! No file is opened: the scene stands in the sweep, and its motion is a formula. Bytes are tried as JSON, then as TOML.
+//! No file is opened: the scene is part of the sweep, and its motion is a formula. Bytes are tried as JSON, then as TOML.
 
 use std::path::Path;
 
@@ -12,13 +12,13 @@ use serde_json::Value;
 
 use crate::quick::is_quickly_shaken;
 
-/// What a run may cost.
+/// The budget of a run.
 const BUDGET: RunBudget = RunBudget {
     steps: Some(1e4),
     pieces: Some(1e4),
     seconds: None,
 };
-/// Runs of a sweep, and values of lists and grids that are tried before.
+/// Largest number of runs of a sweep, and of values of lists and grids that are tried first.
 const MOST_RUNS: u64 = 4;
 const MOST_VALUES: usize = 20;
 
@@ -58,7 +58,7 @@ pub(crate) fn check(bytes: &[u8]) {
     assert_eq!(rows.is_empty(), batch.failed.is_empty(), "{rows}");
 }
 
-/// Whether it opens no file, its motion is made in no time, and it does not search for a method.
+/// Whether the sweep opens no file, has a motion that is quick to make, and does not search for a method.
 fn is_short(file: &SweepFile) -> bool {
     let SceneOf::Inline(scene) = &file.scene else {
         return false;

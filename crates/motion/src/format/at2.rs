@@ -15,10 +15,10 @@ pub(super) const READER: Reader = Reader {
 
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.
 ///
-/// The line with NPTS and DT is the last of the first ten lines that names both, in any order and case. Examples are `NPTS=  4000, DT=
-/// .01000 SEC` and `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without such a line it is line 4, if this contains a whole
-/// number and a time step. A title line must state that the values are acceleration in g; if no line names a unit, the unit must be
-/// declared.
+/// The line with NPTS and DT is the last of the first ten lines that names both, in any order and case. Examples are
+/// `NPTS=  4000, DT= .01000 SEC` and `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without such a line it is line 4, if this
+/// contains a whole number and a time step. A title line must state that the values are acceleration in g; if no line names a unit, the
+/// unit must be declared.
 ///
 /// Values are in any number of columns of any width, as written by C or Fortran, and may touch. They end at the end of the file or at a
 /// line that does not begin with a number; blank lines are skipped. The first value is at t = 0, because the format has no times: a file

@@ -109,8 +109,8 @@ pub(super) struct Settled {
     pub(super) lost: f64,
 }
 
-impl From<(f64, Reading)> for Settled {
-    fn from((time_step, reading): (f64, Reading)) -> Self {
+impl Settled {
+    fn new(time_step: f64, reading: Reading) -> Self {
         Self {
             time_step,
             readings: vec![reading],
@@ -130,7 +130,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
             .but(", and must be ", "finite and above 0 s"));
     }
     match (spacing, declared.time_step) {
-        (Some(Spacing::Even(stated)), declared) => even(stated, declared).map(Settled::from),
+        (Some(Spacing::Even(stated)), declared) => even(stated, declared),
         (Some(Spacing::Unlabelled(stated)), declared) => {
             let in_milliseconds = milliseconds(stated);
             match declared {
@@ -142,7 +142,6 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
                     .and(format!(" as {} or {} s", stated.value, in_milliseconds.value))),
                 _ => even(stated, declared),
             }
-            .map(Settled::from)
         }
         (Some(Spacing::Several(several)), declared) => {
             let meant = declared.and_then(|step| several.iter().find(|one| is_repeated(step, one.value)));
@@ -151,14 +150,14 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
                     let said = several.iter().map(|one| (one.place, format!("{} s", one.value)));
                     Err(refusals::several("time step", Knob::TimeStep, said))
                 },
-                |one| even(one, declared).map(Settled::from),
+                |one| even(one, declared),
             )
         }
         (Some(Spacing::Uneven(uneven)), Some(step)) => uneven.settled(values, step),
         (Some(Spacing::Uneven(uneven)), None) => Err(uneven.refusal.clone()),
         (None, Some(declared)) => {
             let found = format!("{declared} s (declared)");
-            Ok(Settled::from((declared, reading("time step", None, &found))))
+            Ok(Settled::new(declared, reading("time step", None, &found)))
         }
         (None, None) => Err(Refused::that("the file does not say how far apart its values are")
             .help("declare it as ")
@@ -168,7 +167,7 @@ pub(super) fn settled(spacing: Option<&Spacing>, declared: &Declared, values: &m
     }
 }
 
-fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), Refused> {
+fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<Settled, Refused> {
     let (place, found) = (stated.place, stated.value);
     if !(found.is_finite() && found > 0.0) {
         return Err(refusals::time_step(place, found));
@@ -191,7 +190,7 @@ fn even(stated: &Stated<f64>, declared: Option<f64>) -> Result<(f64, Reading), R
         _ => {}
     }
     let text = format!("{found} s");
-    Ok((found, reading("time step", Some(place), &text)))
+    Ok(Settled::new(found, reading("time step", Some(place), &text)))
 }
 
 /// Whether a declared step equals that of the file, possibly with fewer digits.
@@ -207,7 +206,7 @@ impl Uneven {
         let after = peak(values);
         let (from, to) = (self.times.len(), values.len());
         let found = format!("{step} s (declared; {from} uneven pairs resampled to {to}, linear between)");
-        let mut settled = Settled::from((step, reading("time step", Some(self.place), &found)));
+        let mut settled = Settled::new(step, reading("time step", Some(self.place), &found));
         settled.lost = if before > 0.0 { 1.0 - after / before } else { 0.0 };
         if settled.lost > 1e-6 {
             let percent = 100.0 * settled.lost;

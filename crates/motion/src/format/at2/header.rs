@@ -76,8 +76,8 @@ pub(super) fn identity(lines: &[Line<'_>]) -> Identity {
     }
 }
 
-/// The direction that PEER writes after the last comma of the line of earthquake and station, the second line above the numbers: `EL CENTRO
-/// ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
+/// The direction that PEER writes after the last comma of the line of earthquake and station, the second line above the numbers:
+/// `EL CENTRO ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
 pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     let titles = split(lines).ok()?.titles;
     // A rotated record has `FN component, azimuth =   233.0`.

@@ -26,9 +26,9 @@ pub struct Atlas {
     settings: AtlasSettings,
     path: PathBuf,
     entries: Vec<Entry>,
-    asked: Vec<restitution::Asked>,
+    asked: Vec<restitution::CalibratedLaw>,
     impacts: Vec<Option<impacts::Impact>>,
-    ladders: Vec<time_step::Ladder>,
+    ladders: Vec<time_step::MethodLadder>,
     played: Vec<scenes::Played>,
 }
 

@@ -11,7 +11,7 @@ use pounding_text::{Cell, Table};
 
 /// A law with a requested e.
 #[derive(Debug)]
-pub(super) struct Asked {
+pub(super) struct CalibratedLaw {
     law: LawName,
     restitution: f64,
     /// The certificate of the exact calibration, or the reason why there is none.
@@ -19,10 +19,10 @@ pub(super) struct Asked {
 }
 
 /// Calibrates every law to every e.
-pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
+pub(super) fn ask(settings: &AtlasSettings) -> Vec<CalibratedLaw> {
     let answer = |&(law, restitution): &(&LawName, &f64)| {
         let certificate = settings.certificate(*law, *restitution);
-        Asked {
+        CalibratedLaw {
             law: *law,
             restitution: *restitution,
             outcome: certificate.map_err(|error| error.to_string()),
@@ -32,8 +32,8 @@ pub(super) fn ask(settings: &AtlasSettings) -> Vec<Asked> {
 }
 
 /// Table of the requested e, and of the e delivered after either calibration.
-pub(super) fn table(asked: &[Asked]) -> String {
-    let found = |asked: &Asked| asked.outcome.as_ref().ok().map(|found| (found.by_formula, found.by_exact));
+pub(super) fn table(asked: &[CalibratedLaw]) -> String {
+    let found = |asked: &CalibratedLaw| asked.outcome.as_ref().ok().map(|found| (found.by_formula, found.by_exact));
     Table::of(asked)
         .column("law", |asked| asked.law.name())
         .column("restitution_asked", |asked| asked.restitution)
@@ -72,7 +72,7 @@ pub(super) fn speeds(entries: &[Entry], settings: &AtlasSettings) -> String {
 const OFF: (f64, f64) = (-0.06, 0.18);
 
 /// Figure of the e delivered by the literature's formulas over the requested e, with the deviation in a lower panel.
-pub(super) fn figure(asked: &[Asked]) -> Figure {
+pub(super) fn figure(asked: &[CalibratedLaw]) -> Figure {
     let families: [(&str, &dyn Fn(LawName) -> bool); 2] = [("Linear springs", &is_linear), ("Hertz springs", &|law| !is_linear(law))];
     let delivered = families.map(|(title, wanted)| {
         let diagonal = Curve::new(CurveKind::Dashed, Shade::Ink, vec![(0.0, 0.0), (1.0, 1.0)]).named("As asked");
@@ -91,9 +91,9 @@ pub(super) fn figure(asked: &[Asked]) -> Figure {
 }
 
 /// A curve for each law with a formula; `value` computes its y from the requested and the delivered e.
-fn curves(asked: &[Asked], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64, f64) -> f64) -> Vec<Curve> {
+fn curves(asked: &[CalibratedLaw], wanted: &dyn Fn(LawName) -> bool, value: impl Fn(f64, f64) -> f64) -> Vec<Curve> {
     let curve = |law: LawName| {
-        let point = |asked: &Asked| {
+        let point = |asked: &CalibratedLaw| {
             let found = asked.outcome.as_ref().ok()?.by_formula?;
             let e = asked.restitution;
             (asked.law == law).then_some((e, value(e, found)))

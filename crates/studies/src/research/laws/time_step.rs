@@ -12,16 +12,16 @@ use pounding_text::{Cell, Table};
 
 /// The results of a method under one law at every time step.
 #[derive(Debug)]
-pub(super) struct Ladder {
+pub(super) struct MethodLadder {
     /// Index of the law.
     entry: usize,
     method: StepMethod,
-    rungs: Vec<Rung>,
+    rungs: Vec<LadderRung>,
 }
 
 /// The result at one time step.
 #[derive(Debug)]
-struct Rung {
+struct LadderRung {
     steps_per_contact: f64,
     time_step: f64,
     /// The delivered e, or the reason why the run failed.
@@ -29,7 +29,7 @@ struct Rung {
 }
 
 /// Runs every method with every law. Calls `done` after each combination.
-pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<Ladder> {
+pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn() + Sync)) -> Vec<MethodLadder> {
     // An impulsive contact has no duration: its time steps are those of the first law with a duration.
     let durations = || entries.iter().filter_map(|entry| Some(entry.certificate.impact?.duration));
     let usual = durations().next().unwrap_or(1.0);
@@ -41,13 +41,13 @@ pub(super) fn climb(entries: &[Entry], settings: &AtlasSettings, done: &(dyn Fn(
         let rung = |steps: &f64| {
             let time_step = duration / steps;
             let delivered = certificate.by(&settings.collision(), &method.at(time_step));
-            Rung {
+            LadderRung {
                 steps_per_contact: *steps,
                 time_step,
                 outcome: delivered.map_err(|error| error.to_string()),
             }
         };
-        Ladder {
+        MethodLadder {
             entry: index,
             method,
             rungs: settings.steps_per_contact.iter().map(rung).collect(),
@@ -63,7 +63,7 @@ pub(super) fn n_ladders() -> usize {
 }
 
 /// Table of the least and the largest e of every method at every time step.
-pub(super) fn table(entries: &[Entry], ladders: &[Ladder]) -> String {
+pub(super) fn table(entries: &[Entry], ladders: &[MethodLadder]) -> String {
     let of_entry = |(index, entry)| {
         let own = ladders.iter().filter(move |ladder| ladder.entry == index);
         by_name(
@@ -71,7 +71,7 @@ pub(super) fn table(entries: &[Entry], ladders: &[Ladder]) -> String {
             own.flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder.method, rung))),
         )
     };
-    let found = |rung: &Rung| rung.outcome.as_ref().ok().map(|found| (found.range, found.error));
+    let found = |rung: &LadderRung| rung.outcome.as_ref().ok().map(|found| (found.range, found.error));
     Table::of(entries.iter().enumerate().flat_map(of_entry))
         .column("law", |(name, ..)| name.name())
         .column("method", |(.., (method, _))| method.name())
@@ -100,7 +100,7 @@ const SHOWN: [LawName; 4] = [
 const LEAST: f64 = 1e-8;
 
 /// Figure of the delivered e at the phase with the largest error, and of that error.
-pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSettings) -> Figure {
+pub(super) fn figure(entries: &[Entry], ladders: &[MethodLadder], settings: &AtlasSettings) -> Figure {
     let mut panels = Vec::new();
     for law in SHOWN {
         let Some(index) = entries.iter().position(|entry| entry.names.contains(&law)) else {
@@ -119,11 +119,11 @@ pub(super) fn figure(entries: &[Entry], ladders: &[Ladder], settings: &AtlasSett
     Figure::grid(8.6, 2, Axis::auto("Time steps per contact").log(), panels)
 }
 
-fn curves(ladders: &[Ladder], entry: usize, point: &dyn Fn(&DeliveredRestitution) -> f64) -> Vec<Curve> {
+fn curves(ladders: &[MethodLadder], entry: usize, point: &dyn Fn(&DeliveredRestitution) -> f64) -> Vec<Curve> {
     let own = ladders.iter().filter(|ladder| ladder.entry == entry);
-    let curve = |ladder: &Ladder| {
+    let curve = |ladder: &MethodLadder| {
         let (shade, kind, mark) = line_of(ladder.method.name())?;
-        let at = |rung: &Rung| Some((rung.steps_per_contact, point(rung.outcome.as_ref().ok()?)));
+        let at = |rung: &LadderRung| Some((rung.steps_per_contact, point(rung.outcome.as_ref().ok()?)));
         let points = ladder.rungs.iter().filter_map(at).collect();
         let curve = Curve::new(kind, shade, points).marked(mark);
         Some(curve.named(ladder.method.label()))

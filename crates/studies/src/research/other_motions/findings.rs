@@ -8,13 +8,13 @@ use crate::paper::claims::{Claim, ClaimCount, Finding};
 use pounding_text::Table;
 
 /// A claim under every motion in both directions, as recorded and reversed.
-pub(super) struct Asked<'a> {
+pub(super) struct TestedClaim<'a> {
     /// The claim, with the computed numbers of the first case.
     pub(super) claim: &'a Claim,
     pub(super) findings: Vec<[Finding; 2]>,
 }
 
-impl Asked<'_> {
+impl TestedClaim<'_> {
     pub(super) fn tally(&self) -> ClaimCount {
         ClaimCount::of(self.findings.iter().flatten().copied())
     }
@@ -42,11 +42,11 @@ impl Asked<'_> {
 }
 
 /// The tested claims in their order.
-pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<Asked<'_>> {
+pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<TestedClaim<'_>> {
     let first = worlds.first().map_or(&[][..], |[world, _]| &world.claims);
     let asked = |(index, claim): (usize, _)| {
         let findings = worlds.iter().map(|both| both.each_ref().map(|world| world.claims[index].finding));
-        Asked {
+        TestedClaim {
             claim,
             findings: findings.collect(),
         }
@@ -56,7 +56,7 @@ pub(super) fn all(worlds: &[[MotionCase; 2]]) -> Vec<Asked<'_>> {
 
 /// Table with one row per claim: the number of cases in which it holds, its finding in the paper's case, and the cases in which it fails.
 /// For changed scenes a column adds the number of `plain` cases in which it holds.
-pub(super) fn table(motions: &[Shaking], all: &[Asked<'_>], plain: Option<&[Asked<'_>]>, papers: Option<Case>) -> String {
+pub(super) fn table(motions: &[Shaking], all: &[TestedClaim<'_>], plain: Option<&[TestedClaim<'_>]>, papers: Option<Case>) -> String {
     let mut table = Table::of(all.iter().enumerate())
         .column("claim", |(_, one)| one.claim.claim)
         .column("where", |(_, one)| one.claim.place)

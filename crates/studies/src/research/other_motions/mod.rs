@@ -84,7 +84,7 @@ impl Beyond {
     pub fn claims(&self) -> Vec<(Option<Change>, Vec<Counted>)> {
         let of = |group: &Group| {
             let claims = findings::all(&group.worlds);
-            let counted = |asked: &findings::Asked<'_>| (asked.claim.claim, asked.tally());
+            let counted = |asked: &findings::TestedClaim<'_>| (asked.claim.claim, asked.tally());
             (group.change, claims.iter().map(counted).collect())
         };
         self.groups.iter().map(of).collect()

@@ -1,7 +1,7 @@
 //! Maps of grids: one panel per method, one square per scene in the colour of the worst number of the run.
 
 use super::class::Class;
-use super::measure::{JudgedRun, Measured};
+use super::measure::{JudgedRun, JudgedScene};
 use crate::study::stress::{ExtremeScene, Map};
 use pounding_plot::{Align, Drawing, Pen, Shade, Shape};
 use pounding_scene::ComparedMethod;
@@ -20,9 +20,9 @@ const TEXT: f64 = 7.5;
 const SMALL: f64 = 6.0;
 
 /// Drawing of a map.
-pub(super) fn drawing(map: &Map, cells: &[ExtremeScene], measured: &[Measured]) -> Drawing {
+pub(super) fn drawing(map: &Map, cells: &[ExtremeScene], measured: &[JudgedScene]) -> Drawing {
     let own = cells.iter().zip(measured).filter(|(cell, _)| cell.place == map.name);
-    let own: Vec<&Measured> = own.map(|(_, measured)| measured).collect();
+    let own: Vec<&JudgedScene> = own.map(|(_, measured)| measured).collect();
     let methods: &[JudgedRun] = own.first().map_or(&[], |measured| &measured.runs);
     let (n_x, n_y) = (map.x.values.len() as f64, map.y.values.len() as f64);
     let (left, below, above) = MARGIN;

@@ -12,7 +12,7 @@ const MOST_OF_SECOND_ROUTE: usize = 10;
 
 /// Results of a scene under all methods.
 #[derive(Debug)]
-pub(super) struct Measured {
+pub(super) struct JudgedScene {
     /// First the exact method, measured by the second route; then every stepping method, measured by the exact one.
     pub(super) runs: Vec<JudgedRun>,
 }
@@ -93,11 +93,11 @@ impl Judged {
 }
 
 /// Runs every method on a scene; `base` lends the unchanged parts.
-pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
+pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> JudgedScene {
     let all = |first, impulsive, of_method: &dyn Fn(StepMethod) -> JudgedRun| {
         let methods = StepMethod::differing(impulsive).map(of_method);
         let runs = std::iter::once(first).chain(methods).collect();
-        Measured { runs }
+        JudgedScene { runs }
     };
     let exact = match base.variant(&pushed.scene, pushed.record.clone()) {
         Ok(prepared) => prepared,

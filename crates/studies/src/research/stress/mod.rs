@@ -14,7 +14,7 @@ use crate::study::stress::{Edges, Extent, ExtremeScene};
 use crate::{Completed, StudyError};
 use std::path::{Path, PathBuf};
 
-use measure::{Measured, measure};
+use measure::{JudgedScene, measure};
 
 /// Results of all extreme scenes.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ pub struct Extremes {
     edges: Edges,
     extent: Extent,
     cells: Vec<ExtremeScene>,
-    measured: Vec<Measured>,
+    measured: Vec<JudgedScene>,
     path: PathBuf,
 }
 

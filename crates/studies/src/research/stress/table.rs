@@ -1,13 +1,13 @@
 //! Tables of the extreme scenes and of their counts as CSV.
 
 use super::class::Class;
-use super::measure::{Judged, JudgedRun, Measured};
+use super::measure::{Judged, JudgedRun, JudgedScene};
 use crate::research::work_precision::MethodQuantity;
 use crate::study::stress::ExtremeScene;
 use pounding_text::{Cell, Table};
 
 /// One row per scene and method, for the scenes that pass a test.
-pub(super) fn cells(cells: &[ExtremeScene], measured: &[Measured], test: impl Fn(&ExtremeScene) -> bool) -> String {
+pub(super) fn cells(cells: &[ExtremeScene], measured: &[JudgedScene], test: impl Fn(&ExtremeScene) -> bool) -> String {
     let own = cells.iter().zip(measured).filter(|(cell, _)| test(cell));
     let rows = own.flat_map(|(cell, measured)| measured.runs.iter().map(move |run| (cell, run)));
     let mut table = Table::of(rows)
@@ -63,7 +63,7 @@ const COUNTS: [(&str, Test); 6] = [
 ];
 
 /// Numbers of each class over all runs: by method, by quantity, and in all.
-pub(super) fn summary(measured: &[Measured]) -> String {
+pub(super) fn summary(measured: &[JudgedScene]) -> String {
     let numbers = || {
         let runs = measured.iter().flat_map(|measured| &measured.runs);
         runs.flat_map(|run| MethodQuantity::ALL.into_iter().zip(&run.numbers).map(move |of| (run.method, of)))

@@ -1,8 +1,8 @@
 //! Surveys: each asks one question of thousands of exact runs.
 //!
-//! A survey is a study file whose scenes are templates, with ranges to vary. Its tables and figures have a separate folder, which `cargo
-//! xtask studies` makes and which is committed with SHA-256 hashes. All runs are by the exact method, so no table contains integration
-//! errors.
+//! A survey is a study file whose scenes are templates, with ranges to vary. Its tables and figures have a separate folder.
+//! `cargo xtask studies` makes it, and it is committed with SHA-256 hashes. All runs are by the exact method, so no table contains
+//! integration errors.
 //!
 //! Sweeps cannot replace surveys, because the varied values depend on other runs: a gap, for example, is a part of the gap that a pair
 //! needs.

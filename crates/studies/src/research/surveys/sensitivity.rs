@@ -64,7 +64,7 @@ pub(super) fn files(settings: &Sensitivity, file: &StudyFile, cases: &[Case]) ->
     let template = &rows(file, 2)?[0];
     // The two directions of a motion follow each other.
     let n_motions = if settings.vary_motion { cases.len() / 2 } else { 1 };
-    let asked = Asked {
+    let asked = SampledScene {
         settings,
         template,
         cases: &cases[..2 * n_motions],
@@ -90,13 +90,13 @@ fn samples(count: usize) -> Vec<(Sample, Sample)> {
     sequence.skip(1).take(count).map(both).collect()
 }
 
-struct Asked<'a> {
+struct SampledScene<'a> {
     settings: &'a Sensitivity,
     template: &'a Scene,
     cases: &'a [Case],
 }
 
-impl Asked<'_> {
+impl SampledScene<'_> {
     fn row(&self, a: &Sample, b: &Sample) -> Result<SampleRuns, StudyError> {
         let mut mixed = [[0.0; N_OUTPUTS]; N_INPUTS];
         let of_a = self.run(a)?;

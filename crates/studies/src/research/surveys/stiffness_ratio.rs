@@ -24,7 +24,7 @@ struct VariedLayout<'a> {
     scene: &'a Scene,
     kept: HeldConstant,
     /// Quantities of the middle structure without neighbours, for every motion. `None` if its own stiffness varies.
-    alone: Option<Vec<Measured>>,
+    alone: Option<Vec<StructureQuantities>>,
 }
 
 listed! {
@@ -36,7 +36,7 @@ listed! {
 }
 
 /// Every quantity of a structure \[m\].
-type Measured = [f64; Quantity::ALL.len()];
+type StructureQuantities = [f64; Quantity::ALL.len()];
 
 /// Every quantity of the middle structure over the one without neighbours; `None` if that is zero.
 type Middle = [Option<f64>; Quantity::ALL.len()];
@@ -309,7 +309,7 @@ fn turn_table(lines: &[VariedLayout<'_>], turns: &[Turn]) -> String {
 }
 
 /// Quantities of the middle structure of a scene without its neighbours.
-fn alone(case: &Case, scene: &Scene) -> Result<Measured, StudyError> {
+fn alone(case: &Case, scene: &Scene) -> Result<StructureQuantities, StudyError> {
     let alone = Scene {
         structures: vec![scene.structures[MIDDLE].clone()],
         contacts: None,
@@ -319,7 +319,7 @@ fn alone(case: &Case, scene: &Scene) -> Result<Measured, StudyError> {
 }
 
 /// Quantities of a structure in a scene under a motion.
-fn measured(case: &Case, scene: &Scene, place: usize) -> Result<Measured, StudyError> {
+fn measured(case: &Case, scene: &Scene, place: usize) -> Result<StructureQuantities, StudyError> {
     let Structure::Sdof(structure) = &scene.structures[place] else {
         unreachable!("a row of structures of one storey");
     };

@@ -13,10 +13,10 @@ mod compared;
 mod condition;
 mod contacts;
 mod generator;
-mod meeting;
 mod numbers;
 mod random;
 mod table;
+mod touch;
 mod written;
 
 pub use campaign::Campaign;

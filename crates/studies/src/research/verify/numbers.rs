@@ -1,7 +1,7 @@
 //! Numbers of a scene by both routes, with their distances.
 
 use super::compared::{Compared, NumberPlace, Two};
-use super::meeting::{Largest, Meeting, are_at_once, as_one, matched};
+use super::touch::{Largest, Touch, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunErrors, RunResult, RunValues, Simulation};
 use pounding_solver::Pair;
@@ -30,7 +30,7 @@ pub(super) struct Numbers {
     /// several impulses, so their transferred momentum is not compared.
     pinched: Vec<bool>,
     /// The touches of every pair in their order.
-    pairs: Vec<Vec<Meeting>>,
+    pairs: Vec<Vec<Touch>>,
     /// The largest force that shakes the lighter floor of every pair \[N\].
     shaking: Vec<f64>,
 }
@@ -51,7 +51,7 @@ impl Numbers {
         };
         let touches = |(index, pair): (usize, &Pair)| {
             let all = outcome.collisions_of(index);
-            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, one.uncertainty))
+            all.map(|one| Touch::new(pair, [one.start, one.end], one.impulse, one.peak_force, one.uncertainty))
                 .collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
@@ -67,13 +67,13 @@ impl Numbers {
         let pairs = prepared.pairs().iter().zip(&response.collisions);
         let touches = pairs.map(|(pair, all)| {
             let all = all.iter();
-            all.map(|one| Meeting::new(pair, [one.start, one.end], one.impulse, one.peak_force, None))
+            all.map(|one| Touch::new(pair, [one.start, one.end], one.impulse, one.peak_force, None))
                 .collect()
         });
         Self::new(prepared, floors.collect(), touches.collect())
     }
 
-    fn new(prepared: &Simulation, floors: Vec<OfFloor>, mut pairs: Vec<Vec<Meeting>>) -> Self {
+    fn new(prepared: &Simulation, floors: Vec<OfFloor>, mut pairs: Vec<Vec<Touch>>) -> Self {
         for touches in &mut pairs {
             touches.sort_by(|one, other| one.start.total_cmp(&other.start));
         }
@@ -175,7 +175,7 @@ impl Numbers {
         let from = touches.iter().rposition(|one| one.start < time);
         let near = touches.iter().enumerate().skip(from.unwrap_or(0).saturating_sub(1)).take(7);
         let words = near.map(|(number, one)| {
-            let Meeting {
+            let Touch {
                 start,
                 lasts,
                 impulse,

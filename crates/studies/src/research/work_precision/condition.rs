@@ -43,7 +43,7 @@ impl Known {
 
 /// One collision of a scene.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Meeting {
+pub(super) struct KnownCollision {
     /// First instant \[s\] and impulse \[N·s\].
     pub(super) values: [f64; 2],
     pub(super) known: [Known; 2],
@@ -55,7 +55,7 @@ pub(super) struct Knowledge {
     /// For each quantity that of the worst structure; `None` if nothing collides.
     quantities: [Option<Known>; MethodQuantity::ALL.len()],
     /// The collisions of every pair in their order.
-    pub(super) pairs: Vec<Vec<Meeting>>,
+    pub(super) pairs: Vec<Vec<KnownCollision>>,
     /// Whether both routes have the same number of collisions.
     pub(super) same_count: bool,
 }
@@ -98,7 +98,7 @@ impl Knowledge {
                 }
                 RunErrors::relative(other.pairs[pair][index][which], values[which])
             };
-            Meeting {
+            KnownCollision {
                 values,
                 known: [0, 1].map(|which| known(&|other| distance(other, which))),
             }

@@ -31,7 +31,7 @@ pub(super) fn cheapest(entrant: &Entrant, holds: impl Fn(&Measured) -> bool) -> 
 }
 
 /// A quantity and an error, with the cheapest run of each method that reaches it.
-struct Asked<'a> {
+struct ErrorGoal<'a> {
     race: &'a Race,
     quantity: &'static str,
     percent: &'static str,
@@ -39,7 +39,7 @@ struct Asked<'a> {
     found: Vec<Option<Cheapest<'a>>>,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> ErrorGoal<'a> {
     fn of(race: &'a Race, quantity: &'static str, percent: &'static str, agreed: String, holds: impl Fn(&Measured) -> bool) -> Self {
         let found = ComparedMethod::ALL
             .iter()
@@ -70,14 +70,16 @@ pub(super) fn table(races: &[Race]) -> String {
                 continue;
             }
             rows.extend(ALLOWED.map(|(allowed, percent)| {
-                Asked::of(race, quantity.key(), percent, agreed(race.digits(quantity)), |measured| {
+                ErrorGoal::of(race, quantity.key(), percent, agreed(race.digits(quantity)), |measured| {
                     measured.error(quantity).is_some_and(|error| error <= allowed)
                 })
             }));
         }
         if race.truth.n_collisions > 0 {
             let agreed = race.agreed_count().into();
-            rows.push(Asked::of(race, "number_of_collisions", "0", agreed, |measured| measured.same_count));
+            rows.push(ErrorGoal::of(race, "number_of_collisions", "0", agreed, |measured| {
+                measured.same_count
+            }));
         }
     }
     Table::of(rows)

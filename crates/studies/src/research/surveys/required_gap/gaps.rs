@@ -1,6 +1,6 @@
 //! Gaps that are too narrow, where a wider gap can be worse.
 
-use super::{Asked, Scan, any_and_each, asked, words_of};
+use super::{PairCase, Scan, any_and_each, asked, words_of};
 use crate::StudyError;
 use crate::files::direction;
 use crate::listed::listed;
@@ -18,7 +18,7 @@ pub(super) struct Gaps<'a> {
 
 /// A pair under a motion, over a range of gaps.
 pub(super) struct Swept<'a> {
-    pub(super) asked: Asked<'a>,
+    pub(super) asked: PairCase<'a>,
     /// Smallest gap at which the pair does not touch \[m\].
     required: f64,
     /// Rising gaps, relative to the required one, with the results at each.

@@ -18,25 +18,25 @@ use pounding_text::{Table, digits};
 
 /// A pair under a motion.
 #[derive(Debug, Clone, Copy)]
-struct Asked<'a> {
+struct PairCase<'a> {
     case: &'a Case,
     longer: f64,
     ratio: f64,
 }
 
 /// Every pair under every motion, pair by pair.
-fn asked<'a>(cases: &'a [Case], longer: &[f64], ratios: &[f64]) -> Vec<Asked<'a>> {
+fn asked<'a>(cases: &'a [Case], longer: &[f64], ratios: &[f64]) -> Vec<PairCase<'a>> {
     let mut all = Vec::new();
     for &ratio in ratios {
         for &longer in longer {
-            let of = |case| Asked { case, longer, ratio };
+            let of = |case| PairCase { case, longer, ratio };
             all.extend(cases.iter().map(of));
         }
     }
     all
 }
 
-impl Asked<'_> {
+impl PairCase<'_> {
     /// The template with both periods set.
     fn scene(self, template: &Scene) -> Scene {
         let mut scene = template.clone();
@@ -68,7 +68,7 @@ pub(super) fn files(settings: &RequiredGap, file: &StudyFile, cases: &[Case]) ->
 
 /// Required widths, ratio by ratio.
 struct Widths<'a> {
-    found: Vec<(Asked<'a>, Separation)>,
+    found: Vec<(PairCase<'a>, Separation)>,
     ratios: Vec<f64>,
 }
 

@@ -8,7 +8,7 @@ use pounding_solver::Pair;
 
 /// A touch of a pair.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Meeting {
+pub(super) struct Touch {
     /// First instant \[s\].
     pub start: f64,
     /// Last instant \[s\]; `None` for laws that let go before neighbours part.
@@ -28,12 +28,12 @@ pub(super) struct Meeting {
 /// A route's resolution decides three things: how many bounces end in rest, which of several floors that meet at once hits first, and how
 /// many bounces of a neighbour coming to rest reach a pair at rest. Bounces without an impulse therefore belong to the touch that
 /// continues. A force that passes through zero may end a touch or not. A force that begins where another one ends therefore continues it.
-pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
+pub(super) fn as_one(touches: Vec<Touch>) -> Vec<Touch> {
     let largest = Largest::of(&touches).impulse;
-    let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
+    let mut all: Vec<Touch> = Vec::with_capacity(touches.len());
     let mut latest = f64::NEG_INFINITY;
     for next in touches {
-        let belongs = |last: &Meeting| {
+        let belongs = |last: &Touch| {
             let apart = next.start - (last.start + last.lasts);
             let press = last.peak_force.is_some() && next.peak_force.is_some();
             let goes_on = press && last.lasts > 0.0 && apart <= TOGETHER;
@@ -50,7 +50,7 @@ pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
 }
 
 /// Whether impacts of two pairs, in their order, ever coincide.
-pub(super) fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
+pub(super) fn are_at_once(one: &[Touch], other: &[Touch]) -> bool {
     let mut next = 0;
     let impacts = one.iter().filter(|one| one.peak_force.is_none());
     impacts.map(|one| one.start).any(|time| {
@@ -74,7 +74,7 @@ pub(super) struct Largest {
 }
 
 impl Largest {
-    pub(super) fn of(touches: &[Meeting]) -> Self {
+    pub(super) fn of(touches: &[Touch]) -> Self {
         let forces = touches.iter().filter_map(|one| one.peak_force);
         Self {
             impulse: touches.iter().map(|one| one.impulse).fold(0.0, f64::max),
@@ -98,7 +98,7 @@ const LEAVES_ZERO: f64 = 5e-5;
 /// Largest impulse that is rounding, as a part of the largest impulse of the pair \[–\].
 const ROUNDING: f64 = 1e-12;
 
-impl Meeting {
+impl Touch {
     /// A touch of a pair between two instants \[s\], with its impulse \[N·s\] and force \[N\].
     pub(super) fn new(pair: &Pair, [start, end]: [f64; 2], impulse: f64, peak_force: Option<f64>, uncertainty: Option<f64>) -> Self {
         // Neighbours part at the end of the force only if nothing clamps it.
@@ -170,7 +170,7 @@ pub(super) const SAME: f64 = 1e-7;
 
 /// For every touch of a pair the index of the corresponding touch in another run. If the runs have different numbers of touches, it is the
 /// one with the nearest start within [`SAME`].
-pub(super) fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize>> {
+pub(super) fn matched(first: &[Touch], second: &[Touch]) -> Vec<Option<usize>> {
     if first.len() == second.len() {
         return (0..first.len()).map(Some).collect();
     }
@@ -186,8 +186,8 @@ pub(super) fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize
 }
 
 /// The touch with the nearest start to an instant \[s\], from index `from`, if it is within [`SAME`].
-fn nearest(touches: &[Meeting], from: usize, time: f64) -> Option<usize> {
-    let apart = |one: &Meeting| (one.start - time).abs();
+fn nearest(touches: &[Touch], from: usize, time: f64) -> Option<usize> {
+    let apart = |one: &Touch| (one.start - time).abs();
     let later = from + touches[from..].partition_point(|one| one.start < time);
     let near = later.saturating_sub(1).max(from)..touches.len().min(later + 1);
     let nearest = near.min_by(|one, other| apart(&touches[*one]).total_cmp(&apart(&touches[*other])));
